@@ -6,6 +6,7 @@
 #
 # Sets everything up, and turns the horizons of files (of the bundled sample without any) into meshes: one .vtp file
 # per horizon, a picture of every stage, and a table. Results go to out/ in the current folder when no other is named.
+# The sample has its time in ms and its place in the world, which files of this format do not say, and is cut at faults.
 set -eu
 
 usage="usage: $0 [-o OUTPUT_FOLDER] [FILE.vsm]..."
@@ -45,7 +46,8 @@ mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output can not be made"
 
 utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 source_folder=$(dirname -- "$utilities")
-[ $# -gt 0 ] || set -- "$source_folder/Data/sample.vsm"
+[ $# -gt 0 ] || set -- --elevation RealZ --origin 461200 6801500 0 --column-step 24 7 --row-step -7 24 --cut-faults 0 \
+  "$source_folder/Data/sample.vsm"
 
 "$utilities/setup.sh" --without-tests
 PYTHONPATH=$source_folder/build/release/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH} \

@@ -136,7 +136,7 @@ def play_results(paraview, sample, folder):
 def main():
     paraview, pvpython, data, folder = sys.argv[1:5]
     folder = window.new_folder(folder)
-    sample = pathlib.Path(data).resolve() / "sample.vsm"
+    sample = pathlib.Path(data).resolve() / "blobs.vsm"
     mesh, distance = play(paraview, sample, folder)
     assert mesh["name"] == "HorizonTriangulation" and mesh["shown"] and mesh["cells"] > 1000, mesh
     assert distance["name"] == "HorizonSurfaceDistance" and distance["shown"], distance

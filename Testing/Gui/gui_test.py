@@ -43,7 +43,7 @@ def main():
     folder = window.new_folder(options.output / (options.baseline + ("-changed" if options.changed else "")))
     script = folder / "events.xml"
     fill_in(options.template, script, {
-        "SAMPLE": str(options.data / "sample.vsm"), "CELL_SIZE": "4" if options.changed else "3"})
+        "SAMPLE": str(options.data / "blobs.vsm"), "CELL_SIZE": "4" if options.changed else "3"})
     image_compare.finish(play(options.paraview, script, folder), options.baseline, options)
 
 

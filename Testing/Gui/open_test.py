@@ -65,8 +65,8 @@ def check_series(first, last):
 def main():
     paraview, generator, data, folder = sys.argv[1:5]
     folder = window.new_folder(folder)
-    sample = pathlib.Path(data).resolve() / "sample.vsm"
-    compressed = folder / "sample.vsm.gz"
+    sample = pathlib.Path(data).resolve() / "blobs.vsm"
+    compressed = folder / "blobs.vsm.gz"
     compressed.write_bytes(gzip.compress(sample.read_bytes()))
     cube = folder / "cube.sgy"
     subprocess.run([generator, "--size", *map(str, CUBE), "--throw", "0", cube], check=True, stdout=subprocess.PIPE)

@@ -252,7 +252,7 @@ def load_exaggerated(events):
 def main():
     paraview, data, folder = sys.argv[1:4]
     folder = window.new_folder(folder)
-    sample = pathlib.Path(data).resolve() / "sample.vsm"
+    sample = pathlib.Path(data).resolve() / "blobs.vsm"
     (folder / "flat.vsm").write_text(FLAT, encoding="ascii")
     (folder / "picks.xyz").write_text(PICKS, encoding="ascii")
     for name, text in (("turned.xyz", TURNED), ("steep.xyz", STEEP), ("deep.xyz", STEEP.replace(" 10", " 11")),

@@ -118,7 +118,7 @@ def check_downstream(proxies):
 def main():
     folder = pathlib.Path(sys.argv[2]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    sample = pathlib.Path(sys.argv[1]).resolve() / "sample.vsm"
+    sample = pathlib.Path(sys.argv[1]).resolve() / "blobs.vsm"
     proxies = pipelines.all_stages(sample, pipelines.write_fault(folder))
     for name, proxy in proxies.items():
         if name != "lines":  # a few points are read at once

@@ -24,7 +24,7 @@ from seismichorizons import reading
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]
-SAMPLE = DATA / "sample.vsm"
+SAMPLE = DATA / "blobs.vsm"
 LATIN = os.fsdecode("caf\u00e9".encode("latin-1"))
 
 
@@ -235,7 +235,7 @@ class FilesTest(unittest.TestCase):
             self.assertEqual((code, len(messages)), (1, 2), messages)
             self.assertIn("empty: there is no file of horizons in this folder", messages[0])
             self.assertIn(text, messages[1])
-            self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
+            self.assertEqual(files(self.output), ["blobs_horizon_1.vtp"])
 
     def test_faults_from_files(self):
         """Polygons leave their inside out; sticks cut, and their surface is a result."""
@@ -312,7 +312,7 @@ class FilesTest(unittest.TestCase):
             process.send_signal(signal.SIGKILL)
         os.utime(workspace, (0, 0))
         self.assertEqual(self.run_program("--horizons", "1", "--", SAMPLE)[:2], (0, []))
-        self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
+        self.assertEqual(files(self.output), ["blobs_horizon_1.vtp"])
 
     def test_first_moments(self):
         """Ctrl-C while modules are loaded; before that it is Python that answers."""

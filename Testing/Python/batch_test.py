@@ -21,7 +21,7 @@ import wrong_files
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]
-SAMPLE = DATA / "sample.vsm"
+SAMPLE = DATA / "blobs.vsm"
 
 
 def run(*arguments, prepare=None, stdout=subprocess.PIPE, **environment):
@@ -66,15 +66,15 @@ class BatchTest(unittest.TestCase):
         done = self.succeed(SAMPLE, "--stages")
         meshes = sorted(self.output.glob("*.vtp"))
         self.assertGreaterEqual(len(meshes), 2)
-        self.assertEqual(files(self.output), sorted([m.name for m in meshes] + ["sample.png"]))
+        self.assertEqual(files(self.output), sorted([m.name for m in meshes] + ["blobs.png"]))
         for path in meshes:
-            self.assertRegex(path.name, r"^sample_horizon_\d+\.vtp$")
+            self.assertRegex(path.name, r"^blobs_horizon_\d+\.vtp$")
             mesh = mesh_checks.read(path)
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             row = printed_row(done, path.stem.split("_")[-1])
             self.assertEqual(int(row[1]), mesh_checks.counts(mesh).sum())
             self.assertEqual([int(row[5]), int(row[6])], [mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()])
-        picture = image_compare.load(self.output / "sample.png")
+        picture = image_compare.load(self.output / "blobs.png")
         self.assertEqual(picture.shape[1], 5 * 480)
         self.assertGreater(len(set(map(tuple, picture[::7, ::7].reshape(-1, 3)))), 100)
 
@@ -82,8 +82,8 @@ class BatchTest(unittest.TestCase):
         self.succeed(SAMPLE, "--no-pictures", "--stages", "--threads", "1", "--horizons", "1", "--elevation", "RealZ",
                      "--duplicate-policy", "Lowest", "--origin", "10", "20", "30", "--column-step", "2", "1",
                      "--row-step", "-1", "2", "--vertical-step", "-4", "--distance-threshold", "0", "--skip-rough")
-        self.assertEqual(files(self.output), ["sample_horizon_1.vtp"])
-        mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
+        self.assertEqual(files(self.output), ["blobs_horizon_1.vtp"])
+        mesh = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
         self.assertEqual(mesh_checks.counts(mesh).sum(), mesh.GetNumberOfPoints())
         self.assertGreater(mesh_checks.check_mesh(mesh), 0)
         self.assertTrue((mesh_checks.coordinates(mesh)[:, 2] == -mesh_checks.array(mesh, "RealZ")).all())
@@ -93,7 +93,7 @@ class BatchTest(unittest.TestCase):
         middles = []
         for arguments in ([], ["--vertical-direction", "Up"]):
             self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", *arguments)
-            mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
+            mesh = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             middles.append(mesh.GetCenter()[2])
         self.assertLess(middles[0], 0.0)
@@ -105,7 +105,7 @@ class BatchTest(unittest.TestCase):
         for arguments in ([], ["--elaborate"], ["--elaborate", "--skip-rough", "--representative", "NearestPoint"],
                           ["--elaborate", "--elaborate-cell-size", "2", "--flatness-threshold", "0", "--skip-rough"]):
             done = self.succeed(SAMPLE, "--no-pictures", "--stages", "--horizons", "1", *arguments)
-            mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
+            mesh = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             points.append(mesh.GetNumberOfPoints())
             self.assertEqual(int(printed_row(done, "1")[1]), mesh_checks.counts(mesh).sum())
@@ -117,7 +117,7 @@ class BatchTest(unittest.TestCase):
         triangles = []
         for error in ("0.75", "2"):
             done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1", "--largest-error", error, "--measure-error")
-            mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
+            mesh = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
             self.assertGreater(mesh_checks.check_mesh(mesh), 0)
             self.assertLessEqual(mesh.GetFieldData().GetArray("LargestError").GetValue(0), float(error) + 1e-9)
             row = printed_row(done, "1")
@@ -127,7 +127,7 @@ class BatchTest(unittest.TestCase):
             triangles.append(mesh.GetNumberOfPolys())
         self.assertGreater(triangles[0], 2 * triangles[1])
         self.succeed(SAMPLE, "--no-pictures", "--horizons", "1")  # 0.75 is the default
-        mesh = mesh_checks.read(self.output / "sample_horizon_1.vtp")
+        mesh = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
         self.assertEqual(mesh.GetNumberOfPolys(), triangles[0])
         self.assertIn("--elaborate is an option of --stages", self.refused(SAMPLE, "--largest-error", "1", "--elaborate"))
 
@@ -141,7 +141,7 @@ class BatchTest(unittest.TestCase):
             self.assertEqual(int(row[4]), mesh.GetNumberOfPolys())
             self.assertIn(mesh.GetNumberOfPolys(), (399, 400))
             self.assertEqual(mesh.GetFieldData().GetArray("ChosenRadius").GetValue(0), 2)
-        self.assertEqual(image_compare.load(self.output / "sample.png").shape[1], 3 * 480)
+        self.assertEqual(image_compare.load(self.output / "blobs.png").shape[1], 3 * 480)
         self.assertIn("that the outlines alone take", self.refused(SAMPLE, "--no-pictures", "--triangles", "5"))
         self.assertIn("not allowed with", self.refused(SAMPLE, "--triangles", "5", "--largest-error", "1"))
 
@@ -154,9 +154,9 @@ class BatchTest(unittest.TestCase):
         self.assertGreater(after[0], after[1])
         self.assertGreater(after[1], after[2])
         self.succeed(SAMPLE, "--no-pictures", "--stages", "--horizons", "1", "--minimum-patch-size", "1000")
-        closed = mesh_checks.read(self.output / "sample_horizon_1.vtp")
+        closed = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
         self.succeed(SAMPLE, "--no-pictures", "--stages", "--horizons", "1", "--minimum-patch-size", "1000", "--hole-boundaries")
-        holed = mesh_checks.read(self.output / "sample_horizon_1.vtp")
+        holed = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
         self.assertEqual(closed.GetNumberOfLines(), 1)
         self.assertGreater(holed.GetNumberOfLines(), 1)
 
@@ -164,8 +164,8 @@ class BatchTest(unittest.TestCase):
         """The columns of the table, the file of figures and the arrays of the mesh say the same."""
         done = self.succeed(SAMPLE, "--no-pictures", "--stages", "--horizons", "1", "2", "--measure-error", "--distance-unit",
                             "World", "--vertical-step", "4", "--samples-per-point", "3")
-        self.assertEqual(files(self.output), ["sample_error.csv", "sample_horizon_1.vtp", "sample_horizon_2.vtp"])
-        with open(self.output / "sample_error.csv", newline="", encoding="utf-8") as file:
+        self.assertEqual(files(self.output), ["blobs_error.csv", "blobs_horizon_1.vtp", "blobs_horizon_2.vtp"])
+        with open(self.output / "blobs_error.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 2 * 9)
         both = next(row for row in rows if row["Direction"] == "Two-sided" and row["Unit"] == "Lattice")
@@ -173,7 +173,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(printed[9:11], ["%.3f" % float(both[n]) for n in ("LargestDistance", "MeanDistance")])
         self.assertGreater(float(both["LargestDistance"]), float(both["MeanDistance"]))
         world = next(row for row in rows if row["Direction"] == "Mesh to reference" and row["Unit"] == "World")
-        distances = mesh_checks.array(mesh_checks.read(self.output / "sample_horizon_1.vtp"), "Distance")
+        distances = mesh_checks.array(mesh_checks.read(self.output / "blobs_horizon_1.vtp"), "Distance")
         self.assertLessEqual(distances.max(), float(world["LargestDistance"]))
 
     def test_report(self):
@@ -191,7 +191,7 @@ class BatchTest(unittest.TestCase):
         bytes_of = []
         for threads in ("1", "2"):
             self.succeed(SAMPLE, "--no-pictures", "--stages", "--threads", threads, "--horizons", "1", "--elaborate")
-            bytes_of.append((self.output / "sample_horizon_1.vtp").read_bytes())
+            bytes_of.append((self.output / "blobs_horizon_1.vtp").read_bytes())
         self.assertEqual(*bytes_of)
 
     def test_folder_with_a_wrong_file(self):
@@ -223,10 +223,10 @@ class BatchTest(unittest.TestCase):
         """All else is there; newer versions of VTK draw pictures all the same."""
         done, errors = run("--output-folder", self.output, SAMPLE, "--horizons", "1", DISPLAY=":4711")
         self.assertEqual(done.returncode, 0, done.stderr)
-        if "sample.png" not in files(self.output):
+        if "blobs.png" not in files(self.output):
             self.assertEqual(len(errors), 1, done.stderr)
             self.assertIn("warning: no pictures, as there is no X server", errors[0])
-        self.assertEqual(set(files(self.output)) - {"sample.png"}, {"sample_horizon_1.vtp"})
+        self.assertEqual(set(files(self.output)) - {"blobs.png"}, {"blobs_horizon_1.vtp"})
 
     def test_no_such_output_folder(self):
         """Noticed before the work starts, which would find that the file is wrong."""
@@ -244,18 +244,18 @@ class BatchTest(unittest.TestCase):
 
     def test_folder_in_the_way(self):
         """Of one of the results: then there are no others, either."""
-        (self.output / "sample_horizon_2.vtp").mkdir(parents=True)
-        self.assertIn("sample_horizon_2.vtp", self.refused(SAMPLE, "--no-pictures"))
-        self.assertEqual(files(self.output), ["sample_horizon_2.vtp"])
+        (self.output / "blobs_horizon_2.vtp").mkdir(parents=True)
+        self.assertIn("blobs_horizon_2.vtp", self.refused(SAMPLE, "--no-pictures"))
+        self.assertEqual(files(self.output), ["blobs_horizon_2.vtp"])
 
     def test_full_disk(self):
         """A limit on the size of files does what a full disk does: of a mesh, and of the picture, which is larger."""
         self.succeed(SAMPLE)
-        mesh, picture = ((self.output / name).stat().st_size for name in ("sample_horizon_1.vtp", "sample.png"))
+        mesh, picture = ((self.output / name).stat().st_size for name in ("blobs_horizon_1.vtp", "blobs.png"))
         self.assertGreater(picture, 2 * mesh)
-        for size, name, arguments in ((8192, "sample_horizon_1.vtp", ["--no-pictures"]),
-                                      (mesh // 2, "sample_horizon_1.vtp", ["--no-pictures"]),
-                                      ((mesh + picture) // 2, "sample.png", [])):
+        for size, name, arguments in ((8192, "blobs_horizon_1.vtp", ["--no-pictures"]),
+                                      (mesh // 2, "blobs_horizon_1.vtp", ["--no-pictures"]),
+                                      ((mesh + picture) // 2, "blobs.png", [])):
             with self.subTest(size):
                 shutil.rmtree(self.output, ignore_errors=True)
                 message = self.refused(SAMPLE, *arguments, output=self.output / "below",
@@ -271,7 +271,7 @@ class BatchTest(unittest.TestCase):
         with open("/dev/full", "w", encoding="utf-8") as full:
             message = self.refused(SAMPLE, other, "--no-pictures", "--horizons", "1", stdout=full)
         self.assertIn("the table can not be printed: No space left on device", message)
-        self.assertEqual(files(self.output), ["other_horizon_1.vtp", "sample_horizon_1.vtp"])
+        self.assertEqual(files(self.output), ["blobs_horizon_1.vtp", "other_horizon_1.vtp"])
 
     def test_signals(self):
         """At different moments of the work: an end without a word, and nothing is left."""
@@ -306,7 +306,7 @@ class BatchTest(unittest.TestCase):
         message = self.refused("--no-pictures", "--horizons", "1", "2", SAMPLE)
         self.assertIn("%s is a file; put -- between" % SAMPLE, message)
         self.succeed("--no-pictures", "--horizons", "1", "2", "--", SAMPLE)
-        self.assertEqual(files(self.output), ["sample_horizon_1.vtp", "sample_horizon_2.vtp"])
+        self.assertEqual(files(self.output), ["blobs_horizon_1.vtp", "blobs_horizon_2.vtp"])
 
     def write_picks(self, name, text):
         path = self.output.with_name(self.output.name + "-input") / name
@@ -353,14 +353,14 @@ class BatchTest(unittest.TestCase):
             folder.mkdir(parents=True, exist_ok=True)
             shutil.copy(SAMPLE, folder)
         done = self.succeed("--no-pictures", *folders, "--horizons", "1")
-        self.assertEqual(files(self.output), ["a_sample_horizon_1.vtp", "b_sample_horizon_1.vtp"])
-        for label in ("a/sample.vsm", "b/sample.vsm"):
+        self.assertEqual(files(self.output), ["a_blobs_horizon_1.vtp", "b_blobs_horizon_1.vtp"])
+        for label in ("a/blobs.vsm", "b/blobs.vsm"):
             self.assertIn("\n%s: read in " % label, "\n" + done.stdout)
-        self.addCleanup((folders[0] / "sample.dat").unlink)
-        shutil.copy(SAMPLE, folders[0] / "sample.dat")
+        self.addCleanup((folders[0] / "blobs.dat").unlink)
+        shutil.copy(SAMPLE, folders[0] / "blobs.dat")
         shutil.rmtree(self.output)
-        self.succeed("--no-pictures", folders[0] / "sample.dat", folders[0] / SAMPLE.name, "--horizons", "1")
-        self.assertEqual(files(self.output), ["sample_dat_horizon_1.vtp", "sample_vsm_horizon_1.vtp"])
+        self.succeed("--no-pictures", folders[0] / "blobs.dat", folders[0] / SAMPLE.name, "--horizons", "1")
+        self.assertEqual(files(self.output), ["blobs_dat_horizon_1.vtp", "blobs_vsm_horizon_1.vtp"])
 
     def test_help(self):
         done, errors = run("--help")

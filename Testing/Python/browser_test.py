@@ -54,7 +54,7 @@ class BrowserTest(unittest.TestCase):
         shutil.rmtree(FOLDER, ignore_errors=True)
         FOLDER.mkdir(parents=True)
         cls.sample, cls.picks = FOLDER / "sample.html", FOLDER / "picks.html"
-        make_report(cls.sample, "--largest-error", "0.75", DATA / "sample.vsm")
+        make_report(cls.sample, "--largest-error", "0.75", DATA / "blobs.vsm")
         write_picks(FOLDER / "picks.dat")
         make_report(cls.picks, "--no-pictures", "--largest-error", "2", FOLDER / "picks.dat")
         cls.closed = FOLDER / "closed.html"

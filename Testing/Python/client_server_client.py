@@ -67,7 +67,7 @@ def check_heights(path):
 
 
 def main():
-    sample, folder = pathlib.Path(sys.argv[1]) / "sample.vsm", pathlib.Path(sys.argv[2])
+    sample, folder = pathlib.Path(sys.argv[1]) / "blobs.vsm", pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     for _ in range(2):
         client.load_plugin()

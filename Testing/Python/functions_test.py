@@ -105,9 +105,9 @@ class SourcesTest(unittest.TestCase):
         self.assertGreater(sh.horizon_from_points(scattered, gridding="Plate").GetNumberOfPoints(), 100)
 
     def test_file(self):
-        horizons = sh.read(DATA / "sample.vsm")
+        horizons = sh.read(DATA / "blobs.vsm")
         self.assertEqual(list(horizons), ["Horizon 1", "Horizon 2", "Horizon 3"])
-        self.assertEqual(list(sh.read(str(DATA / "sample.vsm"), horizons=[2])), ["Horizon 2"])
+        self.assertEqual(list(sh.read(str(DATA / "blobs.vsm"), horizons=[2])), ["Horizon 2"])
         path = FOLDER / "picks.dat"
         sh.write(horizons["Horizon 1"], path, "Top")
         self.assertEqual(list(sh.read(path, vertical_unit="m")), ["picks"])
@@ -212,7 +212,7 @@ class ErrorsTest(unittest.TestCase):
                 (FileNotFoundError, "nothing.dat: nothing there", lambda: sh.read("nothing.dat")),
                 (OSError, "a directory, expected a file", lambda: sh.read(FOLDER)),
                 (ValueError, "set columns", lambda: sh.read(__file__)),
-                (ValueError, "there is no horizon 9", lambda: sh.read(DATA / "sample.vsm", horizons=[9])),
+                (ValueError, "there is no horizon 9", lambda: sh.read(DATA / "blobs.vsm", horizons=[9])),
                 (ValueError, "the extension .foo, expected one of", lambda: sh.write(top, "x.foo")),
                 (ValueError, "expected a mesh: surface", lambda: sh.write(top, "x.ts")),
                 (FileNotFoundError, "no such folder", lambda: sh.write(top, "/no/such/folder/x.dat"))):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws one stage of the sample and compares it with its baseline.
+"""Draws one stage of blobs.vsm and compares it with its baseline.
 
 With --changed a parameter is slightly off, and the picture has to differ: this shows that the comparison sees.
 """
@@ -214,7 +214,7 @@ def main():
     parser = image_compare.make_parser()
     parser.add_argument("scene")
     options = parser.parse_args()
-    row = [panel(options.scene, str(options.data / "sample.vsm"), options.changed)]
+    row = [panel(options.scene, str(options.data / "blobs.vsm"), options.changed)]
     image = image_compare.pixels(pictures.draw([row], text=False, panel_size=SIZE))
     image_compare.finish(image, options.scene, options)
 

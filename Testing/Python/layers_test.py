@@ -13,7 +13,7 @@ import seismichorizons as sh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
-SAMPLE = str(pathlib.Path(sys.argv[1]) / "sample.vsm")
+SAMPLE = str(pathlib.Path(sys.argv[1]) / "blobs.vsm")
 ROWS, COLUMNS = 30, 40
 X, Y = np.meshgrid(np.arange(COLUMNS, dtype=float), np.arange(ROWS, dtype=float))
 TOP, BASE, OUTLINE, FAULT = range(4)

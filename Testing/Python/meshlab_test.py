@@ -87,7 +87,7 @@ def main():
         print("no meshlabserver or no Xvfb, skipped")
         sys.exit(SKIPPED)
     folder.mkdir(parents=True, exist_ok=True)
-    for name, full, mesh in pairs(data / "sample.vsm"):
+    for name, full, mesh in pairs(data / "blobs.vsm"):
         write_ply(full, folder / "full.ply")
         write_ply(mesh, folder / "mesh.ply")
         meter = sh.vtkHorizonSurfaceDistance()

@@ -21,7 +21,7 @@ from dealing import deal
 
 RANKS = vtkMultiProcessController.GetGlobalController()
 OWN, SIZE = RANKS.GetLocalProcessId(), RANKS.GetNumberOfProcesses()
-SAMPLE = pathlib.Path(sys.argv[1]) / "sample.vsm"
+SAMPLE = pathlib.Path(sys.argv[1]) / "blobs.vsm"
 
 # The way by single stages, after the reader, and those that take the place of some of them.
 CHAIN = [("HorizonDespiking", {}), ("HorizonHoleFilling", {"LargestHoleSize": 40}), ("HorizonExteriorBoundary", {}),

@@ -148,7 +148,7 @@ def check_invalid(horizons):
 def main():
     assert RANKS.GetNumberOfProcesses() == 2, RANKS.GetNumberOfProcesses()
     reader = sh.vtkVerneySparseMatrixReader()
-    reader.SetFileName(str(pathlib.Path(sys.argv[1]) / "sample.vsm"))
+    reader.SetFileName(str(pathlib.Path(sys.argv[1]) / "blobs.vsm"))
     reader.Update()
     boundary = alone("HorizonExteriorBoundary", reader.GetOutputDataObject(0))
     horizons = mesh_checks.blocks(boundary)

@@ -73,7 +73,7 @@ def main():
     folder = pathlib.Path(sys.argv[2])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    sample = pathlib.Path(sys.argv[1]) / "sample.vsm"
+    sample = pathlib.Path(sys.argv[1]) / "blobs.vsm"
     ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
     assert ranks == 2, "%d ranks, expected 2" % ranks
     proxies = pipelines.with_proxies(sample)

@@ -95,6 +95,8 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual([name for name, _ in stages], ["despiked", "torn", "filled"])
         self.assertEqual((stages[0][1].GetThreshold(), stages[1][1].GetSmallestThrow()), (2.5, 3.0))
         self.assertFalse(settings.can_cut())
+        by_noise = dict(self.settings("--cut-faults", "0").make_stages())["torn"]
+        self.assertEqual((by_noise.GetDetect(), by_noise.GetSmallestThrow()), (1, 0.0))
 
     def test_fault_files(self):
         """Alone nothing is detected, with --cut-faults both are done."""

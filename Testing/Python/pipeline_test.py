@@ -207,7 +207,7 @@ def check_reader_properties(reader):
 
 
 def main():
-    sample = pathlib.Path(sys.argv[1]) / "sample.vsm"
+    sample = pathlib.Path(sys.argv[1]) / "blobs.vsm"
     proxies = pipelines.with_proxies(sample)
     outputs = [fetch(proxy) for proxy in proxies]
     names = list(outputs[0])

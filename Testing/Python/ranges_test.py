@@ -90,7 +90,7 @@ def move(name, proxy, key, expected):
 def main():
     folder = pathlib.Path(sys.argv[2]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    sample = pathlib.Path(sys.argv[1]).resolve() / "sample.vsm"
+    sample = pathlib.Path(sys.argv[1]).resolve() / "blobs.vsm"
     proxies = pipelines.all_stages(sample, pipelines.write_fault(folder))
     proxies["points"].RowRange = ROWS
     for name, proxy in proxies.items():

@@ -20,7 +20,7 @@ from seismichorizons.stage import make, update
 
 RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
 PVBATCH, RECIPE = sys.argv[4:6]
-SAMPLE = DATA / "sample.vsm"
+SAMPLE = DATA / "blobs.vsm"
 
 
 def run(ranks, *arguments, fails=False):

@@ -24,7 +24,7 @@ import seismichorizons as sh
 from seismichorizons import album, batch, charts, figures, markup, memory, pipeline, record, report
 
 PROGRAM, GENERATOR, DATA, PAGE, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:6])
-SAMPLE = DATA / "sample.vsm"
+SAMPLE = DATA / "blobs.vsm"
 BAD_NAME = "<script>window.broken=1</script>'&amp;<img src=x onerror=window.broken=1>"
 # Their keys are names of classes, stages and the like.
 OPEN = ("versions", "parameters", "seconds", "chosen", "prepared")
@@ -125,7 +125,7 @@ class ReportTest(unittest.TestCase):
             self.assertIn(text, page.text())
         size = self.page.stat().st_size / 1e6
         self.assertIn("one file of %.1f MB" % size, page.text())
-        self.assertFalse((self.folder / "results" / "sample_error.csv").exists())
+        self.assertFalse((self.folder / "results" / "blobs_error.csv").exists())
 
     def test_names_are_text(self):
         """Those of horizons and of files, and what errors say; nothing of them is taken for a part of the page."""
@@ -298,7 +298,7 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(sum(first["distances"]["counts"]), 6282)
         self.assertLess(first["error"]["lattice"]["mean"], first["error"]["lattice"]["largest"])
         self.assertEqual([name for name in run["files"][1]["results"][1:] if "layer" not in name],
-                         ["sample_horizon_%d.vtp" % n for n in (1, 2, 3)])
+                         ["blobs_horizon_%d.vtp" % n for n in (1, 2, 3)])
         self.assertEqual([own["name"] for own in run["files"][1]["layers"]], ["Horizon 1 to Horizon 2", "Horizon 2 to Horizon 3"])
         self.assertEqual(run["files"][0]["survey"]["lattice"]["columns"][:2], [12, 10])
         self.assertEqual(run["command"]["words"][1:], done.args[1:])

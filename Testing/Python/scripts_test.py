@@ -20,7 +20,7 @@ from seismichorizons.stage import make
 
 RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
 PVBATCH, PYTHON = sys.argv[4:6]
-SAMPLE = DATA / "sample.vsm"
+SAMPLE = DATA / "blobs.vsm"
 
 
 def run(program, name, *arguments, code=0):
@@ -49,7 +49,7 @@ def test_many_horizons():
         rows = list(csv.DictReader(file))
     assert [row["horizon"] for row in rows] == ["Horizon 1", "Horizon 2", "Horizon 3"]
     for row in rows:
-        mesh = mesh_checks.read(FOLDER / "many" / ("sample_%s.vtp" % row["horizon"].replace(" ", "_")))
+        mesh = mesh_checks.read(FOLDER / "many" / ("blobs_%s.vtp" % row["horizon"].replace(" ", "_")))
         assert mesh_checks.check_mesh(mesh) == int(row["triangles"]) > 100
 
 

@@ -151,7 +151,7 @@ def check_results(sample, folder):
 
 
 def main():
-    sample = pathlib.Path(sys.argv[1]).resolve() / "sample.vsm"
+    sample = pathlib.Path(sys.argv[1]).resolve() / "blobs.vsm"
     folder = pathlib.Path(sys.argv[2]).resolve()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

@@ -44,7 +44,7 @@ def make_build_tree(folder):
 
 def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
-    sample, mesh = DATA / "sample.vsm", FOLDER / "mesh.vtp"
+    sample, mesh = DATA / "blobs.vsm", FOLDER / "mesh.vtp"
     write_vtp(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"], mesh)
     done, picture = draw("one.png", "--horizon", 2, sample, mesh)
     assert done.returncode == 0 and "ERR|" not in done.stderr, done.stderr

@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-SAMPLE = str(pathlib.Path(sys.argv[1]) / "sample.vsm")
+SAMPLE = str(pathlib.Path(sys.argv[1]) / "blobs.vsm")
 
 
 def moved(horizon, shift, rows=slice(None)):

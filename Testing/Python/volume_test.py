@@ -64,8 +64,8 @@ def check_bounds(reader, places):
 def main():
     data, folder = (pathlib.Path(argument) for argument in sys.argv[1:3])
     folder.mkdir(parents=True, exist_ok=True)
-    path = folder / "sample.vsm.gz"
-    path.write_bytes(gzip.compress((data / "sample.vsm").read_bytes()))
+    path = folder / "blobs.vsm.gz"
+    path.write_bytes(gzip.compress((data / "blobs.vsm").read_bytes()))
     reader = simple.OpenDataFile(str(path))
     assert type(reader).__name__ == "VerneySparseMatrixReader", reader
     reader.ColumnStep = [2 * math.cos(0.5), 2 * math.sin(0.5)]

@@ -172,7 +172,7 @@ def check_others(folder):
 
 
 def main():
-    sample_path, folder = pathlib.Path(sys.argv[1]) / "sample.vsm", pathlib.Path(sys.argv[2])
+    sample_path, folder = pathlib.Path(sys.argv[1]) / "blobs.vsm", pathlib.Path(sys.argv[2])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     sample = open_file(sample_path, "VerneySparseMatrixReader")

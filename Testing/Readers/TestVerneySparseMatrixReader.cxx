@@ -319,7 +319,7 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   SheetsAreHorizons();
   WrongParametersGiveOneErrorEach();
   PrintListsEveryProperty();
-  SampleIsRead(TakeString(vtkTestUtilities::ExpandDataFileName(argc, argv, "sample.vsm")));
+  SampleIsRead(TakeString(vtkTestUtilities::ExpandDataFileName(argc, argv, "blobs.vsm")));
   std::filesystem::remove_all(Folder);
   return Check::Result();
 }

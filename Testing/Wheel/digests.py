@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints digests of what readers and stages make of the sample, as JSON: those of two builds have to be the same.
+"""Prints digests of what readers and stages make of blobs.vsm, as JSON: those of two builds have to be the same.
 
 Arguments: the folder of the sample, a folder for files.
 """
@@ -75,7 +75,7 @@ def files(name, points):
 
 FOLDER.mkdir(parents=True, exist_ok=True)
 digests = {}
-for horizon_name, horizon in {**sh.read(DATA / "sample.vsm"), **{"cube " + n: h for n, h in reflections().items()}}.items():
+for horizon_name, horizon in {**sh.read(DATA / "blobs.vsm"), **{"cube " + n: h for n, h in reflections().items()}}.items():
     digests.update(stages(horizon_name, horizon))
     digests.update(files(horizon_name, horizon))
 print(json.dumps(digests, indent=1))

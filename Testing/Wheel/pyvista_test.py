@@ -57,7 +57,7 @@ class PyVistaTest(unittest.TestCase):
         blocks = pv.read(FOLDER / "top.ts")
         self.assertEqual(blocks.keys(), ["top"])
         self.assertEqual(blocks["top"].n_points, mesh.n_points)
-        self.assertEqual(pv.read(DATA / "sample.vsm").keys(), list(sh.read(DATA / "sample.vsm")))
+        self.assertEqual(pv.read(DATA / "blobs.vsm").keys(), list(sh.read(DATA / "blobs.vsm")))
 
 
 class PageTest(unittest.TestCase):

@@ -7,13 +7,11 @@
 #include "HorizonGenerator.h"
 
 #include "SmoothNoise.h"
+#include "VoxelText.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace SeismicHorizons
@@ -24,30 +22,6 @@ constexpr double TimePerSample = 4.0; // ms, two-way
 
 // The columns of the lattice on which FindSize tries how many are occupied.
 constexpr double ColumnsToTry = 90000.0;
-
-double Round(double value, double stepsPerUnit)
-{
-  return std::floor(value * stepsPerUnit + 0.5) / stepsPerUnit;
-}
-
-/// Appends a number to a line. What else there is says how std::to_chars writes it.
-template <typename Number, typename... Format>
-void AppendNumber(std::string& line, Number number, Format... format)
-{
-  std::array<char, 64> digits;
-  const std::to_chars_result result = std::to_chars(digits.data(), digits.data() + digits.size(), number, format...);
-  line += line.empty() ? "" : " ";
-  line.append(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));
-}
-
-void AppendVoxel(std::string& line, const SparseMatrixVoxel& voxel)
-{
-  AppendNumber(line, voxel.VerticalIndex);
-  AppendNumber(line, voxel.SurfaceId);
-  AppendNumber(line, voxel.Thickness, std::chars_format::fixed);
-  AppendNumber(line, voxel.Amplitude, std::chars_format::fixed);
-  AppendNumber(line, voxel.RealZ, std::chars_format::fixed);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -171,8 +145,9 @@ LatticeHorizon HorizonGenerator::MakeHorizon(int position) const
 //----------------------------------------------------------------------------------------------------------------------
 std::map<int, std::int64_t> HorizonGenerator::Write(std::ostream& stream, const Monitor& monitor) const
 {
-  const auto [nX, nY, nZ] = this->Given.Size;
-  stream << std::to_string(nX) + ' ' + std::to_string(nY) + ' ' + std::to_string(nZ) + '\n';
+  const int nX = this->Given.Size[0];
+  const int nY = this->Given.Size[1];
+  WriteHeader(this->Given.Size, stream);
   std::map<int, std::int64_t> counts;
   std::vector<RowVoxel> row;
   std::vector<std::string> columns(static_cast<std::size_t>(nX));
@@ -187,18 +162,10 @@ std::map<int, std::int64_t> HorizonGenerator::Write(std::ostream& stream, const 
         AppendVoxel(columns[static_cast<std::size_t>(entry.I)], entry.Voxel);
       }
     }
-    for (std::string& column : columns)
-    {
-      column += '\n';
-      stream.write(column.data(), static_cast<std::streamsize>(column.size()));
-      column.clear();
-    }
+    WriteLines(columns, stream);
     monitor.Progress((j + 1.0) / nY);
   }
-  if (!stream.flush())
-  {
-    throw std::runtime_error("writing failed");
-  }
+  FinishFile(stream);
   return counts;
 }
 }

@@ -3,6 +3,7 @@
 //
 // Writes a file of synthetic horizons. See `generate_horizons --help`.
 
+#include "AnticlineSurvey.h"
 #include "CommandWords.h"
 #include "HorizonGenerator.h"
 
@@ -31,6 +32,8 @@ Writes synthetic seismic horizons as a sparse-matrix file (.vsm). The same optio
   --noise-height H  by how many cells heights are off there, up and down (default 3)
   --noise-gaps PART part of the voxels that are missing there, 0 to below 1 (default 0.5)
   --seed N          another number gives other horizons (default 1)
+  --anticline       instead of all that: two horizons of a survey in time, on a faulted anticline with a channel,
+                    of which the lower one is truncated by the upper one
   --help            this text
 )";
 
@@ -39,6 +42,7 @@ struct Arguments
   HorizonGeneratorOptions Options;
   std::int64_t NumberOfPoints = 0; // 0: as Options.Size says
   std::string FileName;
+  bool IsAnticline = false;
   bool Help = false;
 };
 
@@ -102,6 +106,7 @@ Arguments ParseArguments(int argc, char* argv[])
 {
   Arguments arguments;
   bool hasPoints = false;
+  std::string option; // one that says what the horizons are like
   CommandWords words(argc, argv);
   while (!words.AtEnd())
   {
@@ -111,10 +116,15 @@ Arguments ParseArguments(int argc, char* argv[])
       arguments.Help = true;
       return arguments;
     }
-    if (word.size() > 1 && word[0] == '-')
+    if (word == "--anticline")
+    {
+      arguments.IsAnticline = true;
+    }
+    else if (word.size() > 1 && word[0] == '-')
     {
       ParseOption(word, words, arguments);
       hasPoints = hasPoints || word == "--points";
+      option = word;
     }
     else if (arguments.FileName.empty())
     {
@@ -129,6 +139,10 @@ Arguments ParseArguments(int argc, char* argv[])
   {
     throw InputError("no file, expected the path to write to");
   }
+  if (arguments.IsAnticline && !option.empty())
+  {
+    throw InputError(option + " beside --anticline, expected no other option");
+  }
   if (hasPoints)
   {
     arguments.Options.Size = HorizonGenerator::FindSize(arguments.Options, arguments.NumberOfPoints);
@@ -136,19 +150,32 @@ Arguments ParseArguments(int argc, char* argv[])
   return arguments;
 }
 
-void WriteFile(const HorizonGenerator& generator, const std::string& fileName)
+template <typename Write>
+void WriteFile(const std::string& fileName, const SparseMatrixSize& size, Write write)
 {
   WriteWholeFile(fileName,
     [&](std::ostream& stream)
     {
-      const auto [nX, nY, nZ] = generator.Options().Size;
-      const std::map<int, std::int64_t> counts = generator.Write(stream);
+      const auto [nX, nY, nZ] = size;
+      const std::map<int, std::int64_t> counts = write(stream);
       std::cout << fileName << ": " << nX << " x " << nY << " x " << nZ << " cells\n";
       for (const auto& [surfaceId, numberOfVoxels] : counts)
       {
         std::cout << "Horizon " << surfaceId << ": " << numberOfVoxels << " voxels\n";
       }
     });
+}
+
+void WriteFile(const Arguments& arguments)
+{
+  if (arguments.IsAnticline)
+  {
+    WriteFile(arguments.FileName, AnticlineSurveySize, WriteAnticlineSurvey);
+    return;
+  }
+  const HorizonGenerator generator(arguments.Options);
+  WriteFile(
+    arguments.FileName, generator.Options().Size, [&](std::ostream& stream) { return generator.Write(stream); });
 }
 }
 
@@ -163,7 +190,7 @@ int main(int argc, char* argv[])
       std::cout << Usage;
       return EXIT_SUCCESS;
     }
-    WriteFile(HorizonGenerator(arguments.Options), arguments.FileName);
+    WriteFile(arguments);
   }
   catch (const std::exception& error)
   {

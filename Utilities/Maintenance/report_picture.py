@@ -65,8 +65,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         page = folder / "page.html"
-        subprocess.run([sys.executable, ROOT / "Utilities" / "horizon_mesh.py", "--output-folder",
-                        folder, "--report", page, os.path.relpath(ROOT / "Data" / "sample.vsm", ROOT)], check=True, cwd=ROOT)
+        subprocess.run([sys.executable, ROOT / "Utilities" / "horizon_mesh.py", "--elevation", "RealZ", "--cut-faults", "0",
+                        "--output-folder", folder, "--report", page, os.path.relpath(ROOT / "Data" / "sample.vsm", ROOT)],
+                       check=True, cwd=ROOT)
         first, second = shoot(page, folder)
     gap = np.full((SIZE[1], GAP, 3), 226, dtype=np.uint8)
     write(np.concatenate((first, gap, second), axis=1), sys.argv[1])

@@ -63,7 +63,7 @@ def read(path: str | os.PathLike, horizons: Sequence[str | int] | None = None, *
     --------
     >>> import seismichorizons as sh
     >>> list(sh.read("sample.vsm"))
-    ['Horizon 1', 'Horizon 2', 'Horizon 3']
+    ['Horizon 1', 'Horizon 2']
     """
     path = _existing(path)
     reader = reading.find_reader(path)

@@ -70,7 +70,7 @@ def make_settings(options):
         settings.despiked = {"Threshold": options.despike, "ThresholdUnit": _unit(options.despike)}
     throw = getattr(options, "cut_faults", None)
     settings.torn, settings.fault_lines = fault_settings(
-        throw and _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
+        None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = {
         "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,

@@ -4,6 +4,7 @@
 // The generator of synthetic horizons: it keeps what its options promise, and makes what it always made.
 
 #include "Check.h"
+#include "Generator/AnticlineSurvey.h"
 #include "Generator/HorizonGenerator.h"
 
 #include <algorithm>
@@ -115,14 +116,20 @@ void FileHoldsTheSameAsTheArrays()
   }
 }
 
-void SampleIsReproduced(const std::string& dataFolder)
+std::string TextOf(const std::string& fileName)
 {
-  std::ifstream file(dataFolder + "/sample.vsm", std::ios::binary);
-  std::stringstream sample;
-  sample << file.rdbuf();
-  std::ostringstream made;
-  HorizonGenerator(MakeOptions(1)).Write(made);
-  CHECK(sample.str() == made.str());
+  std::ifstream file(fileName, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+void DataAreReproduced(const std::string& dataFolder)
+{
+  std::ostringstream blobs;
+  HorizonGenerator(MakeOptions(1)).Write(blobs);
+  CHECK(TextOf(dataFolder + "/blobs.vsm") == blobs.str());
+  std::ostringstream sample;
+  WriteAnticlineSurvey(sample);
+  CHECK(TextOf(dataFolder + "/sample.vsm") == sample.str());
 }
 
 void SeedChangesTheHorizons()
@@ -372,7 +379,7 @@ int TestHorizonGenerator(int argc, char* argv[])
   FileHoldsTheSameAsTheArrays();
   if (CHECK(argc > 1))
   {
-    SampleIsReproduced(argv[1]);
+    DataAreReproduced(argv[1]);
   }
   SeedChangesTheHorizons();
   HorizonsLieAboveEachOther();

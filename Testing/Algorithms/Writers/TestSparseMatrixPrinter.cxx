@@ -68,9 +68,9 @@ void VoxelsAreSorted()
   CHECK_EQUAL(Print(matrix), Normal);
 }
 
-void SampleIsReadBack(const std::string& folder)
+void FileIsReadBack(const std::string& name)
 {
-  std::ifstream stream(folder + "/sample.vsm", std::ios::binary);
+  std::ifstream stream(name, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   const SparseMatrix before = Load(text);
   const std::string printed = Print(before);
@@ -128,7 +128,8 @@ int TestSparseMatrixPrinter(int, char* argv[])
   NormalFilesStayAsTheyAre();
   OthersBecomeNormal();
   VoxelsAreSorted();
-  SampleIsReadBack(argv[1]);
+  FileIsReadBack(argv[1] + std::string("/blobs.vsm"));
+  FileIsReadBack(argv[1] + std::string("/sample.vsm"));
   WrongVoxelsAreRefused();
   WorkIsMonitored();
   return Check::Result();
