@@ -160,6 +160,15 @@ public:
   /// The point at a place, or NoPoint.
   PointId operator[](std::int64_t place) const { return this->Has(place) ? this->PointOf(this->Rank(place)) : NoPoint; }
 
+  /// The point in a column, which may lie anywhere, or NoPoint.
+  PointId PointAt(const PlanePoint& column) const
+  {
+    const std::int64_t x = std::int64_t(column.X) - this->MinX;
+    const std::int64_t y = std::int64_t(column.Y) - this->MinY;
+    const bool isInside = x >= 0 && y >= 0 && x < this->SizeX && y < this->SizeY;
+    return isInside ? (*this)[y * this->SizeX + x] : NoPoint;
+  }
+
   /// The places with points.
   const PlaceSet& Occupied() const { return this->Points; }
 

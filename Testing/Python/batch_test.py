@@ -349,6 +349,7 @@ class BatchTest(unittest.TestCase):
 
     def test_files_of_one_name(self):
         folders = [self.output.with_name("one-name") / name for name in "ab"]
+        shutil.rmtree(folders[0].parent, ignore_errors=True)
         for folder in folders:
             folder.mkdir(parents=True, exist_ok=True)
             shutil.copy(SAMPLE, folder)

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -38,10 +37,9 @@ public:
     if (tolerance > 0.0) // else outlines pass over no other columns
     {
       this->Index.emplace(columns);
-      this->Box = PlaneBox(columns);
       for (const HorizonView& horizon : horizons)
       {
-        this->Indices.emplace_back(ColumnIndex(horizon.Columns), PlaneBox(horizon.Columns));
+        this->Indices.emplace_back(horizon.Columns);
       }
     }
   }
@@ -131,30 +129,29 @@ private:
   {
     const PlanePoint& a = this->Columns[std::size_t(at(from))];
     const PlanePoint& b = this->Columns[std::size_t(at(to))];
-    const std::int32_t steps = std::gcd(b.X - a.X, b.Y - a.Y);
-    for (std::int32_t step = 1; step < steps && to > from + 1 && this->Index; ++step)
+    bool isFar = false;
+    const auto look = [&](const PlanePoint& place, double part)
     {
-      const PlanePoint place = { a.X + (b.X - a.X) / steps * step, a.Y + (b.Y - a.Y) / steps * step };
-      const bool isOther = !this->Box.Contains(place) || (*this->Index)[this->Index->Place(place)] == NoPoint;
+      const bool isOther = this->Index->PointAt(place) == NoPoint;
       for (std::size_t horizon = 0; isOther && horizon < this->Indices.size(); ++horizon)
       {
         const double start = this->Heights[horizon][std::size_t(at(from))];
         const double end = this->Heights[horizon][std::size_t(at(to))];
-        const double height = this->HeightAt(horizon, place);
-        if (std::abs(start + (end - start) * step / steps - height) > this->Options.DistanceThreshold + this->Slack())
-        {
-          return from + (to - from) / 2;
-        }
+        const double distance = std::abs(start + (end - start) * part - this->HeightAt(horizon, place));
+        isFar = isFar || distance > this->Options.DistanceThreshold + this->Slack();
       }
+    };
+    if (to > from + 1 && this->Index)
+    {
+      ForEachColumnBetween(a, b, look);
     }
-    return from;
+    return isFar ? from + (to - from) / 2 : from;
   }
 
   /// Of a horizon as it was given; nan where it has no point.
   double HeightAt(std::size_t horizon, const PlanePoint& column) const
   {
-    const auto& [index, box] = this->Indices[horizon];
-    const PointId point = box.Contains(column) ? index[index.Place(column)] : NoPoint;
+    const PointId point = this->Indices[horizon].PointAt(column);
     return point == NoPoint ? std::nan("") : this->Horizons[horizon].Heights[point];
   }
 
@@ -178,8 +175,7 @@ private:
   const std::vector<std::vector<unsigned char>>& Known;
   const std::vector<HorizonView>& Horizons;
   std::optional<ColumnIndex> Index; // of the columns of the stack
-  PlaneBox Box; // of the same
-  std::vector<std::pair<ColumnIndex, PlaneBox>> Indices; // of the horizons
+  std::vector<ColumnIndex> Indices; // of those of the horizons
   BoundarySimplificationOptions Options;
 };
 }

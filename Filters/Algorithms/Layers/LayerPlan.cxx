@@ -602,19 +602,12 @@ private:
     std::vector<unsigned char> OfStack; // as FindInside has it
     std::vector<PointId> OnEdges; // points in other columns, which edges of outlines pass over
     ColumnIndex Index; // of the horizon's own columns
-    PlaneBox Box;
-
-    PointId PointAt(const PlanePoint& column) const
-    {
-      return this->Box.Contains(column) ? this->Index[this->Index.Place(column)] : NoPoint;
-    }
   };
 
   /// Columns that were dropped from loops may lie on their new edges, where the mesh does not count them.
   void MeasureOutline(const HeightMesh& mesh, std::vector<PointsInside>& inside)
   {
     const ColumnIndex index(this->Columns);
-    const PlaneBox box(this->Columns);
     const PlaneMesh& triangles = mesh.Triangles();
     for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
     {
@@ -631,7 +624,7 @@ private:
         ForEachColumnBetween(a, b,
           [&](const PlanePoint& place, double part)
           {
-            const PointId point = box.Contains(place) ? index[index.Place(place)] : NoPoint;
+            const PointId point = index.PointAt(place);
             this->MeasureOnEdge(mesh, triangle, ends, part, place, point, inside);
           });
       }
@@ -647,7 +640,7 @@ private:
       const bool isOfLayers =
         point == NoPoint || !this->HasRegions() || this->Known[1 + horizon][std::size_t(point)] != 0;
       const bool isHorizon = horizon < inside.size();
-      const PointId own = point == NoPoint && isHorizon ? inside[horizon].PointAt(place) : NoPoint;
+      const PointId own = point == NoPoint && isHorizon ? inside[horizon].Index.PointAt(place) : NoPoint;
       if (!this->IsHorizonIn(horizon, std::size_t(triangle)) || !isOfLayers || (point == NoPoint && own == NoPoint))
       {
         continue; // no layer begins or ends amid an edge
@@ -689,7 +682,7 @@ private:
     std::vector<PointsInside> inside;
     for (const HorizonView& horizon : this->Horizons)
     {
-      inside.push_back({ {}, {}, ColumnIndex(horizon.Columns), PlaneBox(horizon.Columns) });
+      inside.push_back({ {}, {}, ColumnIndex(horizon.Columns) });
     }
     if (this->HasRegions())
     {
@@ -716,7 +709,7 @@ private:
       {
         const bool isIn = inside[horizon].OfStack[point] != 0;
         isAny = isAny || isIn;
-        const bool isOwn = isIn && (areOwn || inside[horizon].PointAt(this->Columns[point]) != NoPoint);
+        const bool isOwn = isIn && (areOwn || inside[horizon].Index.PointAt(this->Columns[point]) != NoPoint);
         this->Result.PointsOutside[horizon] -= isOwn ? 1 : 0;
       }
       this->Result.ColumnsOutside -= isAny ? 1 : 0;

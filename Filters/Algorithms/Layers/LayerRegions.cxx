@@ -50,9 +50,7 @@ LayerRegions::LayerRegions(
 //----------------------------------------------------------------------------------------------------------------------
 PointId LayerRegions::PointAt(std::int64_t x, std::int64_t y) const
 {
-  const bool isInBox = x >= this->FirstX && y >= this->FirstY && x < this->FirstX + this->Index.Width() &&
-    y < this->FirstY + this->Index.Height();
-  return isInBox ? this->Index[(y - this->FirstY) * this->Index.Width() + (x - this->FirstX)] : NoPoint;
+  return this->Index.PointAt({ std::int32_t(x), std::int32_t(y) });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -199,8 +199,6 @@ public:
     , Columns(columns)
     , Known(horizon.Columns)
     , Missing(columns)
-    , Box(horizon.Columns)
-    , BoxOfMissing(columns)
   {
   }
 
@@ -296,23 +294,18 @@ private:
     for (int distance = 1; distance <= Farthest && !this->IsCut(column, step); ++distance)
     {
       column = { column.X + step.X, column.Y + step.Y };
-      const PointId known = PointAt(this->Known, this->Box, column);
+      const PointId known = this->Known.PointAt(column);
       if (known != NoPoint)
       {
         return { this->Horizon.Heights[known], double(distance) };
       }
-      const PointId filled = PointAt(this->Missing, this->BoxOfMissing, column);
+      const PointId filled = this->Missing.PointAt(column);
       if (filled != NoPoint && !std::isnan(heights[std::size_t(filled)]))
       {
         return { heights[std::size_t(filled)], double(distance) };
       }
     }
     return {};
-  }
-
-  static PointId PointAt(const ColumnIndex& index, const PlaneBox& box, const PlanePoint& column)
-  {
-    return box.Contains(column) ? index[index.Place(column)] : NoPoint;
   }
 
   /// Whether a link beside a step is.
@@ -337,8 +330,6 @@ private:
   const std::vector<PlanePoint>& Columns;
   const ColumnIndex Known;
   const ColumnIndex Missing;
-  const PlaneBox Box;
-  const PlaneBox BoxOfMissing;
 };
 
 /// Puts heights that were not known between those of the horizons above and below.
@@ -421,7 +412,6 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
   CommonColumns others = FindColumnsOfAny(horizons);
   const LoopRows rows(columns, loops);
   const ColumnIndex index(columns);
-  const PlaneBox box(columns);
   const auto loopAt = [&](const PlanePoint& column)
   {
     const PointId on = rows.LoopAt(column);
@@ -431,8 +421,7 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
     [&](std::size_t n)
     {
       const PlanePoint& column = others.Columns[n];
-      const bool isThere = box.Contains(column) && index[index.Place(column)] != NoPoint;
-      return !isThere && loopAt(column) != NoPoint;
+      return index.PointAt(column) == NoPoint && loopAt(column) != NoPoint;
     });
   completed.Heights = HeightsOf(horizons, others);
   completed.Repair = RepairCrossings(completed.Heights, options);
