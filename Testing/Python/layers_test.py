@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Layers between horizons, checked from their outputs alone. Argument: the folder Data."""
 
+import itertools
 import pathlib
 import sys
 import unittest
@@ -267,6 +268,24 @@ class LayersTest(unittest.TestCase):
             self.assertAlmostEqual(cut.area_at_faults, whole.area - cut.area, 6)
             self.assertAlmostEqual(cut.volume_at_faults, whole.volume - cut.volume, 5)
             self.assertGreater(cut.area_at_faults, 10.0)
+
+    def test_cutoffs(self):
+        """Heights at faults are nearer to the truth than the points are, as they are fitted, and so are throws."""
+        offs = {True: [], False: []}
+        for seed, fit in itertools.product(range(5), (True, False)):
+            noise = np.random.default_rng(seed).normal(0.0, 0.2, (2, *X.shape))
+            horizons = {name: sh.horizon(z + 2.0 * np.sin(Y / 6.0) + np.where(X > 19.5, 12.0, 0.0) + own, vertical_step=1.0)
+                        for name, z, own in zip(("Top", "Base"), (100.0, 130.0), noise)}
+            for horizon in horizons.values():
+                add_cuts(horizon, np.array([(19, j, 0) for j in range(ROWS)], np.int32))
+            made = sh.layers(horizons, 0.6, fit_heights=fit)
+            self.check(made, horizons, 0.6)
+            for z, mesh in zip((100.0, 130.0), made.horizons.values()):
+                x, y, height = mesh_checks.coordinates(mesh).T
+                at_fault = (x == 19.0) | (x == 20.0)
+                offs[fit].extend((np.abs(height) - z - 2.0 * np.sin(y / 6.0) - np.where(x > 19.5, 12.0, 0.0))[at_fault])
+        self.assertGreater(len(offs[True]), 80)
+        self.assertLess(np.std(offs[True]), 0.75 * np.std(offs[False]))
 
     def test_units(self):
         """A unit of one height leaves others as they are; what any horizon says of units counts; of vertical indices the

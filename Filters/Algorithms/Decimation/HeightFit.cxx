@@ -465,7 +465,7 @@ public:
   MoveLimit(HeightMesh& mesh, double error, const std::vector<InnerHeights>& heights)
     : Mesh(mesh)
     , Error(error)
-    , Before(mesh.AllHeights())
+    , Before(mesh.HeightsOf(heights.front().Vertices))
     , After(heights)
     , Heights(heights)
     , Corners(mesh, heights.front().Vertices)

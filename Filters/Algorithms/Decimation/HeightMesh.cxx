@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -316,6 +317,18 @@ std::vector<InnerHeights> HeightMesh::AllHeights() const
   for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)
   {
     heights.push_back(this->Heights(horizon));
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<InnerHeights> HeightMesh::HeightsOf(const std::vector<VertexId>& vertices) const
+{
+  std::vector<InnerHeights> heights(this->NumberOfHorizons(), InnerHeights{ vertices, {} });
+  for (std::size_t horizon = 0; horizon < heights.size(); ++horizon)
+  {
+    std::transform(vertices.begin(), vertices.end(), std::back_inserter(heights[horizon].Heights),
+      [&](VertexId vertex) { return this->Height(horizon, vertex); });
   }
   return heights;
 }

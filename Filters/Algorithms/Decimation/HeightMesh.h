@@ -22,11 +22,27 @@
 
 namespace SeismicHorizons
 {
-/// The heights of the vertices of a mesh that are on no loop: those that can move.
+/// The heights of the vertices of a mesh that are on no loop: those that can move; or of some others.
 struct InnerHeights
 {
   std::vector<VertexId> Vertices; // ascending
   std::vector<double> Heights;
+
+  /// Leaves out the vertices that are marked.
+  void Drop(const std::vector<unsigned char>& marks)
+  {
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < this->Vertices.size(); ++n)
+    {
+      if (marks[std::size_t(this->Vertices[n])] == 0)
+      {
+        this->Vertices[kept] = this->Vertices[n];
+        this->Heights[kept++] = this->Heights[n];
+      }
+    }
+    this->Vertices.resize(kept);
+    this->Heights.resize(kept);
+  }
 };
 
 /// Vertices are numbered in the order in which they come, those of loops first; SortVertices() numbers them by points.
@@ -97,6 +113,8 @@ public:
   void SetHeights(const InnerHeights& heights, std::size_t horizon = 0);
   /// The same for each horizon.
   std::vector<InnerHeights> AllHeights() const;
+  /// And of some vertices.
+  std::vector<InnerHeights> HeightsOf(const std::vector<VertexId>& vertices) const;
   void SetAllHeights(const std::vector<InnerHeights>& heights);
   double Height(std::size_t horizon, VertexId vertex) const { return this->Raised(horizon, vertex).Height; }
   double ColumnHeight(std::size_t horizon, VertexId vertex) const

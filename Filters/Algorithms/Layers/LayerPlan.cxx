@@ -15,6 +15,7 @@
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
+#include "CutoffFit.h"
 #include "Decimation/HeightFit.h"
 #include "Decimation/HeightMesh.h"
 #include "Decimation/KeptSides.h"
@@ -71,6 +72,10 @@ public:
       return std::move(this->Result);
     }
     this->TakeKept(kept);
+    for (const HorizonView& horizon : this->Horizons)
+    {
+      this->OwnColumns.emplace_back(horizon.Columns);
+    }
     this->FindRegions();
     this->IsOnLine.assign(this->Columns.size(), 0);
     PinchOutLines pinchOuts = this->FindLines(boundary, monitor.Step(0.2, 0.25));
@@ -407,6 +412,47 @@ private:
     {
       ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0), rule);
     }
+    this->FitHeightsAtFaults(mesh, rule);
+  }
+
+  /// Where the whole plan is within the error all the same.
+  void FitHeightsAtFaults(HeightMesh& mesh, const HeightRule& rule) const
+  {
+    if (!this->Options.Cuts || !this->Options.FitHeights)
+    {
+      return;
+    }
+    std::vector<InnerHeights> fitted =
+      FitCutoffs(mesh, this->Columns, this->MeshHeights(), this->Known, *this->Options.Cuts);
+    for (bool isFar = true; isFar && !fitted.front().Vertices.empty();)
+    {
+      rule(fitted);
+      const std::vector<InnerHeights> before = mesh.HeightsOf(fitted.front().Vertices);
+      MoveHeightsWithin(mesh, this->Options.MaximumError + mesh.Rounding(), fitted);
+      const std::vector<unsigned char> isAtFar = this->MarkFarEdges(mesh);
+      isFar = std::any_of(fitted.front().Vertices.begin(), fitted.front().Vertices.end(),
+        [&](VertexId vertex) { return isAtFar[std::size_t(vertex)] != 0; });
+      if (isFar)
+      {
+        mesh.SetAllHeights(before);
+        std::for_each(fitted.begin(), fitted.end(), [&](InnerHeights& own) { own.Drop(isAtFar); });
+      }
+    }
+  }
+
+  /// By vertex: 1 at the ends of edges of outlines that pass points too far off.
+  std::vector<unsigned char> MarkFarEdges(const HeightMesh& mesh) const
+  {
+    std::vector<unsigned char> isAtFar(std::size_t(mesh.EndOfVertices()), 0);
+    this->ForEachPassed(mesh,
+      [&](const PassedPoint& passed)
+      {
+        for (const VertexId end : passed.Ends)
+        {
+          isAtFar[std::size_t(end)] |= passed.Error > this->Options.MaximumError + mesh.Rounding() ? 1 : 0;
+        }
+      });
+    return isAtFar;
   }
 
   // ---- What is told of it ------------------------------------------------------------------------------------------
@@ -596,16 +642,20 @@ private:
     }
   }
 
-  /// Of a horizon.
-  struct PointsInside
+  /// A point of a horizon, or of the thickness of a layer, that an edge of an outline passes over, where the mesh does not
+  /// count it: a column that was dropped from its loop.
+  struct PassedPoint
   {
-    std::vector<unsigned char> OfStack; // as FindInside has it
-    std::vector<PointId> OnEdges; // points in other columns, which edges of outlines pass over
-    ColumnIndex Index; // of the horizon's own columns
+    std::size_t Horizon;
+    std::array<VertexId, 2> Ends; // of the edge
+    double Error;
+    PointId OfStack; // or NoPoint
+    PointId Own; // of the horizon as it was given, where the stack has none there
   };
 
-  /// Columns that were dropped from loops may lie on their new edges, where the mesh does not count them.
-  void MeasureOutline(const HeightMesh& mesh, std::vector<PointsInside>& inside)
+  /// Calls visit(passed).
+  template <typename Visit>
+  void ForEachPassed(const HeightMesh& mesh, Visit&& visit) const
   {
     const ColumnIndex index(this->Columns);
     const PlaneMesh& triangles = mesh.Triangles();
@@ -613,34 +663,29 @@ private:
     {
       for (int side = 0; side < 3; ++side)
       {
-        if (triangles.Neighbour(triangle, side) != NoTriangle)
+        if (triangles.Neighbour(triangle, side) == NoTriangle)
         {
-          continue;
+          const std::array<VertexId, 2> ends = { triangles.Corner(triangle, side),
+            triangles.Corner(triangle, NextCorner(side)) };
+          ForEachColumnBetween(mesh.Raised(ends[0]).Column, mesh.Raised(ends[1]).Column,
+            [&](const PlanePoint& place, double part)
+            { this->VisitPassed(mesh, triangle, ends, part, place, index.PointAt(place), visit); });
         }
-        const std::array<VertexId, 2> ends = { triangles.Corner(triangle, side),
-          triangles.Corner(triangle, NextCorner(side)) };
-        const PlanePoint& a = mesh.Raised(ends[0]).Column;
-        const PlanePoint& b = mesh.Raised(ends[1]).Column;
-        ForEachColumnBetween(a, b,
-          [&](const PlanePoint& place, double part)
-          {
-            const PointId point = index.PointAt(place);
-            this->MeasureOnEdge(mesh, triangle, ends, part, place, point, inside);
-          });
       }
     }
   }
 
-  /// Of a place on an outline, part of the way between two vertices; `point` is that of the stack there, or NoPoint.
-  void MeasureOnEdge(const HeightMesh& mesh, TriangleId triangle, const std::array<VertexId, 2>& ends, double part,
-    const PlanePoint& place, PointId point, std::vector<PointsInside>& inside)
+  /// At a place that is part of the way between two vertices; `point` is that of the stack there, or NoPoint.
+  template <typename Visit>
+  void VisitPassed(const HeightMesh& mesh, TriangleId triangle, const std::array<VertexId, 2>& ends, double part,
+    const PlanePoint& place, PointId point, Visit&& visit) const
   {
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
       const bool isOfLayers =
         point == NoPoint || !this->HasRegions() || this->Known[1 + horizon][std::size_t(point)] != 0;
-      const bool isHorizon = horizon < inside.size();
-      const PointId own = point == NoPoint && isHorizon ? inside[horizon].Index.PointAt(place) : NoPoint;
+      const PointId own =
+        point == NoPoint && horizon < this->OwnColumns.size() ? this->OwnColumns[horizon].PointAt(place) : NoPoint;
       if (!this->IsHorizonIn(horizon, std::size_t(triangle)) || !isOfLayers || (point == NoPoint && own == NoPoint))
       {
         continue; // no layer begins or ends amid an edge
@@ -649,17 +694,33 @@ private:
         own == NoPoint ? this->Heights[horizon][std::size_t(point)] : this->Horizons[horizon].Heights[own];
       const double start = mesh.Height(this->InMesh(horizon), ends[0]);
       const double height = start + (mesh.Height(this->InMesh(horizon), ends[1]) - start) * part;
-      double& largest = this->LargestErrorOf(horizon);
-      largest = std::max(largest, std::abs(height - given));
-      if (own != NoPoint)
-      {
-        inside[horizon].OnEdges.push_back(own);
-      }
-      else if (isHorizon)
-      {
-        inside[horizon].OfStack[std::size_t(point)] = 1;
-      }
+      visit(PassedPoint{ horizon, ends, std::abs(height - given), point, own });
     }
+  }
+
+  /// Of a horizon.
+  struct PointsInside
+  {
+    std::vector<unsigned char> OfStack; // as FindInside has it
+    std::vector<PointId> OnEdges; // points in other columns, which edges of outlines pass over
+  };
+
+  void MeasureOutline(const HeightMesh& mesh, std::vector<PointsInside>& inside)
+  {
+    this->ForEachPassed(mesh,
+      [&](const PassedPoint& passed)
+      {
+        double& largest = this->LargestErrorOf(passed.Horizon);
+        largest = std::max(largest, passed.Error);
+        if (passed.Own != NoPoint)
+        {
+          inside[passed.Horizon].OnEdges.push_back(passed.Own);
+        }
+        else if (passed.Horizon < inside.size())
+        {
+          inside[passed.Horizon].OfStack[std::size_t(passed.OfStack)] = 1;
+        }
+      });
   }
 
   /// By column of the stack: 1 for those in the mesh of a horizon.
@@ -679,11 +740,7 @@ private:
 
   void CountOutside(const HeightMesh& mesh)
   {
-    std::vector<PointsInside> inside;
-    for (const HorizonView& horizon : this->Horizons)
-    {
-      inside.push_back({ {}, {}, ColumnIndex(horizon.Columns) });
-    }
+    std::vector<PointsInside> inside(this->Horizons.size());
     if (this->HasRegions())
     {
       ParallelFor(std::int64_t(inside.size()), 1,
@@ -709,7 +766,7 @@ private:
       {
         const bool isIn = inside[horizon].OfStack[point] != 0;
         isAny = isAny || isIn;
-        const bool isOwn = isIn && (areOwn || inside[horizon].Index.PointAt(this->Columns[point]) != NoPoint);
+        const bool isOwn = isIn && (areOwn || this->OwnColumns[horizon].PointAt(this->Columns[point]) != NoPoint);
         this->Result.PointsOutside[horizon] -= isOwn ? 1 : 0;
       }
       this->Result.ColumnsOutside -= isAny ? 1 : 0;
@@ -731,6 +788,7 @@ private:
   std::optional<LayerRegions> Regions; // where each layer has a domain of its own
   HeightStack Filled; // of these: a level horizon, and then the heights above without gaps
   std::vector<std::vector<unsigned char>> Known; // for each of them 1 where it counts
+  std::vector<ColumnIndex> OwnColumns; // of the horizons as they were given
   std::optional<double> StripArea; // that cuts leave out, where gaps may lie along them
   std::vector<unsigned char> IsOnLine; // there: 1 on pinch-out lines
 };
