@@ -72,9 +72,9 @@ def check_pictures(folder):
         assert (folder / (name + ".png")).stat().st_size > 10000, name
 
 
-def check_figures(page):
+def check_figures(page, behind):
     """Each with numbers of the thesis and of our own, and a section of its own."""
-    (heads, rows), = ((heads, rows) for heading, heads, rows in tables_of(page) if "Figures of the thesis" in heading)
+    (heads, rows), = ((heads, rows) for heading, heads, rows in tables_of(behind) if "Captions" in heading)
     assert heads == ["figure", "what", "thesis", "here"]
     for figure in ("3.23", "3.24", "3.26", "4.14", "4.16 and 5.21", "5.19", "5.20"):
         assert "(figure%s %s)" % ("s" if " " in figure else "", figure) in page, figure
@@ -97,7 +97,8 @@ def main():
                    env=environment)
     page = (folder / "Tables.md").read_text(encoding="utf-8")
     seen = set()
-    for heading, heads, rows in (*tables_of(page), *tables_of(behind.read_text(encoding="utf-8"))):
+    rows_behind = behind.read_text(encoding="utf-8")
+    for heading, heads, rows in (*tables_of(page), *tables_of(rows_behind)):
         for row in rows:
             check_row(heading, heads, row)
             if "largest, thesis" in heads and "merged" not in row[1]:
@@ -109,7 +110,7 @@ def main():
         if "What a vertex buys" in heading:
             check_partners(heads, rows)
     assert seen == set(ROWS), "no table for %s" % (set(ROWS) - seen)
-    check_figures(page)
+    check_figures(page, rows_behind)
     check_pictures(folder / "Pictures")
 
 

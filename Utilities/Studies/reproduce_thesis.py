@@ -29,7 +29,7 @@ def parse_arguments():
     parser.add_argument("generator", help="the program generate_horizons")
     parser.add_argument("folder", type=pathlib.Path, help="where Tables.md goes, and the folder Pictures")
     parser.add_argument("--tables", type=pathlib.Path, metavar="FILE",
-                        help="write the rows of tables 4.1 to 4.6, of which the page has medians")
+                        help="write the rows of tables 4.1 to 4.6, of which the page has medians, and captions")
     parser.add_argument("--surfaces", type=int, default=len(reported.SURFACES), metavar="N",
                         help="only so many surfaces, the smallest first (default: all)")
     parser.add_argument("--triangulation-benchmark", metavar="PROGRAM",
@@ -109,7 +109,7 @@ def main():
     options.folder.mkdir(parents=True, exist_ok=True)
     (options.folder / "Tables.md").write_text(page(found, curves, meshings, paces, shown), encoding="utf-8")
     if options.tables:
-        options.tables.write_text(all_tables(found), encoding="utf-8")
+        options.tables.write_text(all_tables(found, shown), encoding="utf-8")
     draw(found, curves, meshings, cgal, options.folder / "Pictures")
     draw_figures(shown, options.folder / "Pictures")
 

@@ -9,12 +9,10 @@ from .words import listing
 SECTION = """\
 ## Figures of the thesis
 
-What captions of the thesis say, and ours; errors are the largest and the mean. The surfaces differ: compare sizes, not
-places. Distances are shown at the points of the input, from pale (0) to dark (the 99th percentile of the row). Other
-figures are on the pages of the [outlines](HorizonExteriorBoundary.md) (3.20 to 3.22, 3.25, 3.27) and the [elaborate
+The surfaces differ: compare sizes, not places. Distances are shown at the points of the input, from pale (0) to dark
+(the 99th percentile of the row). Other figures are on the pages of the [outlines](HorizonExteriorBoundary.md) (3.20 to 3.22, 3.25, 3.27) and the [elaborate
 simplification](HorizonElaborateSimplification.md) (4.12, 4.13).{missing}
 
-{table}
 {figures}"""
 
 
@@ -24,9 +22,13 @@ def shown(figure):
     return "![%s](Pictures/%s)\n\n%s\n" % (figure.title, figure.picture(), caption)
 
 
+def rows(figures):
+    """What the captions of the thesis say, and ours."""
+    return table(["figure", "what", "thesis", "here"],
+                 [[listing(figure.numbers)] + row for figure in figures for row in figure.rows])
+
+
 def section(figures, with_meshlab):
-    rows = [[listing(figure.numbers)] + row for figure in figures for row in figure.rows]
     return SECTION.format(
-        table=table(["figure", "what", "thesis", "here"], rows),
         missing="" if with_meshlab else "\nMeshLab was not found, and is missing in figures 4.14, 4.15 and 4.18.",
         figures="\n".join(map(shown, figures)))

@@ -12,7 +12,7 @@ PAGE = """\
 # Beside the thesis
 
 `Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE` it also writes tables 4.1 to
-4.6 with a row for each surface.
+4.6 with a row for each surface, and the numbers in captions of figures.
 
 - The surfaces of the thesis are not public. Ours are synthetic (`generate_horizons`, [The surfaces](#the-surfaces)).
 - Errors are [distances](HorizonSurfaceDistance.md) between the mesh of all points and that of the points left, both
@@ -100,7 +100,7 @@ As many vertices as `elaborate, s = 8, flatness 0.03`:
 {figures}"""
 
 ALL_TABLES = """\
-# Tables 4.1 to 4.6 of the thesis
+# Tables 4.1 to 4.6 and figures of the thesis
 
 Points left in percent of the input, errors as parts of the diagonal, milliseconds.
 
@@ -118,14 +118,19 @@ Points left in percent of the input, errors as parts of the diagonal, millisecon
 {both_after_6}
 ## Both, s = 10 after rough with s = 8 (table 4.6)
 
-{both_after_8}"""
+{both_after_8}
+## Captions of figures
+
+Errors are the largest and the mean.
+
+{captions}"""
 
 
-def all_tables(found):
-    """What the medians of the page are made of."""
+def all_tables(found, shown):
+    """What the medians of the page are made of, and what the figures say."""
     return ALL_TABLES.format(
         rough_table=tables.rough(found), elaborate_table=tables.elaborate(found), both_after_3=tables.both(found, 3),
-        both_after_6=tables.both(found, 6), both_after_8=tables.both(found, 8))
+        both_after_6=tables.both(found, 6), both_after_8=tables.both(found, 8), captions=figure_section.rows(shown))
 
 
 def page(found, curves, meshings, paces, shown):
