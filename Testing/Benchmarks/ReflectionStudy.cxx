@@ -317,9 +317,9 @@ constexpr const char* Guided = R"(## Guided
 %d wild cubes (`generate_cube --wild`) of 110 x 96 traces of 280 samples: hard ones with an unconformity, two channels,
 and one to four short faults beside the long one; half of the noise is in band, a quarter white, and a quarter dipping
 waves. *Picks*: at random in each part of a reflector, or all of every 20th line; parts are connected columns, 100 or
-more. Entries in percent: *found*, places of parts that the surface of the reflector has / *weakest* / *off*, its picks more
-than half a period away / *absent*, its picks where the reflector is not. Without picks the surface is the best one of
-each part.
+more. Entries in percent: *found*, places of parts that the surface of the reflector has / *weakest* / *off*, its picks
+more than half a period away / *absent*, its picks where the reflector is not. Without picks the surface is the best one
+of each part.
 )";
 }
 
