@@ -64,17 +64,10 @@ FaultScore ScoreHorizons(
   return total;
 }
 
-void PrintScore(const FaultScore& score, bool isFaulted)
+void PrintScore(const FaultScore& score)
 {
-  if (isFaulted)
-  {
-    std::printf(" %.0f/%.0f/%.0f/%.0f, %.2f |", score.FoundPercent(0), score.FoundPercent(1), score.FoundPercent(2),
-      score.FoundPercent(3), score.FalsePerThousand());
-  }
-  else
-  {
-    std::printf(" %lld |", static_cast<long long>(score.False));
-  }
+  std::printf(" %.0f/%.0f/%.0f/%.0f, %.2f |", score.FoundPercent(0), score.FoundPercent(1), score.FoundPercent(2),
+    score.FoundPercent(3), score.FalsePerThousand());
   std::fflush(stdout);
 }
 
@@ -86,30 +79,29 @@ struct Kind
 
 std::vector<Kind> ListKinds()
 {
-  std::vector<Kind> kinds(4);
+  std::vector<Kind> kinds(3);
   kinds[0].Name = "side to side";
   kinds[1].Name = "tapered";
   kinds[1].Options.AreTapered = true;
   kinds[2].Name = "tapered, crossed";
   kinds[2].Options.AreTapered = true;
   kinds[2].Options.AreCrossed = true;
-  kinds[3].Name = "none";
-  kinds[3].Options.NumberOfFaults = 0;
   return kinds;
 }
 
-const std::vector<double> Noises = { 0.0, 0.1, 0.3, 0.5, 1.0 };
+const std::vector<double> Noises = { 0.0, 0.3, 1.0 };
 
 void PrintHead(int horizons)
 {
   std::printf(
     "# Faults found\n\n"
-    "Made by `FaultStudy`. Each entry is the share of cut links that [Horizon Faults](HorizonFaults.md) finds,\n"
-    "in %% by their throw of 1 to 2, 2 to 4, 4 to 8 and 8 or more vertical indices, and the number of false links\n"
-    "for 1,000 columns: those more than a column off all that are torn. Where there are no faults it is the number\n"
-    "of all false links. Each is from %d horizons of 200 by 200 columns with largest throws of 2, 3, 5, 8, 12, 20\n"
-    "and 40 each, four faults on each, or eight that cross; `nan` where no link has such a throw. Noise is its\n"
-    "standard deviation, and dip in vertical indices per column.\n",
+    "Made by `FaultStudy`. Each entry is the share of faulted edges that [Horizon Faults](HorizonFaults.md) finds, in "
+    "%%\n"
+    "by their throw of 1 to 2, 2 to 4, 4 to 8 and 8 or more vertical indices, and the number of false ones per 1,000\n"
+    "columns: those more than a column away from all that are torn. Each is from %d horizons of 200 by 200 columns "
+    "with\n"
+    "largest throws of 2, 3, 5, 8, 12, 20 and 40 each, with four faults, or eight that cross; `nan` where no edge has\n"
+    "such a throw. Noise is its standard deviation, dip is in vertical indices per column.\n",
     horizons);
 }
 
@@ -120,7 +112,7 @@ void PrintNoiseTable(int horizons, const Method& method)
   {
     std::printf(" noise %g |", noise);
   }
-  std::printf("\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  std::printf("\n| --- | --- | --- | --- | --- | --- |\n");
   for (Kind kind : ListKinds())
   {
     for (const bool areWhole : { true, false })
@@ -133,7 +125,7 @@ void PrintNoiseTable(int horizons, const Method& method)
           kind.Options.AreHeightsWhole = areWhole;
           kind.Options.Dip = dip;
           kind.Options.Noise = noise;
-          PrintScore(ScoreHorizons(horizons, method.Options, kind.Options), kind.Options.NumberOfFaults > 0);
+          PrintScore(ScoreHorizons(horizons, method.Options, kind.Options));
         }
         std::printf("\n");
       }
@@ -142,78 +134,61 @@ void PrintNoiseTable(int horizons, const Method& method)
   std::printf("\n");
 }
 
-void PrintGapTable(int horizons, const Method& method)
-{
-  std::printf("| gap | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- |\n");
-  for (const double width : { 1.0, 2.0, 3.0, 4.0 })
-  {
-    std::printf("| %g columns |", width);
-    for (const double noise : { 0.0, 0.3, 1.0 })
-    {
-      FaultGeneratorOptions options;
-      options.AreTapered = true;
-      options.GapWidth = width;
-      options.Noise = noise;
-      PrintScore(ScoreHorizons(horizons, method.Options, options), true);
-    }
-    std::printf("\n");
-  }
-}
-
 constexpr int RampReach = 2; // how far from a fault that bends the surface a link that was found may be
 
-void PrintRampTable(int horizons, const Method& method)
+/// Tapered faults at which columns are missing, that bend the surface, or of picks on some rows alone.
+void PrintShapeTable(int horizons, const Method& method)
 {
-  std::printf("| faults | ramp | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- | --- |\n");
-  for (const bool areTapered : { false, true })
+  std::printf("| tapered faults | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- |\n");
+  const auto print = [&](const std::string& shape, FaultGeneratorOptions options, int reach)
   {
-    const char* const kind = areTapered ? "tapered" : "side to side";
-    FaultGeneratorOptions options;
-    options.AreTapered = areTapered;
-    const auto print = [&](const std::string& ramp)
+    std::printf("| %s |", shape.c_str());
+    for (const double noise : Noises)
     {
-      std::printf("| %s | %s |", kind, ramp.c_str());
-      for (const double noise : { 0.0, 0.3, 1.0 })
-      {
-        options.Noise = noise;
-        PrintScore(ScoreHorizons(horizons, method.Options, options, RampReach), true);
-      }
-      std::printf("\n");
-    };
-    for (int width = 1; width <= 7; ++width)
-    {
-      options.RampWidth = width;
-      print(width == 1 ? "1 column" : std::to_string(width) + " columns");
+      options.AreTapered = true;
+      options.Noise = noise;
+      PrintScore(ScoreHorizons(horizons, method.Options, options, reach));
     }
-    options.RampWidth = 0.0;
-    options.PickSpacing = 5;
-    print("picks on each 5th row");
+    std::printf("\n");
+  };
+  for (const int width : { 1, 3, 4 })
+  {
+    FaultGeneratorOptions options;
+    options.GapWidth = width;
+    print("gap of " + std::to_string(width), options, 0);
   }
+  for (const int width : { 2, 4, 7 })
+  {
+    FaultGeneratorOptions options;
+    options.RampWidth = width;
+    print("ramp of " + std::to_string(width), options, RampReach);
+  }
+  FaultGeneratorOptions options;
+  options.PickSpacing = 5;
+  print("picks on each 5th row", options, RampReach);
 }
 
+/// Folds twice as high as the dip, without faults: false links for 1,000 columns.
 void PrintFoldTable(int horizons, const Method& method)
 {
-  std::printf("| folds | heights | dip | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- | --- | --- |\n");
-  for (const double fold : { 0.5, 1.0, 2.0 })
+  std::printf("| heights | dip | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- | --- |\n");
+  for (const bool areWhole : { true, false })
   {
-    for (const bool areWhole : { true, false })
+    for (const double dip : { 0.5, 2.0 })
     {
-      for (const double dip : { 0.5, 2.0 })
+      std::printf("| %s | %g |", areWhole ? "whole" : "real", dip);
+      for (const double noise : Noises)
       {
-        std::printf("| %g | %s | %g |", fold, areWhole ? "whole" : "real", dip);
-        for (const double noise : { 0.0, 0.3, 1.0 })
-        {
-          FaultGeneratorOptions options;
-          options.NumberOfFaults = 0;
-          options.Fold = fold;
-          options.AreHeightsWhole = areWhole;
-          options.Dip = dip;
-          options.Noise = noise;
-          std::printf(" %.2f |", ScoreHorizons(4 * horizons, method.Options, options).FalsePerThousand());
-        }
-        std::printf("\n");
-        std::fflush(stdout);
+        FaultGeneratorOptions options;
+        options.NumberOfFaults = 0;
+        options.Fold = 2.0;
+        options.AreHeightsWhole = areWhole;
+        options.Dip = dip;
+        options.Noise = noise;
+        std::printf(" %.2f |", ScoreHorizons(4 * horizons, method.Options, options).FalsePerThousand());
       }
+      std::printf("\n");
+      std::fflush(stdout);
     }
   }
 }
@@ -321,51 +296,48 @@ void PrintStickTable(int horizons)
 
 void PrintHoleTable(int horizons, const Method& method)
 {
-  std::printf("| hole | noise | found | error without cuts | with those found | with all |\n"
-              "| --- | --- | --- | --- | --- | --- |\n");
-  for (const int size : { 10, 20, 40, 80 })
+  std::printf("| hole | found | error without cuts | with those found | with all |\n"
+              "| --- | --- | --- | --- | --- |\n");
+  for (const int size : { 10, 40, 80 })
   {
-    for (const double noise : { 0.0, 0.3 })
+    FaultScore score;
+    FillErrors plain, withFound, withAll;
+    for (const double largest : { 8.0, 12.0, 20.0, 40.0 })
     {
-      FaultScore score;
-      FillErrors plain, withFound, withAll;
-      for (const double largest : { 8.0, 12.0, 20.0, 40.0 })
+      for (int n = 0; n < horizons; ++n)
       {
-        for (int n = 0; n < horizons; ++n)
+        FaultGeneratorOptions made;
+        made.NumberOfFaults = 1;
+        made.Noise = 0.3;
+        made.Throw = largest;
+        made.Seed = FirstSeed + std::uint64_t(n) + 100 * std::uint64_t(largest);
+        const FaultedHorizon whole = MakeFaultedHorizon(made);
+        made.HoleSize = size;
+        FaultedHorizon horizon = MakeFaultedHorizon(made);
+        const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), method.Options);
+        LinkCuts cuts(PlaneBox({ { 0, 0 }, { made.Size - 1, made.Size - 1 } }));
+        plain.Add(horizon, whole, cuts);
+        LinkCuts foundCuts = cuts;
+        for (std::size_t link = 0; link < found.Lines.NumberOfLinks(); ++link)
         {
-          FaultGeneratorOptions made;
-          made.NumberOfFaults = 1;
-          made.Noise = noise;
-          made.Throw = largest;
-          made.Seed = FirstSeed + std::uint64_t(n) + 100 * std::uint64_t(largest);
-          const FaultedHorizon whole = MakeFaultedHorizon(made);
-          made.HoleSize = size;
-          FaultedHorizon horizon = MakeFaultedHorizon(made);
-          const FaultDetection found = DetectFaults(ColumnHeights(horizon.Columns, horizon.Height), method.Options);
-          LinkCuts cuts(PlaneBox({ { 0, 0 }, { made.Size - 1, made.Size - 1 } }));
-          plain.Add(horizon, whole, cuts);
-          LinkCuts foundCuts = cuts;
-          for (std::size_t link = 0; link < found.Lines.NumberOfLinks(); ++link)
-          {
-            Cut(foundCuts, found.Lines[link].Place.Column, found.Lines[link].Place.Side == LinkSide::North);
-          }
-          withFound.Add(horizon, whole, foundCuts);
-          for (const TornLink& link : horizon.Torn)
-          {
-            Cut(cuts, link.Column, link.IsNorth);
-          }
-          withAll.Add(horizon, whole, cuts);
-          const std::int64_t falseLinks = ScoreFaults(horizon, found.Lines, RampReach).False;
-          horizon.Torn = TornInHole(horizon, made);
-          FaultScore one = ScoreFaults(horizon, found.Lines, RampReach);
-          one.False = falseLinks;
-          score.Add(one);
+          Cut(foundCuts, found.Lines[link].Place.Column, found.Lines[link].Place.Side == LinkSide::North);
         }
+        withFound.Add(horizon, whole, foundCuts);
+        for (const TornLink& link : horizon.Torn)
+        {
+          Cut(cuts, link.Column, link.IsNorth);
+        }
+        withAll.Add(horizon, whole, cuts);
+        const std::int64_t falseLinks = ScoreFaults(horizon, found.Lines, RampReach).False;
+        horizon.Torn = TornInHole(horizon, made);
+        FaultScore one = ScoreFaults(horizon, found.Lines, RampReach);
+        one.False = falseLinks;
+        score.Add(one);
       }
-      std::printf("| %d x %d | %g | %.0f, %.2f | %.2f | %.2f | %.2f |\n", size, size, noise, score.FoundPercent(3),
-        score.FalsePerThousand(), plain.RootMeanSquare(), withFound.RootMeanSquare(), withAll.RootMeanSquare());
-      std::fflush(stdout);
     }
+    std::printf("| %d x %d | %.0f, %.2f | %.2f | %.2f | %.2f |\n", size, size, score.FoundPercent(3),
+      score.FalsePerThousand(), plain.RootMeanSquare(), withFound.RootMeanSquare(), withAll.RootMeanSquare());
+    std::fflush(stdout);
   }
 }
 }
@@ -375,26 +347,28 @@ int main(int argc, char* argv[])
 {
   const int horizons = argc > 1 ? std::atoi(argv[1]) : 4;
   PrintHead(horizons);
-  for (const Method& method : ListMethods())
+  const std::vector<Method> methods = ListMethods();
+  for (const Method& method : methods)
   {
     std::printf("\n## %s\n\n", method.Name.c_str());
     PrintNoiseTable(horizons, method);
-    std::printf("\nGaps along tapered faults, dip 0.5, whole heights:\n\n");
-    PrintGapTable(horizons, method);
-    std::printf("\nFaults that bend the surface, dip 0.5, whole heights; within two columns:\n\n");
-    PrintRampTable(horizons, method);
-    std::printf(
-      "\nFolds without faults, by their height in parts of that of the dip; false links for 1,000 columns:\n\n");
+    std::printf("Dip 0.5, whole heights, widths in columns; at ramps and on rows within two columns:\n\n");
+    PrintShapeTable(horizons, method);
+    if (&method != &methods.front())
+    {
+      continue;
+    }
+    std::printf("\nFolds twice as high as the dip, without faults; false edges per 1,000 columns:\n\n");
     PrintFoldTable(horizons, method);
     std::printf(
-      "\nA fault with a throw of 8 and more through a hole: %% of its links there found within two columns, false\n"
-      "links for 1,000 columns, and root mean square errors of the filled heights:\n\n");
+      "\nA fault with a throw of 8 and more through a hole: %% of its edges there found within two columns, false\n"
+      "edges per 1,000 columns, and root mean square errors of the filled heights; noise 0.3:\n\n");
     PrintHoleTable(horizons, method);
   }
   std::printf(
     "\n## Sticks\n\n"
-    "A fault from side to side, given by sticks in no order, with a noise of 0.3: %% of its links cut within two\n"
-    "columns, and links for 1,000 columns that are cut elsewhere.\n\n");
+    "A fault from side to side, given by sticks in no order, with a noise of 0.3: %% of its edges cut within two\n"
+    "columns, and edges per 1,000 columns that are cut elsewhere.\n\n");
   PrintStickTable(horizons);
   return EXIT_SUCCESS;
 }

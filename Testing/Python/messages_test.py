@@ -4,8 +4,8 @@
 
 Documentation/Report.md and InPython.md have each message of the Python package and of the command, and no other: what errors are
 raised with, and what is told as a warning. In the code they are texts with places for values (`%s: there is no horizon %s`), on the
-page they are examples. Those of C++ are put together from pieces; each piece with the word "expected" is in the table of
-some page, where `...` and words in angle brackets stand for anything.
+page they are examples. Those of C++ are put together from pieces; each piece with the word "expected" is on some page, where
+`...` and words in angle brackets stand for anything. Messages with an explanation are in tables, others in blocks of text.
 """
 
 import ast
@@ -61,11 +61,16 @@ def pattern_of(text):
     return ".+".join(re.escape(piece.replace("%%", "%")) for piece in pieces)
 
 
+def lines_of_blocks(section):
+    """Messages that no table explains."""
+    return [line for block in re.findall(r"^```text\n(.*?)^```$", section, re.S | re.M) for line in block.splitlines()]
+
+
 def listed_messages(page):
     """The examples of the page, which may be several in a row."""
     section = re.search(r"^## Errors\n(.*?)(?=^## |\Z)", page, re.S | re.M).group(1)
     rows = re.findall(r"^\| (`.*?) \| ", section, re.M)
-    return [message for row in rows for message in re.findall(r"`([^`]+ [^`]+)`", row)]
+    return [message for row in rows for message in re.findall(r"`([^`]+ [^`]+)`", row)] + lines_of_blocks(section)
 
 
 # ---- C++ -----------------------------------------------------------------------------------------------------------
@@ -116,17 +121,19 @@ def pieces_of(text):
 
 
 def check_cpp(root):
-    """What is not in any table."""
+    """What is on no page."""
     rows = []
     for page in sorted((root / "Documentation").glob("*.md")):
-        for table in re.findall(r"^\| message \|.*\n((?:\|.*\n)+)", page.read_text(encoding="utf-8"), re.M | re.I):
+        text = page.read_text(encoding="utf-8")
+        rows += [words_of(message) for message in lines_of_blocks(text)]
+        for table in re.findall(r"^\| message \|.*\n((?:\|.*\n)+)", text, re.M | re.I):
             cells = re.findall(r"^\| ((?:\\\||[^|])*) \|", table, re.M)
             rows += [words_of(message) for cell in cells for message in re.findall(r"`([^`]+)`", cell)]
     paths = [path for folder in FOLDERS for path in sorted((root / folder).rglob("*"))
              if path.suffix in (".h", ".cxx") and path.stem != "MeshChecker"]  # which users never hear of
     pieces = [(path, *piece) for path in paths for piece in pieces_of(path.read_text(encoding="utf-8"))]
     assert len(rows) > 300 and len(pieces) > 200, (len(rows), len(pieces))
-    return ["%s: in no table of messages: %s" % (path.relative_to(root), literal) for path, literal, words in pieces
+    return ["%s: on no page: %s" % (path.relative_to(root), literal) for path, literal, words in pieces
             if not is_listed(words, rows)]
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What becomes of the comments of setters, in the panel and on the page, on two classes made up for it.
+"""What becomes of the comments of setters, in the panel and on the page, on some classes made up for it.
 
 Arguments: the program that makes texts, and a folder.
 """
@@ -81,6 +81,14 @@ XML = """<ServerManagerConfiguration><ProxyGroup name="filters">
 </SourceProxy>
 <SourceProxy name="Two" class="vtkTwo" label="Number Two"><Documentation long_help="Long."/>
 <DoubleVectorProperty name="RowWidth" command="SetRowWidth" label="Width" default_values="2"/>
+</SourceProxy>
+<SourceProxy name="Three" class="vtkThree" label="Number Three" base_proxygroup="horizon_bases" base_proxyname="Base">
+<Documentation long_help="Long."/>
+<IntVectorProperty name="On" command="SetOn"><BooleanDomain name="bool"/></IntVectorProperty>
+</SourceProxy></ProxyGroup></ServerManagerConfiguration>
+"""
+BASES = """<ServerManagerConfiguration><ProxyGroup name="horizon_bases"><SourceProxy name="Base">
+<DoubleVectorProperty name="RowWidth" command="SetRowWidth" default_values="4.5"/>
 </SourceProxy></ProxyGroup></ServerManagerConfiguration>
 """
 PAGE = "# A page\n\n| Property | Default | Range | Unit | Meaning |\n| --- | --- | --- | --- | --- |\n| old |\n\nMore.\n"
@@ -96,7 +104,9 @@ class TextsTest(unittest.TestCase):
         shutil.rmtree(FOLDER, ignore_errors=True)
         files = {"Filters/vtkBase.h": BASE, "Filters/vtkOne.h": ONE, "ParaViewPlugin/Both.xml": XML,
                  "Filters/vtkTwo.h": BASE.replace("vtkBase", "vtkTwo").replace("vtkObject", "vtkBase"),
-                 "Documentation/One.md": PAGE, "Documentation/Two.md": PAGE}
+                 "Filters/vtkThree.h": ONE.replace("vtkOne", "vtkThree"), "ParaViewPlugin/Bases.xml": BASES,
+                 "Documentation/One.md": PAGE, "Documentation/Two.md": PAGE, "Documentation/Bases.md": PAGE,
+                 "Documentation/Three.md": PAGE.replace("More", "More in [Bases](Bases.md)")}
         for name, text in files.items():
             self.write(name, text)
         self.program = FOLDER / "Utilities" / "CMake" / PROGRAM.name
@@ -142,6 +152,19 @@ class TextsTest(unittest.TestCase):
         self.run_program("pages").check_returncode()
         text = (FOLDER / "Documentation" / "One.md").read_text(encoding="utf-8")
         self.assertEqual(text, PAGE.replace("| old |\n", ROWS))
+
+    def test_properties_of_a_base_are_on_its_page_alone(self):
+        self.run_program("pages").check_returncode()
+        base = (FOLDER / "Documentation" / "Bases.md").read_text(encoding="utf-8")
+        self.assertIn("\n| RowWidth | 4.5 in vtkOne, 2 in vtkTwo | 0.5 to 1e3 |", base)
+        text = (FOLDER / "Documentation" / "Three.md").read_text(encoding="utf-8")
+        self.assertIn("\n| On | off |", text)
+        self.assertNotIn("| RowWidth |", text)
+        self.assertEqual(set(self.panel()["Three"]), {"On"})
+
+    def test_a_page_without_a_link_to_the_base_is_an_error(self):
+        self.write("Documentation/Three.md", PAGE)
+        self.assertIn("Three.md: no link to Bases.md, expected one", self.run_program("pages").stderr)
 
     def test_a_setter_without_a_comment_is_an_error(self):
         self.write("Filters/vtkOne.h", ONE.replace("  /// Whether it is on.", "  // Whether it is on."))

@@ -15,6 +15,9 @@ and links. 'See "Faults" in HorizonFaults.md.' becomes a link on the page and is
 method of its own for (inputs) keeps its text in the XML file, in the same form. The brief of a class is the short help of
 its proxy.
 
+The table on the page of a proxy has its own properties. Those of a base are in a table on the page that is called as the
+XML file of the base, to which the page of the proxy has a link. A file with several bases has a page with a table of each.
+
 Of each reader there are two proxies in the plugin, the one in the XML file and one that differs in its name: ParaView asks
 readers for a file in the order of these names, and takes the first that says yes. The second one comes before all readers
 of ParaView that do not look into files, as that of CSV. Python, which goes by labels, makes it, too; states of earlier
@@ -70,16 +73,18 @@ def read_header(path):
 
 
 class Proxy:
-    """A proxy of the plugin with its properties, those of its bases first."""
+    """A proxy of the plugin with its properties, those of its bases first. `file` is the stem of its XML file."""
 
-    def __init__(self, element, proxies):
-        base = proxies.get(element.get("base_proxyname"))
+    def __init__(self, element, proxies, file):
+        self.base = proxies.get(element.get("base_proxyname"))
         self.name = element.get("name")
         self.class_name = element.get("class") or "vtk" + self.name  # a base is named as its class
         self.is_base = not element.get("class")
         self.label = element.get("label", self.name)
         self.element = element
-        self.properties = (base.properties if base else []) + [e for e in element if e.tag.endswith("Property")]
+        self.own = [e for e in element if e.tag.endswith("Property")]
+        self.properties = (self.base.properties if self.base else []) + self.own
+        self.page = (file if self.is_base else self.name) + ".md"
 
 
 def first_asked(element):
@@ -114,7 +119,7 @@ class Texts:
             self.files[path.name] = document
             for kind in ("SourceProxy", "WriterProxy"):
                 for element in document.iter(kind):
-                    self.proxies[element.get("name")] = Proxy(element, self.proxies)
+                    self.proxies[element.get("name")] = Proxy(element, self.proxies, path.stem)
         self.of_class = {proxy.class_name: proxy for proxy in self.proxies.values() if not proxy.is_base}
 
     def lineage(self, class_name):
@@ -184,14 +189,14 @@ class Texts:
         def see(match):
             words, page = match.groups()
             anchor = "#" + words.lower().replace(" ", "-")
-            return "See [%s](%s)." % (words, anchor if page == proxy.name + ".md" else page + anchor)
+            return "See [%s](%s)." % (words, anchor if page == proxy.page else page + anchor)
 
         def code(match):
             return "`%s`" % match[0] if re.match(COMPOUND, match[0]) and match[0] not in plain else match[0]
 
         def link(match):
             other = self.of_class.get(match[0])
-            return "[%s](%s.md)" % (other.label, other.name) if other else "`%s`" % match[0]
+            return "[%s](%s)" % (other.label, other.page) if other else "`%s`" % match[0]
 
         def cell(words):
             words = re.sub(r"\bvtk\w+", link, re.sub(SEE, see, words))
@@ -202,21 +207,27 @@ class Texts:
         return [prop.get("name"), text.default, reach or "-", cell(text.unit or "-"), cell(text.meaning)]
 
     def table(self, proxy):
-        rows = [row for row in (self.row(proxy, prop) for prop in proxy.properties) if row]
+        rows = [row for row in (self.row(proxy, prop) for prop in proxy.own) if row]
         lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows
         return "".join("| %s |\n" % " | ".join(line) for line in lines)
 
     def pages(self):
-        """Each page that has a table of properties, and what it should be."""
+        """Each page that has tables of properties, and what it should be."""
+        proxies = {}
         for proxy in self.proxies.values():
-            if not proxy.is_base:
-                path = self.documentation / (proxy.name + ".md")
-                text = path.read_text(encoding="utf-8")
-                table = r"^\| %s \|\n(?:\|.*\n)*" % r" \| ".join(COLUMNS)
-                fresh, count = re.subn(table, lambda _: self.table(proxy), text, flags=re.M)
-                if count != 1:
-                    sys.exit("%s: %d tables of properties, expected one" % (path.name, count))
-                yield path, text, fresh
+            proxies.setdefault(proxy.page, []).append(proxy)
+        for page, on_it in proxies.items():
+            path = self.documentation / page
+            text = path.read_text(encoding="utf-8")
+            pattern = r"^\| %s \|\n(?:\|.*\n)*" % r" \| ".join(COLUMNS)
+            count = len(re.findall(pattern, text, re.M))
+            if count != len(on_it):
+                sys.exit("%s: %d tables of properties, expected %d" % (page, count, len(on_it)))
+            for base in {proxy.base.page for proxy in on_it if proxy.base} - {page}:
+                if "(%s" % base not in text:
+                    sys.exit("%s: no link to %s, expected one, as there are more of its properties" % (page, base))
+            tables = iter([self.table(proxy) for proxy in on_it])
+            yield path, text, re.sub(pattern, lambda _, tables=tables: next(tables), text, flags=re.M)
 
     def write_panel(self, folder):
         """The XML files of the plugin with the text of each property; none is touched that stays as it is."""

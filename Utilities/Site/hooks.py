@@ -59,11 +59,11 @@ def move_links(markdown, from_top):
 
 
 def error_tables():
-    """The sections of all pages with tables of messages, under the titles of their pages."""
+    """The sections of all pages with messages, under the titles of their pages."""
     for page in sorted((TREE / "Documentation").glob("*.md")):
         text = page.read_text(encoding="utf-8")
         sections = [section.partition("\n")[2] for section in re.split(r"^## ", text, flags=re.M)[1:]
-                    if re.search(r"^\| message \|", section, re.M | re.I)]
+                    if re.search(r"^\| message \||^```text$", section, re.M | re.I)]
         if sections:
             title = re.match(r"# (.*)", text).group(1)
             yield "## [%s](%s)\n%s\n" % (title, page.name, "\n".join(sections).replace("### ", "#### "))

@@ -25,12 +25,11 @@ def program_result(stage, peer, points, theirs, ours):
 
 
 def measure_reading(folder, path, size):
-    """The parser alone, on one thread and on two, beside a bare loop on one."""
+    """The parser alone, on one thread, beside a bare loop."""
     rows = [line.split(",") for line in run_program(folder, "ReadingBenchmark", path)[1:]]
     seconds = {(what, int(threads)): float(value) for _, what, threads, value in rows}
-    names = {1: "bare loop", 2: "bare loop on one thread, ours on two"}
-    return [program_result("read", names[threads], size, seconds["bare", 1], ours)
-            for (what, threads), ours in seconds.items() if what == "parser"]
+    return [program_result("read", "bare loop", size, seconds["bare", 1], ours)
+            for (what, threads), ours in seconds.items() if what == "parser" and threads == 1]
 
 
 def measure_opencv(folder, sizes):
@@ -40,8 +39,7 @@ def measure_opencv(folder, sizes):
                            ours[row[0]]) for row in rows if row[1].startswith("opencv")]
 
 
-CGAL_COLUMNS = (("CGAL Delaunay", "CGAL Delaunay s"), ("CGAL constrained Delaunay", "CGAL constrained s"),
-                ("CGAL constrained, triangles inside", "CGAL inside s"))
+CGAL_COLUMNS = (("CGAL constrained Delaunay", "CGAL inside s"),)
 
 
 def measure_cgal(folder, sizes):

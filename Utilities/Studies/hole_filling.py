@@ -2,9 +2,17 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """How near filled holes come to what was there: columns are taken out of horizons, filled by several methods, and
-compared. Prints the page Documentation/HoleFillingTables.md.
+compared. Prints the table of Documentation/HorizonHoleFilling.md: of each horizon, for holes of each width in columns, the
+root mean square error of Method Automatic in lattice units, and in brackets its ratio to the least of the other methods.
+With --methods each method has a column.
 
-    hole_filling.py [--real FOLDER] [--widths W...] [--size COLUMNS] [--repeat N] [--processes N]
+    hole_filling.py [--methods] [--real FOLDER] [--widths W...] [--size COLUMNS] [--repeat N] [--processes N]
+
+Generated horizons have waves of all lengths and a deviation of 12 vertical indices; their errors are those to the surface
+without noise. The others are real: their errors include noise, and their unit is the median of the nonzero steps from
+column to column. Ours besides Automatic: "plate" has RimSmoothing 1, "exact plate" 0, "smooth plate" 16 with RimWidth 5.
+The spline is a thin-plate spline through some columns of the rim, six wide; the smoothing one has the smoothing 10 of
+SciPy's RBFInterpolator. Triangles are linear over our mesh. Inverse distance is squared, from the rim, three wide.
 
 Needs the package seismichorizons in PYTHONPATH, and numpy. Horizons in FOLDER are files *.ijz with lines "i j z".
 """
@@ -26,22 +34,6 @@ from seismichorizons.stage import apply
 from text import report, table
 
 MARGIN = 12  # columns that stay around each hole
-PAGE = """# How near filled holes come
-
-`Utilities/Studies/hole_filling.py` takes columns out of horizons, fills them again ([hole
-filling](HorizonHoleFilling.md)), and lists root mean square errors in lattice units. Widths of holes are in columns.
-
-- **Horizons.** Generated ones have waves of all lengths and a deviation of 12 vertical indices; their errors are those to
-  the surface without noise. The others are real: their errors include noise, and their unit is the median of the
-  nonzero steps from column to column.
-- **Ours.** *Automatic*, the default, chooses among plates by the roughness of the horizon. *Plate* has RimSmoothing 1,
-  *exact plate* 0 (it passes through all columns around), *smooth plate* 16 with RimWidth 5.
-- **Others.** *Spline* is a thin-plate spline through at most {most} columns of the rim, six wide (as SciPy's
-  `RBFInterpolator`); *smoothing spline* has its smoothing of 10. *Triangles* is linear over the mesh of this project, *vtkDelaunay2D* over
-  VTK's. *Inverse distance* is squared, from the rim, three wide. *Voronoi*, *Shepard* and *Gaussian* are kernels of
-  ParaView's point interpolator with the 32 nearest points.
-- *Ours / best other* is for *automatic*.
-"""
 MOST_PLACES = 4000  # that are compared: kernels take long in the middle of wide holes
 NEAREST = 32  # points that a kernel takes
 MOST_CENTRES = 3000  # of a spline, whose matrix is full
@@ -320,8 +312,37 @@ def jobs_of(options):
                 yield "%s, %s" % (path.parent.name, path.stem), width, errors_of_real, (None, path, width, seed)
 
 
+def least_of_others(errors, *without):
+    return min(error for method, error in errors.items() if method not in (*OURS, *without))
+
+
+def method_table(errors_by_hole):
+    heads = ["horizon", "width", *next(iter(errors_by_hole.values())), "ours / best other"]
+    return table(heads, [[name, str(width), *("%.2f" % error for error in errors.values()),
+                          "%.2f" % (errors["automatic"] / least_of_others(errors))]
+                         for (name, width), errors in errors_by_hole.items()])
+
+
+def horizon_table(errors_by_hole, widths):
+    def cell(name, width):
+        errors = errors_by_hole.get((name, width))
+        return "%.2f (%.2f)" % (errors["automatic"], errors["automatic"] / least_of_others(errors)) if errors else "-"
+
+    names = dict.fromkeys(name for name, _ in errors_by_hole)
+    return table(["horizon", *("%d columns" % width for width in widths)],
+                 [[name, *(cell(name, width) for width in widths)] for name in names])
+
+
+def summary(errors_by_hole):
+    ratios = [errors["automatic"] / least_of_others(errors) for errors in errors_by_hole.values()]
+    plain = [errors["automatic"] / least_of_others(errors, "smoothing spline") for errors in errors_by_hole.values()]
+    return "In brackets: %.2f on average, at most %.2f; without the smoothing spline %.2f and %.2f." % (
+        np.mean(ratios), max(ratios), np.mean(plain), max(plain))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--methods", action="store_true", help="a column for each method")
     parser.add_argument("--real", type=pathlib.Path)
     parser.add_argument("--widths", type=int, nargs="+", default=[5, 50, 150, 500])
     parser.add_argument("--size", type=int, default=768, help="columns along a side of generated horizons")
@@ -336,19 +357,10 @@ def main():
     for (name, width, _, _), found in zip(jobs, measured):
         if found:
             found_of.setdefault((name, width), []).append(found)
-    rows, ratios, plain, heads = [], [], [], None
-    for (name, width), found in found_of.items():
-        means = {method: np.sqrt(np.mean([one[method] ** 2 for one in found])) for method in found[0]}
-        best = min(error for method, error in means.items() if method not in OURS)
-        heads = heads or ["horizon", "width", *means, "ours / best other"]
-        ratios.append(means["automatic"] / best)
-        plain.append(means["automatic"] / min(error for method, error in means.items()
-                                              if method not in (*OURS, "smoothing spline")))
-        rows.append([name, str(width), *("%.2f" % error for error in means.values()), "%.2f" % ratios[-1]])
-    print(PAGE.format(most=MOST_CENTRES))
-    print(table(heads, rows))
-    print("*Ours / best other*: %.2f on the average, at most %.2f; without the smoothing spline %.2f and %.2f." %
-          (np.mean(ratios), max(ratios), np.mean(plain), max(plain)))
+    errors_by_hole = {hole: {method: np.sqrt(np.mean([one[method] ** 2 for one in found])) for method in found[0]}
+                      for hole, found in found_of.items()}
+    print(method_table(errors_by_hole) if options.methods else horizon_table(errors_by_hole, options.widths))
+    print(summary(errors_by_hole))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does what the thesis reports on again, and writes its tables 4.1 to 4.6 and 5.1 and its curves 3.18, 3.19 and 5.18
-with the numbers found here beside them, and those of other programs; and its figures that show surfaces.
+"""Does what the thesis reports on again, and writes a page with what its tables 4.1 to 4.6 and 5.1, its curves 3.18, 3.19
+and 5.18 and its figures of surfaces say, the numbers found here, and those of other programs.
 
 Utilities/Studies/reproduce_thesis.sh makes all that is needed, and runs it. Needs the package seismichorizons in
 PYTHONPATH; Matplotlib for the curves, an X server for the pictures of surfaces, and MeshLab as well for the partners of
@@ -18,8 +18,8 @@ import tempfile
 from seismichorizons.stage import set_threads
 
 from text import cells, report
-from thesis import figure_page, figures, meshlab, partners, reported, study
-from thesis.page import page
+from thesis import figures, partners, reported, study
+from thesis.page import all_tables, page
 
 CURVE_SURFACE = 60511  # on which errors are drawn over the vertices
 
@@ -27,7 +27,9 @@ CURVE_SURFACE = 60511  # on which errors are drawn over the vertices
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("generator", help="the program generate_horizons")
-    parser.add_argument("folder", type=pathlib.Path, help="where Tables.md and Figures.md go, and the folder Pictures")
+    parser.add_argument("folder", type=pathlib.Path, help="where Tables.md goes, and the folder Pictures")
+    parser.add_argument("--tables", type=pathlib.Path, metavar="FILE",
+                        help="write the rows of tables 4.1 to 4.6, of which the page has medians, and captions")
     parser.add_argument("--surfaces", type=int, default=len(reported.SURFACES), metavar="N",
                         help="only so many surfaces, the smallest first (default: all)")
     parser.add_argument("--triangulation-benchmark", metavar="PROGRAM",
@@ -105,8 +107,9 @@ def main():
         shown = figures.figures(options.generator, folder, found[-1].size)
     cgal = measure_cgal(options.triangulation_benchmark, meshings)
     options.folder.mkdir(parents=True, exist_ok=True)
-    (options.folder / "Tables.md").write_text(page(found, curves, meshings, paces), encoding="utf-8")
-    (options.folder / "Figures.md").write_text(figure_page.page(shown, meshlab.is_installed()), encoding="utf-8")
+    (options.folder / "Tables.md").write_text(page(found, curves, meshings, paces, shown), encoding="utf-8")
+    if options.tables:
+        options.tables.write_text(all_tables(found, shown), encoding="utf-8")
     draw(found, curves, meshings, cgal, options.folder / "Pictures")
     draw_figures(shown, options.folder / "Pictures")
 

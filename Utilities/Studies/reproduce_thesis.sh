@@ -4,8 +4,7 @@
 #
 # reproduce_thesis.sh [FOLDER [OPTION]...]
 #
-# Sets everything up, and writes the pages Tables.md and Figures.md and their pictures into a folder, Documentation
-# without one. Options
+# Sets everything up, and writes the page Tables.md and its pictures into a folder, Documentation without one. Options
 # are those of reproduce_thesis.py. The curves need the package python3-matplotlib; the partners of the thesis need
 # meshlab, and CGAL libcgal-dev: they are left out where they are missing. Takes some minutes; times are only worth
 # something when the computer does nothing else.

@@ -3,6 +3,9 @@
 """What the studies say, and how they write and read tables."""
 
 import sys
+import textwrap
+
+WIDTH = 120
 
 
 def report(text):
@@ -19,3 +22,18 @@ def table(heads, rows):
 def cells(line):
     """The cells of a line of such a table."""
     return [cell.strip() for cell in line.strip("| \n").split("|")]
+
+
+def wrapped(page):
+    """Paragraphs and lists of a page filled again, each to its own indent; tables, headings and pictures stay."""
+    blocks = []
+    for line in page.splitlines():
+        stays = not line or line.startswith(("|", "#", "!"))
+        begins = stays or line.startswith("- ") or not blocks or blocks[-1][0]
+        if begins:
+            blocks.append((stays, line))
+        else:
+            blocks[-1] = (False, blocks[-1][1] + " " + line.strip())
+    return "".join((text if stays else textwrap.fill(text, WIDTH, subsequent_indent="  " if text.startswith("- ") else "",
+                                                     break_long_words=False, break_on_hyphens=False)) + "\n"
+                   for stays, text in blocks)

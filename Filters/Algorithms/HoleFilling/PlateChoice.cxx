@@ -14,7 +14,7 @@ constexpr PlateChoice Exact = { 0.0, 3 };
 constexpr PlateChoice Little = { 1.0, 3 };
 constexpr PlateChoice Much = { 32.0, WidestChosenRim };
 
-// Of the mean squares at l = 2 over those at l = 1. Chosen by HoleFillingTables.md.
+// Of the mean squares at l = 2 over those at l = 1. Chosen by Utilities/Studies/hole_filling.py.
 constexpr double SmoothRatio = 2.4;
 constexpr double NoisyRatio = 1.4;
 // Rounding to whole numbers adds the variance 1 / 12 at each of four corners.

@@ -120,9 +120,7 @@ def smoother_row(figure, what, horizon, threshold):
 
 def outline_of_surface(generator, make, folder):
     figure = Figure(["3.23"], "Outline, and less of it",
-                    "The outline of the surface of 15,626 points, as it is and simplified. Bends in plan stay, "
-                    "whatever t is. Noise gives ours more bends than the thesis left points; without noise the "
-                    "fraction left is that of the thesis.")
+                    "Bends in plan stay, whatever t is. Noise gives ours more bends than the thesis left points.")
     outline_rows(figure, make(15626).outlined, (0.4,), (1025, 660))
     smoother_row(figure, "without noise", surfaces.make_with_noise(generator, 15626, 0.0, folder), 0.4)
     return figure
@@ -130,9 +128,8 @@ def outline_of_surface(generator, make, folder):
 
 def outline_of_small_surface(generator, folder):
     figure = Figure(["3.24"], "A short outline",
-                    "The thesis does not say which surface, and which t. Ours is small, without noise, and nowhere "
-                    "straight for long: it has three times as many bends as the thesis left points. Of a square, with "
-                    "four bends, a third is left.")
+                    "The thesis names neither surface nor t. Ours has three times as many bends as the thesis left "
+                    "points.")
     horizon = surfaces.make_with_noise(generator, 15626, 0.0, folder, SMALL)
     outline_rows(figure, stages.outline(stages.start(horizon)), (1.0,), (118, 24))
     smoother_row(figure, "a square", surfaces.make_square(SMALL_SIDE), 1.0)
@@ -141,16 +138,14 @@ def outline_of_small_surface(generator, folder):
 
 def outline_of_square(square):
     figure = Figure(["3.26"], "The outline of a square",
-                    "1024 is the length of the outline of 257 by 257 columns, the 66,049 points of figure 4.16: we "
-                    "take it for that surface.")
+                    "257 by 257 columns, the 66,049 points of figure 4.16.")
     outline_rows(figure, square.outlined, (0.3, 0.5), (1024, 381, 106))
     return figure
 
 
 def rough_and_merged(make, folder):
     figure = Figure(["4.14"], "Rough simplification and merging",
-                    "With cells of 6 and a distance of 6. The thesis does not name the surface; ours is that of "
-                    "15,626 points.")
+                    "With cells of 6 and a distance of 6; ours is the surface of 15,626 points.")
     surface = make(15626)
     surface.show(figure, "All")
     compare(figure, surface, folder, ("rough, s = 6", surface.rough(6), (None, 0.0142, 0.0004)),
@@ -159,8 +154,8 @@ def rough_and_merged(make, folder):
 
 
 def elaborate_and_merged(make, folder):
-    figure = Figure(["4.15"], "Elaborate simplification and merging", "The thesis does not give the flatness and the "
-                    "distance; ours are 0.12 and 6.")
+    figure = Figure(["4.15"], "Elaborate simplification and merging",
+                    "The thesis gives neither flatness nor distance; ours are 0.12 and 6.")
     surface = make(23559)
     surface.show(figure, "All")
     compare(figure, surface, folder, ("elaborate, s = 8", surface.elaborate(0.12), ("2305 (10 %)", 0.007, 0.0007)),
@@ -170,8 +165,7 @@ def elaborate_and_merged(make, folder):
 
 def elaborate_and_merged_8(make, folder):
     figure = Figure(["4.18"], "Elaborate simplification and merging, both with 8",
-                    "The thesis gives sizes of files. At the 40.8 bytes a point of figure 5.21 (the surface of 4.16), "
-                    "this one has 53,660 points.")
+                    "The thesis gives sizes of files: at 40.8 bytes a point, as in figure 5.21, 53,660 points.")
     surface = make(53660)
     surface.show(figure, "All")
     compare(figure, surface, folder,
@@ -193,9 +187,8 @@ def compare(figure, surface, folder, ours, theirs):
 
 def square_simplified(square):
     figure = Figure(["4.16", "5.21"], "A square, from its outline to the inside",
-                    "66,049 points are 257 by 257, and both figures have the same errors: we take them to be one "
-                    "surface. Ours is a sum of waves whose height fits the outline of 3.26. All cubes inside are "
-                    "flat: only the boundary thresholds, for which the thesis gives no values, divide them.")
+                    "Ours is a sum of waves whose height fits the outline of 3.26. All cubes inside are flat: only the "
+                    "boundary thresholds, for which the thesis gives no values, divide them.")
     simplified = stages.elaborate(square.straight, 8, 0.09)
     mesh = Simplified(square.full, stages.mesh(simplified).data)
     square.show(figure, "All")
@@ -211,7 +204,7 @@ def square_simplified(square):
 
 
 def large_surface(make):
-    figure = Figure(["4.17"], "A large surface", "The surface of 664,582 points with a flatness of 0.15.")
+    figure = Figure(["4.17"], "A large surface", "664,582 points.")
     surface = make(664582)
     surface.show(figure, "All")
     simplified = surface.elaborate(0.15)
@@ -222,8 +215,7 @@ def large_surface(make):
 
 def outside_triangles(make):
     figure = Figure(["5.19"], "Triangles outside",
-                    "The thesis removes the triangles beyond the outline at the end; ours never makes them (right). "
-                    "The hull, also reduced by angle, is for points without an outline. The thesis gives no numbers.")
+                    "The thesis removes the triangles beyond the outline at the end; ours never makes them (right).")
     simplified = stages.rough(make(15626).straight, 8)
     outline_panel(figure, "Points", simplified)
 
@@ -231,7 +223,6 @@ def outside_triangles(make):
         data = stages.apply(sh.vtkHorizonTriangulation(), simplified, **properties).data
         triangles = count(data.GetNumberOfPolys())
         figure.panel(title, triangles + " triangles", data, pictures.MESH)
-        figure.row("triangles, " + title.lower(), "-", triangles)
 
     mesh("Convex hull", ConvexHull=True)
     mesh("Hull, angles up to 120 degrees", ConvexHull=True, MaximumBoundaryAngle=120.0)
@@ -240,7 +231,7 @@ def outside_triangles(make):
 
 
 def small_surface(make):
-    figure = Figure(["5.20"], "A small surface", "232 kB are about 5830 points (see 4.18).")
+    figure = Figure(["5.20"], "A small surface", "232 kB are about 5830 points.")
     surface = make(5830)
     surface.show(figure, "All")
     simplified = surface.elaborate(0.12)

@@ -4,43 +4,54 @@
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from . import meshlab, partners, reported, stages, surfaces, tables, words
+from text import wrapped
+
+from . import figure_section, meshlab, partners, stages, surfaces, tables, words
 
 PAGE = """\
 # Beside the thesis
 
-`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. [Figures.md](Figures.md) has the figures of the
-thesis.
+`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE` it also writes tables 4.1 to
+4.6 with a row for each surface, and the numbers in captions of figures.
 
-- The surfaces of the thesis are not public. Ours are synthetic (`generate_horizons`): about as many points, in a box of
-  the same proportions, as full, and as rough in places ([The surfaces](#the-surfaces)).
-- Errors are measured with [vtkHorizonSurfaceDistance](HorizonSurfaceDistance.md), both ways, between the mesh of all
-  points and the mesh of those left, in lattice units. As in the thesis, they are divided by the diagonal of the
-  bounding box.
-- Times are those of the filters, attributes included: the fastest of up to {runs} runs, on {threads} threads. Those of
-  the thesis are from a PC of its time.{meshlab}
+- The surfaces of the thesis are not public. Ours are synthetic (`generate_horizons`, [The surfaces](#the-surfaces)).
+- Errors are [distances](HorizonSurfaceDistance.md) between the mesh of all points and that of the points left, both
+  ways, in lattice units, divided by the diagonal of the bounding box as in the thesis.
+- Times are the fastest of up to {runs} runs on {threads} threads, attributes included. Those of the thesis are from a PC
+  of its time.{meshlab}
 
 ## In short
 
 - {thesis_words}
 - {cluster_words}
-- {own_words}
 - With as many vertices as our rough simplification (s = 6; [What a vertex buys](#what-a-vertex-buys)): {rough_best}
 - With as many vertices as our elaborate simplification (s = 8): {elaborate_best}
+
+## What is different from the thesis
+
+Medians of here / thesis over the surfaces, in the last three rows also over the flatnesses:
+
+{thesis_table}
+- *Rough.* With s = 6 and 8 the surfaces are made to agree. With s = 3 four of ours leave fewer points, as they must
+  ([below](#the-surfaces)).
+- *Elaborate, alone.* The thesis gives no values for its boundary thresholds
+  ([how we read it](HorizonElaborateSimplification.md#method)). Our noise is white: with a flatness of 0.03 nearly every
+  cell in it is cut down to columns, and we leave more there.
+- *Elaborate, after rough.* A cell of 8 then has at most 9 points. The thesis gives one number for both, mostly nearer
+  to ours alone.
+- *Errors.* Our largest are at single voxels of noise and along the outline, whatever the cells and the flatness. In the
+  thesis they grow with both: its surfaces presumably have features as narrow as a cell, ours only wide folds.
 
 ## The surfaces
 
 {surfaces}
-The thesis does not say where its surfaces have holes, and how rough they are. Ours have bays, a few holes,
-{dropouts} of single dropouts, and patches of noise: blocks of 16 columns in which heights are off by up to
-{noise_height} voxels and {noise_gaps} of the voxels are missing. Only the area with noise is fitted: with it the median
-of what the rough simplification leaves with s = 3, 6 and 8, divided by what it leaves in the thesis, is 1.
-{outline_words}
+Boxes have the proportions of the thesis. Inside are bays, a few holes, {dropouts} of single dropouts, and patches of
+noise: blocks of 16 columns in which heights are off by up to {noise_height} voxels and {noise_gaps} of the voxels are
+missing. Only the area with noise is fitted: with it the rough simplification with s = 3, 6 and 8 leaves in the median as
+much as in the thesis. {outline_words} Heights are whole numbers: a mesh that passes between them has a mean error of up
+to a quarter of a vertical index.
 
 {contradiction}
-
-Heights are whole numbers, so that a mesh that passes between them has a mean error of up to a quarter of a vertical
-index even where it is right.
 
 ## Exterior boundary (figures 3.18 and 3.19)
 
@@ -50,13 +61,50 @@ index even where it is right.
 
 ![Outline points dropped over the threshold](Pictures/BoundaryRate.png)
 
-*Points that the boundary simplification drops. The three points of the thesis are from three outlines. The fraction
-depends on how straight an outline is in plan and how rough in height.*
+*Points that the boundary simplification drops. The three points of the thesis are from three outlines.*
+
+## Triangulation (table 5.1 and figure 5.18)
+
+All points of a surface are meshed; our times include the exterior boundary. VTS is voxel traversal.
+
+{table_5_1}
+![Time to mesh all points](Pictures/TriangulationTime.png)
+
+*CGAL, where installed, meshes the hull of as many points of other horizons. Ball pivoting has the radius it guesses.*
+
+{left_out_meshing}
+## What a vertex buys
+
+Each program makes a mesh with as many vertices as ours, within {near:.0f} % where possible. Figures are medians over the
+surfaces.
+
+- *Error times vertices*: errors of good meshes fall in proportion to the vertices.
+- *Outline* is the largest distance of the mesh's outline on the map.
+- *Time* is from the points to the mesh. Ours includes the boundary and attributes; theirs is without attributes and,
+  except for `vtkDelaunay2D`, without making the mesh of all points that they need.
+- The two clustering filters have their best settings; the others have their defaults.
+- `vtkGreedyTerrainDecimation` takes no missing pixels: holes are filled for it, and its mesh is cut off along the
+  outline. `vtkDelaunay2D` meshes the points that we leave, without an outline.
+
+As many vertices as `rough, s = 6`:
+
+{rough_partners}
+As many vertices as `elaborate, s = 8, flatness 0.03`:
+
+{elaborate_partners}
+![Errors over vertices](Pictures/VertexWorth.png)
+
+*The surface of {curve_surface} points. Ours, drawn heavier, keep the outline in place on the map by design.*
+
+{left_out_partners}
+{figures}"""
+
+ALL_TABLES = """\
+# Tables 4.1 to 4.6 and figures of the thesis
+
+Points left in percent of the input, errors as parts of the diagonal, milliseconds.
 
 ## Rough simplification and merging (tables 4.1, 4.2 and 4.4)
-
-*Left* are the points that remain inside and on the outline, in brackets in percent of the input. *Merged* is MeshLab's
-`Merge Close Vertices`, with which the thesis compares, run anew under "here".
 
 {rough_table}
 ## Elaborate simplification, s = 8, alone and after rough with s = 3 (table 4.3)
@@ -71,82 +119,33 @@ depends on how straight an outline is in plan and how rough in height.*
 ## Both, s = 10 after rough with s = 8 (table 4.6)
 
 {both_after_8}
-## What is different from the thesis
+## Captions of figures
 
-Medians of here / thesis over the surfaces, in the last three rows also over the flatnesses:
+Errors are the largest and the mean.
 
-{thesis_table}
-- *Rough.* With s = 6 and 8 the surfaces are made to agree. With s = 3 four of ours leave fewer points, as they must
-  ([above](#the-surfaces)). The largest leaves more: in the thesis its cells are nearly full.
-- *Elaborate, alone.* The thesis gives no values for its three boundary thresholds, and no size of a neighbour that was
-  cut into pieces ([how we read it](HorizonElaborateSimplification.md#method)). Our noise is white: with a flatness of
-  0.03 nearly every cell in it is cut down to columns, and we leave more there. With 0.12 and 0.20 we leave about as
-  many, in the median.
-- *Elaborate, after rough.* A cell of 8 then has at most 9 points, so that less is left than alone. The thesis gives one
-  number for both, mostly nearer to ours alone.
-- *Errors.* Our largest are at single voxels of noise and along the outline, whatever the cells and the flatness. In the
-  thesis they grow with both: its surfaces presumably have features as narrow as a cell, ours only wide folds.
-
-## Triangulation (table 5.1 and figure 5.18)
-
-All points of a surface are meshed; our times include the exterior boundary. The thesis gives no box for the surfaces of
-{boxless} points: they have the box and the noise of the next one in table 4.1.
-
-{table_5_1}
-![Time to mesh all points](Pictures/TriangulationTime.png)
-
-*On a full lattice our triangulation searches nothing: it is linear, and its two searches differ little. CGAL, where
-installed, meshes the hull of as many points of other horizons. Ball pivoting, with the radius it guesses, and
-vtkDelaunay2D mesh the points of the table.*
-
-{meshing_words}
-{left_out_meshing}
-## What a vertex buys
-
-Each program makes a mesh with as many vertices as ours, within {near:.0f} % where possible. The tables are medians over
-the surfaces.
-
-- *Error times vertices* compares what each vertex is worth: errors of good meshes fall in proportion to the vertices.
-- *Outline* is the largest distance of the mesh's outline on the map.
-- *Time* is from the points to the mesh. Ours includes the boundary and attributes. Theirs is without attributes and,
-  except for `vtkDelaunay2D`, without making the mesh of all points that they need. MeshLab's is processor time without
-  files.
-- The two clustering filters have their best settings: `vtkBinnedDecimation` means, in cells as high as the surface;
-  `vtkQuadricClustering` feature edges, in cubic cells. The others have their defaults.
-- Our decimation has outlines with the fewest points within half a column.
-- `vtkGreedyTerrainDecimation` takes no missing pixels: holes are filled for it, and its mesh is cut off along the
-  outline. It spends vertices there, too.
-- `vtkDelaunay2D` meshes the points that we leave, without an outline.
-
-As many vertices as `rough, s = 6`:
-
-{rough_partners}
-As many vertices as `elaborate, s = 8, flatness 0.03`:
-
-{elaborate_partners}
-![Errors over vertices](Pictures/VertexWorth.png)
-
-*The surface of {curve_surface} points. Ours, drawn heavier, keep the outline in place on the map by design. The third
-panel shows how far the others move it.*
-
-{left_out_partners}"""
+{captions}"""
 
 
-def page(found, curves, meshings, paces):
+def all_tables(found, shown):
+    """What the medians of the page are made of, and what the figures say."""
+    return ALL_TABLES.format(
+        rough_table=tables.rough(found), elaborate_table=tables.elaborate(found), both_after_3=tables.both(found, 3),
+        both_after_6=tables.both(found, 6), both_after_8=tables.both(found, 8), captions=figure_section.rows(shown))
+
+
+def page(found, curves, meshings, paces, shown):
+    """`shown` are the figures that show surfaces."""
     rough, elaborate = found[0].equal
-    return PAGE.format(
+    return wrapped(PAGE.format(
         runs=stages.MOST_RUNS, threads=vtkSMPTools.GetEstimatedNumberOfThreads(),
         meshlab="" if meshlab.is_installed() else " MeshLab was not run.",
         thesis_words=words.thesis_sentence(found), cluster_words=words.cluster_sentence(found),
-        own_words=words.own_sentence(found), rough_best=words.best_sentence(found, rough),
-        elaborate_best=words.best_sentence(found, elaborate), surfaces=tables.surfaces(found),
-        dropouts="%g %%" % (100.0 * surfaces.DROPOUTS), noise_height=surfaces.NOISE_HEIGHT,
-        noise_gaps="%g %%" % (100.0 * surfaces.NOISE_GAPS), contradiction=words.contradiction_sentence(),
-        outline_words=words.outline_sentence(found), rough_table=tables.rough(found),
-        elaborate_table=tables.elaborate(found), both_after_3=tables.both(found, 3), both_after_6=tables.both(found, 6),
-        both_after_8=tables.both(found, 8), thesis_table=words.thesis_table(found),
-        boxless=words.listing(["%d" % n for n in surfaces.BOX_OF if n in reported.TRIANGULATION]),
-        table_5_1=tables.table_5_1(meshings), meshing_words=words.meshing_sentences(meshings),
-        left_out_meshing=words.left_out(paces[1]), near=100.0 * partners.NEAR_ENOUGH,
-        rough_partners=words.partner_table(found, rough), elaborate_partners=words.partner_table(found, elaborate),
-        curve_surface="{:,}".format(curves[0]), left_out_partners=words.left_out(paces[0]))
+        rough_best=words.best_sentence(found, rough), elaborate_best=words.best_sentence(found, elaborate),
+        surfaces=tables.surfaces(found), dropouts="%g %%" % (100.0 * surfaces.DROPOUTS),
+        noise_height=surfaces.NOISE_HEIGHT, noise_gaps="%g %%" % (100.0 * surfaces.NOISE_GAPS),
+        contradiction=words.contradiction_sentence(), outline_words=words.outline_sentence(found),
+        thesis_table=words.thesis_table(found), table_5_1=tables.table_5_1(meshings),
+        left_out_meshing=words.left_out(paces[1]),
+        near=100.0 * partners.NEAR_ENOUGH, rough_partners=words.partner_table(found, rough),
+        elaborate_partners=words.partner_table(found, elaborate), curve_surface="{:,}".format(curves[0]),
+        left_out_partners=words.left_out(paces[0]), figures=figure_section.section(shown, meshlab.is_installed())))

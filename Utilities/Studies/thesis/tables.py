@@ -23,20 +23,14 @@ def error(value, digits):
     return "%.*f" % (digits, value)
 
 
-def box(size):
-    return " x ".join("%g" % side for side in size)
-
-
 def filled(points, size):
     return "%.0f %%" % (100.0 * occupancy(points, size))
 
 
 def surfaces(found):
-    rows = [["%d" % s.size, box(box_of(s.size)), filled(s.size, box_of(s.size)), "%d" % s.points, box(s.box),
-             filled(s.points, s.box), "%.0f %%" % (100.0 * s.noise), "%d" % s.outline, "%d" % s.boundary]
-            for s in found]
-    return table(["points, thesis", "box", "columns filled", "points, here", "box", "columns filled", "area with noise",
-                  "outline points", "simplified"], rows)
+    rows = [["%d" % s.size, filled(s.size, box_of(s.size)), "%d" % s.points, filled(s.points, s.box),
+             "%.0f %%" % (100.0 * s.noise)] for s in found]
+    return table(["points, thesis", "columns filled", "points, here", "columns filled", "area with noise"], rows)
 
 
 def row(surface, method, thesis, here):
@@ -95,14 +89,13 @@ def elaborate_row(surface, n):
 
 
 def table_5_1(meshings):
-    heads = ["points", "triangles, thesis", "here", "CTC ms, thesis", "here", "VTS ms, thesis", "here",
-             "triangles of ball pivoting, thesis", "here", "ms, thesis", "here", "vtkDelaunay2D ms"]
+    heads = ["points", "triangles, thesis", "here", "VTS ms, thesis", "here", "ball pivoting ms, thesis", "here",
+             "vtkDelaunay2D ms"]
     rows = []
     for m in meshings:
         thesis = reported.TRIANGULATION[m.size]
-        rows.append(["%d" % m.size, "%d" % thesis["VTS"][0], "%d" % m.faces["VTS"], "%d" % thesis["CTC"][1],
-                     milliseconds(m.seconds["CTC"]), "%d" % thesis["VTS"][1], milliseconds(m.seconds["VTS"]),
-                     "%d" % thesis["BP"][0], "%d" % m.faces["BP"] if "BP" in m.faces else "-", "%d" % thesis["BP"][1],
+        rows.append(["%d" % m.size, "%d" % thesis["VTS"][0], "%d" % m.faces["VTS"], "%d" % thesis["VTS"][1],
+                     milliseconds(m.seconds["VTS"]), "%d" % thesis["BP"][1],
                      milliseconds(m.seconds["BP"]) if "BP" in m.seconds else "-",
                      milliseconds(m.seconds["vtkDelaunay2D"]) if "vtkDelaunay2D" in m.seconds else "-"])
     return table(heads, rows)

@@ -9,7 +9,7 @@ from text import table
 from . import reported
 from .study import OURS
 
-MESHERS = {"VTS": "Voxel traversal", "CTC": "Compactness", "BP": "Ball pivoting"}
+MESHERS = {"BP": "ball pivoting"}
 
 
 def ratio(value):
@@ -26,21 +26,16 @@ class Against:
 
     def __init__(self, partner, pairs):
         self.partner = partner
-        self.number = len(pairs)
         self.vertices = median(p.worth.vertices / o.worth.vertices for p, o in pairs)
         self.largest = median(per_vertex(p, o, "largest") for p, o in pairs)
         self.mean = median(per_vertex(p, o, "mean") for p, o in pairs)
         self.outline = median(p.worth.outline for p, _ in pairs)
         self.our_outline = median(o.worth.outline for _, o in pairs)
-        self.angle = median(p.worth.smallest_angle for p, _ in pairs)
-        self.our_angle = median(o.worth.smallest_angle for _, o in pairs)
-        self.quality = median(p.worth.quality for p, _ in pairs)
-        self.our_quality = median(o.worth.quality for _, o in pairs)
         self.seconds = median(p.seconds / o.seconds for p, o in pairs)
 
     def row(self):
-        return [self.partner, "%d" % self.number, "%.2f" % self.vertices, ratio(self.mean), ratio(self.largest),
-                "%.1f" % self.outline, "%.2f" % self.angle, "%.2f" % self.quality, ratio(self.seconds)]
+        return [self.partner, "%.2f" % self.vertices, ratio(self.mean), ratio(self.largest), "%.1f" % self.outline,
+                ratio(self.seconds)]
 
 
 def per_vertex(partner, ours, name):
@@ -59,10 +54,9 @@ def partners(found, name):
 
 def partner_table(found, name):
     ours = [s.equal[name][OURS] for s in found]
-    own = [OURS, "%d" % len(found), "1", "1", "1", "%.1f" % median(o.worth.outline for o in ours),
-           "%.2f" % median(o.worth.smallest_angle for o in ours), "%.2f" % median(o.worth.quality for o in ours), "1"]
-    heads = ["mesh", "surfaces", "vertices / ours", "mean error x vertices / ours", "largest error x vertices / ours",
-             "outline, columns", "smallest angle", "mean quality", "time / ours"]
+    own = [OURS, "1", "1", "1", "%.1f" % median(o.worth.outline for o in ours), "1"]
+    heads = ["mesh", "vertices / ours", "mean error x vertices / ours", "largest error x vertices / ours",
+             "outline, columns", "time / ours"]
     return table(heads, [own] + [against.row() for against in partners(found, name)])
 
 
@@ -75,14 +69,6 @@ def best_sentence(found, name):
         "times), **%s** the nearest outline (%.1f columns off, ours %.1f)." % (
             mean.partner, ratio(mean.mean), largest.partner, ratio(largest.largest), nearest.partner, nearest.outline,
             nearest.our_outline)
-
-
-def own_sentence(found):
-    """Whether the vertices of the elaborate simplification buy more than those of the rough one."""
-    pairs = [(s.alone[0], s.rough[3]) for s in found]
-    mean, largest = (median(per_vertex(e, r, name) for e, r in pairs) for name in ("mean", "largest"))
-    return "Our elaborate simplification alone (s = 8, flatness 0.03) has %s times the mean error times vertices of " \
-        "our rough one (s = 3), and %s times the largest." % (ratio(mean), ratio(largest))
 
 
 class AgainstThesis:
@@ -154,30 +140,12 @@ def cluster_sentence(found):
         return "MeshLab was not run."
     c = AgainstThesis("", pairs)
     return "The same for MeshLab's merging, one program there and here: %s for the points left, %s for the largest " \
-        "error, %s for the mean error, %s for the speed. What its ratios and ours have in common is due to the " \
-        "surfaces and the computer, not to a method." % (ratio(c.left), ratio(c.largest), ratio(c.mean), ratio(c.speed))
-
-
-def meshing_sentences(meshings):
-    lines = []
-    for name, title in MESHERS.items():
-        pairs = [(m, reported.TRIANGULATION[m.size][name][1] / (1000.0 * m.seconds[name]))
-                 for m in meshings if name in m.seconds]
-        if pairs:
-            lines.append("- *%s*: %s to %s times as fast as in the thesis." % (
-                title, ratio(min(r for _, r in pairs)), ratio(max(r for _, r in pairs))))
-    for name in ("BP", "vtkDelaunay2D", "CTC"):
-        ratios = [m.seconds[name] / m.seconds["VTS"] for m in meshings if name in m.seconds]
-        if ratios:
-            lines.append("- *%s* here: %s to %s times the time of voxel traversal." % (
-                MESHERS.get(name, name), ratio(min(ratios)), ratio(max(ratios))))
-    return "\n".join(lines) + "\n"
+        "error, %s for the mean error, %s for the speed." % (ratio(c.left), ratio(c.largest), ratio(c.mean), ratio(c.speed))
 
 
 def left_out(pace):
     if not pace.left_out:
         return "None was left out for being slow.\n"
-    lines = ["- %s on %s points" % (MESHERS.get(name, name), listing(["%d" % n for n in sorted(sizes)]))
+    parts = ["%s on %s points" % (MESHERS.get(name, name), listing(["%d" % n for n in sorted(sizes)]))
              for name, sizes in pace.left_out.items()]
-    return "Left out, as one run was expected to take longer than %g s:\n\n" \
-        "%s\n" % (pace.most_seconds, "\n".join(lines))
+    return "Left out, as one run was expected to take longer than %g s: %s.\n" % (pace.most_seconds, "; ".join(parts))

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The end of the page Tables.md: what the figures of the thesis show, with our surfaces."""
+
+from text import table
+
+from .words import listing
+
+SECTION = """\
+## Figures of the thesis
+
+The surfaces differ: compare sizes, not places. Distances are shown at the points of the input, from pale (0) to dark
+(the 99th percentile of the row). Other figures are on the pages of the [outlines](HorizonExteriorBoundary.md) (3.20 to 3.22, 3.25, 3.27) and the [elaborate
+simplification](HorizonElaborateSimplification.md) (4.12, 4.13).{missing}
+
+{figures}"""
+
+
+def shown(figure):
+    caption = "*%s (figure%s %s). %s*" % (figure.title, "s" if len(figure.numbers) > 1 else "", listing(figure.numbers),
+                                          figure.text)
+    return "![%s](Pictures/%s)\n\n%s\n" % (figure.title, figure.picture(), caption)
+
+
+def rows(figures):
+    """What the captions of the thesis say, and ours."""
+    return table(["figure", "what", "thesis", "here"],
+                 [[listing(figure.numbers)] + row for figure in figures for row in figure.rows])
+
+
+def section(figures, with_meshlab):
+    return SECTION.format(
+        missing="" if with_meshlab else "\nMeshLab was not found, and is missing in figures 4.14, 4.15 and 4.18.",
+        figures="\n".join(map(shown, figures)))
