@@ -45,7 +45,7 @@ struct Figure
 constexpr std::array<Figure, 40> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
-  { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
+  { FieldArray::NumberOfSpurPoints, "points on spurs" },
   { FieldArray::FaultNoise, "noise", Heights },
   { FieldArray::SmallestFaultThrow, "smallest throw", Heights },
   { FieldArray::NumberOfFilledHoles, "holes filled" },

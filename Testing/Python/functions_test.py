@@ -149,6 +149,14 @@ class StagesTest(unittest.TestCase):
         compile(told.getvalue(), "stages.pyi", "exec")
         self.assertIn("maximum_error: float | str = ...", next(line for line in lines if "decimation" in line))
 
+    def test_old_keywords(self):
+        top = sh.horizon(dome())
+        with self.assertWarnsRegex(FutureWarning, "thread_width, expected spur_width"):
+            narrow = sh.despiking(top, thread_width=64)
+        self.assertEqual(narrow.GetNumberOfPoints(), sh.despiking(top, spur_width=64).GetNumberOfPoints())
+        with self.assertRaisesRegex(TypeError, "thread_width, expected one of"):
+            sh.surface(top, thread_width=2)
+
     def test_chain(self):
         top = sh.horizon(dome(), vertical_unit="ms")
         mesh = sh.triangulation(sh.rough_simplification(sh.boundary_simplification(sh.exterior_boundary(top, radius=2))))

@@ -26,6 +26,7 @@ MEMORY_WORDS = "more data than memory"  # of all such messages
 NOT_WRITTEN = "can not be written"  # what modules of the package say
 LATTICE_WORDS = "no field data array LatticeDimensions"
 LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
+RENAMED = {"thread_width": "spur_width"}  # keywords of version 0.2
 
 
 def snake(name):
@@ -59,6 +60,9 @@ def set_keywords(algorithm, keywords, horizon=None):
     known = properties(algorithm)
     given = {}
     for keyword, value in keywords.items():
+        if RENAMED.get(keyword) in known:
+            warnings.warn("keyword %s, expected %s, its new name" % (keyword, RENAMED[keyword]), FutureWarning, stacklevel=3)
+            keyword = RENAMED[keyword]
         if keyword not in known:
             raise TypeError("%s, expected one of %s" % (keyword, ", ".join(known)))
         given[known[keyword]] = value
