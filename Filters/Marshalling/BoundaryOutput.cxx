@@ -41,7 +41,7 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::NumberOfHoles, vtkIdType(boundary.Boundary.Size() - boundary.NumberOfPatches));
   AddValue<vtkIdTypeArray>(
-    figures, FieldArray::DroppedSpeckPoints, input->GetNumberOfPoints() - vtkIdType(kept.size()));
+    figures, FieldArray::DroppedSmallPatchPoints, input->GetNumberOfPoints() - vtkIdType(kept.size()));
   WriteCracks(boundary.OpenCracks, output);
 }
 

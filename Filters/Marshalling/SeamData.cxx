@@ -215,7 +215,7 @@ void WriteFigures(
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(joined.NumberOfPatches));
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::NumberOfHoles, vtkIdType(joined.Boundary.Size() - joined.NumberOfPatches));
-  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSpeckPoints, vtkIdType(joined.DroppedPoints));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSmallPatchPoints, vtkIdType(joined.DroppedPoints));
   AddValue<vtkIntArray>(figures, FieldArray::NumberOfParts, int(meshes.size()));
   AddValue<vtkIdTypeArray>(figures, FieldArray::SeamPoints, vtkIdType(joined.SeamVertices));
 }

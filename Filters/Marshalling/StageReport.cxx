@@ -54,7 +54,7 @@ constexpr std::array<Figure, 40> Figures = { {
   { FieldArray::RimWidth, "rim width", "columns" },
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes with a loop" },
-  { FieldArray::DroppedSpeckPoints, "points in specks left out" },
+  { FieldArray::DroppedSmallPatchPoints, "points in small patches left out" },
   { FieldArray::IsochoreLeast, "least thickness", WorldHeights, true },
   { FieldArray::IsochoreMean, "mean thickness", WorldHeights, true },
   { FieldArray::IsochoreLargest, "largest thickness", WorldHeights, true },

@@ -220,9 +220,9 @@ class BatchTest(unittest.TestCase):
         mesh, _, _ = self.check_windows(self.one, 9000, 6, surface={**given, "MinimumPatchSize": 1})
         patches = mesh.GetFieldData().GetArray("NumberOfPatches").GetValue(0)
         self.assertEqual(mesh.GetFieldData().GetArray("ChosenRadius").GetValue(0), 2)
-        messages, _, files = self.run_batch(self.one, 9000, name="specks", surface=given)
+        messages, _, files = self.run_batch(self.one, 9000, name="small", surface=given)
         self.assertEqual((messages, len(files)), ([], 1))
-        left = mesh_checks.read(self.output / "specks" / "one_horizon_1.vtp").GetFieldData()
+        left = mesh_checks.read(self.output / "small" / "one_horizon_1.vtp").GetFieldData()
         self.assertLessEqual(left.GetArray("NumberOfPatches").GetValue(0), patches)
 
     def test_some_in_windows(self):

@@ -531,7 +531,7 @@ void CheckCuts(const BoundaryOptions& options)
 }
 
 /// Without the numbers and the loops of patches that are too small, and the loops of their holes.
-ExteriorBoundary WithoutSpecks(const ExteriorBoundary& all, std::int64_t minimumSize)
+ExteriorBoundary WithoutSmallPatches(const ExteriorBoundary& all, std::int64_t minimumSize)
 {
   std::vector<std::int64_t> size(all.NumberOfPatches, 0);
   for (const std::int32_t patch : all.Patch)
@@ -637,7 +637,7 @@ ExteriorBoundary FindExteriorBoundary(
   ExteriorBoundary result = Find(index, options, SeamPresence(columns, options.Seams), cracks, monitor);
   if (options.MinimumPatchSize > 1)
   {
-    result = WithoutSpecks(result, options.MinimumPatchSize);
+    result = WithoutSmallPatches(result, options.MinimumPatchSize);
   }
   result.OpenCracks = FindCracks(std::move(cracks), result.Boundary, result.Patch);
   return result;

@@ -103,9 +103,9 @@ void TestPartingCracks()
   ring.Cuts.CutNorth({ 1, 0 });
   ring.Cuts.CutNorth({ 1, 1 });
   CHECK_EQUAL(LoopsOf(ring, With(ring)), " 0,0 0,1 0,2 1,2 2,2 2,1 2,0 1,0 | 1,1 | 0,1 1,0 2,1 1,2");
-  BoundaryOptions withoutSpecks = With(ring);
-  withoutSpecks.MinimumPatchSize = 2;
-  CHECK_EQUAL(FindExteriorBoundary(ring.Columns, withoutSpecks).Patch[4], NoPatch);
+  BoundaryOptions withoutSmall = With(ring);
+  withoutSmall.MinimumPatchSize = 2;
+  CHECK_EQUAL(FindExteriorBoundary(ring.Columns, withoutSmall).Patch[4], NoPatch);
 }
 
 /// A crack that reaches the outline is part of it.

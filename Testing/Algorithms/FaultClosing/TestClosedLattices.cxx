@@ -17,7 +17,8 @@ using ClosingChecker::Outline;
 
 namespace
 {
-/// With radius 1 to 3, with loops for all holes, for large ones, or for those with cuts alone, and some without specks.
+/// With radius 1 to 3, with loops for all holes, for large ones, or for those with cuts alone, and some without small
+/// patches.
 BoundaryOptions MakeOptions(const CrackedPatch& patch, int n)
 {
   BoundaryOptions options;

@@ -183,7 +183,7 @@ void TestGaps()
 }
 
 /// What a crack cuts off of a border, down to a single column.
-void TestSpecks()
+void TestSmallPatches()
 {
   CrackedPatch spur = FromPicture({ "..#..", "..#..", "#####", "#####" });
   CutRow(spur, 2, 2, 1);
@@ -285,7 +285,7 @@ int TestFaultClosing(int, char*[])
   TestRings();
   TestOpenCracks();
   TestGaps();
-  TestSpecks();
+  TestSmallPatches();
   TestLongMouths();
   TestChecker();
   TestWithoutCuts();

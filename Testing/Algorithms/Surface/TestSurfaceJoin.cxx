@@ -260,7 +260,7 @@ void TestDroppedOnSeams()
 }
 
 /// Patches are counted after they were joined.
-void TestSpecks()
+void TestSmallPatches()
 {
   const std::vector<std::string> rows = { "##....####", "##....####", "..........", ".##...####", "......####" };
   CHECK_EQUAL(JoinPicture(rows, { 2 }, 1).NumberOfPatches, 4u);
@@ -300,7 +300,7 @@ void TestSeamErrors()
   {
     SurfaceOptions options;
     options.HoleBoundaries = true;
-  options.Seams.Lower = 0;
+    options.Seams.Lower = 0;
     change(options);
     CHECK_THROWS_WITH(MakeSurface(points, options), message);
   };
@@ -369,7 +369,7 @@ int TestSurfaceJoin(int, char*[])
   TestPictures();
   TestHoles();
   TestDroppedOnSeams();
-  TestSpecks();
+  TestSmallPatches();
   TestThreads();
   TestSeamErrors();
   TestJoinErrors();
