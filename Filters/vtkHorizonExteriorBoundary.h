@@ -13,7 +13,7 @@
  * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints, the points of
  * patches that were too small. With cut links (UseCuts), what CloseFaults of the meshers needs
  * (Documentation/DataModel.md):
- *  - CutMouths (int, 4 components): where cracks open to the outside or to gaps, as two columns;
+ *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
  *  - CrackLoops (vtkIdType): the numbers of the loops that cracks run along all around.
  *
  * A patch is a connected part of the horizon: two points are neighbours when they are at most Radius columns apart

@@ -48,8 +48,8 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
 //----------------------------------------------------------------------------------------------------------------------
 void RemoveCuts(vtkPolyData* output)
 {
-  for (const char* const name :
-    { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine, FieldArray::CutMouths, FieldArray::CrackLoops })
+  for (const char* const name : { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine,
+         FieldArray::CrackOpenEnds, FieldArray::OldCrackOpenEnds, FieldArray::CrackLoops })
   {
     output->GetFieldData()->RemoveArray(name);
   }

@@ -664,9 +664,9 @@ KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary)
   {
     const std::vector<PointId> numbers = kept.Numbers();
     boundary.Boundary = boundary.Boundary.Renumbered(numbers);
-    for (Edge& mouth : boundary.OpenCracks.Mouths)
+    for (Edge& openEnd : boundary.OpenCracks.OpenEnds)
     {
-      mouth = { numbers[mouth.From], numbers[mouth.To] };
+      openEnd = { numbers[openEnd.From], numbers[openEnd.To] };
     }
     boundary.Patch = kept.Select(boundary.Patch);
   }

@@ -446,7 +446,7 @@ StandIn LeafWriter::FindBarycentre(const PointId* first, const PointId* last) co
 //----------------------------------------------------------------------------------------------------------------------
 /// Whether a place in the hull of points of one cell and patch is strictly inside the boundary, as the point `inner`
 /// among them is: the segment between the two must cross the boundary of the patch an even number of times, and with
-/// cuts not at all, as it may cross both lips of a crack.
+/// cuts not at all, as it may cross both cutoffs of a crack.
 bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const
 {
   const PlanePoint from = this->Leaves.Plane(inner);

@@ -494,9 +494,9 @@ private:
     {
       places.push_back(mesh.Raised(vertex).Column);
     }
-    for (Edge& mouth : cracks.Mouths)
+    for (Edge& openEnd : cracks.OpenEnds)
     {
-      mouth = { vertexOf(mouth.From), vertexOf(mouth.To) };
+      openEnd = { vertexOf(openEnd.From), vertexOf(openEnd.To) };
     }
     return CloseFaults(places, mesh.Boundary().RenumberedBy(vertexOf), cracks);
   }

@@ -145,7 +145,7 @@ void TestLongHops()
   CHECK_EQUAL(FindExteriorBoundary(patch.Columns, With(patch, 3)).NumberOfPatches, 2u);
 }
 
-/// Lips are boundary points by every definition.
+/// Cutoffs are boundary points by every definition.
 void TestMarks()
 {
   CrackedPatch patch = Full(6, 6);

@@ -60,7 +60,7 @@ std::string CheckMeshes(const Cracked& cracked, const BoundedHorizon& horizon, c
   return wrong;
 }
 
-/// What a lattice with all its points has between its lips: with a radius of 1 it is known block by block.
+/// What a lattice with all its points has between its cutoffs: with a radius of 1 it is known block by block.
 std::string CheckFull(
   const CrackedPatch& patch, const Cracked& cracked, const BoundaryOptions& options, Outline& outline)
 {
