@@ -59,7 +59,7 @@ vtkDataArray* RequireSeamRows(vtkPolyData* mesh)
   return rows;
 }
 
-/// How many points each vertex stands for, one where the mesh does not say.
+/// How many points each vertex represents, one where the mesh does not say.
 std::vector<std::int64_t> CountsOf(vtkPolyData* mesh)
 {
   std::vector<std::int64_t> counts = ReadCounts(mesh);

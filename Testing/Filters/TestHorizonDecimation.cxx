@@ -72,7 +72,7 @@ void TestOutput()
   mesh->GetCellData()->GetArray("Error")->GetRange(range);
   CHECK_EQUAL(range[1], Figure(mesh, "LargestError"));
   CHECK_EQUAL(mesh->GetCellData()->GetArray("Quality")->GetNumberOfTuples(), triangles + 1);
-  // Every point stands for some of the input; facing up in a world with depth downwards.
+  // Every point represents some of the input; facing up in a world with depth downwards.
   double count = 0.0;
   for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
   {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Walks. The loops and the open ends of cracks (Common/Cracks.h) are a plane graph. The walk that begins with an open
-//    end, and always continues along the first loop or open end that a clockwise sweep meets, surrounds the crack to its
-//    left.
+// 1. Walks. The loops and the open ends of cracks (Common/Cracks.h) are a plane graph. The walk that begins with an
+//    open end, and always continues along the first loop or open end that a clockwise sweep meets, surrounds the crack
+//    to its left.
 // 2. Loops that are cutoffs all along, and that no walk went along, bound cracks on their own.
 // 3. What walks and loops enclose is triangulated, all cracks together, as a horizon of the points on them.
 //
@@ -12,9 +12,9 @@
 //         :   \   |            :    an open end
 //     o---o-------o---o        \    inside the crack
 //
-// No point is added, which is why the result fits the mesh on the other side of each cutoff. Edges of loops are known by
-// their positions: those of the points they leave, counted through all loops. A walk looks for other edges only at points
-// of open ends; elsewhere its loop leads on.
+// No point is added, which is why the result fits the mesh on the other side of each cutoff. Edges of loops are known
+// by their positions: those of the points they leave, counted through all loops. A walk looks for other edges only at
+// points of open ends; elsewhere its loop continues.
 
 #include "FaultClosing.h"
 

@@ -199,8 +199,8 @@ void TestSmallPatches()
   CheckClosed(Close(strip), 2 * 2 * 4, "", 2);
 }
 
-/// Hops of a larger radius lead over gaps, and open ends are as long. Missing columns that a square of such hops encloses
-/// are no gap.
+/// Hops of a larger radius lead over gaps, and open ends are as long. Missing columns that a square of such hops
+/// encloses /// are no gap.
 void TestLongOpenEnds()
 {
   const std::string full = "#..#..#..#";

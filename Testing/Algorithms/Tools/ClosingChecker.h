@@ -40,8 +40,8 @@ Outline FindOutlineOfBlocks(const CrackedPatch& patch, const BoundedHorizon& hor
 Outline SimplifyOutline(const BoundedHorizon& full, const Outline& outline, const BoundedHorizon& simplified);
 
 /// Closing triangles turn counter-clockwise and overlap none of the mesh or of their own; every edge has one triangle
-/// on each side at most; and what has a triangle on one side alone is a cutoff, which is closed from its left, or an open
-/// end.
+/// on each side at most; and what has a triangle on one side alone is a cutoff, which is closed from its left, or an
+/// open end.
 /// Empty when all is well, else what is wrong first.
 std::string CheckClosing(const BoundedHorizon& horizon, const RawVector<PointId>& mesh,
   const RawVector<PointId>& closing, const Outline& outline);
