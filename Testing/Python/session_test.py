@@ -87,8 +87,8 @@ def check_renamed(state, name, old, new, values):
     before = now.replace(new, old).replace('value="%s"' % values[0], 'value="%s"' % values[1])
     for number, (properties, value) in enumerate(((before, values[1]), (before + now, values[0]), (now, values[0]))):
         path = state.with_name("renamed_%d.pvsm" % number)
-        path.write_text(re.sub(r' *<Property name="%s" id=.*?</Property>\n' % new, lambda _: properties, text, flags=re.S),
-                        encoding="utf-8")
+        changed = re.sub(r' *<Property name="%s" id=.*?</Property>\n' % new, lambda _: properties, text, flags=re.S)
+        path.write_text(changed, encoding="utf-8")
         simple.ResetSession()
         simple.LoadState(str(path))
         proxy = simple.FindSource(name)

@@ -61,7 +61,8 @@ def set_keywords(algorithm, keywords, horizon=None):
     given = {}
     for keyword, value in keywords.items():
         if RENAMED.get(keyword) in known:
-            warnings.warn("keyword %s, expected %s, its new name" % (keyword, RENAMED[keyword]), FutureWarning, stacklevel=3)
+            text = "keyword %s, expected %s, its new name" % (keyword, RENAMED[keyword])
+            warnings.warn(text, FutureWarning, stacklevel=3)
             keyword = RENAMED[keyword]
         if keyword not in known:
             raise TypeError("%s, expected one of %s" % (keyword, ", ".join(known)))

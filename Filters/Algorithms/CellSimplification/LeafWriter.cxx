@@ -5,8 +5,8 @@
 // points to the places that it knows by then. So no thread waits for another, and the order is that of the cells.
 //
 // The representative of the inner points of a leaf is their barycentre when that is wanted, lies strictly inside the
-// boundary and is alone in its place. Else it is the inner point that is nearest to the barycentre in plan: inner points
-// of a horizon lie strictly inside its boundary, and no two of them share a place.
+// boundary and is alone in its place. Else it is the inner point that is nearest to the barycentre in plan: inner
+// points of a horizon lie strictly inside its boundary, and no two of them share a place.
 
 #include "LeafWriter.h"
 

@@ -200,7 +200,7 @@ void TestSmallPatches()
 }
 
 /// Hops of a larger radius lead over gaps, and open ends are as long. Missing columns that a square of such hops
-/// encloses /// are no gap.
+/// encloses are no gap.
 void TestLongOpenEnds()
 {
   const std::string full = "#..#..#..#";
