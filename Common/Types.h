@@ -209,7 +209,7 @@ struct Reduction
   /// For each output point the input point it is, or the input point of its group that lies nearest to it.
   std::vector<PointId> Source;
   /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, because the bits of a
-  /// std::vector<bool> can not be written by several threads at a time.
+  /// std::vector<bool> cannot be written by several threads at a time.
   std::vector<unsigned char> Averaged;
   /// For each output point its place: in the plane in sub-voxels, of which a column has so many, in lattice units
   /// upwards.

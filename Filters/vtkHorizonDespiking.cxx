@@ -109,9 +109,8 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   {
     const std::string name = NameBySurfaceId(input);
     vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << spikes << " of " << kinds.size()
-                    << " points are spikes, expected at most " << FewPercent << " %: above a threshold of "
-                    << found.Threshold << " vertical indices terrain and faults may be "
-                    << "taken for them");
+                    << " points are spikes, expected at most " << FewPercent << " %: threshold " << found.Threshold
+                    << " vertical indices; terrain and faults may be mistaken for spikes");
   }
   this->NumberOfSpikes += spikes;
   this->NumberOfSpurPoints += spurs;

@@ -291,9 +291,9 @@ void vtkSeismicReflectionExtraction::DescribeGuides(std::ostream& text)
     constexpr std::int64_t many = 20; // one of so many points; guides meet along their rims
     if (many * use.Shared > static_cast<std::int64_t>(result.Surfaces[n].Column.size()) + use.Shared)
     {
-      vtkWarningMacro(<< name << use.Shared << " of its points went to guide \""
+      vtkWarningMacro(<< name << use.Shared << " of its points were assigned to guide \""
                       << this->Found->Guides[use.SharedWith].Given.Name
-                      << "\", or more, which is on the same event and nearer, expected events of their own");
+                      << "\" or others, on the same event and nearer, expected different events");
     }
   }
 }

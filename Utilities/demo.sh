@@ -39,10 +39,10 @@ done
 for file in "$@"; do
   [ "$file" != -o ] || refuse "-o after a file, expected options before files"
   [ -f "$file" ] || refuse "no file $file"
-  [ -r "$file" ] || refuse "$file can not be read"
+  [ -r "$file" ] || refuse "$file cannot be read"
 done
-mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output can not be made"
-[ -w "$output" ] || refuse "the folder $output can not be written to"
+mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output cannot be made"
+[ -w "$output" ] || refuse "the folder $output cannot be written to"
 
 utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 source_folder=$(dirname -- "$utilities")

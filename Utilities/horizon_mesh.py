@@ -169,7 +169,7 @@ def _add_telling_options(group):
 def _add_running_options(running):
     running.add_argument("--no-pictures", action="store_true", help="write no pictures; without an X server there are none")
     running.add_argument("--leave-out-invalid", action="store_true",
-                         help="leave out horizons that can not be processed, with a warning, and do the others of "
+                         help="leave out horizons that cannot be processed, with a warning, and do the others of "
                          "their file; otherwise such a file is not done")
     running.add_argument("--memory", type=_memory, metavar="SIZE",
                          help="as much memory as may be used, as 2G or 800M: of sparse voxel files, horizons are read as "
@@ -381,7 +381,7 @@ def main(arguments=None):
     of_layers = [action.option_strings[0] for action in parser.layers if hasattr(options, action.dest)] + [
         form for form in options.formats if form in ("msh", "inp", "disv")]
     if of_layers and not hasattr(options, "layers"):
-        parser.error("%s is of --layers" % of_layers[0])
+        parser.error("%s requires --layers" % of_layers[0])
     for word in arguments:
         is_text = word == word.encode(errors="replace").decode()
         if not is_text and pathlib.Path(word) not in options.inputs:  # what is wrong with files is told one by one
@@ -390,7 +390,7 @@ def main(arguments=None):
         from seismichorizons import interrupt
         from seismichorizons.stage import set_threads
     except ImportError as error:
-        return fail("the Python package seismichorizons can not be loaded; is its folder in PYTHONPATH? (%s)" % error)
+        return fail("the Python package seismichorizons cannot be loaded; is its folder in PYTHONPATH? (%s)" % error)
     interrupt.listen()
     set_threads(options.threads)
     return _run(options)

@@ -170,7 +170,7 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
 //----------------------------------------------------------------------------------------------------------------------
 void StageReport::Join(const Ranks& ranks)
 {
-  constexpr char separator = '\0'; // which names can not have
+  constexpr char separator = '\0'; // which names cannot have
   std::ostringstream own = MakeStream();
   for (const Entry& entry : this->Entries)
   {

@@ -126,7 +126,7 @@ void TestThresholdUnit()
   CHECK_EQUAL(std::string(despiking->GetResults()),
     "Horizon 3: 36 points in, 35 out\n  spikes 1\n  threshold of spikes 7.25 vertical indices, 29 in z\n");
   CHECK(warnings.FirstContains(
-    "Horizon 3: 2 of 36 points are spikes, expected at most 2 %: above a threshold of 6.75 vertical indices"));
+    "Horizon 3: 2 of 36 points are spikes, expected at most 2 %: threshold 6.75 vertical indices"));
   CHECK_EQUAL(warnings.Count(), 3u);
 }
 

@@ -311,7 +311,7 @@ void TestJoinErrors()
   Join(others, 1, "parts that differ in LatticeToWorld");
 }
 
-/// What horizons in parts can not have.
+/// What horizons in parts cannot have.
 void TestSurfaceErrors()
 {
   const Data points = MakeRows(11, 30, UnitSurvey());

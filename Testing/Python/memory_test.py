@@ -255,7 +255,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(len(messages), 2)
         self.assertIn("growth by distance with a radius of 2 columns", messages[0])
         self.assertTrue(messages[0].startswith("warning: ") and messages[0].endswith(" is left out"), messages[0])
-        self.assertEqual(messages[1], "error: one.vsm: all horizons are left out")
+        self.assertEqual(messages[1], "error: one.vsm: all horizons were left out")
 
     def test_other_formats(self):
         """These are read whole; a horizon that is too large then is refused."""

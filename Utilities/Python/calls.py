@@ -23,7 +23,7 @@ SEQUENTIAL = "Sequential"  # what VTK begins with
 QUIET_SECONDS = 1.0  # before a bar appears
 MATRIX_SIZE = 16
 MEMORY_WORDS = "more data than memory"  # of all such messages
-NOT_WRITTEN = "can not be written"  # what modules of the package say
+NOT_WRITTEN = "cannot be written"  # what modules of the package say
 LATTICE_WORDS = "no field data array LatticeDimensions"
 LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
 RENAMED = {"thread_width": "spur_width"}  # keywords of version 0.2
@@ -111,7 +111,7 @@ def run(algorithm, label):
 
 @contextlib.contextmanager
 def python_errors(algorithm=None):
-    """What modules of the package raise within the block is a ValueError, or an OSError where a file can not be written;
+    """What modules of the package raise within the block is a ValueError, or an OSError where a file cannot be written;
     it names keywords in place of options."""
     try:
         yield

@@ -110,6 +110,6 @@ def _collect(messages):
 def _one_line(message):
     """The text of a VTK message without the place in the source that it comes from. VTK gives None for one with bytes
     that are no UTF-8, as names in files can have."""
-    message = message or "a message that is no UTF-8, expected text without special characters"
+    message = message or "a message that is not UTF-8, expected text without special characters"
     _, _, text = message.partition("): ")
     return " ".join((text or message).split())

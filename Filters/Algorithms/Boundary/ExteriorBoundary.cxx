@@ -6,7 +6,7 @@
 // (ClockwiseBoundary.h); marks of points by the loops they are on.
 //
 // The surprising part: both ways only ever walk around faces of a plane graph. Which hops belong to the graph is
-// decided before, so that a walk needs no rules of its own, and can not cross itself.
+// decided before, so that a walk needs no rules of its own, and cannot cross itself.
 
 #include "ExteriorBoundary.h"
 
@@ -521,7 +521,7 @@ void CheckCuts(const BoundaryOptions& options)
 {
   if (options.Cuts && HasSeams(options.Seams))
   {
-    throw InputError("cut links and a seam, expected one of them: a crack may go on beyond the seam");
+    throw InputError("cut links and a seam, expected one of them: a crack may continue beyond the seam");
   }
   if (options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1)
   {

@@ -52,7 +52,7 @@ struct DecimationQuality
   DecimationEffort Effort = DecimationEffort::Best;
   DecimationPriority Priority = DecimationPriority::SumOfSquares;
   /// 0 to 60 degrees, in plan: no flip and no removal makes a smaller angle, but where there was
-  /// a smaller one before. Where a number of points can not be met so, it is halved until that is.
+  /// a smaller one before. Where a number of points cannot be met so, it is halved until that is.
   double SmallestAngle = 2.0;
 };
 

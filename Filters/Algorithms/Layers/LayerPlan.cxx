@@ -321,7 +321,7 @@ private:
       {
         const PlanePoint& place = this->Columns[std::size_t(border.From)];
         throw InputError("the border of a layer at column (" + std::to_string(place.X) + ", " +
-          std::to_string(place.Y) + ") is no line of the plan, expected layers whose borders do not cross");
+          std::to_string(place.Y) + ") is not an edge of the plan, expected layers whose borders do not cross");
       }
     }
     sides.Legalize();

@@ -114,7 +114,7 @@ private:
     }
     if (this->Edges[edge].From != path.front())
     {
-      throw InputError("a loop that does not come back to its vertex " + std::to_string(path.front()) +
+      throw InputError("a loop that does not return to its vertex " + std::to_string(path.front()) +
         ", expected parts whose seams fit");
     }
     return path;

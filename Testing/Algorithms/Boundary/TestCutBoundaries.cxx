@@ -171,7 +171,7 @@ void TestErrors()
   options.HoleBoundaries = true;
   options.Seams.Lower = 0;
   CHECK_THROWS_WITH(FindExteriorBoundary(patch.Columns, options),
-    "cut links and a seam, expected one of them: a crack may go on beyond the seam");
+    "cut links and a seam, expected one of them: a crack may continue beyond the seam");
   CHECK_EQUAL(FindExteriorBoundary({}, With(patch)).NumberOfPatches, 0u);
 }
 

@@ -304,7 +304,7 @@ void TestSeamErrors()
     change(options);
     CHECK_THROWS_WITH(MakeSurface(points, options), message);
   };
-  refuse("a seam without boundaries of holes, expected", [](SurfaceOptions& o) { o.HoleBoundaries = false; });
+  refuse("a seam without hole boundaries, expected", [](SurfaceOptions& o) { o.HoleBoundaries = false; });
   refuse("a seam and a minimum patch size of 3 points, expected 1", [](SurfaceOptions& o) { o.MinimumPatchSize = 3; });
   refuse("a seam and growth by distance with a radius of 2 columns, expected clockwise growth",
     [](SurfaceOptions& o)
