@@ -329,7 +329,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSeismicReflectionExtraction::Make
 {
   const std::unique_ptr<Surfaces> found = std::exchange(this->Found, nullptr);
   ImageCube& cube = found->Cube;
-  cube.Frame.UseRealZ = this->Elevation == RealZ;
+  cube.Frame.UseRealZ = this->ZFrom == RealZ;
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
@@ -370,6 +370,6 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GrowthReach: " << this->GrowthReach << '\n';
   os << indent << "KeepOthers: " << (this->KeepOthers ? "on" : "off") << '\n';
   os << indent << "LimitSide: " << (this->LimitSide == Below ? "Below" : "Above") << '\n';
-  os << indent << "Elevation: " << (this->Elevation == RealZ ? "RealZ" : "VerticalIndex") << '\n';
+  os << indent << "ZFrom: " << (this->ZFrom == RealZ ? "RealZ" : "VerticalIndex") << '\n';
   os << indent << "Description: " << this->Description << '\n';
 }

@@ -46,7 +46,7 @@ mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output cannot be made"
 
 utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 source_folder=$(dirname -- "$utilities")
-[ $# -gt 0 ] || set -- --elevation RealZ --origin 461200 6801500 0 --column-step 24 7 --row-step -7 24 --cut-faults 0 \
+[ $# -gt 0 ] || set -- --z-from RealZ --origin 461200 6801500 0 --column-step 24 7 --row-step -7 24 --cut-faults 0 \
   "$source_folder/Data/sample.vsm"
 
 "$utilities/setup.sh" --without-tests

@@ -27,7 +27,7 @@ import sys  # noqa: E402
 
 IS_COMMAND = __name__ in ("__main__", "seismichorizons.horizon_mesh")
 PROGRAM = pathlib.Path(sys.argv[0]).stem if IS_COMMAND else "horizon_mesh"
-ELEVATIONS, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
+Z_SOURCES, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
@@ -35,8 +35,7 @@ HEIGHT_UNITS = ("ms", "s", "m", "ft")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", "msh", "inp", "disv")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
 JOININGS, POLARITIES = ("BestFirst", "Continuous", "Components"), ("Both", "Positive", "Negative")
-STRAY_PICKS = ("Stop", "LeaveOut")
-GRIDDING = ("Plate", "Nearest")
+STRAY_PICKS, GRIDDING = ("Stop", "LeaveOut"), ("Plate", "Nearest")
 CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
 NOT_GIVEN = argparse.SUPPRESS
 MOST = 2**31  # more than integers of stages can be
@@ -196,7 +195,8 @@ def _add_reader_options(group):
                        help="the unit of z (default: what the file says)")
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME",
                        help="that of x and y, as EPSG:23031, for formats that have one (default: what the file says)")
-    group.add_argument("--elevation", choices=ELEVATIONS, default=NOT_GIVEN,
+    group.add_argument("--elevation", dest="z_from", choices=Z_SOURCES, default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
+    group.add_argument("--z-from", choices=Z_SOURCES, default=NOT_GIVEN,
                        help="what world z of sparse voxels is made from (default: VerticalIndex)")
     group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN,
                        help="which of several points in a column stays, or all as sheets (default: StrongestAmplitude)")

@@ -26,8 +26,11 @@ struct Rename
 };
 
 // Of version 0.2. To be removed with the deprecated setters.
-constexpr std::array<Rename, 1> Renames = { {
+constexpr std::array<Rename, 4> Renames = { {
   { "HorizonDespiking", "ThreadWidth", "SpurWidth" },
+  { "SeismicReflectionExtraction", "Elevation", "ZFrom" },
+  { "VerneySparseMatrixReader", "Elevation", "ZFrom" },
+  { "ByContentVerneySparseMatrixReader", "Elevation", "ZFrom" },
 } };
 
 vtkPVXMLElement* FindProperty(vtkPVXMLElement* proxy, const std::string& name)

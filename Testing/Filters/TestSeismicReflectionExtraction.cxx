@@ -126,7 +126,7 @@ void TestParameters()
 {
   Filter filter = MakeFilter(MakeCube<vtkFloatArray>());
   filter->SetPolarity(vtkSeismicReflectionExtraction::Negative);
-  filter->SetElevation(vtkSeismicReflectionExtraction::VerticalIndex);
+  filter->SetZFrom(vtkSeismicReflectionExtraction::VerticalIndex);
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 1u);
   CHECK_EQUAL(Horizon(filter)->GetPoint(0)[2], 28.0);

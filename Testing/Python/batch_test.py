@@ -79,7 +79,7 @@ class BatchTest(unittest.TestCase):
         self.assertGreater(len(set(map(tuple, picture[::7, ::7].reshape(-1, 3)))), 100)
 
     def test_options(self):
-        self.succeed(SAMPLE, "--no-pictures", "--stages", "--threads", "1", "--horizons", "1", "--elevation", "RealZ",
+        self.succeed(SAMPLE, "--no-pictures", "--stages", "--threads", "1", "--horizons", "1", "--z-from", "RealZ",
                      "--duplicate-policy", "Lowest", "--origin", "10", "20", "30", "--column-step", "2", "1",
                      "--row-step", "-1", "2", "--vertical-step", "-4", "--distance-threshold", "0", "--skip-rough")
         self.assertEqual(files(self.output), ["blobs_horizon_1.vtp"])
@@ -295,7 +295,7 @@ class BatchTest(unittest.TestCase):
 
     def test_wrong_options(self):
         for arguments in (["--cell-size", "0"], ["--stages", "--cell-size", "two"], ["--largest-error", "2 parsec"], ["--distance-threshold", "-1"],
-                          ["--distance-threshold", "nan"], ["--vertical-step", "0"], ["--elevation", "Depth"],
+                          ["--distance-threshold", "nan"], ["--vertical-step", "0"], ["--z-from", "Depth"],
                           ["--flatness-threshold", "-1"], ["--representative", "Any"], ["--no-such-option"],
                           ["--column-step", "1"], ["--column-step", "0", "1"]):
             with self.subTest(arguments):
@@ -341,7 +341,7 @@ class BatchTest(unittest.TestCase):
             "%d %d 7 %d\n" % (i, j, i + j) for j in range(5) for i in range(5)))
         self.succeed("--no-pictures", "--stages", "--skip-rough", "--columns", "X Y - Z", picks)
         self.assertEqual(files(self.output), ["odd.vtp"])
-        self.assertIn("its format does not support Elevation", self.refused(picks, "--elevation", "RealZ"))
+        self.assertIn("its format does not support ZFrom", self.refused(picks, "--z-from", "RealZ"))
         self.assertIn("its format does not support Columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
         self.assertIn("Origin with a z of 3", self.refused(picks, "--origin", "0", "0", "3"))
         noise = self.write_picks("noise.txt", "a b\n")
@@ -365,7 +365,7 @@ class BatchTest(unittest.TestCase):
     def test_help(self):
         done, errors = run("--help")
         self.assertEqual((done.returncode, errors), (0, []))
-        for option in ("--output-folder", "--distance-threshold", "--cell-size", "--elevation", "--origin",
+        for option in ("--output-folder", "--distance-threshold", "--cell-size", "--z-from", "--origin",
                        "--column-step", "--row-step", "--vertical-step", "--vertical-direction",
                        "--duplicate-policy", "--horizons",
                        "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",

@@ -25,7 +25,7 @@ REACHED_OTHERWISE = {
 # Setters that ParaView has no use for: the controller is its own from the start, and inputs are connections.
 NOT_REACHED = {"SetController", "SetInputData"}
 # Names of version 0.2, which states reach in another way (Startup/RenamedProperties.h).
-DEPRECATED = {"SetThreadWidth"}
+DEPRECATED = {"SetThreadWidth", "SetElevation"}
 # ParaView's own values: its writers run on all processes.
 IN_PARAVIEW = {"Gathered": "1"}
 # Setters of VTK itself that have no getter.

@@ -154,6 +154,10 @@ class StagesTest(unittest.TestCase):
         with self.assertWarnsRegex(FutureWarning, "thread_width, expected spur_width"):
             narrow = sh.despiking(top, thread_width=64)
         self.assertEqual(narrow.GetNumberOfPoints(), sh.despiking(top, spur_width=64).GetNumberOfPoints())
+        with self.assertWarnsRegex(FutureWarning, "elevation, expected z_from"):
+            found = sh.read(DATA / "blobs.vsm", horizons=[2], elevation="RealZ")
+        named = sh.read(DATA / "blobs.vsm", horizons=[2], z_from="RealZ")
+        self.assertEqual(places(found["Horizon 2"]).tobytes(), places(named["Horizon 2"]).tobytes())
         with self.assertRaisesRegex(TypeError, "thread_width, expected one of"):
             sh.surface(top, thread_width=2)
 

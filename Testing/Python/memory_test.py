@@ -148,7 +148,7 @@ class BatchTest(unittest.TestCase):
         """Of one horizon at a time, two, and all; also when only some are wanted."""
         sizes = self.sizes(self.three)
         for given in ({}, {"horizons": [1, 3]}, {"surface": None}, {"formats": ("vtp", "ts")},
-                      {"reader": {"Elevation": "RealZ"}}, {"error": {}, "horizons": [2]}):
+                      {"reader": {"ZFrom": "RealZ"}}, {"error": {}, "horizons": [2]}):
             expected = self.run_batch(self.three, **given)[2]
             self.assertTrue(expected)
             for points in (max(sizes), max(sizes) + 2 * min(sizes) // 5, 2 * sum(sizes)):

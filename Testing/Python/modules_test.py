@@ -61,12 +61,12 @@ def largest_error(figures):
 
 class StageTest(unittest.TestCase):
     def test_properties(self):
-        reader = stage.make("vtkVerneySparseMatrixReader", FileName="RealZ", Elevation="RealZ", Origin=[1.0, 2.0, 3.0])
+        reader = stage.make("vtkVerneySparseMatrixReader", FileName="RealZ", ZFrom="RealZ", Origin=[1.0, 2.0, 3.0])
         self.assertEqual(reader.GetFileName(), "RealZ")
-        self.assertEqual(reader.GetElevation(), sh.vtkVerneySparseMatrixReader.RealZ)
+        self.assertEqual(reader.GetZFrom(), sh.vtkVerneySparseMatrixReader.RealZ)
         self.assertEqual(reader.GetOrigin(), (1.0, 2.0, 3.0))
-        stage.configure(reader, Elevation=sh.vtkVerneySparseMatrixReader.VerticalIndex)
-        self.assertEqual(reader.GetElevation(), sh.vtkVerneySparseMatrixReader.VerticalIndex)
+        stage.configure(reader, ZFrom=sh.vtkVerneySparseMatrixReader.VerticalIndex)
+        self.assertEqual(reader.GetZFrom(), sh.vtkVerneySparseMatrixReader.VerticalIndex)
         with self.assertRaises(AttributeError):
             stage.configure(reader, NoSuchProperty=1)
 
@@ -176,7 +176,7 @@ class PipelineTest(unittest.TestCase):
         horizons, seconds = pipeline.read(path)
         self.assertEqual([(name, points.GetNumberOfPoints()) for name, points in horizons], [("Horizon 1", 20), ("Horizon 2", 2)])
         self.assertGreaterEqual(seconds, 0.0)
-        (only,), _ = pipeline.read(str(path), horizons=[2], Elevation="RealZ", Origin=[0.0, 0.0, 100.0])
+        (only,), _ = pipeline.read(str(path), horizons=[2], ZFrom="RealZ", Origin=[0.0, 0.0, 100.0])
         self.assertEqual(only[0], "Horizon 2")
         self.assertEqual(only[1].GetBounds(), (0.0, 1.0, 0.0, 0.0, -8.0, -8.0))
 

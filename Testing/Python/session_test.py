@@ -190,6 +190,7 @@ def main():
         assert name == "lines" or list(data) == pipelines.CHOSEN, (name, list(data))
     check_states(expected, folder, trace)
     check_renamed(folder / "state.pvsm", "quiet", "ThreadWidth", "SpurWidth", (1, 2, 3))
+    check_renamed(folder / "state.pvsm", "points", "Elevation", "ZFrom", (0, 1, 1))
     simple.ResetSession()
     points = simple.OpenDataFile(str(sample))
     check_saved_data(points, simple.HorizonSurface(Input=points), folder)

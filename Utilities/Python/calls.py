@@ -26,7 +26,7 @@ MEMORY_WORDS = "more data than memory"  # of all such messages
 NOT_WRITTEN = "cannot be written"  # what modules of the package say
 LATTICE_WORDS = "no field data array LatticeDimensions"
 LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
-RENAMED = {"thread_width": "spur_width"}  # keywords of version 0.2
+RENAMED = {"thread_width": "spur_width", "elevation": "z_from"}  # keywords of version 0.2
 
 
 def snake(name):

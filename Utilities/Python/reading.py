@@ -30,7 +30,7 @@ LAST_READER = "vtkHorizonTextReader"
 
 def counts_indices(form, properties):
     """Whether the z of a format, read with some properties, are vertical indices, of which nothing tells how long one is."""
-    return form == SPARSE and not {"VerticalStep", "Elevation"} & set(properties)
+    return form == SPARSE and not {"VerticalStep", "ZFrom"} & set(properties)
 
 
 def find_reader(path):

@@ -3,7 +3,7 @@
 """One stage, that is one VTK algorithm: made with properties by their names, and run with errors as exceptions.
 
 Properties are those of the documentation (`CellSize=3` calls `SetCellSize(3)`); one that is a choice may be given by
-the name of the choice (`Elevation="RealZ"`).
+the name of the choice (`ZFrom="RealZ"`).
 """
 
 import contextlib
