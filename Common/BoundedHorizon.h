@@ -60,7 +60,7 @@ struct BoundedHorizon
   PlanePoints Columns; // those of all points, which others own
   std::vector<double> Height; // lattice units
   std::vector<std::int32_t> Patch; // points of different patches are never merged
-  std::vector<std::int64_t> Count; // how many points of the original horizon each one stands for; empty: one
+  std::vector<std::int64_t> Count; // how many points of the original horizon each one represents; empty: one
   Loops Boundary;
   std::int32_t SubVoxelsPerColumn = 1;
   std::shared_ptr<const LinkCuts> Cuts; // points on two sides of these are never merged; null: there are none

@@ -13,29 +13,29 @@
 
 namespace SeismicHorizons
 {
-/// A crack is bounded by its lips, which are edges of loops with the crack to their left, and by mouths, where it opens
-/// to the outside or to a gap of missing points:
+/// A crack is bounded by its cutoffs, which are edges of loops with the crack to their left, and by open ends, where it
+/// reaches the outside or missing points:
 ///
 ///     o---o---o---o---o---o
 ///         :           |           o    points
-///         :           |           -    lips, with the surface beyond them
-///     o---o---o---o---o---o       :    the mouth, which leads downwards, as the crack is to its left
+///         :           |           -    cutoffs, with the surface beyond them
+///     o---o---o---o---o---o       :    an open end, which leads downwards, as the crack is to its left
 ///
 struct Cracks
 {
   /// Between points of loops, which stay when loops are simplified, with the crack to the left.
-  std::vector<Edge> Mouths;
-  /// The numbers of the loops that are lips all along, ascending: those of a crack without a mouth are among them.
+  std::vector<Edge> OpenEnds;
+  /// The numbers of the loops that are cutoffs all along, ascending: among them those of cracks without an open end.
   std::vector<std::size_t> Loops;
 
-  std::vector<PointId> EndsOfMouths() const
+  std::vector<PointId> PointsOfOpenEnds() const
   {
-    std::vector<PointId> ends;
-    for (const Edge& mouth : this->Mouths)
+    std::vector<PointId> points;
+    for (const Edge& openEnd : this->OpenEnds)
     {
-      ends.insert(ends.end(), { mouth.From, mouth.To });
+      points.insert(points.end(), { openEnd.From, openEnd.To });
     }
-    return ends;
+    return points;
   }
 };
 }

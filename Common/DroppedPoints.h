@@ -18,7 +18,7 @@ namespace SeismicHorizons
 struct DroppedPoint
 {
   PointId Point = NoPoint;
-  PointId Target = NoPoint; // the point, which is kept, that stands for it
+  PointId Target = NoPoint; // the point, which is kept, that represents it
 };
 
 /// By ascending points.

@@ -12,7 +12,7 @@
 
 namespace SeismicHorizons
 {
-/// Input that a stage can not work on. The message says what was found, what was expected, and where.
+/// Input that a stage cannot work on. The message says what was found, what was expected, and where.
 class InputError : public std::runtime_error
 {
 public:

@@ -93,7 +93,7 @@ public:
   {
     if (this->Count > 0)
     {
-      this->Resize(this->Count); // to a smaller size, which can not fail
+      this->Resize(this->Count); // to a smaller size, which cannot fail
     }
     this->Count = 0;
     this->Capacity = 0;

@@ -22,7 +22,7 @@ FileStamp MakeFileStamp(const std::string& name)
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status))
   {
-    throw FileError(FileProblem::NotFound, "nothing there, expected a file");
+    throw FileError(FileProblem::NotFound, "no such file");
   }
   if (!std::filesystem::is_regular_file(status))
   {
@@ -39,7 +39,7 @@ std::unique_ptr<std::istream> OpenInputFile(const std::string& name)
   auto stream = std::make_unique<std::ifstream>(std::filesystem::u8path(name), std::ios::binary);
   if (!*stream)
   {
-    throw FileError(FileProblem::CannotOpen, "a file that can not be opened, expected a readable one");
+    throw FileError(FileProblem::CannotOpen, "the file cannot be opened, expected a readable one");
   }
   if (BeginsAsGzip(*stream))
   {

@@ -61,7 +61,7 @@ void CheckMap(const Eigen::Matrix4d& toWorld)
   }
   if (toWorld(2, 2) == 0.0 || AreParallel(toWorld.block<2, 1>(0, 0), toWorld.block<2, 1>(0, 1)))
   {
-    throw InputError("lattice-to-world matrix that can not be inverted, expected two column steps that are not "
+    throw InputError("lattice-to-world matrix that cannot be inverted, expected two column steps that are not "
                      "parallel and a vertical step that is not 0");
   }
 }

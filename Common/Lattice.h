@@ -37,7 +37,7 @@ public:
 
   /// `dimensions` are the numbers of columns along i and j and of vertical indices; `toWorld` is the affine map from
   /// (i, j, k) to world coordinates. Throws InputError on dimensions that are not positive, on 2^28 columns or more
-  /// along i or j, and on a map that is not finite, not affine, can not be inverted, or whose columns are not vertical:
+  /// along i or j, and on a map that is not finite, not affine, cannot be inverted, or whose columns are not vertical:
   /// x and y may not depend on k, nor z on i and j.
   Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& toWorld);
 

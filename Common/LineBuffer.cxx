@@ -16,7 +16,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t SmallestSize = 2; // room for one character and a newline
-constexpr std::size_t LongestLine = (1 << 26) - 1; // bytes, where the stream can not tell how many there are
+constexpr std::size_t LongestLine = (1 << 26) - 1; // bytes, where the stream cannot tell how many there are
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -43,7 +43,7 @@ public:
   const char* First() const { return this->Bytes.data(); }
   const char* Last() const { return this->Bytes.data() + this->Complete; }
 
-  /// Which part of the stream was read, 0 to 1. Always 0 when the stream can not tell (StreamProgress.h).
+  /// Which part of the stream was read, 0 to 1. Always 0 when the stream cannot tell (StreamProgress.h).
   double PartRead() const;
 
 private:

@@ -21,7 +21,7 @@ void WriteStream(const fs::path& path, const std::function<void(std::ostream&)>&
   std::ofstream stream(path, std::ios::binary);
   if (!stream)
   {
-    throw FileError(FileProblem::CannotOpen, "a file that can not be written, expected a folder with permission to");
+    throw FileError(FileProblem::CannotOpen, "the file cannot be written, expected write permission in its folder");
   }
   try
   {
@@ -38,7 +38,7 @@ void WriteStream(const fs::path& path, const std::function<void(std::ostream&)>&
   stream.close();
   if (!stream)
   {
-    throw FileError(FileProblem::NoRoom, "closing the file failed, expected room for the rest of it");
+    throw FileError(FileProblem::NoRoom, "closing the file failed, expected disk space for the rest");
   }
 }
 
@@ -60,8 +60,7 @@ void Replace(const fs::path& written, const fs::path& path)
   fs::rename(written, path, error);
   if (error)
   {
-    throw FileError(
-      FileProblem::CannotOpen, "a file that can not be replaced, expected permission to: " + error.message());
+    throw FileError(FileProblem::CannotOpen, "the file cannot be replaced, expected permission: " + error.message());
   }
 }
 }
@@ -78,8 +77,7 @@ OutputFile::OutputFile(const std::string& name, const std::function<void(std::os
   }
   if (this->Path.has_parent_path() && !fs::is_directory(this->Path.parent_path(), ignored))
   {
-    throw FileError(FileProblem::CannotOpen,
-      "no folder " + this->Path.parent_path().u8string() + ", expected the file in an existing folder");
+    throw FileError(FileProblem::CannotOpen, "folder \"" + this->Path.parent_path().u8string() + "\" does not exist");
   }
   if (fs::exists(this->Path, ignored) && !fs::is_regular_file(this->Path, ignored))
   {

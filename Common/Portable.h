@@ -38,7 +38,7 @@ constexpr int LowestBit(std::uint64_t bits)
 }
 }
 
-/// How many bits are set. Where the processor can not be relied on to count them, compilers call a function that takes
+/// How many bits are set. Where the processor cannot be relied on to count them, compilers call a function that takes
 /// longer than the sums.
 inline int CountBits(std::uint64_t bits)
 {

@@ -19,11 +19,11 @@ public:
   virtual double PartRead() const = 0;
 };
 
-/// The bytes of a stream from where it is to its end, or 0 when it can not tell.
+/// The bytes of a stream from where it is to its end, or 0 when it cannot tell.
 double CountBytes(std::istream& stream);
 
 /// Which part of a stream was read, 0 to 1, after so many of the bytes that CountBytes() gave. Always 0 when the stream
-/// can not tell its length, unless its bytes are decoded.
+/// cannot tell its length, unless its bytes are decoded.
 double PartRead(const std::istream& stream, double bytesRead, double bytesInStream);
 }
 

@@ -68,7 +68,7 @@ void TextPrinter::Flush()
   if (!this->Stream)
   {
     throw InputError(
-      "writing failed behind " + std::to_string(this->Written) + " bytes, expected room for the rest of the file");
+      "writing failed after " + std::to_string(this->Written) + " bytes, expected disk space for the rest of the file");
   }
   this->Written += std::int64_t(this->Filled);
   this->Filled = 0;

@@ -195,7 +195,7 @@ struct SimplificationCell
 {
   SpacePoint Low; // its least corner, in lattice units
   double Size = 0.0;
-  PointOrigin Origin; // that of the point that stands for the cell; Boundary for a cell that keeps boundary points
+  PointOrigin Origin; // that of the representative of the cell; Boundary for a cell that keeps boundary points
   double Flatness = 0.0; // of its points; 0 where a stage does not look at it
   std::int32_t Patch = 0;
   std::int32_t Points = 0; // how many input points it holds
@@ -204,12 +204,12 @@ struct SimplificationCell
 /// What a simplification made of the points of a horizon.
 struct Reduction
 {
-  /// For each input point the output point that stands for it: itself, or the one it was merged into.
+  /// For each input point the output point that represents it: itself, or the one it was merged into.
   std::vector<PointId> Target;
   /// For each output point the input point it is, or the input point of its group that lies nearest to it.
   std::vector<PointId> Source;
   /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, because the bits of a
-  /// std::vector<bool> can not be written by several threads at a time.
+  /// std::vector<bool> cannot be written by several threads at a time.
   std::vector<unsigned char> Averaged;
   /// For each output point its place: in the plane in sub-voxels, of which a column has so many, in lattice units
   /// upwards.

@@ -8,7 +8,7 @@
  * horizon, or a composite dataset of them (any vtkDataObjectTree), and gives the same kind of dataset with the same
  * structure and names. A subclass only has to say what happens to one horizon.
  *
- * A horizon without points gives an empty one. When a horizon can not be processed, one error names it, and says what
+ * A horizon without points gives an empty one. When a horizon cannot be processed, one error names it, and says what
  * was found and what was expected. The whole output is empty then, even if other horizons were processed before;
  * likewise when the user asks to stop. With InvalidHorizons set to LeaveOut, only such a horizon is empty, with a
  * warning. Progress goes from 0 to 1 over all horizons.

@@ -46,7 +46,7 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   options.BoundDeviation = this->BoundDeviation;
   options.OutlineTolerance = this->OutlineTolerance;
   const Loops boundary = ReadBoundary(input);
-  options.Fixed = ReadEndsOfMouths(input, points.Column, boundary);
+  options.Fixed = ReadPointsOfOpenEnds(input, points.Column, boundary);
   const std::vector<PlanePoint> plane = points.AreMerged ? ToSubVoxels(points) : std::vector<PlanePoint>();
   const auto height = [&points](std::size_t point) { return points.HeightAt(point); };
   const BoundarySimplification simplified =

@@ -33,7 +33,7 @@ namespace
 {
 constexpr double FewPercent = 2.0; // of spikes; the picks of a tracker have less
 
-/// The points of the input that are neither spikes nor on threads.
+/// The points of the input that are neither spikes nor on spurs.
 void CopyOthers(vtkPolyData* input, const std::vector<SpikeKind>& kinds, vtkPolyData* output)
 {
   KeptPoints kept(kinds.size());
@@ -58,9 +58,9 @@ void vtkHorizonDespiking::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Threshold: " << this->Threshold << "\n";
   os << indent << "ThresholdUnit: " << (this->ThresholdUnit == World ? "World" : "Lattice") << "\n";
   os << indent << "NeighborhoodRadius: " << this->NeighborhoodRadius << "\n";
-  os << indent << "ThreadWidth: " << this->ThreadWidth << "\n";
+  os << indent << "SpurWidth: " << this->SpurWidth << "\n";
   os << indent << "NumberOfSpikes: " << this->NumberOfSpikes << "\n";
-  os << indent << "NumberOfThreadPoints: " << this->NumberOfThreadPoints << "\n";
+  os << indent << "NumberOfSpurPoints: " << this->NumberOfSpurPoints << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +68,7 @@ int vtkHorizonDespiking::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->NumberOfSpikes = 0;
-  this->NumberOfThreadPoints = 0;
+  this->NumberOfSpurPoints = 0;
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -82,7 +82,7 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const double threshold = this->Threshold *
     IndicesPerUnit(static_cast<HeightUnit>(this->ThresholdUnit), points.Column, points.Height, points.Grid);
   const Spikes found = FindSpikes(
-    points.Column, points.Height, { threshold, this->NeighborhoodRadius, this->ThreadWidth }, monitor.Step(0.2, 0.9));
+    points.Column, points.Height, { threshold, this->NeighborhoodRadius, this->SpurWidth }, monitor.Step(0.2, 0.9));
   const std::vector<SpikeKind>& kinds = found.Kind;
   vtkPolyData* const output = outputs.front();
   if (this->Action == Remove)
@@ -100,19 +100,18 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   output->GetPointData()->RemoveArray(PointArray::PatchId);
   output->GetPointData()->RemoveArray(PointArray::Boundary);
   const vtkIdType spikes = std::count(kinds.begin(), kinds.end(), SpikeKind::Spike);
-  const vtkIdType threads = std::count(kinds.begin(), kinds.end(), SpikeKind::Thread);
+  const vtkIdType spurs = std::count(kinds.begin(), kinds.end(), SpikeKind::Spur);
   AddValue<vtkIdTypeArray>(output->GetFieldData(), FieldArray::NumberOfSpikes, spikes);
-  AddValue<vtkIdTypeArray>(output->GetFieldData(), FieldArray::NumberOfThreadPoints, threads);
+  AddValue<vtkIdTypeArray>(output->GetFieldData(), FieldArray::NumberOfSpurPoints, spurs);
   AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::SpikeThreshold, found.Threshold);
   const double percent = 100.0 * double(spikes) / double(kinds.size());
   if (percent > FewPercent)
   {
     const std::string name = NameBySurfaceId(input);
     vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << spikes << " of " << kinds.size()
-                    << " points are spikes, expected at most " << FewPercent << " %: above a threshold of "
-                    << found.Threshold << " vertical indices terrain and faults may be "
-                    << "taken for them");
+                    << " points are spikes, expected at most " << FewPercent << " %: threshold " << found.Threshold
+                    << " vertical indices; terrain and faults may be mistaken for spikes");
   }
   this->NumberOfSpikes += spikes;
-  this->NumberOfThreadPoints += threads;
+  this->NumberOfSpurPoints += spurs;
 }

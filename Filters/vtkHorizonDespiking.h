@@ -5,17 +5,17 @@
  * @brief   removes or flags spikes and narrow spurs of a horizon
  *
  * Input: a horizon before it has an outline, or a composite dataset of such; at most one point in a column of the
- * lattice. Output: with Remove the points that are neither spikes nor on threads, with Flag all of them; a vertex cell
+ * lattice. Output: with Remove the points that are neither spikes nor on spurs, with Flag all of them; a vertex cell
  * for each point, and all arrays but PatchId and Boundary of an outline before. With Flag there is the point array
- *  - Spike (unsigned char): 0 a point that belongs to the horizon, 1 a spike, 2 on a thread.
- * Field data: NumberOfSpikes, NumberOfThreadPoints (vtkIdType), and SpikeThreshold (double), in vertical indices, as it
+ *  - Spike (unsigned char): 0 a point that belongs to the horizon, 1 a spike, 2 on a spur.
+ * Field data: NumberOfSpikes, NumberOfSpurPoints (vtkIdType), and SpikeThreshold (double), in vertical indices, as it
  * was given or followed from the noise.
  *
  * A spike is a point whose height differs from the median of the points around it, each taken along the dip to the
  * place of the point, by more than Threshold. The median goes with the larger side at a fault, so that straight faults
- * are no spikes. A thread is what is at most ThreadWidth columns wide: points that no full square of
- * one column more covers (a morphological opening). What was connected by it alone becomes a patch of its own, which
- * vtkHorizonExteriorBoundary drops if it is small.
+ * are no spikes. A spur is at most SpurWidth columns wide: points that no full square of one column more covers (a
+ * morphological opening). What was connected by it alone becomes a patch of its own, which vtkHorizonExteriorBoundary
+ * drops if it is small.
  *
  * Takes time linear in the points and in the square of Radius, on several threads.
  *
@@ -97,15 +97,18 @@ public:
   /**
    * The largest width of strips and spurs to remove; 0: none. Unit: columns. Range: 0 to 64. Default: 0.
    */
-  vtkSetMacro(ThreadWidth, int);
-  vtkGetMacro(ThreadWidth, int);
+  vtkSetMacro(SpurWidth, int);
+  vtkGetMacro(SpurWidth, int);
   ///@}
+
+  /// The name of SpurWidth in version 0.2, for scripts of that version. @deprecated Use SetSpurWidth.
+  void SetThreadWidth(int width) { this->SetSpurWidth(width); }
 
   /// How many points are spikes, in all horizons of the last update.
   vtkGetMacro(NumberOfSpikes, vtkIdType);
 
-  /// How many points are on threads, in all horizons of the last update.
-  vtkGetMacro(NumberOfThreadPoints, vtkIdType);
+  /// How many points are on spurs, in all horizons of the last update.
+  vtkGetMacro(NumberOfSpurPoints, vtkIdType);
 
 protected:
   vtkHorizonDespiking() = default;
@@ -122,9 +125,9 @@ private:
   double Threshold = 0.0;
   int ThresholdUnit = Lattice;
   int NeighborhoodRadius = 2;
-  int ThreadWidth = 0;
+  int SpurWidth = 0;
   vtkIdType NumberOfSpikes = 0;
-  vtkIdType NumberOfThreadPoints = 0;
+  vtkIdType NumberOfSpurPoints = 0;
 };
 
 #endif

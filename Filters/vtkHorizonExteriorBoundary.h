@@ -10,9 +10,10 @@
  * for each hole, counter-clockwise. Each begins at its point of least x, then least y. New point arrays:
  *  - PatchId (int): the number of the point's patch, from 0; also the number of the patch's loop;
  *  - Boundary (unsigned char): 0 inside, 1 on the loop of a patch, 2 on the loop of a hole (see BoundaryType).
- * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSpeckPoints, the points of patches
- * that were too small. With cut links (UseCuts), what CloseFaults of the meshers needs (Documentation/DataModel.md):
- *  - CutMouths (int, 4 components): where cracks open to the outside or to gaps, as two columns;
+ * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints, the points of
+ * patches that were too small. With cut links (UseCuts), what CloseFaults of the meshers needs
+ * (Documentation/DataModel.md):
+ *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
  *  - CrackLoops (vtkIdType): the numbers of the loops that cracks run along all around.
  *
  * A patch is a connected part of the horizon: two points are neighbours when they are at most Radius columns apart

@@ -124,7 +124,7 @@ void vtkHorizonFaults::UsePolygons(std::vector<FaultPolyline>& polylines, Lattic
   AddValue<vtkIdTypeArray>(outputs[0]->GetFieldData(), FieldArray::BlankedPoints, vtkIdType(inside));
   if (outside.empty())
   {
-    throw InputError("fault polygons around all " + std::to_string(inside) + " points, expected some outside");
+    throw InputError("fault polygons enclose all " + std::to_string(inside) + " points, expected some outside");
   }
   if (inside > 0)
   {

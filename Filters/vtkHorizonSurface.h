@@ -24,7 +24,7 @@
  * leaves. It never has more triangles than that.
  *
  * With the effort Best and a SmallestAngle above 0, outlines keep points beside which a first mesh of the effort Fast has
- * slivers, which the single stages can not know of: with a SmallestAngle of 0 the results are the same. This takes a
+ * slivers, which the single stages cannot know of: with a SmallestAngle of 0 the results are the same. This takes a
  * quarter of the time, half on very rough horizons.
  *
  * On several threads, with the same result on any number of them. Near linear; about 50 bytes per point and 12

@@ -47,7 +47,7 @@
  * In a program of several processes each of them measures the references it has; meshes that are elsewhere are sent to
  * it, and back. The tables are on the first one, and a horizon must have all its points on one of them.
  *
- * With InvalidHorizons set to LeaveOut, a pair that can not be measured has empty surfaces and no rows.
+ * With InvalidHorizons set to LeaveOut, a pair that cannot be measured has empty surfaces and no rows.
  *
  * Errors: 2^30 points or triangles, no triangles or no area in a mesh (but at filled points), other cells than
  * triangles, a horizon without counterpart, points that are not finite, a reference without triangles that is no

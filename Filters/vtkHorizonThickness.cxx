@@ -58,11 +58,11 @@ PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattic
   if (leaves.size() != 1)
   {
     throw InputError(std::to_string(leaves.size()) +
-      " other horizons with points, expected one: as the input Other, for instance by Extract Block");
+      " other horizons with points, expected one as the input Other, for instance by Extract Block");
   }
   vtkPolyData* const other = leaves.front().Input;
   CheckArraySizes(other);
-  survey = JoinSurveys(ReadSurveyFields(horizon->GetFieldData()), other, { "an other horizon", "the first one" });
+  survey = JoinSurveys(ReadSurveyFields(horizon->GetFieldData()), other, { "the other horizon", "the first one" });
   return PlaceOn(grid, WithoutHiddenPoints(other), { "the other horizon", "the first one" });
 }
 

@@ -291,9 +291,9 @@ void vtkSeismicReflectionExtraction::DescribeGuides(std::ostream& text)
     constexpr std::int64_t many = 20; // one of so many points; guides meet along their rims
     if (many * use.Shared > static_cast<std::int64_t>(result.Surfaces[n].Column.size()) + use.Shared)
     {
-      vtkWarningMacro(<< name << use.Shared << " of its points went to guide \""
+      vtkWarningMacro(<< name << use.Shared << " of its points were assigned to guide \""
                       << this->Found->Guides[use.SharedWith].Given.Name
-                      << "\", or more, which is on the same event and nearer, expected events of their own");
+                      << "\" or others, on the same event and nearer, expected different events");
     }
   }
 }
@@ -329,7 +329,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSeismicReflectionExtraction::Make
 {
   const std::unique_ptr<Surfaces> found = std::exchange(this->Found, nullptr);
   ImageCube& cube = found->Cube;
-  cube.Frame.UseRealZ = this->Elevation == RealZ;
+  cube.Frame.UseRealZ = this->ZFrom == RealZ;
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
@@ -370,6 +370,6 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GrowthReach: " << this->GrowthReach << '\n';
   os << indent << "KeepOthers: " << (this->KeepOthers ? "on" : "off") << '\n';
   os << indent << "LimitSide: " << (this->LimitSide == Below ? "Below" : "Above") << '\n';
-  os << indent << "Elevation: " << (this->Elevation == RealZ ? "RealZ" : "VerticalIndex") << '\n';
+  os << indent << "ZFrom: " << (this->ZFrom == RealZ ? "RealZ" : "VerticalIndex") << '\n';
   os << indent << "Description: " << this->Description << '\n';
 }

@@ -306,8 +306,8 @@ public:
   void SetLimitSideToAbove() { this->SetLimitSide(Above); }
   ///@}
 
-  /// Values of Elevation.
-  enum ElevationSource
+  /// Values of ZFrom.
+  enum ZSource
   {
     VerticalIndex = 0,
     RealZ = 1
@@ -317,11 +317,14 @@ public:
   /**
    * z of the points. VerticalIndex: that of the nearest sample. RealZ: that of the pick itself. Default: RealZ.
    */
-  vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
-  vtkGetMacro(Elevation, int);
-  void SetElevationToVerticalIndex() { this->SetElevation(VerticalIndex); }
-  void SetElevationToRealZ() { this->SetElevation(RealZ); }
+  vtkSetClampMacro(ZFrom, int, VerticalIndex, RealZ);
+  vtkGetMacro(ZFrom, int);
+  void SetZFromToVerticalIndex() { this->SetZFrom(VerticalIndex); }
+  void SetZFromToRealZ() { this->SetZFrom(RealZ); }
   ///@}
+
+  /// The name of ZFrom in version 0.2, for scripts of that version. @deprecated Use SetZFrom.
+  void SetElevation(int source) { this->SetZFrom(source); }
 
   /// What was found in the cube, as text. Empty before the first update.
   const char* GetDescription() { return this->Description.c_str(); }
@@ -337,12 +340,8 @@ public:
   vtkGetMacro(PhaseDeviation, double);
   ///@}
 
-  ///@{
-  /**
-   * The cube.
-   */
+  /// The cube.
   vtkHorizonInputMacro();
-  ///@}
 
 protected:
   vtkSeismicReflectionExtraction();
@@ -385,7 +384,7 @@ private:
   int GrowthReach = 60;
   bool KeepOthers = false;
   int LimitSide = Below;
-  int Elevation = RealZ;
+  int ZFrom = RealZ;
 
   vtkIdType NumberOfSurfaces = 0;
   double DominantPeriod = 0.0;

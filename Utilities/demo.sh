@@ -39,14 +39,14 @@ done
 for file in "$@"; do
   [ "$file" != -o ] || refuse "-o after a file, expected options before files"
   [ -f "$file" ] || refuse "no file $file"
-  [ -r "$file" ] || refuse "$file can not be read"
+  [ -r "$file" ] || refuse "$file cannot be read"
 done
-mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output can not be made"
-[ -w "$output" ] || refuse "the folder $output can not be written to"
+mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output cannot be made"
+[ -w "$output" ] || refuse "the folder $output cannot be written to"
 
 utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 source_folder=$(dirname -- "$utilities")
-[ $# -gt 0 ] || set -- --elevation RealZ --origin 461200 6801500 0 --column-step 24 7 --row-step -7 24 --cut-faults 0 \
+[ $# -gt 0 ] || set -- --z-from RealZ --origin 461200 6801500 0 --column-step 24 7 --row-step -7 24 --cut-faults 0 \
   "$source_folder/Data/sample.vsm"
 
 "$utilities/setup.sh" --without-tests

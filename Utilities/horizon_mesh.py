@@ -27,7 +27,7 @@ import sys  # noqa: E402
 
 IS_COMMAND = __name__ in ("__main__", "seismichorizons.horizon_mesh")
 PROGRAM = pathlib.Path(sys.argv[0]).stem if IS_COMMAND else "horizon_mesh"
-ELEVATIONS, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
+Z_SOURCES, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
 REPRESENTATIVES = ("Barycentre", "NearestPoint")
 GROWTH_STRATEGIES = ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
@@ -35,8 +35,7 @@ HEIGHT_UNITS = ("ms", "s", "m", "ft")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", "msh", "inp", "disv")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
 JOININGS, POLARITIES = ("BestFirst", "Continuous", "Components"), ("Both", "Positive", "Negative")
-STRAY_PICKS = ("Stop", "LeaveOut")
-GRIDDING = ("Plate", "Nearest")
+STRAY_PICKS, GRIDDING = ("Stop", "LeaveOut"), ("Plate", "Nearest")
 CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
 NOT_GIVEN = argparse.SUPPRESS
 MOST = 2**31  # more than integers of stages can be
@@ -169,7 +168,7 @@ def _add_telling_options(group):
 def _add_running_options(running):
     running.add_argument("--no-pictures", action="store_true", help="write no pictures; without an X server there are none")
     running.add_argument("--leave-out-invalid", action="store_true",
-                         help="leave out horizons that can not be processed, with a warning, and do the others of "
+                         help="leave out horizons that cannot be processed, with a warning, and do the others of "
                          "their file; otherwise such a file is not done")
     running.add_argument("--memory", type=_memory, metavar="SIZE",
                          help="as much memory as may be used, as 2G or 800M: of sparse voxel files, horizons are read as "
@@ -196,7 +195,8 @@ def _add_reader_options(group):
                        help="the unit of z (default: what the file says)")
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME",
                        help="that of x and y, as EPSG:23031, for formats that have one (default: what the file says)")
-    group.add_argument("--elevation", choices=ELEVATIONS, default=NOT_GIVEN,
+    group.add_argument("--elevation", dest="z_from", choices=Z_SOURCES, default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
+    group.add_argument("--z-from", choices=Z_SOURCES, default=NOT_GIVEN,
                        help="what world z of sparse voxels is made from (default: VerticalIndex)")
     group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN,
                        help="which of several points in a column stays, or all as sheets (default: StrongestAmplitude)")
@@ -381,7 +381,7 @@ def main(arguments=None):
     of_layers = [action.option_strings[0] for action in parser.layers if hasattr(options, action.dest)] + [
         form for form in options.formats if form in ("msh", "inp", "disv")]
     if of_layers and not hasattr(options, "layers"):
-        parser.error("%s is of --layers" % of_layers[0])
+        parser.error("%s requires --layers" % of_layers[0])
     for word in arguments:
         is_text = word == word.encode(errors="replace").decode()
         if not is_text and pathlib.Path(word) not in options.inputs:  # what is wrong with files is told one by one
@@ -390,7 +390,7 @@ def main(arguments=None):
         from seismichorizons import interrupt
         from seismichorizons.stage import set_threads
     except ImportError as error:
-        return fail("the Python package seismichorizons can not be loaded; is its folder in PYTHONPATH? (%s)" % error)
+        return fail("the Python package seismichorizons cannot be loaded; is its folder in PYTHONPATH? (%s)" % error)
     interrupt.listen()
     set_threads(options.threads)
     return _run(options)

@@ -53,7 +53,7 @@ def load_plugin():
 def open_reference(path, horizon):
     reader = simple.OpenDataFile(path)
     if reader is None:
-        sys.exit("show_error: %s can not be read" % path)
+        sys.exit("show_error: %s cannot be read" % path)
     if path.endswith((".vsm", ".vsm.gz")):
         reader.UpdatePipelineInformation()
         names = list(reader.HorizonStatus.Available)

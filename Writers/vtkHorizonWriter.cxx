@@ -31,7 +31,7 @@ Ranks RanksOf(bool areTogether)
   return areTogether ? Ranks(vtkMultiProcessController::GetGlobalController()) : Ranks();
 }
 
-/// The same text with underscores for what names of files can not have on some system; bytes of other alphabets stay.
+/// The same text with underscores for what names of files cannot have on some system; bytes of other alphabets stay.
 std::string MakeFileName(std::string text)
 {
   const auto isKept = [](char c)

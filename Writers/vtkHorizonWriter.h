@@ -70,11 +70,11 @@ protected:
   };
 
   /// Whether each of several horizons goes into a file of its own. Its name is that of the file with that of the
-  /// horizon behind an underscore, and underscores for what file names can not have: "reek_Top.irap" for "reek.irap".
+  /// horizon behind an underscore, and underscores for what file names cannot have: "reek_Top.irap" for "reek.irap".
   virtual bool WritesFileForEach() const { return false; }
 
   /// Writes the horizons, of which there is at least one, and all of which have points. Throws
-  /// SeismicHorizons::InputError on what the format can not hold.
+  /// SeismicHorizons::InputError on what the format cannot hold.
   virtual void PrintHorizons(
     const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) = 0;
 

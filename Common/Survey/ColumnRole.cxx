@@ -198,7 +198,7 @@ std::size_t ChooseZ(const std::vector<std::string>& names, const char* remedy)
   {
     if (Essence(name) != Essence(names.front()))
     {
-      throw InputError(names.front() + " and " + name + " that both could be Z, expected one of them: set " + remedy);
+      throw InputError(names.front() + " and " + name + " could both be Z, expected one of them: set " + remedy);
     }
   }
   return 0;

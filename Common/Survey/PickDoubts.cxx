@@ -67,8 +67,8 @@ std::vector<std::string> FindDoubts(const SurveyHorizons& horizons)
   if (100 * duplicates > picks)
   {
     doubts.push_back(std::to_string(duplicates) + " of " + std::to_string(picks) +
-      " picks dropped, as there is another one in their column: of several horizons or surveys in one, name the column "
-      "that tells them apart; DuplicatePolicy chooses");
+      " picks dropped, as their column has another one: for several horizons or surveys in one file, name the "
+      "column that distinguishes them; DuplicatePolicy chooses");
   }
   return doubts;
 }

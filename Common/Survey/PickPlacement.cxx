@@ -141,8 +141,7 @@ void CheckRange(const ColumnRange& range, const PickTable& picks, const SurveyLa
     text << range.OffLattice << " of " << picks.Size() << " picks off the lattice with the steps "
          << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest, "
          << SayPicks(picks, { range.Farthest }) << ", by " << range.LargestDistance
-         << " columns; expected at most LatticeTolerance, " << tolerance
-         << ", or StrayPicks that are left out, or Gridding";
+         << " columns; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut, or Gridding";
     throw InputError(text.str());
   }
   const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
@@ -211,7 +210,7 @@ void CheckLines(const PickTable& picks, const SurveyLattice& lattice, const Moni
   {
     throw InputError(std::to_string(between.size()) + " of " + std::to_string(picks.Size()) +
       " picks between the lines of the others, " + SayPicks(picks, between) +
-      "; expected line numbers in equal steps, or StrayPicks that are left out");
+      "; expected line numbers in equal steps, or StrayPicks LeaveOut");
   }
 }
 
@@ -279,8 +278,7 @@ void CheckFarPicks(const PickTable& picks, const PlacementOptions& options, std:
   {
     std::ostringstream text;
     text << off.size() << " of " << picks.Size() << " picks off the lattice of the others, far from these, "
-         << SayPicks(picks, off) << "; expected at most LatticeTolerance, " << tolerance
-         << ", or StrayPicks that are left out";
+         << SayPicks(picks, off) << "; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut";
     throw InputError(text.str());
   }
   doubts.push_back(std::to_string(strays.size()) + " picks far from all others, " + SayPicks(picks, strays) +

@@ -43,7 +43,7 @@ struct PlacementOptions
   VerticalDirection Direction = VerticalDirection::Down; // where z grows to: says what is topmost
 };
 
-/// Throws InputError, with the names of the properties, on options that can not be: numbers that are not finite, a
+/// Throws InputError, with the names of the properties, on options that cannot be: numbers that are not finite, a
 /// tolerance out of its range, and, where they are used, steps that are parallel.
 void CheckPlacement(const PlacementOptions& options);
 }

@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(LatticeHorizon horizon, const Lat
     MoveToArray<vtkDoubleArray>(data, PointArray::Amplitude, horizon.Amplitude);
   }
   MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, horizon.RealZ);
-  data->RemoveArray(PointArray::PointCount); // each point stands for one, whatever an attribute of that name says
+  data->RemoveArray(PointArray::PointCount); // each point represents one, whatever an attribute of that name says
   data->SetActiveScalars(PointArray::VerticalIndex); // what ParaView colours by at first
   points->SetVerts(MakeVertices(numberOfPoints));
 

@@ -108,14 +108,13 @@ Outcome Run(vtkAlgorithm* algorithm, const std::string& noMemory, const RequestW
   {
     return Fail(noMemory);
   }
-  catch (const std::system_error& error) // a thread that can not be started, a file that went away
+  catch (const std::system_error& error) // a thread that cannot be started, a file that went away
   {
     return Fail("the system reports \"" + std::string(error.what()) + "\", expected enough threads and files for this");
   }
   catch (const std::exception& error)
   {
-    return Fail(
-      "an error of the program itself, \"" + std::string(error.what()) + "\", expected none: please report it");
+    return Fail("internal error \"" + std::string(error.what()) + "\", expected none: please report it");
   }
 }
 

@@ -143,8 +143,8 @@ void RequireSameList(const std::string& prefix, const std::vector<std::string>& 
     const auto others = std::count_if(lists.begin(), lists.end(), [&](const auto& other) { return other != lists[0]; });
     if (others > 0)
     {
-      ranks.Refuse(prefix + "other horizons on " + std::to_string(others) + " of " + std::to_string(lists.size()) +
-        " processes than on the first, expected the same data on all");
+      ranks.Refuse(prefix + std::to_string(others) + " of " + std::to_string(lists.size()) +
+        " processes have other horizons than the first, expected the same data on all");
     }
   }
 }
@@ -285,7 +285,7 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
     if (names[number].find('\0') != std::string::npos)
     {
       throw FileError(FileProblem::WrongContent,
-        this->ErrorPrefix() + "a byte of 0 in the name of horizon " + std::to_string(number + 1) + ", expected text");
+        this->ErrorPrefix() + "zero byte in the name of horizon " + std::to_string(number + 1) + ", expected text");
     }
   }
   return MakeDistinct(std::move(names));

@@ -6,7 +6,7 @@
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, which has its
  * name. Its vtkDataAssembly has a node for each, below the root "Horizons": the name without the characters that names
- * of nodes can not have, and as it is in the attribute "label".
+ * of nodes cannot have, and as it is in the attribute "label".
  *
  * When pieces are asked for, the selected horizons are dealt out by size: the one with the most points first, each to
  * the piece that has the fewest points so far; of equal horizons the first goes first, of equal pieces the first takes

@@ -118,7 +118,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   {
     vtkWarningMacro(
       << this->ErrorPrefix()
-      << "all z are negative, as elevations are, and grow down; set VerticalDirection to Up if they do not");
+      << "all z are negative, like elevations, but increase downwards; set VerticalDirection to Up if they do not");
   }
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)

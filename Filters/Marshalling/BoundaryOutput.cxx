@@ -41,15 +41,15 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::NumberOfHoles, vtkIdType(boundary.Boundary.Size() - boundary.NumberOfPatches));
   AddValue<vtkIdTypeArray>(
-    figures, FieldArray::DroppedSpeckPoints, input->GetNumberOfPoints() - vtkIdType(kept.size()));
+    figures, FieldArray::DroppedSmallPatchPoints, input->GetNumberOfPoints() - vtkIdType(kept.size()));
   WriteCracks(boundary.OpenCracks, output);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void RemoveCuts(vtkPolyData* output)
 {
-  for (const char* const name :
-    { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine, FieldArray::CutMouths, FieldArray::CrackLoops })
+  for (const char* const name : { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine,
+         FieldArray::CrackOpenEnds, FieldArray::OldCrackOpenEnds, FieldArray::CrackLoops })
   {
     output->GetFieldData()->RemoveArray(name);
   }

@@ -35,7 +35,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int MouthComponents = 4; // the columns of both ends
+constexpr int OpenEndComponents = 4; // the columns of both points
 
 bool HasCuts(vtkFieldData* data)
 {
@@ -68,32 +68,34 @@ vtkDataArray* FindTuples(vtkFieldData* data, const char* name, int components)
   return array;
 }
 
-/// Mouths by the columns of their ends.
-std::vector<std::array<PlanePoint, 2>> ReadMouths(vtkFieldData* data)
+/// Open ends, each by the columns of its two points. Files of version 0.2 have them by another name.
+std::vector<std::array<PlanePoint, 2>> ReadOpenEnds(vtkFieldData* data)
 {
-  std::vector<std::array<PlanePoint, 2>> mouths;
-  vtkDataArray* const array = FindTuples(data, FieldArray::CutMouths, MouthComponents);
+  std::vector<std::array<PlanePoint, 2>> openEnds;
+  const char* const name =
+    data->HasArray(FieldArray::CrackOpenEnds) ? FieldArray::CrackOpenEnds : FieldArray::OldCrackOpenEnds;
+  vtkDataArray* const array = FindTuples(data, name, OpenEndComponents);
   for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
   {
     const auto read = [&](int component) { return ReadNumber(array, n, component); };
-    mouths.push_back({ PlanePoint{ read(0), read(1) }, PlanePoint{ read(2), read(3) } });
+    openEnds.push_back({ PlanePoint{ read(0), read(1) }, PlanePoint{ read(2), read(3) } });
   }
-  return mouths;
+  return openEnds;
 }
 
-/// The points of loops in columns that mouths end in, by columns.
-class MouthPoints
+/// The points of loops in the columns of open ends, by columns.
+class OpenEndPoints
 {
 public:
-  MouthPoints(const std::vector<std::array<PlanePoint, 2>>& mouths, PlanePoints columns, const Loops& boundary)
+  OpenEndPoints(const std::vector<std::array<PlanePoint, 2>>& openEnds, PlanePoints columns, const Loops& boundary)
   {
-    for (const std::array<PlanePoint, 2>& mouth : mouths)
+    for (const std::array<PlanePoint, 2>& openEnd : openEnds)
     {
-      this->Columns.insert(this->Columns.end(), mouth.begin(), mouth.end());
+      this->Columns.insert(this->Columns.end(), openEnd.begin(), openEnd.end());
     }
     std::sort(this->Columns.begin(), this->Columns.end());
     this->Points.assign(this->Columns.size(), NoPoint);
-    if (mouths.empty())
+    if (openEnds.empty())
     {
       return;
     }
@@ -147,17 +149,17 @@ void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
 Cracks ReadCracks(vtkPolyData* horizon, const Loops& boundary)
 {
   Cracks cracks;
-  const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
-  const MouthPoints points(mouths, ColumnsOf(horizon), boundary);
-  for (const std::array<PlanePoint, 2>& mouth : mouths)
+  const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon->GetFieldData());
+  const OpenEndPoints points(openEnds, ColumnsOf(horizon), boundary);
+  for (const std::array<PlanePoint, 2>& openEnd : openEnds)
   {
-    cracks.Mouths.push_back({ points.At(mouth[0]), points.At(mouth[1]) });
-    for (const PlanePoint& end : mouth)
+    cracks.OpenEnds.push_back({ points.At(openEnd[0]), points.At(openEnd[1]) });
+    for (const PlanePoint& column : openEnd)
     {
-      if (points.At(end) == NoPoint)
+      if (points.At(column) == NoPoint)
       {
-        throw InputError("a mouth of a crack at column (" + std::to_string(end.X) + ", " + std::to_string(end.Y) +
-          "), expected a point of a boundary loop");
+        throw InputError("open end of a crack at column (" + std::to_string(column.X) + ", " +
+          std::to_string(column.Y) + "), expected a point of a boundary loop");
       }
     }
   }
@@ -198,35 +200,36 @@ void ExtendCellData(const TriangleQuality& quality, std::size_t triangles, vtkCe
 void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
 {
   vtkFieldData* const data = horizon->GetFieldData();
+  data->RemoveArray(FieldArray::OldCrackOpenEnds);
   if (!HasCuts(data))
   {
-    data->RemoveArray(FieldArray::CutMouths);
+    data->RemoveArray(FieldArray::CrackOpenEnds);
     data->RemoveArray(FieldArray::CrackLoops);
     return;
   }
   const PlanePoints columns = ColumnsOf(horizon);
-  std::vector<std::array<int, MouthComponents>> tuples;
-  for (const Edge& mouth : cracks.Mouths)
+  std::vector<std::array<int, OpenEndComponents>> tuples;
+  for (const Edge& openEnd : cracks.OpenEnds)
   {
-    const PlanePoint from = columns[mouth.From];
-    const PlanePoint to = columns[mouth.To];
+    const PlanePoint from = columns[openEnd.From];
+    const PlanePoint to = columns[openEnd.To];
     tuples.push_back({ from.X, from.Y, to.X, to.Y });
   }
   std::sort(tuples.begin(), tuples.end()); // whatever the order of the points
-  auto mouths = NewArray<vtkIntArray>(FieldArray::CutMouths, vtkIdType(tuples.size()), MouthComponents);
+  auto openEnds = NewArray<vtkIntArray>(FieldArray::CrackOpenEnds, vtkIdType(tuples.size()), OpenEndComponents);
   for (std::size_t n = 0; n < tuples.size(); ++n)
   {
-    mouths->SetTypedTuple(vtkIdType(n), tuples[n].data());
+    openEnds->SetTypedTuple(vtkIdType(n), tuples[n].data());
   }
-  data->AddArray(mouths);
+  data->AddArray(openEnds);
   AddArray<vtkIdTypeArray>(data, FieldArray::CrackLoops, cracks.Loops);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<PointId> ReadEndsOfMouths(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary)
+std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary)
 {
-  const std::vector<std::array<PlanePoint, 2>> mouths = ReadMouths(horizon->GetFieldData());
-  return MouthPoints(mouths, columns, boundary).All();
+  const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon->GetFieldData());
+  return OpenEndPoints(openEnds, columns, boundary).All();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

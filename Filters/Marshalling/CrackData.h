@@ -18,13 +18,13 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Writes cracks between the loops of a horizon as CutMouths and CrackLoops. A horizon without cut links gets neither,
-/// and loses those that it has.
+/// Writes cracks between the loops of a horizon as CrackOpenEnds and CrackLoops. A horizon without cut links gets
+/// neither, and loses those that it has.
 void WriteCracks(const Cracks& cracks, vtkPolyData* horizon);
 
-/// The points of loops in which mouths of cracks end, to be kept: those that are there. Throws InputError on an array
+/// The points of loops at open ends of cracks, to be kept: those that are there. Throws InputError on an array
 /// of another form.
-std::vector<PointId> ReadEndsOfMouths(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary);
+std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary);
 
 /// Adds the triangles that close its cracks to a mesh that has all else: points, whose places in plan are `plane`,
 /// loops, triangles with their cell data, and field data. They have Compactness and Quality, nan in other arrays, and 1

@@ -144,7 +144,7 @@ void CheckSides(const Loops& loops, vtkIdType numberOfPoints)
       if (!isFirst && (first == *end || !others.insert({ from, *end }).second))
       {
         throw InputError("line " + std::to_string(loop) + " from point " + std::to_string(from) + " to point " +
-          std::to_string(*end) + " once more, expected each side of a loop once, with the surface to its right");
+          std::to_string(*end) + " repeats an edge, expected each edge of a loop once, with the surface to its right");
       }
     }
   }
@@ -293,7 +293,7 @@ void RequireAllPoints(vtkPolyData* horizon)
   if (horizon->GetNumberOfPolys() > 0 && horizon->GetPointData()->HasArray(PointArray::PointCount))
   {
     throw InputError("a mesh of " + std::to_string(horizon->GetNumberOfPolys()) +
-      " triangles that was simplified, expected all points of the horizon, from which the error is measured");
+      " triangles, already simplified, expected all points of the horizon, from which the error is measured");
   }
 }
 
@@ -303,7 +303,7 @@ std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
   if (mesh->GetNumberOfStrips() > 0)
   {
     throw InputError(
-      std::to_string(mesh->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate before");
+      std::to_string(mesh->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate first");
   }
   vtkCellArray* const polys = mesh->GetPolys();
   std::vector<std::array<PointId, 3>> triangles;
@@ -316,7 +316,7 @@ std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
     if (size != 3)
     {
       throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(size) +
-        " corners, expected triangles: apply Triangulate before");
+        " corners, expected triangles: apply Triangulate first");
     }
     const auto [least, greatest] = std::minmax({ corners[0], corners[1], corners[2] });
     if (least < 0 || greatest >= mesh->GetNumberOfPoints())

@@ -48,7 +48,7 @@ void RequireAllPoints(vtkPolyData* horizon);
 /// The patch number of each point.
 std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon);
 
-/// How many points of the original horizon each point stands for; empty when the horizon does not say, as each is one.
+/// How many points of the original horizon each point represents; empty when the horizon does not say, as each is one.
 std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
 
 /// The corners of all polygons of a mesh, which must be triangles.

@@ -156,8 +156,8 @@ void CheckPlaces(vtkImageData* image, const Lattice& lattice)
     if (!(distance <= most))
     {
       throw InputError("a point of the image is " + ToText(distance) +
-        " columns or samples from where LatticeToWorld has it, expected 0: the image was moved or resampled; without "
-        "its field data arrays LatticeDimensions and LatticeToWorld, its own lattice is taken");
+        " columns or samples from where LatticeToWorld places it, expected 0: the image was moved or resampled; "
+        "without its field data arrays LatticeDimensions and LatticeToWorld, its own lattice is used");
     }
   }
 }

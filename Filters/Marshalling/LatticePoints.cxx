@@ -47,11 +47,11 @@ void CheckPoints(vtkPolyData* horizon)
   if (hidden > 0)
   {
     throw InputError(std::to_string(hidden) +
-      " hidden points by the array vtkGhostType, expected none: only Horizon Exterior Boundary leaves them out");
+      " points hidden by the array vtkGhostType, expected none: only Horizon Exterior Boundary leaves them out");
   }
   if (horizon->GetCellData()->HasArray(CellArray::CellSize))
   {
-    throw InputError("the cells of a simplification, as ShowCells gives them to look at, expected its points");
+    throw InputError("cells of a simplification (ShowCells), expected its points");
   }
 }
 
@@ -231,7 +231,7 @@ private:
     {
       const auto merged = std::find(this->Result.Column.begin(), this->Result.Column.end(), NoColumn);
       throw InputError("point " + std::to_string(merged - this->Result.Column.begin()) +
-        ", into which others were merged, expected whole columns, as points have them before they are merged");
+        " represents merged points, expected points on whole columns, as before a simplification");
     }
     return true;
   }

@@ -54,7 +54,7 @@ PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonName
     if (!((place.head<2>() - column).cwiseAbs().maxCoeff() <= LargestDeviation) ||
       !(column.cwiseAbs().maxCoeff() < LargestColumn))
     {
-      throw InputError(point + ToText(world) + ", which is on no column of " + names.First +
+      throw InputError(point + ToText(world) + ", which is not on a column of " + names.First +
         ", expected points on one lattice: Horizon From Points grids them there");
     }
     placed.Columns.push_back({ static_cast<std::int32_t>(column.x()), static_cast<std::int32_t>(column.y()) });

@@ -77,7 +77,7 @@ void CheckNotSplit(const std::vector<RankedHorizon>& horizons, const Ranks& rank
     {
       ranks.Refuse((name.empty() ? "a horizon without a name" : name) + " has points on " +
         std::to_string(horizon.second.size()) + " of " + std::to_string(ranks.Size()) +
-        " processes, expected each horizon on one of them, as the reader deals them out");
+        " processes, expected each horizon on one process, as the reader distributes them");
     }
   }
 }

@@ -38,11 +38,11 @@ namespace
 {
 constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
 
-/// The input points of each output point, ascending, and how many voxels each of them stands for.
+/// The input points of each output point, ascending, and how many voxels each of them represents.
 class MergedPoints
 {
 public:
-  /// Without counts, each point stands for one.
+  /// Without counts, each point represents one.
   MergedPoints(const Reduction& reduction, std::vector<std::int64_t> counts)
     : Merged(reduction)
     , Counts(std::move(counts))

@@ -59,7 +59,7 @@ vtkDataArray* RequireSeamRows(vtkPolyData* mesh)
   return rows;
 }
 
-/// How many points each vertex stands for, one where the mesh does not say.
+/// How many points each vertex represents, one where the mesh does not say.
 std::vector<std::int64_t> CountsOf(vtkPolyData* mesh)
 {
   std::vector<std::int64_t> counts = ReadCounts(mesh);
@@ -215,7 +215,7 @@ void WriteFigures(
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(joined.NumberOfPatches));
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::NumberOfHoles, vtkIdType(joined.Boundary.Size() - joined.NumberOfPatches));
-  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSpeckPoints, vtkIdType(joined.DroppedPoints));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSmallPatchPoints, vtkIdType(joined.DroppedPoints));
   AddValue<vtkIntArray>(figures, FieldArray::NumberOfParts, int(meshes.size()));
   AddValue<vtkIdTypeArray>(figures, FieldArray::SeamPoints, vtkIdType(joined.SeamVertices));
 }

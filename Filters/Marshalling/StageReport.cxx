@@ -45,7 +45,7 @@ struct Figure
 constexpr std::array<Figure, 40> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
-  { FieldArray::NumberOfThreadPoints, "points that hang by a thread" },
+  { FieldArray::NumberOfSpurPoints, "points on spurs" },
   { FieldArray::FaultNoise, "noise", Heights },
   { FieldArray::SmallestFaultThrow, "smallest throw", Heights },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
@@ -54,7 +54,7 @@ constexpr std::array<Figure, 40> Figures = { {
   { FieldArray::RimWidth, "rim width", "columns" },
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes with a loop" },
-  { FieldArray::DroppedSpeckPoints, "points in specks left out" },
+  { FieldArray::DroppedSmallPatchPoints, "points in small patches left out" },
   { FieldArray::IsochoreLeast, "least thickness", WorldHeights, true },
   { FieldArray::IsochoreMean, "mean thickness", WorldHeights, true },
   { FieldArray::IsochoreLargest, "largest thickness", WorldHeights, true },
@@ -170,7 +170,7 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
 //----------------------------------------------------------------------------------------------------------------------
 void StageReport::Join(const Ranks& ranks)
 {
-  constexpr char separator = '\0'; // which names can not have
+  constexpr char separator = '\0'; // which names cannot have
   std::ostringstream own = MakeStream();
   for (const Entry& entry : this->Entries)
   {

@@ -16,7 +16,7 @@ namespace SeismicHorizons
 /// Whether the axes of a view count lines.
 bool HasSurveyAxes(vtkSMProxy* view);
 
-/// Lets the axes of a view count the lines of the first data set shown that has a lattice. Where that can not be the
+/// Lets the axes of a view count the lines of the first data set shown that has a lattice. Where that cannot be the
 /// text says why, and is empty otherwise.
 std::string ShowSurveyAxes(vtkSMProxy* view);
 

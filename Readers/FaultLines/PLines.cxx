@@ -145,7 +145,7 @@ private:
       { ReadFinite(words[2], this->Line, "x"), ReadFinite(words[3], this->Line, "y"), this->IsDepth ? -z : z });
     if (!this->Ids.Add(this->ReadId(words[1])))
     {
-      throw ErrorAt(this->Line, "vertex " + Excerpt(words[1]) + " for the second time, expected another id");
+      throw ErrorAt(this->Line, "vertex id " + Excerpt(words[1]) + " repeated, expected unique ids");
     }
   }
 

@@ -37,7 +37,7 @@ public:
       if (chain.size() > this->Atoms.size())
       {
         throw ErrorAt(this->Atoms[chain.front()].Line,
-          "an ATOM that refers back to itself, expected the id of a vertex with coordinates");
+          "an ATOM that refers to itself, expected the id of a vertex with coordinates");
       }
       atom = this->AtomOfVertex[this->PlaceOf(atom)];
     }

@@ -76,7 +76,7 @@ void TSurfBuilder::TakeOfProperties(std::string_view keyword, LineTokens& line, 
 {
   if (TSurfDescription::IsOfProperties(keyword) && !this->Surface.Vertices.empty())
   {
-    throw ErrorAt(number, std::string(keyword) + " behind vertices, expected before the first of them");
+    throw ErrorAt(number, std::string(keyword) + " after vertices, expected before the first vertex");
   }
   this->Description.TakeOfProperties(keyword, line, number);
 }
@@ -214,13 +214,12 @@ void TSurfBuilder::AddVertex(std::int64_t id)
 {
   if (this->Surface.Vertices.size() == MostVertices)
   {
-    throw ErrorAt(this->Line, "more vertices than expected, which is " + std::to_string(MostVertices) + " at most");
+    throw ErrorAt(this->Line, "more than " + std::to_string(MostVertices) + " vertices, expected fewer");
   }
   if (!this->Ids.Add(id))
   {
     throw ErrorAt(this->Line,
-      std::string(this->Keyword) + " with the id " + std::to_string(id) +
-        " of a vertex above, expected one of its own");
+      std::string(this->Keyword) + " with the id " + std::to_string(id) + " of a vertex above, expected unique ids");
   }
   this->Surface.Vertices.emplace_back();
 }
@@ -231,7 +230,7 @@ void TSurfBuilder::RequireEnd(LineTokens& line) const
   if (!line.AtEnd())
   {
     throw ErrorAt(
-      this->Line, Quote(line.Next()) + " behind " + std::string(this->Keyword) + ", expected the end of the line");
+      this->Line, Quote(line.Next()) + " after " + std::string(this->Keyword) + ", expected the end of the line");
   }
 }
 

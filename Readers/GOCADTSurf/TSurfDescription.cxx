@@ -170,7 +170,7 @@ void TSurfDescription::TakeNames(LineTokens& line)
 {
   if (!this->Properties.empty())
   {
-    throw ErrorAt(this->Line, "PROPERTIES for the second time, expected one such line for all of them");
+    throw ErrorAt(this->Line, "PROPERTIES repeated, expected one such line for all of them");
   }
   for (std::string& name : ReadWords(line))
   {

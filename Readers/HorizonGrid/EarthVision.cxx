@@ -124,8 +124,8 @@ std::vector<double> PlaceValues(const std::vector<GridPoint>& points, const std:
     if (!std::isnan(value))
     {
       throw ErrorAt(point.Line,
-        "column " + std::to_string(point.I + 1) + " and row " + std::to_string(point.J + 1) +
-          " a second time, expected one point for each");
+        "second point at column " + std::to_string(point.I + 1) + " and row " + std::to_string(point.J + 1) +
+          ", expected one for each node");
     }
     value = point.Z;
   }

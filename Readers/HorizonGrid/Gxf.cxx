@@ -110,7 +110,7 @@ private:
       : static_cast<double>(this->Decode(group)) * this->Header.Scale + this->Header.Offset;
     if (std::isinf(z))
     {
-      throw this->Text.Error("value " + Quote(group) + ", expected a finite number behind #TRANSFORM");
+      throw this->Text.Error("value " + Quote(group) + ", expected a finite number after #TRANSFORM");
     }
     this->Values.insert(this->Values.end(), static_cast<std::size_t>(times), z);
   }
@@ -133,7 +133,7 @@ std::vector<double> ReadPlainValues(GridText& text, const GxfHeader& header)
     z = z * header.Scale + header.Offset;
     if (std::isinf(z))
     {
-      throw text.Error("a value too large, expected a finite number behind #TRANSFORM");
+      throw text.Error("a value too large, expected a finite number after #TRANSFORM");
     }
   }
   return values;

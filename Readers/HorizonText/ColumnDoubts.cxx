@@ -90,7 +90,7 @@ void RefuseTouching(const TextLines& sample, const TextLayout& layout)
     {
       if (AreTouching(field))
       {
-        throw InputError(Quote(field) + ", expected blanks between numbers: put some where numbers touch");
+        throw InputError(Quote(field) + ", expected blanks between numbers: insert some where numbers touch");
       }
     }
   }
@@ -119,7 +119,7 @@ void RefuseDecimalCommas(const TextLines& sample, const TextLayout& layout)
     if (areDecimals && hasZero)
     {
       throw InputError("fields such as \"00\" in column " + std::to_string(column + 1) +
-        ", as behind decimal commas, expected decimal points: replace these commas" + Remedy);
+        ", as after decimal commas, expected decimal points: replace these commas" + Remedy);
     }
   }
 }
@@ -140,8 +140,8 @@ void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
       const bool arePlaces = layout.Columns[places].Role == ColumnRole::X;
       if (areApart && !arePlaces && FollowLines(sample, layout, lines, places))
       {
-        throw InputError("columns " + Two(lines) + " that look like line numbers, and columns " + Two(places) +
-          " like their places, expected these behind each other" + Remedy);
+        throw InputError("columns " + Two(lines) + " look like line numbers, and columns " + Two(places) +
+          " like their places, expected x and y next to the line numbers" + Remedy);
       }
     }
   }
@@ -150,8 +150,7 @@ void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
     if (AreLikeCoordinates(NumbersOf(sample, layout, column)) &&
       AreLikeCoordinates(NumbersOf(sample, layout, column + 1)))
     {
-      throw InputError(
-        "columns " + Two(column) + " that look like x and y, expected these where they are known" + Remedy);
+      throw InputError("columns " + Two(column) + " look like x and y, expected x and y in known columns" + Remedy);
     }
   }
 }
@@ -166,7 +165,7 @@ void RefuseCounters(const TextLines& sample, const TextLayout& layout)
     if (layout.Columns[column].Role == ColumnRole::Attribute && IsCounter(heights) && !IsCounter(other))
     {
       throw InputError("column " + std::to_string(z + 1) +
-        (IsConstant(heights) ? " that is the same in all lines" : " that counts lines") + ", expected Z" + Remedy);
+        (IsConstant(heights) ? " is the same in all lines" : " counts lines") + ", expected Z" + Remedy);
     }
   }
   const bool hasMore = layout.Columns.size() >= 4;
@@ -177,7 +176,7 @@ void RefuseCounters(const TextLines& sample, const TextLayout& layout)
     const std::vector<double> next = NumbersOf(sample, layout, 1);
     if (IsCounter(numbers) && !IsConstant(numbers) && !IsCounter(next))
     {
-      throw InputError("column 1 that counts lines, expected places or line numbers" + std::string(Remedy));
+      throw InputError("column 1 counts lines, expected places or line numbers" + std::string(Remedy));
     }
   }
 }
@@ -211,7 +210,7 @@ std::string DoubtOfColumns(const TextLines& sample, const TextLayout& layout)
       numbers.begin(), numbers.end(), [&](double number) { return number >= least && number < greatest; });
   };
   return isWithin(x, 1e6, 1e7) && isWithin(y, 1e5, 1e6)
-    ? "x of millions and y below one, as where y comes first, in columns without names: set Columns if so"
+    ? "x in millions and y below one, as if y came first, in columns without names: set Columns if so"
     : "";
 }
 }

@@ -65,8 +65,8 @@ double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t 
 [[noreturn]] void RefuseDoubt(std::size_t lines, std::size_t places)
 {
   throw InputError("columns " + std::to_string(lines + 1) + " and " + std::to_string(lines + 2) +
-    " that look like line numbers, and columns " + std::to_string(places + 1) + " and " + std::to_string(places + 2) +
-    " that may be their places but do not follow them, expected places that do or other numbers: name the columns in "
+    " look like line numbers, and columns " + std::to_string(places + 1) + " and " + std::to_string(places + 2) +
+    " may be their places but do not follow them, expected places that do, or other numbers: name the columns in "
     "Columns, such as Inline, "
     "Crossline, X, Y, Z");
 }

@@ -63,8 +63,8 @@ void NameOnlyZ(std::vector<TextColumn>& columns)
   const auto second = first == columns.end() ? first : std::find_if(first + 1, columns.end(), mayBe);
   if (second != columns.end())
   {
-    throw InputError(Excerpt(first->Name) + " and " + Excerpt(second->Name) +
-      " that both could be Z, expected one of them: set Columns");
+    throw InputError(
+      Excerpt(first->Name) + " and " + Excerpt(second->Name) + " could both be Z, expected one of them: set Columns");
   }
   if (first != columns.end())
   {

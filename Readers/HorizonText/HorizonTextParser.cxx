@@ -146,15 +146,14 @@ void PickCollector::Add(const PickBlock& block)
     const bool isFirst =
       this->Picks == 0 && block.ErrorLine == block.FirstLine && block.Error.find(": ") == std::string::npos;
     throw ErrorAt(this->Lines + block.ErrorLine + 1,
-      block.Error +
-        (isFirst ? "; HeaderLines leaves out lines above the picks, NullValues lists words for no value" : ""));
+      block.Error + (isFirst ? "; HeaderLines skips lines above the picks, NullValues lists words for no value" : ""));
   }
   const bool isBetween = this->Picks > 0 || block.CommentLine > block.FirstLine;
   if (block.CommentLine >= 0 && isBetween && !std::exchange(this->HasComment, true))
   {
     this->Table.Doubts.push_back("comments between picks, the first in line " +
       std::to_string(this->Lines + block.CommentLine + 1) +
-      ", are left out: where they name horizons, put each into a file of its own");
+      ", are ignored: if they name horizons, put each horizon into its own file");
   }
   std::size_t picks = block.Horizon.size();
   for (std::size_t column = 0; column < block.Values.size(); ++column)
@@ -234,7 +233,7 @@ void PickCollector::CheckNames()
   if (names.size() > few && 2 * names.size() > horizon.size())
   {
     throw InputError(std::to_string(names.size()) + " names of horizons for " + std::to_string(horizon.size()) +
-      " picks, expected several picks for each: set Columns, with - for what is left out");
+      " picks, expected several picks for each: set Columns, with - for columns to skip");
   }
   std::size_t changes = 0;
   for (std::size_t pick = 1; pick < horizon.size(); ++pick)
@@ -244,7 +243,7 @@ void PickCollector::CheckNames()
   if (names.size() > 1 && horizon.size() > few && 3 * changes > horizon.size())
   {
     this->Table.Doubts.push_back("names of horizons that change from line to line, such as " + Quote(names[0]) +
-      " and " + Quote(names[1]) + ": set Columns, with - for them, if they are marks of something else");
+      " and " + Quote(names[1]) + ": if these are not names of horizons, set Columns with - for them");
   }
 }
 
@@ -311,7 +310,7 @@ std::string ReadBeginning(std::istream& stream)
   stream.seekg(0);
   if (IsUtf16(text))
   {
-    throw InputError("text in UTF-16, expected UTF-8 or ASCII: save it as that");
+    throw InputError("text in UTF-16, expected UTF-8 or ASCII: convert the file");
   }
   if (text.find('\n') == std::string::npos && text.find('\r') != std::string::npos)
   {
@@ -320,7 +319,7 @@ std::string ReadBeginning(std::istream& stream)
   const std::size_t zero = text.find('\0');
   if (zero != std::string::npos)
   {
-    throw InputError("byte " + std::to_string(zero) + " is 0, as in no text; expected lines of numbers");
+    throw InputError("byte " + std::to_string(zero) + " is 0, so this is no text; expected lines of numbers");
   }
   if (isWhole && !text.empty() && text.back() != '\n')
   {

@@ -93,7 +93,7 @@ bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
       if (mayBeThousands)
       {
         throw ErrorAt(firstLine,
-          "numbers such as 1,522 with commas of decimals or of thousands, expected decimal points: replace them");
+          "numbers such as 1,522 with decimal commas or thousands separators, expected decimal points: replace them");
       }
       return true;
     }
@@ -204,7 +204,7 @@ void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const Tex
     if (picks == ReadPositiveInteger(Split(sample.front(), FieldSeparator::Blanks)[2]))
     {
       throw ErrorAt(layout.HeaderLines + 1,
-        Quote(sample.front()) + " that seems to count what follows, expected a pick: leave it out by HeaderLines");
+        Quote(sample.front()) + " seems to count what follows, expected a pick: skip it by HeaderLines");
     }
   }
 }

@@ -333,7 +333,7 @@ void RefuseLines(const TraceTable& table, const std::optional<FieldPair>& other)
            << (IsPlacePair(pair) && figures.Largest() > LargestLine ? " with numbers above 99999, as of x and y" : "");
     }
   }
-  text << "; expected one trace for each inline and crossline, and a tenth of the grid at least. Where several traces "
+  text << "; expected one trace for each inline and crossline, and at least a tenth of the grid. Where several traces "
           "are meant to be at one place, set DuplicatePolicy. "
        << OtherLinesText(other);
   throw InputError(text.str());

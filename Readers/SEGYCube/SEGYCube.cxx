@@ -57,12 +57,12 @@ std::ifstream OpenPlainFile(const std::string& name)
   std::ifstream stream(std::filesystem::u8path(name), std::ios::binary);
   if (!stream)
   {
-    throw FileError(FileProblem::CannotOpen, "a file that can not be opened, expected a readable one");
+    throw FileError(FileProblem::CannotOpen, "the file cannot be opened, expected a readable one");
   }
   constexpr int gzipBegin[2] = { 0x1f, 0x8b };
   if (stream.get() == gzipBegin[0] && stream.get() == gzipBegin[1])
   {
-    throw InputError("a file that gzip compressed, expected SEG-Y as it is");
+    throw InputError("a file compressed by gzip, expected uncompressed SEG-Y");
   }
   return stream;
 }
@@ -186,7 +186,7 @@ void CheckSEGYOptions(const SEGYOptions& options)
   CheckPair("XByte", "YByte", options.PlaceFields);
   if ((options.PlaceFields.First == NoField) != (options.PlaceFields.Second == NoField))
   {
-    throw InputError("one of XByte and YByte as -1, for no places, expected both");
+    throw InputError("one of XByte and YByte is -1 (no places), expected both");
   }
   CheckAtLeast("VerticalStep", options.VerticalStep, 0.0, "");
   if (options.FormatCode != 0)

@@ -47,7 +47,7 @@ struct SEGYOptions : SEGYHeaderOptions
   DelayRule Delays = DelayRule::Interpolate;
 };
 
-/// Throws InputError, with the names of the reader's properties, on options that can not be.
+/// Throws InputError, with the names of the reader's properties, on options that cannot be.
 void CheckSEGYOptions(const SEGYOptions& options);
 
 /// In the place of the number of a trace.

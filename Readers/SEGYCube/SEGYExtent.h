@@ -19,7 +19,7 @@ struct SEGYRanges
 };
 
 /// The extent of what is in these ranges. Throws InputError, with the names of the reader's properties, on ranges that
-/// can not be, and where there is nothing in them.
+/// cannot be, and where there is nothing in them.
 CubeExtent FindExtent(const SEGYCube& cube, const SEGYRanges& ranges);
 }
 

@@ -18,7 +18,7 @@ SEGYFile::SEGYFile(const std::string& name, const SEGYHeader& header)
   this->Stream.open(std::filesystem::u8path(name), std::ios::binary);
   if (!this->Stream)
   {
-    throw FileError(FileProblem::CannotOpen, "a file that can not be opened, expected a readable one");
+    throw FileError(FileProblem::CannotOpen, "the file cannot be opened, expected a readable one");
   }
 }
 
@@ -28,8 +28,7 @@ void SEGYFile::Read(std::int64_t trace, std::int64_t size, unsigned char* bytes)
   this->Stream.seekg(this->FirstTrace + trace * this->TraceSize);
   if (!this->Stream.read(reinterpret_cast<char*>(bytes), size))
   {
-    throw InputError(
-      "trace " + std::to_string(trace + 1) + " that can not be read, expected the file to stay as it was");
+    throw InputError("trace " + std::to_string(trace + 1) + " cannot be read, expected an unchanged file");
   }
 }
 

@@ -283,7 +283,7 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
   header.FirstTrace = file.FirstTrace(layout);
   header.Samples = layout.Samples;
   header.HasOwnSamples = options.Samples > 0 || layout.Samples == binary.Samples();
-  const std::string behind = ": the traces begin behind " + std::to_string(layout.Texts);
+  const std::string behind = ": the traces begin after " + std::to_string(layout.Texts);
   if (header.Revision > 0 && texts < 0)
   {
     header.Warnings.push_back("extended text headers (byte 3505) without an end" + behind);
@@ -296,7 +296,7 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
   {
     header.Warnings.push_back(std::to_string(binary.Samples()) +
       " samples in the header (byte 3221): traces are read with " + std::to_string(layout.Samples) +
-      ", as they say (byte 115)");
+      ", as they state (byte 115)");
   }
 }
 }

@@ -203,7 +203,7 @@ std::array<int, 2> LineNumbers::CountColumns(const LineNumbering& numbering) con
     std::ostringstream text;
     text << std::llround(last.y()) + 1 << " inlines (byte " << this->Fields.First << ") and "
          << std::llround(last.x()) + 1 << " crosslines (byte " << this->Fields.Second << ") for " << this->Table.Traces
-         << " traces, expected a grid that is full to a sixteenth at least";
+         << " traces, expected a grid that is at least one sixteenth full";
     throw InputError(text.str());
   }
   return { int(std::lround(last.x())) + 1, int(std::lround(last.y())) + 1 };

@@ -47,7 +47,7 @@ PlaceFit TryFields(const TraceTable& table, const LineNumbers& lines, const Line
 {
   if (AreFloats(table, lines, fields))
   {
-    throw InputError(FieldsText(fields) + "that are floats by their bits, expected integers");
+    throw InputError(FieldsText(fields) + "have the bits of floats, expected integers");
   }
   const PickTable picks = ListPlaces(table, lines, fields);
   if (picks.X.empty())

@@ -26,7 +26,7 @@
  * as from vtkHorizonTextReader
  * - StrongAmplitude (double): the size that 98 % of the samples stay below, by 200 traces all over the file; zeros do not count.
  * - ImageDeviation (double): how far, in columns, a point of the image is at most from where LatticeToWorld has it.
- *   Images can not be sheared; 0 where the steps of the survey are perpendicular
+ *   Images cannot be sheared; 0 where the steps of the survey are perpendicular
  * - TextHeader (string, 40 tuples): the lines of the text that the file begins with
  *
  * The headers of all traces are read once for each file, and the samples of a window when they are asked for: by

@@ -183,7 +183,7 @@ LatticeFrame vtkVerneySparseMatrixReader::MakeGivenFrame() const
   frame.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
   frame.Sampling.First = static_cast<int>(frame.Direction) * this->Origin[2];
   frame.Sampling.Step = this->VerticalStep;
-  frame.UseRealZ = this->Elevation == RealZ;
+  frame.UseRealZ = this->ZFrom == RealZ;
   return frame;
 }
 
@@ -351,7 +351,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   constexpr std::array<const char*, 3> types = { "Points", "Images", "Volume" };
   constexpr std::array<const char*, 2> extents = { "Whole", "BoundingBox" };
   constexpr std::array<const char*, 3> volumeArrays = { "SurfaceId", "Amplitude", "Thickness" };
-  constexpr std::array<const char*, 2> elevations = { "VerticalIndex", "RealZ" };
+  constexpr std::array<const char*, 2> sources = { "VerticalIndex", "RealZ" };
   constexpr std::array<const char*, 2> directions = { "Down", "Up" };
   constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
   this->Superclass::PrintSelf(os, indent);
@@ -365,7 +365,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColumnRange: " << this->ColumnRange[0] << " to " << this->ColumnRange[1] << '\n';
   os << indent << "LeastMemory: " << (this->LeastMemory ? "on" : "off") << '\n';
   os << indent << "RowRange: " << this->RowRange[0] << " to " << this->RowRange[1] << '\n';
-  os << indent << "Elevation: " << elevations[this->Elevation] << '\n';
+  os << indent << "ZFrom: " << sources[this->ZFrom] << '\n';
   os << indent << "Origin: " << ToText(Eigen::Vector3d(this->Origin)) << '\n';
   os << indent << "ColumnStep: " << ToText(Eigen::Vector2d(this->ColumnStep)) << '\n';
   os << indent << "RowStep: " << ToText(Eigen::Vector2d(this->RowStep)) << '\n';

@@ -227,8 +227,8 @@ public:
   vtkGetMacro(VolumeMemoryLimit, int);
   ///@}
 
-  /// Values of Elevation.
-  enum ElevationSource
+  /// Values of ZFrom.
+  enum ZSource
   {
     VerticalIndex = 0,
     RealZ = 1
@@ -245,10 +245,17 @@ public:
    * index all the same. Where real z or the index is the same everywhere there is no such line, and Origin and
    * VerticalStep hold. The voxels of a volume always lie where LatticeToWorld puts their vertical index.
    */
-  vtkSetClampMacro(Elevation, int, VerticalIndex, RealZ);
-  vtkGetMacro(Elevation, int);
-  void SetElevationToVerticalIndex() { this->SetElevation(VerticalIndex); }
-  void SetElevationToRealZ() { this->SetElevation(RealZ); }
+  vtkSetClampMacro(ZFrom, int, VerticalIndex, RealZ);
+  vtkGetMacro(ZFrom, int);
+  void SetZFromToVerticalIndex() { this->SetZFrom(VerticalIndex); }
+  void SetZFromToRealZ() { this->SetZFrom(RealZ); }
+  ///@}
+
+  ///@{
+  /// The names of version 0.2, for scripts of that version. @deprecated Use SetZFrom.
+  void SetElevation(int source) { this->SetZFrom(source); }
+  void SetElevationToVerticalIndex() { this->SetZFrom(VerticalIndex); }
+  void SetElevationToRealZ() { this->SetZFrom(RealZ); }
   ///@}
 
   ///@{
@@ -371,7 +378,7 @@ private:
   int VolumeArray = SurfaceId;
   int BackgroundValue = 0;
   int VolumeMemoryLimit = 2048;
-  int Elevation = VerticalIndex;
+  int ZFrom = VerticalIndex;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double ColumnStep[2] = { 1.0, 0.0 };
   double RowStep[2] = { 0.0, 1.0 };

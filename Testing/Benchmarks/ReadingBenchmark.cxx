@@ -40,7 +40,7 @@ public:
     struct stat status = {};
     if (this->Descriptor < 0 || fstat(this->Descriptor, &status) != 0)
     {
-      throw std::runtime_error(path + " can not be opened");
+      throw std::runtime_error(path + " cannot be opened");
     }
     this->Length = std::size_t(status.st_size);
     this->Bytes =

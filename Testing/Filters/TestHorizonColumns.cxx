@@ -255,7 +255,7 @@ void TestMerged()
          Refuse<vtkHorizonDecimation>(merged), Refuse<vtkHorizonDespiking>(merged), Refuse<vtkHorizonFaults>(merged),
          Refuse<vtkHorizonHoleFilling>(merged) })
   {
-    CHECK(error.find(", into which others were merged, expected whole columns") != std::string::npos);
+    CHECK(error.find(" represents merged points, expected points on whole columns") != std::string::npos);
   }
   // Without the array a point beside columns tells that points were merged.
   merged->GetPointData()->RemoveArray("Column");

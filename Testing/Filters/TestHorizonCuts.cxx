@@ -24,7 +24,7 @@ using namespace FaultFixtures;
 
 namespace
 {
-/// How many triangles lead from one lip to the other; on a survey of unit steps.
+/// How many triangles lead from one cutoff to the other; on a survey of unit steps.
 int CountAcross(vtkPolyData* mesh)
 {
   int across = 0;
@@ -68,7 +68,7 @@ void TestBoundary()
   CHECK(text.str().find("UseCuts: off") != std::string::npos);
 }
 
-/// No stage joins the lips, and cuts go on to the last one.
+/// No stage joins the cutoffs, and cuts go on to the last one.
 void TestStages()
 {
   vtkNew<vtkHorizonExteriorBoundary> boundary;

@@ -72,7 +72,7 @@ void TestOutput()
   mesh->GetCellData()->GetArray("Error")->GetRange(range);
   CHECK_EQUAL(range[1], Figure(mesh, "LargestError"));
   CHECK_EQUAL(mesh->GetCellData()->GetArray("Quality")->GetNumberOfTuples(), triangles + 1);
-  // Every point stands for some of the input; facing up in a world with depth downwards.
+  // Every point represents some of the input; facing up in a world with depth downwards.
   double count = 0.0;
   for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
   {
@@ -217,7 +217,7 @@ void TestDoubledLoops()
   for (const int target : { vtkHorizonDecimation::LargestError, vtkHorizonDecimation::Reduction })
   {
     refuse({ outline->begin(), outline->end() }, target,
-      "once more, expected each side of a loop once, with the surface to its right");
+      "repeats an edge, expected each edge of a loop once, with the surface to its right");
     refuse({ 40, 41, 40, 41, 40 }, target, "line 1 from point 41 to point 40 once more");
     // Clockwise. Builds that check meshes stop at the first one.
     refuse({ 155, 455, 465, 165, 155 }, target,

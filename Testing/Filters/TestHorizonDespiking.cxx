@@ -46,7 +46,7 @@ void TestRemove()
   CHECK_EQUAL(output->GetNumberOfPoints(), 34);
   CHECK_EQUAL(output->GetNumberOfVerts(), 34);
   CHECK_EQUAL(despiking->GetNumberOfSpikes(), 2);
-  CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 0);
+  CHECK_EQUAL(despiking->GetNumberOfSpurPoints(), 0);
   CHECK_EQUAL(output->GetFieldData()->GetArray("NumberOfSpikes")->GetTuple1(0), 2.0);
   vtkIdType kept = 0;
   for (vtkIdType point = 0; point < 36; ++point)
@@ -88,20 +88,21 @@ void TestFlag()
   CHECK_EQUAL(despiking->GetNumberOfSpikes(), 1);
 }
 
-void TestThreads()
+void TestSpurs()
 {
   vtkNew<vtkHorizonDespiking> despiking;
   despiking->SetInputDataObject(
     FromPicture({ "####.####", "#########", "####.####" }, 3, HorizonFixtures::UnitSurvey()));
-  despiking->SetThreadWidth(1);
+  despiking->SetSpurWidth(1);
   despiking->SetThreshold(1000.0);
   despiking->Update();
   CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 24);
-  CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 1);
-  despiking->SetThreadWidth(3);
+  CHECK_EQUAL(despiking->GetNumberOfSpurPoints(), 1);
+  despiking->SetThreadWidth(3); // the name before
+  CHECK_EQUAL(despiking->GetSpurWidth(), 3);
   despiking->Update(); // nothing is left
   CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 0);
-  CHECK_EQUAL(despiking->GetNumberOfThreadPoints(), 25);
+  CHECK_EQUAL(despiking->GetNumberOfSpurPoints(), 25);
 }
 
 /// In the world, where a vertical index is 4 long, and by the noise: the field data tell the threshold in both.
@@ -125,7 +126,7 @@ void TestThresholdUnit()
   CHECK_EQUAL(std::string(despiking->GetResults()),
     "Horizon 3: 36 points in, 35 out\n  spikes 1\n  threshold of spikes 7.25 vertical indices, 29 in z\n");
   CHECK(warnings.FirstContains(
-    "Horizon 3: 2 of 36 points are spikes, expected at most 2 %: above a threshold of 6.75 vertical indices"));
+    "Horizon 3: 2 of 36 points are spikes, expected at most 2 %: threshold 6.75 vertical indices"));
   CHECK_EQUAL(warnings.Count(), 3u);
 }
 
@@ -172,11 +173,11 @@ void TestPrint()
   despiking->SetThreshold(2.5);
   despiking->SetThresholdUnitToWorld();
   despiking->SetNeighborhoodRadius(4);
-  despiking->SetThreadWidth(6);
+  despiking->SetSpurWidth(6);
   std::ostringstream text;
   despiking->Print(text);
   for (const char* line : { "Action: Flag", "Threshold: 2.5", "ThresholdUnit: World", "NeighborhoodRadius: 4",
-         "ThreadWidth: 6", "NumberOfSpikes: 0", "NumberOfThreadPoints: 0" })
+         "SpurWidth: 6", "NumberOfSpikes: 0", "NumberOfSpurPoints: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }
@@ -187,7 +188,7 @@ int TestHorizonDespiking(int, char*[])
 {
   TestRemove();
   TestFlag();
-  TestThreads();
+  TestSpurs();
   TestThresholdUnit();
   TestErrors();
   TestBadInput();

@@ -167,7 +167,7 @@ void TestShowCells()
   mesh->SetInputData(boxes);
   HorizonFixtures::Errors errors(mesh);
   mesh->Update();
-  CHECK(errors.FirstContains("the cells of a simplification, as ShowCells gives them to look at, expected its points"));
+  CHECK(errors.FirstContains("cells of a simplification (ShowCells), expected its points"));
 
   vtkNew<vtkHorizonRoughSimplification> rough;
   rough->SetInputDataObject(Bounded(9, HorizonFixtures::UnitSurvey(), Slope));

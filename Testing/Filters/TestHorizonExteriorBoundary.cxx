@@ -103,7 +103,7 @@ void TestRadiusAndHoles()
   CHECK_EQUAL(output->GetNumberOfLines(), 3);
   CHECK_EQUAL(Count(output, "NumberOfPatches"), 2.0);
   CHECK_EQUAL(Count(output, "NumberOfHoles"), 1.0);
-  CHECK_EQUAL(Count(output, "DroppedSpeckPoints"), 0.0);
+  CHECK_EQUAL(Count(output, "DroppedSmallPatchPoints"), 0.0);
   CHECK_EQUAL(Mark(output, 1), 1.0); // on both loops: the exterior one counts
   for (const int growth : { vtkHorizonExteriorBoundary::Distance, vtkHorizonExteriorBoundary::Clockwise })
   {
@@ -168,8 +168,8 @@ void TestSharing()
   CHECK(!run());
 }
 
-/// The points of specks go with all they have; the others keep theirs.
-void TestSpecks()
+/// The points of small patches go with all they have; the others keep theirs.
+void TestSmallPatches()
 {
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(FromPicture({ "#.##", "..##", "#..." }, 3, HorizonFixtures::UnitSurvey()));
@@ -180,7 +180,7 @@ void TestSpecks()
   CHECK_EQUAL(output->GetNumberOfVerts(), 4);
   CHECK_EQUAL(output->GetPoint(0)[0], 2.0);
   CHECK_EQUAL(output->GetPointData()->GetArray("Amplitude")->GetTuple1(0), 102.0); // i + 100 j
-  CHECK_EQUAL(Count(output, "DroppedSpeckPoints"), 2.0);
+  CHECK_EQUAL(Count(output, "DroppedSmallPatchPoints"), 2.0);
   CHECK(Loop(output, 0) == std::vector<vtkIdType>({ 0, 2, 3, 1, 0 }));
   boundary->SetMinimumPatchSize(5);
   boundary->Update();
@@ -247,7 +247,7 @@ int TestHorizonExteriorBoundary(int, char*[])
   TestRadiusAndHoles();
   TestSmallestHoleArea();
   TestSharing();
-  TestSpecks();
+  TestSmallPatches();
   TestTopologicalBoundary();
   TestWrongRadius();
   TestPrint();

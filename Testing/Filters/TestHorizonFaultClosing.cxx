@@ -208,21 +208,21 @@ void TestFieldData()
   boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::RotatedSurvey(), 0, 12));
   vtkNew<vtkPolyData> cracked;
   cracked->ShallowCopy(Update(boundary));
-  vtkDataArray* const mouths = cracked->GetFieldData()->GetArray("CutMouths");
-  CHECK_EQUAL(mouths->GetNumberOfTuples(), 1);
+  vtkDataArray* const openEnds = cracked->GetFieldData()->GetArray("CrackOpenEnds");
+  CHECK_EQUAL(openEnds->GetNumberOfTuples(), 1);
   const std::array<double, 4> expected = { 0.0, LastRowBelow + 1.0, 0.0, LastRowBelow };
   for (int n = 0; n < 4; ++n)
   {
-    CHECK_EQUAL(mouths->GetComponent(0, n), expected[std::size_t(n)]);
+    CHECK_EQUAL(openEnds->GetComponent(0, n), expected[std::size_t(n)]);
   }
   CHECK_EQUAL(cracked->GetFieldData()->GetArray("CrackLoops")->GetNumberOfTuples(), 0);
   boundary->UseCutsOff();
-  CHECK(!Update(boundary)->GetFieldData()->HasArray("CutMouths"));
+  CHECK(!Update(boundary)->GetFieldData()->HasArray("CrackOpenEnds"));
   boundary->UseCutsOn();
   cracked->GetFieldData()->RemoveArray("CutLinks");
   boundary->SetInputDataObject(cracked);
   Update(boundary);
-  CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CutMouths"));
+  CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackOpenEnds"));
   CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackLoops"));
   vtkNew<vtkHorizonSurface> surface;
   surface->SetInputDataObject(cracked);
@@ -230,9 +230,36 @@ void TestFieldData()
   CHECK_EQUAL(Figure(Update(surface), "FaultTriangleCount"), 0.0);
   boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::RotatedSurvey()));
   vtkFieldData* const inner = Update(boundary)->GetFieldData();
-  CHECK_EQUAL(inner->GetArray("CutMouths")->GetNumberOfTuples(), 0);
+  CHECK_EQUAL(inner->GetArray("CrackOpenEnds")->GetNumberOfTuples(), 0);
   CHECK_EQUAL(inner->GetArray("CrackLoops")->GetNumberOfTuples(), 1);
   CHECK_EQUAL(inner->GetArray("CrackLoops")->GetTuple1(0), 1.0);
+}
+
+/// Boundaries of version 0.2 have another name for open ends, which is read, and gone once there are new ones.
+void TestOldFieldData()
+{
+  vtkNew<vtkHorizonExteriorBoundary> boundary;
+  boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::RotatedSurvey(), 0, 12));
+  vtkNew<vtkPolyData> old;
+  old->DeepCopy(Update(boundary));
+  old->GetFieldData()->GetArray("CrackOpenEnds")->SetName("CutMouths");
+  vtkNew<vtkHorizonDecimation> decimation;
+  decimation->CloseFaultsOn();
+  for (vtkPolyData* const horizon : { boundary->GetPolyDataOutput(), old.Get() })
+  {
+    vtkNew<vtkHorizonBoundarySimplification> outlines;
+    outlines->SetInputDataObject(horizon);
+    outlines->SetDistanceThreshold(100.0);
+    decimation->SetInputConnection(outlines->GetOutputPort());
+    CHECK_EQUAL(Figure(Update(decimation), "FaultTriangleCount"), 24.0);
+  }
+  boundary->SetInputDataObject(old);
+  for (const bool areUsed : { true, false })
+  {
+    boundary->SetUseCuts(areUsed);
+    CHECK(!Update(boundary)->GetFieldData()->HasArray("CutMouths"));
+    CHECK_EQUAL(boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackOpenEnds"), int(areUsed));
+  }
 }
 
 /// Triangles that close faults are no part of what is measured, and a horizon without faults has none.
@@ -281,9 +308,10 @@ void CheckRefused(const char* name, const std::vector<double>& tuple, const std:
 
 void TestErrors()
 {
-  CheckRefused("CutMouths", { 1, 2, 3 }, "field data array CutMouths with 3 components, expected 4");
-  CheckRefused("CutMouths", { 1, 2, 3, -4 }, "CutMouths -4 in tuple 0, expected a whole number, at least 0");
-  CheckRefused("CutMouths", { 8, 8, 8, 9 }, "a mouth of a crack at column (8, 8), expected a point of a boundary loop");
+  CheckRefused("CrackOpenEnds", { 1, 2, 3 }, "field data array CrackOpenEnds with 3 components, expected 4");
+  CheckRefused("CrackOpenEnds", { 1, 2, 3, -4 }, "CrackOpenEnds -4 in tuple 0, expected a whole number, at least 0");
+  CheckRefused(
+    "CrackOpenEnds", { 8, 8, 8, 9 }, "open end of a crack at column (8, 8), expected a point of a boundary loop");
   CheckRefused("CrackLoops", { 2 }, "a crack along loop 2, expected less than the 2 of the boundary");
   CheckRefused("NumberOfHoles", { 2 }, "2 boundary loops with the field data array CrackLoops, expected as many as");
 }
@@ -295,6 +323,7 @@ int TestHorizonFaultClosing(int, char*[])
   TestMirrored();
   TestSurface();
   TestFieldData();
+  TestOldFieldData();
   TestDistances();
   TestErrors();
   return Check::Result();

@@ -113,7 +113,7 @@ void TestErrors()
   filter->SetInputData(1, Line({ { 1.0, 1.0 }, { std::nan(""), 2.0 } }, survey, false));
   CheckError(filter, "fault polyline 0 with a point at (nan, ");
   filter->SetInputData(1, Line({ { -1.0, -1.0 }, { 40.0, -1.0 }, { 40.0, 40.0 }, { -1.0, 40.0 } }, survey, true));
-  CheckError(filter, "fault polygons around all 750 points, expected some outside");
+  CheckError(filter, "fault polygons enclose all 750 points, expected some outside");
   filter->RemoveFaultLines();
   filter->SetLargestRamp(16);
   CheckError(filter, "largest ramp 16, expected 0 to 10 columns");

@@ -103,7 +103,7 @@ void TestLinesAndPlaces()
   CHECK_EQUAL(data->GetArray("RealZ")->GetTuple1(5), survey.Z[5]);
   CHECK_EQUAL(data->GetArray("VerticalIndex")->GetTuple1(5), std::lround((survey.Z[5] - 1604.0) / 2.0));
   CHECK_EQUAL(data->GetArray("SurfaceId")->GetTuple1(5), 1.0);
-  CHECK(!data->HasArray("PointCount")); // each stands for one, whatever a column says
+  CHECK(!data->HasArray("PointCount")); // each represents one, whatever a column says
   const double* const lines = horizon->GetFieldData()->GetArray("LineNumbers")->GetTuple4(0);
   CHECK(Numbers(lines, lines + 4) == Numbers({ 10.0, 2.0, 5.0, 1.0 }));
   const double* const size = horizon->GetFieldData()->GetArray("LatticeDimensions")->GetTuple3(0);

@@ -225,7 +225,7 @@ void TestHiddenPoints()
       marks[40] = vtkDataSetAttributes::HIDDENPOINT;
       SetPointArray<vtkUnsignedCharArray>(horizon, vtkDataSetAttributes::GhostArrayName(), marks);
     },
-    "1 hidden points by the array vtkGhostType");
+    "1 points hidden by the array vtkGhostType");
 }
 
 /// The points of a horizon in two partitions, as Redistribute Data Set deals them out.

@@ -149,7 +149,7 @@ vtkSmartPointer<vtkPolyData> Despike(vtkPolyData* input, Draw& draw)
   stage->SetAction(draw.Below(2));
   stage->SetThreshold(draw.Number());
   stage->SetNeighborhoodRadius(draw.Whole());
-  stage->SetThreadWidth(draw.Whole());
+  stage->SetSpurWidth(draw.Whole());
   vtkPolyData* const output = Run(stage.Get(), input, "despiking");
   CHECK(!output || Contains(input, output));
   CHECK(!output || stage->GetAction() == 0 || output->GetNumberOfPoints() == input->GetNumberOfPoints());

@@ -34,7 +34,7 @@ double Wavy(int i, int j)
   return std::round(20.0 + 6.0 * std::sin(0.35 * i) * std::cos(0.3 * j));
 }
 
-/// 40 by 30 columns with a hole, dropouts, a bay and two specks.
+/// 40 by 30 columns with a hole, dropouts, a bay and two small patches.
 std::vector<std::string> Picture()
 {
   std::vector<std::string> rows = Rectangle(40, 30);
@@ -190,7 +190,7 @@ void TestSameAsStages()
     CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "NumberOfHoles"), 1.0);
     surface->SetMinimumPatchSize(2);
     CheckRepeated(surface, horizon);
-    CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "DroppedSpeckPoints"), 1.0);
+    CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "DroppedSmallPatchPoints"), 1.0);
     surface->SetTargetToNumberOfTriangles();
     surface->SetMaximumNumberOfTriangles(500);
     CheckRepeated(surface, horizon);
@@ -292,7 +292,7 @@ void TestNothingLeft()
   surface->SetMinimumPatchSize(10);
   surface->Update();
   CHECK_EQUAL(surface->GetPolyDataOutput()->GetNumberOfPoints(), 0);
-  CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "DroppedSpeckPoints"), 9.0);
+  CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "DroppedSmallPatchPoints"), 9.0);
   CHECK(
     warnings.FirstContains("Horizon 7: none of the 9 points is in a patch of MinimumPatchSize, 10 points, or more"));
   vtkNew<vtkPolyData> empty;

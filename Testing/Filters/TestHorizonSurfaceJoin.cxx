@@ -37,7 +37,7 @@ double Wavy(int i, int j)
   return std::round(20.0 + 6.0 * std::sin(0.2 * i) * std::cos(0.17 * j));
 }
 
-/// With a hole, single missing points, a bay and a speck, all of them on cuts, and holes beside a cut.
+/// With a hole, single missing points, a bay and a small patch, all of them on cuts, and holes beside a cut.
 std::vector<std::string> Picture()
 {
   std::vector<std::string> rows = Rectangle(Width, Height);
@@ -256,7 +256,7 @@ void TestSurveys()
     CheckFacing(joined);
     CHECK(Sum(joined, "PointCount") == double(points->GetNumberOfPoints()));
     CHECK(joined->GetNumberOfLines() == whole->GetNumberOfLines());
-    for (const char* const name : { "NumberOfPatches", "NumberOfHoles", "DroppedSpeckPoints", "ChosenRadius" })
+    for (const char* const name : { "NumberOfPatches", "NumberOfHoles", "DroppedSmallPatchPoints", "ChosenRadius" })
     {
       CHECK_EQUAL(Figure(joined, name), Figure(whole, name));
     }
@@ -277,14 +277,14 @@ void TestSurveys()
   }
 }
 
-void TestSpecks()
+void TestSmallPatches()
 {
   const std::vector<Data> parts = MakeParts(UnitSurvey());
   const Data all = Join(parts);
   const Data without = Join(parts, 3);
   CHECK_EQUAL(Figure(all, "NumberOfPatches"), 2.0);
   CHECK_EQUAL(Figure(without, "NumberOfPatches"), 1.0);
-  CHECK_EQUAL(Figure(without, "DroppedSpeckPoints"), 2.0);
+  CHECK_EQUAL(Figure(without, "DroppedSmallPatchPoints"), 2.0);
   CHECK(Sum(without, "PointCount") == Sum(all, "PointCount") - 2.0);
   CHECK(Join(parts, std::numeric_limits<int>::max())->GetNumberOfPoints() == 0);
   // A single mesh without seams, and none.
@@ -311,7 +311,7 @@ void TestJoinErrors()
   Join(others, 1, "parts that differ in LatticeToWorld");
 }
 
-/// What horizons in parts can not have.
+/// What horizons in parts cannot have.
 void TestSurfaceErrors()
 {
   const Data points = MakeRows(11, 30, UnitSurvey());
@@ -363,7 +363,7 @@ int TestHorizonSurfaceJoin(int, char*[])
 {
   TestPins();
   TestSurveys();
-  TestSpecks();
+  TestSmallPatches();
   TestJoinErrors();
   TestSurfaceErrors();
   TestChooseRadius();

@@ -92,7 +92,7 @@ void CheckLevels(vtkSeismicReflectionExtraction* filter)
   CHECK_EQUAL(Value(dipping, "Amplitude", 7), 200.0);
   CHECK(std::abs(Value(dipping, "RealZ", 7) - 10.0 - 1.0 / 6.0) < 1e-4);
   CHECK_EQUAL(Value(dipping, "SurfaceId", 7), 1.0);
-  CHECK(!dipping->GetPointData()->HasArray("PointCount")); // each point stands for itself
+  CHECK(!dipping->GetPointData()->HasArray("PointCount")); // each point represents itself
   CHECK_EQUAL(dipping->GetPoint(7)[0], 1.0);
   CHECK_EQUAL(dipping->GetPoint(7)[1], 1.0);
   CHECK_EQUAL(dipping->GetPoint(7)[2], Value(dipping, "RealZ", 7));
@@ -126,7 +126,7 @@ void TestParameters()
 {
   Filter filter = MakeFilter(MakeCube<vtkFloatArray>());
   filter->SetPolarity(vtkSeismicReflectionExtraction::Negative);
-  filter->SetElevation(vtkSeismicReflectionExtraction::VerticalIndex);
+  filter->SetZFrom(vtkSeismicReflectionExtraction::VerticalIndex);
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 1u);
   CHECK_EQUAL(Horizon(filter)->GetPoint(0)[2], 28.0);

@@ -83,7 +83,7 @@ void CheckWriter(const HorizonGrid& grid, bool keepsOrder, Write&& write)
   }
   const Outcome again = Read(file.str(), 4096);
   const bool losesDigits = again.Error.find(" to rise") != std::string::npos ||
-    again.Error.find("at finite places") != std::string::npos; // steps that their coordinates can not tell
+    again.Error.find("at finite places") != std::string::npos; // steps that their coordinates cannot tell
   Require(again.Error.empty() || losesDigits, "what was written is refused: " + again.Error);
   Require(losesDigits || again.Grid.Z.size() == grid.Z.size(), "what was written has another size");
   Require(losesDigits || !keepsOrder || IsSame(again.Grid.Z, grid.Z), "what was written has other values");

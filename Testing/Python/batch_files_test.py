@@ -71,7 +71,7 @@ class FilesTest(unittest.TestCase):
                 self.assertRegex(messages[0], "warning: two.csv: Thin is left out: no triangles between 9 points")
         self.assertEqual(files(self.output), ["two_Good.ply", "two_Good.ts", "two_Good.vtp"])
         code, messages, _ = self.run_program(self.write("line.txt", ("1 %d 0.5" % i for i in range(3))))
-        self.assertEqual((code, messages[1]), (1, "error: line.txt: all horizons are left out"))
+        self.assertEqual((code, messages[1]), (1, "error: line.txt: all horizons were left out"))
 
     def write_turned(self):
         """A dome on a lattice turned by 30 degrees, in steps of 25 and 12.5, with a pick that is twice there and nulls."""
@@ -204,7 +204,7 @@ class FilesTest(unittest.TestCase):
         self.assertEqual(voxels.GetNumberOfPoints(), picks.GetNumberOfPoints())
 
     def test_formats_of_less(self):
-        """Turned grids: what a format can not hold is told once, under the name of the file, and the rest is as it was."""
+        """Turned grids: what a format cannot hold is told once, under the name of the file, and the rest is as it was."""
         dome = self.write_turned()
         code, messages, _ = self.run_program("--largest-error", "0.01ms", "--formats", "dxf", "gri", "zmap", "vtp", "--", dome)
         self.assertEqual((code, len(messages)), (0, 1), messages)
@@ -228,7 +228,7 @@ class FilesTest(unittest.TestCase):
         empty = self.folder / "empty"
         empty.mkdir()
         for name, content, text in (
-                ("a.pdf", b"%PDF-1.4\n1 2 3\n", "not a format that is known"), ("a.bin", bytes(range(256)), "not a format"),
+                ("a.pdf", b"%PDF-1.4\n1 2 3\n", "unknown format"), ("a.bin", bytes(range(256)), "unknown format"),
                 ("a.pl", b"GOCAD PLine 1\nHEADER {\n}\n", "a.pl: lines of GOCAD, expected points")):
             (self.folder / name).write_bytes(content)
             code, messages, _ = self.run_program(self.folder / name, empty, SAMPLE, "--horizons", "1")
@@ -280,14 +280,14 @@ class FilesTest(unittest.TestCase):
         """The others are done."""
         code, messages, _ = self.run_program("n" * 300 + ".vsm", self.copy("m" * 248 + ".vsm"), self.copy("good.vsm"))
         self.assertEqual((code, len(messages), len(files(self.output))), (1, 2, 3), messages)
-        self.assertIn("nothing there, expected a file", messages[0])
-        self.assertEqual(messages[1], "error: %s... can not be written: a name of 262 bytes, and 255 are the most" % ("m" * 40))
+        self.assertIn("no such file", messages[0])
+        self.assertEqual(messages[1], "error: %s... cannot be written: a name of 262 bytes, expected at most 255" % ("m" * 40))
 
     def test_twice(self):
         path = self.copy("a.vsm")
         for other in (path, self.folder, self.folder / ".." / self.folder.name / "a.vsm"):
             code, messages, _ = self.run_program(path, other)
-            self.assertEqual((code, messages), (1, ["error: %s is there twice among the files" % path]))
+            self.assertEqual((code, messages), (1, ["error: %s is given twice" % path]))
 
     def test_large_numbers(self):
         for option, *values in (("--triangles", "9" * 15), ("--cell-size", str(2**31)), ("--threads", str(2**31)),

@@ -79,7 +79,7 @@ class BatchTest(unittest.TestCase):
         self.assertGreater(len(set(map(tuple, picture[::7, ::7].reshape(-1, 3)))), 100)
 
     def test_options(self):
-        self.succeed(SAMPLE, "--no-pictures", "--stages", "--threads", "1", "--horizons", "1", "--elevation", "RealZ",
+        self.succeed(SAMPLE, "--no-pictures", "--stages", "--threads", "1", "--horizons", "1", "--z-from", "RealZ",
                      "--duplicate-policy", "Lowest", "--origin", "10", "20", "30", "--column-step", "2", "1",
                      "--row-step", "-1", "2", "--vertical-step", "-4", "--distance-threshold", "0", "--skip-rough")
         self.assertEqual(files(self.output), ["blobs_horizon_1.vtp"])
@@ -237,7 +237,7 @@ class BatchTest(unittest.TestCase):
         # Nobody can write into the last one.
         for folder in (self.output, self.output / "below", "/proc/self"):
             with self.subTest(folder):
-                self.assertIn("there can be no results in %s: " % folder,
+                self.assertIn("results cannot be written into %s: " % folder,
                               self.refused(wrong, "--no-pictures", output=folder))
         self.assertEqual(self.output.read_text(), "in the way")
         self.output.unlink()
@@ -260,7 +260,7 @@ class BatchTest(unittest.TestCase):
                 shutil.rmtree(self.output, ignore_errors=True)
                 message = self.refused(SAMPLE, *arguments, output=self.output / "below",
                                     prepare=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
-                self.assertIn(name + " can not be written: File too large", message)
+                self.assertIn(name + " cannot be written: File too large", message)
                 self.assertFalse(self.output.exists())
 
     def test_full_output(self):
@@ -270,7 +270,7 @@ class BatchTest(unittest.TestCase):
         shutil.copy(SAMPLE, other)
         with open("/dev/full", "w", encoding="utf-8") as full:
             message = self.refused(SAMPLE, other, "--no-pictures", "--horizons", "1", stdout=full)
-        self.assertIn("the table can not be printed: No space left on device", message)
+        self.assertIn("the table cannot be printed: No space left on device", message)
         self.assertEqual(files(self.output), ["blobs_horizon_1.vtp", "other_horizon_1.vtp"])
 
     def test_signals(self):
@@ -295,7 +295,7 @@ class BatchTest(unittest.TestCase):
 
     def test_wrong_options(self):
         for arguments in (["--cell-size", "0"], ["--stages", "--cell-size", "two"], ["--largest-error", "2 parsec"], ["--distance-threshold", "-1"],
-                          ["--distance-threshold", "nan"], ["--vertical-step", "0"], ["--elevation", "Depth"],
+                          ["--distance-threshold", "nan"], ["--vertical-step", "0"], ["--z-from", "Depth"],
                           ["--flatness-threshold", "-1"], ["--representative", "Any"], ["--no-such-option"],
                           ["--column-step", "1"], ["--column-step", "0", "1"]):
             with self.subTest(arguments):
@@ -341,8 +341,8 @@ class BatchTest(unittest.TestCase):
             "%d %d 7 %d\n" % (i, j, i + j) for j in range(5) for i in range(5)))
         self.succeed("--no-pictures", "--stages", "--skip-rough", "--columns", "X Y - Z", picks)
         self.assertEqual(files(self.output), ["odd.vtp"])
-        self.assertIn("its format leaves no choice of Elevation", self.refused(picks, "--elevation", "RealZ"))
-        self.assertIn("its format leaves no choice of Columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
+        self.assertIn("its format does not support ZFrom", self.refused(picks, "--z-from", "RealZ"))
+        self.assertIn("its format does not support Columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
         self.assertIn("Origin with a z of 3", self.refused(picks, "--origin", "0", "0", "3"))
         noise = self.write_picks("noise.txt", "a b\n")
         self.assertIn("noise.txt: ", self.refused(noise))
@@ -366,7 +366,7 @@ class BatchTest(unittest.TestCase):
     def test_help(self):
         done, errors = run("--help")
         self.assertEqual((done.returncode, errors), (0, []))
-        for option in ("--output-folder", "--distance-threshold", "--cell-size", "--elevation", "--origin",
+        for option in ("--output-folder", "--distance-threshold", "--cell-size", "--z-from", "--origin",
                        "--column-step", "--row-step", "--vertical-step", "--vertical-direction",
                        "--duplicate-policy", "--horizons",
                        "--radius", "--growth-strategy", "--minimum-patch-size", "--hole-boundaries",

@@ -207,7 +207,7 @@ def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_win
     found = nearest_outline(
         horizon.columns[rest], horizon.heights[rest], corners, heights, sides, tolerance, height_tolerance)
     lost = rest[~numpy.isfinite(found)]
-    if len(lost) != value(mesh, "DroppedSpeckPoints"):
+    if len(lost) != value(mesh, "DroppedSmallPatchPoints"):
         faults.append(f"{len(lost)} points far from the mesh, as {horizon.columns[lost[:3]].tolist()}")
     outside = int((found > 1e-9).sum()) - len(lost)
     if outside != value(mesh, "NumberOfOutsidePoints"):

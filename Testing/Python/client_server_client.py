@@ -26,7 +26,7 @@ def results(path, folder):
     distance = simple.HorizonSurfaceDistance(Reference=horizons, Mesh=surface)
     distance.UpdatePipeline()
     file = folder / "mesh.vtpc"
-    # Appended data, the default, can not be read by VTK up to 9.2 with a recent Expat library.
+    # Appended data, the default, cannot be read by VTK up to 9.2 with a recent Expat library.
     simple.SaveData(str(file), simple.OutputPort(distance, 1), DataMode="Binary")
     reader = vtkXMLPartitionedDataSetCollectionReader()
     reader.SetFileName(str(file))

@@ -130,7 +130,7 @@ class ErrorCodeTest(unittest.TestCase):
         self.expect(reader, "NoError")
 
     def test_unreadable(self):
-        """A file whose bytes can not be read, as on a broken disk."""
+        """A file whose bytes cannot be read, as on a broken disk."""
         for name in READERS:
             with self.subTest(name):
                 reader = getattr(sh, name)()

@@ -222,7 +222,7 @@ class FirstSightTest(unittest.TestCase):
     def test_spikes(self):
         display = self.show(simple.HorizonDespiking(Input=self.horizons, Action="Flag", Threshold=0.5))
         self.assertEqual(colored_by(display), ("POINTS", "Spike"))
-        self.assertEqual(labels(display), {"0": "kept", "1": "spike", "2": "thread"})
+        self.assertEqual(labels(display), {"0": "kept", "1": "spike", "2": "spur"})
 
     def test_faults_have_colours_around_zero(self):
         display = self.show(simple.HorizonFaults(Input=self.horizons), 1)

@@ -42,7 +42,7 @@ def places(data):
 
 
 def without(*names):
-    """Such modules can not be imported within the block."""
+    """Such modules cannot be imported within the block."""
     return mock.patch.dict(sys.modules, {name: None for name in names})
 
 
@@ -149,6 +149,18 @@ class StagesTest(unittest.TestCase):
         compile(told.getvalue(), "stages.pyi", "exec")
         self.assertIn("maximum_error: float | str = ...", next(line for line in lines if "decimation" in line))
 
+    def test_old_keywords(self):
+        top = sh.horizon(dome())
+        with self.assertWarnsRegex(FutureWarning, "thread_width, expected spur_width"):
+            narrow = sh.despiking(top, thread_width=64)
+        self.assertEqual(narrow.GetNumberOfPoints(), sh.despiking(top, spur_width=64).GetNumberOfPoints())
+        with self.assertWarnsRegex(FutureWarning, "elevation, expected z_from"):
+            found = sh.read(DATA / "blobs.vsm", horizons=[2], elevation="RealZ")
+        named = sh.read(DATA / "blobs.vsm", horizons=[2], z_from="RealZ")
+        self.assertEqual(places(found["Horizon 2"]).tobytes(), places(named["Horizon 2"]).tobytes())
+        with self.assertRaisesRegex(TypeError, "thread_width, expected one of"):
+            sh.surface(top, thread_width=2)
+
     def test_chain(self):
         top = sh.horizon(dome(), vertical_unit="ms")
         mesh = sh.triangulation(sh.rough_simplification(sh.boundary_simplification(sh.exterior_boundary(top, radius=2))))
@@ -175,7 +187,7 @@ class StagesTest(unittest.TestCase):
             self.assertGreater((FOLDER / ("top." + form)).stat().st_size, 100)
         (name, found), = sh.read(FOLDER / "top.ts").items()
         self.assertEqual((name, found.GetNumberOfPolys()), ("top", mesh.GetNumberOfPolys()))
-        with mock.patch.object(functions.writing, "write_file", side_effect=calls.HorizonError("top.vtp can not be written: full")):
+        with mock.patch.object(functions.writing, "write_file", side_effect=calls.HorizonError("top.vtp cannot be written: full")):
             with self.assertRaisesRegex(OSError, "full"):
                 sh.write(mesh, FOLDER / "top.vtp")
 
@@ -209,7 +221,7 @@ class ErrorsTest(unittest.TestCase):
                 (ValueError, "distance_unit 'm', expected one of Lattice, World", lambda: sh.distance(top, sh.surface(top), "m")),
                 (TypeError, r"^radius \(", lambda: sh.surface(top, radius="a")),
                 (TypeError, "3 datasets, expected horizon", lambda: sh.decimation(top, top, top)),
-                (FileNotFoundError, "nothing.dat: nothing there", lambda: sh.read("nothing.dat")),
+                (FileNotFoundError, "nothing.dat: no such file", lambda: sh.read("nothing.dat")),
                 (OSError, "a directory, expected a file", lambda: sh.read(FOLDER)),
                 (ValueError, "set columns", lambda: sh.read(__file__)),
                 (ValueError, "there is no horizon 9", lambda: sh.read(DATA / "blobs.vsm", horizons=[9])),

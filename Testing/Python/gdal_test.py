@@ -66,7 +66,7 @@ def main():
     expected = places(horizon)
     for name, (extension, precision) in FORMATS.items():
         if name == "GS7BG" and not can_write(name):
-            print("%s: left out, this GDAL can not write it" % name)
+            print("%s: left out, this GDAL cannot write it" % name)
             continue
         path = FOLDER / (name + extension)
         translate(FOLDER / "ours.zmap", path, name)

@@ -258,7 +258,7 @@ class GuidesTest(unittest.TestCase):
             self.assertIn(message, told)
         code, told = self.run_program("--no-pictures", "--output-folder", out, "--picks", self.path, FOLDER / "picks.dat")
         self.assertEqual(code, 1, told)
-        self.assertIn("its format leaves no choice of Picks", told)
+        self.assertIn("its format does not support Picks", told)
 
     def test_bad_picks_are_named(self):
         picks = list(self.truth.items())

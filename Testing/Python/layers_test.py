@@ -238,7 +238,7 @@ class LayersTest(unittest.TestCase):
         for domain, third in (("EachLayer", {}), ("Common", {"Deep": deep})):
             stack = {"Rough": rough, "Coarse": on_grid(np.full((15, 20), 140.0), spacing=(50.0, 25.0)), **third}
             self.check(sh.layers(stack, domain=domain), stack, 0.75)
-        with self.assertRaisesRegex(ValueError, "a point of Between at .*, which is on no column of Fine, expected points on "
+        with self.assertRaisesRegex(ValueError, "a point of Between at .*, which is not on a column of Fine, expected points on "
                                                 "one lattice"):
             sh.layers({"Fine": fine, "Between": on_grid(150.0 + Y, origin=(5e5 + 3.0, 6e6))})
 
@@ -315,7 +315,7 @@ class LayersTest(unittest.TestCase):
         top, base = on_grid(np.full(X.shape, 100.0)), on_grid(np.full(X.shape, 120.0))
         for wrong, message in (({"Top": top}, "one horizon with points, expected at least 2"),
                                ({"Top": top, "Far": on_grid(np.full(X.shape, 120.0), origin=(5e5 - 2500.0 * np.sqrt(3) / 2, 6e6 + 1250.0))},
-                                "Top and Far have no column in common|which is on no column")):
+                                "Top and Far have no column in common|which is not on a column")):
             with self.assertRaisesRegex(ValueError, message):
                 sh.layers(wrong)
         pair = {"Top": top, "Base": base}
@@ -332,7 +332,7 @@ class LayersTest(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):
             sh.layers({name: mesh_checks.with_text(points, "VerticalDomain", "time") for name, points in pair.items()})
         mesh = sh.surface(on_grid(100.0 + np.sin(X)), largest_error=2.0)
-        with self.assertRaisesRegex(ValueError, "Top: a mesh of 2 triangles that was simplified, expected all points"):
+        with self.assertRaisesRegex(ValueError, "Top: a mesh of 2 triangles, already simplified, expected all points"):
             sh.layers({"Top": mesh, "Base": base})
         line = np.full(X.shape, np.nan)
         line[3] = 150.0

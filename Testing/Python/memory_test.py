@@ -148,7 +148,7 @@ class BatchTest(unittest.TestCase):
         """Of one horizon at a time, two, and all; also when only some are wanted."""
         sizes = self.sizes(self.three)
         for given in ({}, {"horizons": [1, 3]}, {"surface": None}, {"formats": ("vtp", "ts")},
-                      {"reader": {"Elevation": "RealZ"}}, {"error": {}, "horizons": [2]}):
+                      {"reader": {"ZFrom": "RealZ"}}, {"error": {}, "horizons": [2]}):
             expected = self.run_batch(self.three, **given)[2]
             self.assertTrue(expected)
             for points in (max(sizes), max(sizes) + 2 * min(sizes) // 5, 2 * sum(sizes)):
@@ -220,9 +220,9 @@ class BatchTest(unittest.TestCase):
         mesh, _, _ = self.check_windows(self.one, 9000, 6, surface={**given, "MinimumPatchSize": 1})
         patches = mesh.GetFieldData().GetArray("NumberOfPatches").GetValue(0)
         self.assertEqual(mesh.GetFieldData().GetArray("ChosenRadius").GetValue(0), 2)
-        messages, _, files = self.run_batch(self.one, 9000, name="specks", surface=given)
+        messages, _, files = self.run_batch(self.one, 9000, name="small", surface=given)
         self.assertEqual((messages, len(files)), ([], 1))
-        left = mesh_checks.read(self.output / "specks" / "one_horizon_1.vtp").GetFieldData()
+        left = mesh_checks.read(self.output / "small" / "one_horizon_1.vtp").GetFieldData()
         self.assertLessEqual(left.GetArray("NumberOfPatches").GetValue(0), patches)
 
     def test_some_in_windows(self):
@@ -255,7 +255,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(len(messages), 2)
         self.assertIn("growth by distance with a radius of 2 columns", messages[0])
         self.assertTrue(messages[0].startswith("warning: ") and messages[0].endswith(" is left out"), messages[0])
-        self.assertEqual(messages[1], "error: one.vsm: all horizons are left out")
+        self.assertEqual(messages[1], "error: one.vsm: all horizons were left out")
 
     def test_other_formats(self):
         """These are read whole; a horizon that is too large then is refused."""

@@ -51,7 +51,7 @@ def array(mesh, name):
 
 
 def counts(mesh):
-    """How many points of the input each point stands for."""
+    """How many points of the input each point represents."""
     if mesh.GetPointData().HasArray("PointCount"):
         return array(mesh, "PointCount")
     return np.ones(mesh.GetNumberOfPoints(), dtype=np.int64)

@@ -61,12 +61,12 @@ def largest_error(figures):
 
 class StageTest(unittest.TestCase):
     def test_properties(self):
-        reader = stage.make("vtkVerneySparseMatrixReader", FileName="RealZ", Elevation="RealZ", Origin=[1.0, 2.0, 3.0])
+        reader = stage.make("vtkVerneySparseMatrixReader", FileName="RealZ", ZFrom="RealZ", Origin=[1.0, 2.0, 3.0])
         self.assertEqual(reader.GetFileName(), "RealZ")
-        self.assertEqual(reader.GetElevation(), sh.vtkVerneySparseMatrixReader.RealZ)
+        self.assertEqual(reader.GetZFrom(), sh.vtkVerneySparseMatrixReader.RealZ)
         self.assertEqual(reader.GetOrigin(), (1.0, 2.0, 3.0))
-        stage.configure(reader, Elevation=sh.vtkVerneySparseMatrixReader.VerticalIndex)
-        self.assertEqual(reader.GetElevation(), sh.vtkVerneySparseMatrixReader.VerticalIndex)
+        stage.configure(reader, ZFrom=sh.vtkVerneySparseMatrixReader.VerticalIndex)
+        self.assertEqual(reader.GetZFrom(), sh.vtkVerneySparseMatrixReader.VerticalIndex)
         with self.assertRaises(AttributeError):
             stage.configure(reader, NoSuchProperty=1)
 
@@ -176,14 +176,14 @@ class PipelineTest(unittest.TestCase):
         horizons, seconds = pipeline.read(path)
         self.assertEqual([(name, points.GetNumberOfPoints()) for name, points in horizons], [("Horizon 1", 20), ("Horizon 2", 2)])
         self.assertGreaterEqual(seconds, 0.0)
-        (only,), _ = pipeline.read(str(path), horizons=[2], Elevation="RealZ", Origin=[0.0, 0.0, 100.0])
+        (only,), _ = pipeline.read(str(path), horizons=[2], ZFrom="RealZ", Origin=[0.0, 0.0, 100.0])
         self.assertEqual(only[0], "Horizon 2")
         self.assertEqual(only[1].GetBounds(), (0.0, 1.0, 0.0, 0.0, -8.0, -8.0))
 
     def test_nothing_to_read(self):
         for name, content, horizons, message in (
                 ("two.vsm", TWO_HORIZONS, [2, 4], "two.vsm: there is no horizon 4; the file has 1, 2"),
-                ("none.vsm", b"2 1 3\n\n\n", None, "none.vsm: there is no point to work on"),
+                ("none.vsm", b"2 1 3\n\n\n", None, "none.vsm: there are no points"),
                 ("none.vsm", b"2 1 3\n\n\n", [1], "none.vsm: there is no horizon 1; the file has none")):
             with self.assertRaises(HorizonError) as raised:
                 pipeline.read(write(name, content), horizons)
@@ -274,7 +274,7 @@ class ResultTest(unittest.TestCase):
                                    (writing.write_tables, [self.result.figures]), (pictures.write, image)):
             with self.assertRaises(HorizonError) as raised:
                 write_result(data, pathlib.Path("/dev/full"))
-            self.assertEqual(str(raised.exception), "full can not be written: No space left on device")
+            self.assertEqual(str(raised.exception), "full cannot be written: No space left on device")
 
     def test_panels(self):
         self.assertEqual([(panel.title, panel.caption) for panel in overview.panels(self.result)], [
@@ -327,7 +327,7 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(len(printed.splitlines()), 12)
         settings.horizons = [2]
         self.assertEqual(self.run_batch([path], settings)[:2], (
-            1, ["warning: " + problem % " is left out", "error: two.vsm: all horizons are left out"]))
+            1, ["warning: " + problem % " is left out", "error: two.vsm: all horizons were left out"]))
 
     def test_labels(self):
         """As short as they can be; results of all files have different names."""
@@ -341,7 +341,7 @@ class BatchTest(unittest.TestCase):
             self.assertEqual([str(label) for label in made], labels)
         made = batch.make_labels([pathlib.Path(path) for path in ("a/x.vsm", "a/x.txt", "b/x.dat", "x.dat.gz", "y.dat")])
         self.assertEqual(batch.make_stems(made), ["x_vsm", "x_txt", "x_dat", "x_dat_gz", "y"])
-        for paths, text in ((["x.vsm", "./x.vsm"], "x.vsm is there twice"),
+        for paths, text in ((["x.vsm", "./x.vsm"], "x.vsm is given twice"),
                             (["/x_vsm.dat", "/x.vsm", "/x.dat"], "would write the same results")):
             with self.assertRaisesRegex(HorizonError, text):
                 batch.make_labels([pathlib.Path(path) for path in paths])
@@ -363,7 +363,7 @@ class BatchTest(unittest.TestCase):
         self.assertFalse(self.output.exists())
 
     def test_all_results_or_none(self):
-        """A horizon that can not be done takes the others of its file with it."""
+        """A horizon that cannot be done takes the others of its file with it."""
         self.output.mkdir()
         really_write = writing.write_mesh
 

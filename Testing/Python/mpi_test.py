@@ -25,7 +25,7 @@ def ranks_with_points(proxy, ranks):
 
 def gather(proxy, path):
     """The horizons of all ranks, by way of a file that all of them write."""
-    # Appended data, the default, can not be read by VTK up to 9.2 with a recent Expat library.
+    # Appended data, the default, cannot be read by VTK up to 9.2 with a recent Expat library.
     simple.SaveData(str(path), proxy, DataMode="Binary")
     return read(path)
 

@@ -66,6 +66,12 @@ class OptionsTest(unittest.TestCase):
         text = stage.make("vtkHorizonTextReader", **{name: value for name, value in reader.items() if name != "StrayPicks"})
         self.assertEqual(text.GetSecondCorner(), (4, 5, 6, 7))
 
+    def test_old_names(self):
+        """Options of version 0.2 are taken, and not in the help."""
+        self.assertEqual(self.settings("--elevation", "RealZ").reader, self.settings("--z-from", "RealZ").reader)
+        self.assertEqual(self.settings("--z-from", "RealZ").reader, {"ZFrom": "RealZ"})
+        self.assertNotIn("elevation", load_program().make_parser().format_help())
+
     def test_left_out(self):
         settings = self.settings("--stages", "--skip-rough", "--horizons", "3", "1")
         self.assertEqual((settings.rough, settings.elaborate, settings.error), (None, None, None))

@@ -193,7 +193,7 @@ def check_reader_properties(reader):
     assert abs(moved[:, 1] - (2000.0 + 5.0 * i + 20.0 * j)).max() < 1e-9
     assert abs(moved[:, 2] - (-50.0 + 4.0 * k)).max() < 1e-9
     check_warped_maps(reader)
-    reader.Elevation = "Real Z"
+    reader.ZFrom = "Real Z"
     reader.UpdatePipeline()
     horizon = fetch(reader)[name]
     assert (mesh_checks.coordinates(horizon)[:, 2] == -mesh_checks.array(horizon, "RealZ")).all()
@@ -202,7 +202,7 @@ def check_reader_properties(reader):
     reader.UpdatePipeline()
     horizon = fetch(reader)[name]
     assert (mesh_checks.coordinates(horizon)[:, 2] == mesh_checks.array(horizon, "RealZ")).all()
-    reader.Elevation = "Vertical Index"
+    reader.ZFrom = "Vertical Index"
     check_warped_maps(reader)
 
 

@@ -76,7 +76,7 @@ def test_windows_errors():
     """One message, and an end of all processes."""
     for arguments, message in (
             ((SAMPLE, FOLDER / "x.vtp", "--horizon", "Top"), "no horizon 'Top', expected one of Horizon 1, Horizon 2,"),
-            ((SAMPLE, FOLDER / "absent" / "x.vtp"), "x.vtp can not be written")):
+            ((SAMPLE, FOLDER / "absent" / "x.vtp"), "x.vtp cannot be written")):
         said = run(2, *arguments, fails=True)
         assert said.count("windows_on_ranks: ") == 1 and message in said, said
 
@@ -102,7 +102,7 @@ def test_extracts():
     tables = [rows(FOLDER / ranks / "distances.csv") for ranks in "12"]
     assert len(tables[0]) == 27 and tables[0] == tables[1], tables
     said = run(2, "none.vsm", FOLDER / "2", fails=True)
-    assert said.count("extracts: none.vsm: nothing there, expected a file") == 1, said
+    assert said.count("extracts: none.vsm: no such file") == 1, said
 
 
 def meshes_alone(step):

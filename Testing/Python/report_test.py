@@ -190,7 +190,7 @@ class ReportTest(unittest.TestCase):
         """No X server is needed then."""
         page = self.run_report(SAMPLE, "--no-pictures", DISPLAY=":4711")
         self.assertEqual(page.all("img"), [])
-        self.assertIn("There are no pictures, as none were asked for.", page.text())
+        self.assertIn("No pictures were requested.", page.text())
         self.assertEqual(len(page.all("svg")), 2 * 3)
 
     def test_many_horizons(self):
@@ -362,7 +362,7 @@ class ReportTest(unittest.TestCase):
 
     def test_report_that_can_not_be_written(self):
         """Noticed before any work."""
-        for place, words in ((self.folder, "it is a folder"), (self.folder / "no" / "page.html", "is no folder")):
+        for place, words in ((self.folder, "it is a folder"), (self.folder / "no" / "page.html", "is not a writable folder")):
             done = self.run_program("--report", place, SAMPLE, code=1)
             self.assertRegex(done.stderr, "^horizon_mesh: error: .*%s" % words)
             self.assertFalse((self.folder / "results").exists())

@@ -36,7 +36,7 @@ def test_file_to_mesh():
     assert "3 horizons" in said, said
     assert (FOLDER / "meshes.ts").read_text(encoding="utf-8").count("GOCAD TSurf 1") == 3
     said = run(PVBATCH, "file_to_mesh", "none.vsm", FOLDER / "none.ts", code=1)
-    assert "file_to_mesh: none.vsm: nothing there, expected a file" in said, said
+    assert "file_to_mesh: none.vsm: no such file" in said, said
 
 
 def test_many_horizons():
@@ -90,7 +90,7 @@ def test_layers_apart():
                   for y in range(0, 520, 5)}
         assert len(colors) > 20, colors
     said = run(PVBATCH, "layers_apart", "none.vsm", FOLDER / "none.png", code=1)
-    assert "layers_apart: none.vsm: nothing there, expected a file" in said, said
+    assert "layers_apart: none.vsm: no such file" in said, said
 
 
 def test_fault_cut():

@@ -5,6 +5,7 @@ and an animation over a parameter. Arguments: the folder of the data and one for
 """
 
 import pathlib
+import re
 import shutil
 import sys
 
@@ -76,6 +77,31 @@ def check_states(expected, folder, trace):
         simple.ResetSession()
         exec(compile(text, "script", "exec"), {})
         assert_session(expected)
+
+
+def check_renamed(state, name, old, new, values):
+    """A state of version 0.2 with the old name of a property sets the new one; a value of the new name is preferred."""
+    text = state.read_text(encoding="utf-8")
+    now = re.search(r' *<Property name="%s" id="(\d+)\.%s".*?</Property>\n' % (new, new), text, re.S)[0]
+    now = re.sub(r'<Element index="0" value="[^"]*"/>', '<Element index="0" value="%s"/>' % values[0], now)
+    before = now.replace(new, old).replace('value="%s"' % values[0], 'value="%s"' % values[1])
+    for number, (properties, value) in enumerate(((before, values[1]), (before + now, values[0]), (now, values[0]))):
+        path = state.with_name("renamed_%d.pvsm" % number)
+        changed = re.sub(r' *<Property name="%s" id=.*?</Property>\n' % new, lambda _: properties, text, flags=re.S)
+        path.write_text(changed, encoding="utf-8")
+        simple.ResetSession()
+        simple.LoadState(str(path))
+        proxy = simple.FindSource(name)
+        proxy.UpdatePipeline()
+        found = proxy.SMProxy.GetProperty(new).GetElement(0), getattr(proxy.GetClientSideObject(), "Get" + new)()
+        assert found == (value, value), (new, number, found)
+        again = state.with_name("again.pvsm")  # what is set then is saved by the new name alone
+        proxy.SMProxy.GetProperty(new).SetElement(0, values[2])
+        simple.SaveState(str(again))
+        assert '"%s"' % old not in again.read_text(encoding="utf-8")
+        simple.ResetSession()
+        simple.LoadState(str(again))
+        assert simple.FindSource(name).SMProxy.GetProperty(new).GetElement(0) == values[2]
 
 
 def check_opened(path, expected, reader):
@@ -163,6 +189,8 @@ def main():
     for name, (_, data) in expected.items():
         assert name == "lines" or list(data) == pipelines.CHOSEN, (name, list(data))
     check_states(expected, folder, trace)
+    check_renamed(folder / "state.pvsm", "quiet", "ThreadWidth", "SpurWidth", (1, 2, 3))
+    check_renamed(folder / "state.pvsm", "points", "Elevation", "ZFrom", (0, 1, 1))
     simple.ResetSession()
     points = simple.OpenDataFile(str(sample))
     check_saved_data(points, simple.HorizonSurface(Input=points), folder)

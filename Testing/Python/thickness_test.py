@@ -109,8 +109,8 @@ class ThicknessTest(unittest.TestCase):
 
     def test_errors(self):
         top, base = self.horizons[:2]
-        for other, message in ((None, "0 other horizons with points, expected one: as the input Other"),
-                               (moved(base, (1.0, 0.5, 0.0)), "which is on no column of the first one, expected points on one lattice"),
+        for other, message in ((None, "0 other horizons with points, expected one as the input Other"),
+                               (moved(base, (1.0, 0.5, 0.0)), "which is not on a column of the first one, expected points on one lattice"),
                                (moved(base, (3000.0, 4000.0, 0.0)), "no column with points of both horizons")):
             with self.assertRaises(ValueError, msg=message) as caught:
                 sh.thickness(top) if other is None else sh.thickness(top, other)
@@ -123,7 +123,7 @@ class ThicknessTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "a point of the other horizon at .*, expected at most 2\\^50 vertical indices"):
             sh.thickness(top, holed)
         for name, value, other in (("VerticalDomain", "time", "depth"), ("VerticalUnit", "ms", "s")):
-            with self.assertRaisesRegex(ValueError, 'an other horizon of the %s "%s", expected "%s" as of the first one'
+            with self.assertRaisesRegex(ValueError, 'the other horizon of the %s "%s", expected "%s" as of the first one'
                                         % (name, other, value)):
                 sh.thickness(mesh_checks.with_text(top, name, value), mesh_checks.with_text(base, name, other))
         with self.assertWarnsRegex(UserWarning, "the horizons cross in .* columns, expected few"):

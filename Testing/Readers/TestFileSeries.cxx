@@ -145,7 +145,7 @@ void WrongFileIsAnErrorAtItsTime()
   reader->UpdateTimeStep(0.0);
   CHECK_EQUAL(errors.Number(), 0);
   CHECK(!reader->UpdateTimeStep(1.0));
-  CHECK(errors.WasOne("missing.csv: nothing there, expected a file"));
+  CHECK(errors.WasOne("missing.csv: no such file"));
   CHECK(IsEmpty(reader));
   CHECK(reader->UpdateTimeStep(0.0));
   CHECK_EQUAL(errors.Number(), 0);
@@ -186,7 +186,7 @@ void VolumesFollowTime()
   CHECK_EQUAL(width(0.0), 2);
   CHECK_EQUAL(width(1.0), 3);
   CHECK(!reader->UpdateTimeStep(2.0));
-  CHECK(errors.WasOne("missing.vsm: nothing there, expected a file"));
+  CHECK(errors.WasOne("missing.vsm: no such file"));
   CHECK_EQUAL(width(0.0), 2);
   reader->SetOutputTypeToPoints();
   CHECK(reader->UpdateTimeStep(1.0));

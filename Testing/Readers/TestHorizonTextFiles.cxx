@@ -31,7 +31,7 @@ void WrongFilesGiveOneErrorEach()
   CHECK(errors.WasOne("no FileName, expected the path of a file"));
   reader->SetFileName((Folder + "/nothing.dat").c_str());
   reader->Update();
-  CHECK(errors.WasOne("nothing.dat: nothing there, expected a file"));
+  CHECK(errors.WasOne("nothing.dat: no such file"));
   reader->SetFileName(Folder.c_str());
   reader->Update();
   CHECK(errors.WasOne(Folder + ": a directory, expected a file"));

@@ -223,7 +223,8 @@ void NegativeZGivesAWarning()
   const auto reader = MakeReader("negative.txt", "1 2 -30\n1 3 -31\n2 2 -32\n");
   Messages warnings(reader, vtkCommand::WarningEvent);
   reader->Update();
-  CHECK(warnings.WasOne("negative.txt: all z are negative, as elevations are, and grow down; set VerticalDirection"));
+  CHECK(warnings.WasOne(
+    "negative.txt: all z are negative, like elevations, but increase downwards; set VerticalDirection"));
   reader->SetVerticalDirectionToUp();
   reader->Update();
   CHECK_EQUAL(warnings.Number(), 0);

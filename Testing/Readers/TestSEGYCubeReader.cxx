@@ -258,7 +258,7 @@ void WrongParametersAreErrors()
   using Reader = vtkSEGYCubeReader*;
   const File file;
   Refuses(file, "no FileName, expected the path of a file", [](Reader r) { r->SetFileName(nullptr); });
-  Refuses(file, "absent.sgy: nothing there, expected a file", [](Reader r) { r->SetFileName("absent.sgy"); });
+  Refuses(file, "absent.sgy: no such file", [](Reader r) { r->SetFileName("absent.sgy"); });
   Refuses(file, "InlineByte 5 with CrosslineByte 0", [](Reader r) { r->SetInlineByte(5); });
   Refuses(file, "ImageTolerance -1, expected at least 0 columns", [](Reader r) { r->SetImageTolerance(-1.0); });
   Refuses(file, "LatticeTolerance 0, expected", [](Reader r) { r->SetLatticeTolerance(0.0); });

@@ -89,8 +89,7 @@ void WhateverIsThrownIsOneError()
   CheckOneError([] { static_cast<void>(std::filesystem::file_size("/no/such/file")); },
     "No such file or directory [/no/such/file]\", expected enough threads and files for this");
   CheckOneError([] { static_cast<void>(std::vector<int>().at(7)); }, "please report it");
-  CheckOneError([] { throw std::runtime_error("lost"); },
-    "an error of the program itself, \"lost\", expected none: please report it");
+  CheckOneError([] { throw std::runtime_error("lost"); }, "internal error \"lost\", expected none: please report it");
   CheckOneError([] { throw std::exception(); }, "please report it");
 }
 

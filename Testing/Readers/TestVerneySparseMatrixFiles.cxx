@@ -67,7 +67,7 @@ void CheckRefused(const std::string& path, const std::string& message)
 
 void WrongFilesGiveOneErrorEach()
 {
-  CheckRefused(Folder + "/missing.vsm", "nothing there, expected a file");
+  CheckRefused(Folder + "/missing.vsm", "no such file");
   CheckRefused(Folder, "a directory, expected a file");
   CheckRefused(WriteFile("wrong.vsm", ""), "line 1: empty file, expected three positive integers \"nX nY nZ\"");
   CheckRefused(WriteFile("wrong.vsm", "1 1\n\n"), "line 1: header \"1 1\", expected three positive integers");
@@ -96,7 +96,7 @@ void FileThatTurnsWrongIsAnError()
   reader->UpdateInformation();
   std::filesystem::remove(path);
   reader->Update();
-  CHECK(errors.WasOne(path + ": nothing there, expected a file"));
+  CHECK(errors.WasOne(path + ": no such file"));
   CHECK(IsEmpty(reader));
 }
 

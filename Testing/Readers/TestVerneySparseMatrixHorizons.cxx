@@ -227,13 +227,13 @@ void LeastMemoryGivesTheSame()
   CHECK(reader->GetNumberOfPointsInRows("Horizon 7", 1, 0) == 0);
   CHECK(reader->GetNumberOfPointsInRows("Horizon 3", 0, 1) == 0);
   CHECK(reader->GetNumberOfPointsInRows(nullptr, 0, 1) == 0);
-  for (const int elevation : { vtkVerneySparseMatrixReader::VerticalIndex, vtkVerneySparseMatrixReader::RealZ })
+  for (const int source : { vtkVerneySparseMatrixReader::VerticalIndex, vtkVerneySparseMatrixReader::RealZ })
   {
     vtkNew<vtkVerneySparseMatrixReader> plain;
     plain->SetFileName(file.c_str());
-    plain->SetElevation(elevation);
+    plain->SetZFrom(source);
     plain->Update();
-    reader->SetElevation(elevation);
+    reader->SetZFrom(source);
     reader->Update();
     for (int number = 0; number < 2; ++number)
     {

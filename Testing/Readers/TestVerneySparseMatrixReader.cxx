@@ -101,17 +101,19 @@ void RotatedSurveyKeepsDoublePrecision()
   }
 }
 
-void ElevationCanBeRealZ()
+void ZCanBeReal()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
   reader->SetFileName(WriteFile("small.vsm", Small).c_str());
-  reader->SetElevationToRealZ();
+  reader->SetZFromToRealZ();
   reader->SetVerticalStep(2.0);
   reader->Update();
   CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == -24.25);
-  reader->SetElevationToVerticalIndex();
+  reader->SetZFromToVerticalIndex();
   reader->Update();
   CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == -12.0);
+  reader->SetElevationToRealZ(); // the name before
+  CHECK(reader->GetZFrom() == vtkVerneySparseMatrixReader::RealZ);
 }
 
 void DirectionCanBeUp()
@@ -130,11 +132,11 @@ void DirectionCanBeUp()
   CHECK(lastHeight(-2.0) == 88.0);
   vtkFieldData* const data = GetHorizon(reader, 1)->GetFieldData();
   CHECK(GetArray<vtkIntArray>(data, "VerticalDirection", 1, 1)->GetValue(0) == 1);
-  reader->SetElevationToRealZ();
+  reader->SetZFromToRealZ();
   CHECK(lastHeight(2.0) == 24.25);
   reader->SetVerticalDirectionToDown();
   CHECK(lastHeight(2.0) == -24.25);
-  reader->SetElevationToVerticalIndex();
+  reader->SetZFromToVerticalIndex();
   CHECK(lastHeight(2.0) == 88.0);
 }
 
@@ -144,7 +146,7 @@ void RealZIsFitted()
   vtkNew<vtkVerneySparseMatrixReader> reader;
   reader->SetFileName(
     WriteFile("fit.vsm", "2 2 10\n3 1 1 1 112\n4 1 1 1 116\n7 1 1 1 128 2 5 1 1 108\n9 5 1 1 136\n").c_str());
-  reader->SetElevationToRealZ();
+  reader->SetZFromToRealZ();
   reader->SetOrigin(10.0, 20.0, 30.0);
   reader->Update();
   auto toWorld = GetArray<vtkDoubleArray>(GetHorizon(reader, 0)->GetFieldData(), "LatticeToWorld", 1, 16);
@@ -266,7 +268,8 @@ void WrongParametersGiveOneErrorEach()
     [](Reader* reader) { reader->SetSmallestHorizonSize(0); }, "SmallestHorizonSize 0, expected at least 1 point");
   CheckParameterRefused([](Reader* reader) { reader->SetColumnRange(3, 2); }, "ColumnRange 3 to 2, expected a first");
   CheckParameterRefused([](Reader* reader) { reader->SetRowRange(-1, 2); }, "RowRange -1 to 2, expected a first");
-  CheckParameterRefused([](Reader* reader) { reader->SetColumnRange(90, -1); }, "ColumnRange from 90, expected a first");
+  CheckParameterRefused(
+    [](Reader* reader) { reader->SetColumnRange(90, -1); }, "ColumnRange from 90, expected a first");
   CheckParameterRefused([](Reader* reader) { reader->SetRowRange(90, 99); }, "RowRange from 90, expected a first");
   CheckParameterRefused([&](Reader* reader) { reader->SetVerticalStep(infinite); }, "VerticalStep (inf), expected");
   CheckParameterRefused([](Reader* reader) { reader->SetRowStep(-2.0, 0.0); },
@@ -281,7 +284,7 @@ void PrintListsEveryProperty()
 {
   vtkNew<vtkVerneySparseMatrixReader> reader;
   reader->SetFileName("some.vsm");
-  reader->SetElevationToRealZ();
+  reader->SetZFromToRealZ();
   reader->SetOrigin(1.5, 2.5, 3.5);
   reader->SetColumnStep(4.5, 5.5);
   reader->SetRowStep(6.5, 7.5);
@@ -295,7 +298,7 @@ void PrintListsEveryProperty()
   reader->SetVolumeArrayToThickness();
   reader->Print(stream);
   for (const char* text : { "FileName: some.vsm", "OutputType: Images", "VolumeExtent: BoundingBox",
-         "VolumeArray: Thickness", "BackgroundValue: 0", "VolumeMemoryLimit: 2048", "Elevation: RealZ",
+         "VolumeArray: Thickness", "BackgroundValue: 0", "VolumeMemoryLimit: 2048", "ZFrom: RealZ",
          "Origin: (1.5, 2.5, 3.5)", "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5",
          "VerticalDirection: Up", "DuplicatePolicy: Lowest", "SmallestHorizonSize: 1", "ColumnRange: 0 to -1",
          "RowRange: 0 to -1", "HorizonSelection:", "Horizon 12" })
@@ -311,7 +314,7 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   ArraysAreComplete();
   FieldDataDescribeTheLattice();
   RotatedSurveyKeepsDoublePrecision();
-  ElevationCanBeRealZ();
+  ZCanBeReal();
   DirectionCanBeUp();
   RealZIsFitted();
   ImagesAreMaps();

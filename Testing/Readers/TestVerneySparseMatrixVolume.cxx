@@ -189,7 +189,7 @@ void WrongParametersAreRefused()
   CHECK(GetVolume(reader)->GetNumberOfPoints() == 0);
   reader->SetFileName((Folder + "/missing.vsm").c_str());
   reader->Update();
-  CHECK(errors.WasOne("missing.vsm: nothing there, expected a file"));
+  CHECK(errors.WasOne("missing.vsm: no such file"));
   CHECK(GetVolume(reader)->GetNumberOfPoints() == 0);
 }
 

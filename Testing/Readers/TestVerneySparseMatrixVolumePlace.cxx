@@ -121,7 +121,7 @@ void VoxelsAreWhereThePointsAre()
 void VoxelsStayInTheirCellsWithRealZ()
 {
   const auto reader = MakeReader(Folder);
-  reader->SetElevationToRealZ();
+  reader->SetZFromToRealZ();
   reader->Update();
   vtkImageData* const volume = GetVolume(reader);
   const double* const toWorld =

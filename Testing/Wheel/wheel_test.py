@@ -3,7 +3,7 @@
 """The wheel whole: built from a source distribution, installed into a fresh environment beside PyVista, and used there.
 
 Arguments: the folder of the project, a folder for files, the folder of real data, and, where there is another build of
-the package, the folder that it lies in: its results have to be the same bytes. Skips itself (77) where pip can not have
+the package, the folder that it lies in: its results have to be the same bytes. Skips itself (77) where pip cannot have
 what the wheel is made of; PIP_EXTRA_INDEX_URL or PIP_FIND_LINKS may say where that is.
 """
 

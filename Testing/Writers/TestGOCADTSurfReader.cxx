@@ -184,14 +184,14 @@ void WrongFilesGiveOneErrorEach()
     CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 0u);
   };
   check(nullptr, "no FileName, expected the path of a file");
-  check((Folder + "/none.ts").c_str(), "/none.ts: nothing there, expected a file");
+  check((Folder + "/none.ts").c_str(), "/none.ts: no such file");
   check(Folder.c_str(), ": a directory, expected a file");
   check(WriteText(Folder + "/other.ts", "x\n").c_str(), "other.ts: line 1: \"x\", expected \"GOCAD TSurf 1\"");
   check(WriteText(Folder + "/half.ts", std::string(Deep).substr(0, 300)).c_str(), "half.ts: line ");
   check(WriteText(Folder + "/second.ts", Tiny("a", 1) + "GOCAD TSurf 1\nVRTX x\nEND\n").c_str(),
     "second.ts: line 9: VRTX id \"x\", expected an integer from 0 on");
   check(WriteText(Folder + "/zero.ts", Tiny("a", 1) + Tiny(std::string("b\0c", 3), 2)).c_str(),
-    "zero.ts: a byte of 0 in the name of horizon 2, expected text");
+    "zero.ts: zero byte in the name of horizon 2, expected text");
 }
 
 void AllIsPrinted()

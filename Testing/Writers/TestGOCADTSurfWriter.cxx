@@ -322,12 +322,12 @@ void WrongInputGivesOneErrorEach()
   check(blocks, "thin: 4 points without triangles, expected a mesh");
   const auto quads = MakeMesh(0);
   quads->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
-  check(quads, "Horizon 7: polygon 2 with 4 corners, expected triangles: apply Triangulate before");
+  check(quads, "Horizon 7: polygon 2 with 4 corners, expected triangles: apply Triangulate first");
   const auto strips = MakeMesh(0);
   vtkNew<vtkCellArray> strip;
   strip->InsertNextCell({ 0, 1, 2, 3 });
   strips->SetStrips(strip);
-  check(strips, "Horizon 7: 1 triangle strips, expected triangles: apply Triangulate before");
+  check(strips, "Horizon 7: 1 triangle strips, expected triangles: apply Triangulate first");
   const auto wild = MakeMesh(0);
   wild->GetPolys()->InsertNextCell({ 0, 1, 4 });
   check(wild, "Horizon 7: triangle 2 has the corner 4, expected points from 0 to 3");
@@ -341,11 +341,10 @@ void WrongPlacesGiveOneErrorEach()
   vtkNew<vtkGOCADTSurfWriter> nameless;
   nameless->SetInputData(mesh);
   CheckError(nameless, "no FileName, expected the path of a file", vtkErrorCode::NoFileNameError);
-  CheckError(
-    MakeWriter(mesh, "none/x.ts"), "/none, expected the file in an existing folder", vtkErrorCode::CannotOpenFileError);
+  CheckError(MakeWriter(mesh, "none/x.ts"), "/none\" does not exist", vtkErrorCode::CannotOpenFileError);
   const auto full = MakeWriter(mesh, "x");
   full->SetFileName("/dev/full");
-  CheckError(full, "/dev/full: Horizon 7: writing failed behind 0 bytes, expected room for the rest of the file",
+  CheckError(full, "/dev/full: Horizon 7: writing failed after 0 bytes, expected disk space for the rest of the file",
     vtkErrorCode::OutOfDiskSpaceError);
   full->SetFileName((Folder + "/x.ts").c_str());
   Write(full); // works after an error

@@ -90,7 +90,7 @@ vtkSmartPointer<vtkHorizonDXFWriter> MakeWriter(vtkDataObject* input, const std:
   return writer;
 }
 
-/// Names of layers: what they can not have, too long, the same but for case, and of the file.
+/// Names of layers: what they cannot have, too long, the same but for case, and of the file.
 void HorizonsAreLayers()
 {
   const std::string longName(40, 'n');
@@ -155,7 +155,7 @@ void WrongInputGivesOneErrorEach()
   full->SetFileName("/dev/full");
   const Errors errors(full);
   CHECK_EQUAL(full->Write(), 0);
-  CHECK(errors.FirstContains("/dev/full: writing failed behind 0 bytes, expected room for the rest of the file"));
+  CHECK(errors.FirstContains("/dev/full: writing failed after 0 bytes, expected disk space for the rest of the file"));
   CHECK_EQUAL(full->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::OutOfDiskSpaceError));
 }
 }

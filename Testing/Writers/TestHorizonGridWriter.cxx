@@ -208,7 +208,7 @@ void GridsHaveFilesOfTheirOwn()
   CHECK(std::filesystem::exists(Folder + "/two_Top_Reek (2).irap"));
 }
 
-/// Here the second of two can not be written.
+/// Here the second of two cannot be written.
 void SeveralFilesAreWrittenAllOrNone()
 {
   const auto picks = ReadPicks(MakePicks("Good", true) + MakePicks("Bad", true));
@@ -364,7 +364,7 @@ void FarColumnsAreOnlyListed()
   CHECK_EQUAL(ReadText(Folder + "/far.dat"), ReadText(Folder + "/near.dat"));
 }
 
-/// What can not be printed has no place in a name, and would not be read again.
+/// What cannot be printed has no place in a name, and would not be read again.
 void NamesCanBePrinted()
 {
   const auto picks = ReadPicks(MakePicks("A", true) + MakePicks("B", false));

@@ -64,7 +64,7 @@ void NormalFilesStayAsTheyAre()
   reader->SetRowStep(-12.5, 21.6);
   reader->SetVerticalStep(4);
   CHECK_EQUAL(Write(Read(reader)), Small);
-  reader->SetElevationToRealZ();
+  reader->SetZFromToRealZ();
   CHECK_EQUAL(Write(Read(reader)), Small);
   reader->SetVerticalDirectionToUp();
   CHECK_EQUAL(Write(Read(reader)), Small);
@@ -151,7 +151,8 @@ void WrongHorizonsGiveOneErrorEach()
     "Horizon 7: a lattice of 2 x 3 x 10 cells, expected 2 x 2 x 10 as in Horizon 2");
   refuse([](vtkPolyData*, vtkPolyData* second)
     { vtkDoubleArray::SafeDownCast(second->GetFieldData()->GetArray("LatticeToWorld"))->SetValue(11, -7.0); },
-    "Horizon 7: vertical indices from -7 in steps of -1, expected from 0 in steps of -1 as in Horizon 2; with VerticalStep");
+    "Horizon 7: vertical indices from -7 in steps of -1, expected from 0 in steps of -1 as in Horizon 2; with "
+    "VerticalStep");
   refuse([](vtkPolyData*, vtkPolyData* second) { second->GetPointData()->GetArray("SurfaceId")->Fill(2); },
     "two horizons with the surface ID 2, expected one ID for each");
   refuse([](vtkPolyData*, vtkPolyData* second) { second->GetPointData()->GetArray("SurfaceId")->SetTuple1(0, 3); },

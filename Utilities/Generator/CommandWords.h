@@ -72,7 +72,7 @@ void WriteWholeFile(const std::string& fileName, Write&& write)
   std::ofstream stream(fileName, std::ios::binary);
   if (!stream)
   {
-    throw std::runtime_error("can not be opened for writing");
+    throw std::runtime_error("cannot be opened for writing");
   }
   try
   {

@@ -155,7 +155,7 @@ void WriteSEGY(
   }
   if (!stream.flush())
   {
-    throw std::runtime_error("can not be written");
+    throw std::runtime_error("cannot be written");
   }
 }
 
@@ -187,7 +187,7 @@ void WriteTruth(const CubeGenerator& cube, const CubeSurvey& survey, std::ostrea
   }
   if (!stream.flush())
   {
-    throw std::runtime_error("can not be written");
+    throw std::runtime_error("cannot be written");
   }
 }
 }

@@ -29,7 +29,7 @@ def decimate(outlined, error):
 
 def main():
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    surface = make_surface(generator, SURFACE, Elevation="RealZ")
+    surface = make_surface(generator, SURFACE, ZFrom="RealZ")
     outlined = apply(sh.vtkHorizonExteriorBoundary(), surface, HoleBoundaries=True, SmallestHoleSize=9)
     full = apply(sh.vtkHorizonTriangulation(), outlined)
     meshes = [decimate(outlined, error) for error in ERRORS]

@@ -65,7 +65,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         page = folder / "page.html"
-        subprocess.run([sys.executable, ROOT / "Utilities" / "horizon_mesh.py", "--elevation", "RealZ", "--cut-faults", "0",
+        subprocess.run([sys.executable, ROOT / "Utilities" / "horizon_mesh.py", "--z-from", "RealZ", "--cut-faults", "0",
                         "--output-folder", folder, "--report", page, os.path.relpath(ROOT / "Data" / "sample.vsm", ROOT)],
                        check=True, cwd=ROOT)
         first, second = shoot(page, folder)

@@ -83,7 +83,7 @@ def make_labels(files):
         if labels == before:
             one, other = twins[0][:2]
             if places[one] == places[other]:
-                raise HorizonError("%s is there twice among the files" % figures.plain(files[one]))
+                raise HorizonError("%s is given twice" % figures.plain(files[one]))
             raise HorizonError("%s and %s would write the same results" % (files[one], files[other]))
         for number in sum(twins, []):
             lengths[number] += 1
@@ -117,7 +117,7 @@ def _workspace(output_folder):
             _remove_abandoned(output_folder)
             workspace = tempfile.TemporaryDirectory(prefix=WORKSPACE, dir=output_folder)
         except OSError as error:
-            raise HorizonError("there can be no results in %s: %s" % (output_folder, error.strerror)) from None
+            raise HorizonError("results cannot be written into %s: %s" % (output_folder, error.strerror)) from None
         with workspace as path, _lock(path):
             yield pathlib.Path(path)
     finally:
@@ -206,12 +206,12 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             results.append(result)
         result.data.pop("measured", None)
         if not supply.is_whole and settings.layers is not None:
-            raise HorizonError("%s: layers of horizons that are larger than memory, expected more of it (--memory), or fewer "
+            raise HorizonError("%s: layers of horizons larger than memory, expected more memory (--memory) or fewer "
                                "horizons (--horizons)" % label)
         if not supply.is_whole:
             result.release()
     if not results:
-        raise HorizonError("%s: all horizons are left out" % label)
+        raise HorizonError("%s: all horizons were left out" % label)
     return results
 
 
@@ -238,14 +238,14 @@ class _Names:
         return "%s_layer_%d.%s" % (self._stem, number + 1, form)
 
     def check(self, folder):
-        """Files there will be replaced, folders can not be. Raises HorizonError."""
+        """Files there will be replaced, folders cannot be. Raises HorizonError."""
         for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *self.layers,
                      *self._bodies]:
             if len(os.fsencode(name)) > LONGEST_NAME:
-                raise HorizonError("%s... can not be written: a name of %d bytes, and %d are the most" % (
+                raise HorizonError("%s... cannot be written: a name of %d bytes, expected at most %d" % (
                     name[:40], len(os.fsencode(name)), LONGEST_NAME))
             if (folder / name).is_dir():
-                raise HorizonError("%s can not be written: it is a folder" % (folder / name))
+                raise HorizonError("%s cannot be written: it is a folder" % (folder / name))
 
 
 def _mesh_stems(stem, names):
@@ -311,7 +311,7 @@ def print_lines(lines):
     except OSError as error:
         # What did not get through must not be tried again when the program ends.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        raise HorizonError("the table can not be printed: %s" % error.strerror) from None
+        raise HorizonError("the table cannot be printed: %s" % error.strerror) from None
 
 
 def has_display():

@@ -23,9 +23,10 @@ SEQUENTIAL = "Sequential"  # what VTK begins with
 QUIET_SECONDS = 1.0  # before a bar appears
 MATRIX_SIZE = 16
 MEMORY_WORDS = "more data than memory"  # of all such messages
-NOT_WRITTEN = "can not be written"  # what modules of the package say
+NOT_WRITTEN = "cannot be written"  # what modules of the package say
 LATTICE_WORDS = "no field data array LatticeDimensions"
 LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
+RENAMED = {"thread_width": "spur_width", "elevation": "z_from"}  # keywords of version 0.2
 
 
 def snake(name):
@@ -59,6 +60,10 @@ def set_keywords(algorithm, keywords, horizon=None):
     known = properties(algorithm)
     given = {}
     for keyword, value in keywords.items():
+        if RENAMED.get(keyword) in known:
+            text = "keyword %s, expected %s, its new name" % (keyword, RENAMED[keyword])
+            warnings.warn(text, FutureWarning, stacklevel=3)
+            keyword = RENAMED[keyword]
         if keyword not in known:
             raise TypeError("%s, expected one of %s" % (keyword, ", ".join(known)))
         given[known[keyword]] = value
@@ -106,7 +111,7 @@ def run(algorithm, label):
 
 @contextlib.contextmanager
 def python_errors(algorithm=None):
-    """What modules of the package raise within the block is a ValueError, or an OSError where a file can not be written;
+    """What modules of the package raise within the block is a ValueError, or an OSError where a file cannot be written;
     it names keywords in place of options."""
     try:
         yield

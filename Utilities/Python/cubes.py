@@ -39,7 +39,7 @@ def open_cube(path, Picks=None, Limits=(), **properties):
     for name, value in properties.items():
         owner = next((owner for owner in (reader, extraction) if hasattr(owner, "Set" + name)), None)
         if owner is None:
-            raise HorizonError("%s: a seismic cube leaves no choice of %s" % (path, name))
+            raise HorizonError("%s: a seismic cube does not support %s" % (path, name))
         configure(owner, **{name: value})
     return extraction
 

@@ -53,7 +53,7 @@ def read(path: str | os.PathLike, horizons: Sequence[str | int] | None = None, *
     Raises
     ------
     FileNotFoundError, OSError
-        there is no such file, or it can not be read.
+        there is no such file, or it cannot be read.
     ValueError
         it is in no format that is known, or wrong; the message says where, and what was expected.
     MemoryError
@@ -285,9 +285,9 @@ def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -
     Raises
     ------
     ValueError
-        another extension, or data that the format can not hold.
+        another extension, or data that the format cannot hold.
     OSError
-        the file can not be written.
+        the file cannot be written.
 
     Examples
     --------
@@ -304,7 +304,7 @@ def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -
     if not is_of_cells and form not in writing.POINT_FORMATS and form != "vtp" and not data.GetNumberOfPolys():
         raise ValueError("%s: a horizon without triangles, expected a mesh: surface(horizon) makes one" % path)
     if not path.absolute().parent.is_dir():
-        raise FileNotFoundError("%s: no such folder, expected %s" % (path, path.absolute().parent))
+        raise FileNotFoundError("%s: folder \"%s\" does not exist" % (path, path.absolute().parent))
     make_file = writing.write_points if form in writing.POINT_FORMATS else writing.write_mesh
     with calls.python_errors():
         told = writing.write_cells(data, path) if is_of_cells else make_file(data, path, name or path.stem)
@@ -317,7 +317,7 @@ def _existing(path):
     path = pathlib.Path(path)
     reading.require_text(path)
     if not os.path.exists(path):
-        raise FileNotFoundError("%s: nothing there, expected a file" % path)
+        raise FileNotFoundError("%s: no such file" % path)
     return path
 
 

@@ -21,8 +21,8 @@ def _load(path):
     try:
         from osgeo import gdal, osr
     except ImportError:
-        raise HorizonError("%s: GeoTIFF is read and written by GDAL for Python, expected that it is installed, as by the "
-                           "package python3-gdal" % path.name) from None
+        raise HorizonError("%s: GeoTIFF needs GDAL for Python, expected the package python3-gdal or the like"
+                           % path.name) from None
     gdal.UseExceptions()
     osr.UseExceptions()
     return gdal, osr
@@ -46,7 +46,7 @@ def open_file(path):
         values, null = file.GetRasterBand(1).ReadAsArray().astype(float), file.GetRasterBand(1).GetNoDataValue()
         system = file.GetSpatialRef()
     except RuntimeError as error:
-        raise HorizonError("%s: GDAL does not read it: %s" % (path.name, error)) from None
+        raise HorizonError("%s: GDAL cannot read it: %s" % (path.name, error)) from None
     if x is None:
         raise HorizonError("%s: a picture without places, expected a GeoTIFF with a transform" % path.name)
     if file.RasterCount != 1 or values.ndim != 2:
@@ -54,7 +54,7 @@ def open_file(path):
     is_value = np.isfinite(values) & (True if null is None else values != null)
     j, i = np.nonzero(is_value)
     if not len(i):
-        raise HorizonError("%s: there is no point to work on" % path)
+        raise HorizonError("%s: there are no points" % path)
     places = np.column_stack((x + (i + 0.5) * dx + (j + 0.5) * rx, y + (i + 0.5) * dy + (j + 0.5) * ry, values[is_value]))
     points = vtkPolyData()
     points.SetPoints(vtkPoints())
@@ -98,7 +98,7 @@ def write(mesh, path):
         file.FlushCache()
         del file
     except RuntimeError as error:
-        raise HorizonError("%s can not be written: %s" % (path.name, error)) from None
+        raise HorizonError("%s cannot be written: %s" % (path.name, error)) from None
     return warnings
 
 

@@ -39,7 +39,7 @@ def check():
 def noting():
     """Within the block Ctrl-C is only noted; then it is what it is in Python, a KeyboardInterrupt. In another thread than
     the first, which gets no signals, nothing changes, and nor does it in programs that handle signals themselves, as
-    pvbatch under MPI: what they have can not be put back from here."""
+    pvbatch under MPI: what they have cannot be put back from here."""
     global _noted
     if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) is None:
         yield

@@ -8,7 +8,7 @@ BEST_ERROR = 0.75  # of a vertical index: what suits horizons of whole voxels
 # Properties of readers by the names of their options.
 OF_READERS = {
     "VerticalDirection": "vertical_direction", "VerticalStep": "vertical_step", "VerticalUnit": "vertical_unit", "CoordinateSystem": "coordinate_system",
-    "Elevation": "elevation", "DuplicatePolicy": "duplicate_policy", "Columns": "columns", "NullValues": "null_values",
+    "ZFrom": "z_from", "DuplicatePolicy": "duplicate_policy", "Columns": "columns", "NullValues": "null_values",
     "HeaderLines": "header_lines", "StrayPicks": "stray_picks", "LatticeTolerance": "lattice_tolerance", "Origin": "origin",
     "ColumnStep": "column_step", "RowStep": "row_step", "LargestNumber": "surfaces", "SmallestSize": "smallest_surface",
     "InlineRange": "inlines", "CrosslineRange": "crosslines", "Polarity": "polarity", "Joining": "joining",

@@ -11,7 +11,7 @@ ALL_ROWS = (0, -1)
 
 
 class Windows:
-    """The windows of a horizon, by its name, of a reader with LeastMemory. Raises HorizonError where it can not be cut so
+    """The windows of a horizon, by its name, of a reader with LeastMemory. Raises HorizonError where it cannot be cut so
     that each fits."""
 
     def __init__(self, reader, name, budget):

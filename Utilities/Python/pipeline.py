@@ -45,11 +45,11 @@ class Settings:
     defaults. None leaves a stage out. `despiked`, `torn` and `filled` are those of despiking, faults and hole filling,
     which come first; `fault_lines` are those that faults are given by. With `surface` (see surface_properties) one stage takes the place of all others.
     `layers` are those of volumes between all horizons of a file.
-    `horizons` are the IDs or names of those to read, None for all. A horizon that can not be
+    `horizons` are the IDs or names of those to read, None for all. A horizon that cannot be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
     meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
     left; horizons are read as many at a time as fit. Heights may have units (heights.Height). With `error_if_whole` the error of a horizon that is larger than memory,
-    which can not be measured, is not asked for."""
+    which cannot be measured, is not asked for."""
 
     reader: dict = field(default_factory=dict)
     despiked: Optional[dict] = None
@@ -183,8 +183,8 @@ def _require_same_direction(result, points, settings):
     direction = points.GetFieldData().GetArray("VerticalDirection")
     if (settings.torn.get("LineType") == "Sticks" and "VerticalDirection" not in settings.reader
             and direction is not None and direction.GetValue(0) > 0):
-        raise HorizonError("%s: %s: z of elevations, which count upwards, beside fault sticks, expected --vertical-direction, "
-                           "which is for both" % (result.source, result.name))
+        raise HorizonError("%s: %s: elevations, which increase upwards, with fault sticks, expected --vertical-direction "
+                           "for both" % (result.source, result.name))
 
 
 def run(source, name, points, settings):

@@ -30,7 +30,7 @@ LAST_READER = "vtkHorizonTextReader"
 
 def counts_indices(form, properties):
     """Whether the z of a format, read with some properties, are vertical indices, of which nothing tells how long one is."""
-    return form == SPARSE and not {"VerticalStep", "Elevation"} & set(properties)
+    return form == SPARSE and not {"VerticalStep", "ZFrom"} & set(properties)
 
 
 def find_reader(path):
@@ -71,13 +71,13 @@ def open_file(path, **properties):
     reader.kind = READERS[name]
     for name in properties:
         if not hasattr(reader, "Set" + name):
-            raise HorizonError("%s: its format leaves no choice of %s" % (path, name))
+            raise HorizonError("%s: its format does not support %s" % (path, name))
     configure(reader, **properties)
     return reader
 
 
 def _beginning(path):
-    """The first bytes of a file; none where it can not be read, which its reader tells."""
+    """The first bytes of a file; none where it cannot be read, which its reader tells."""
     try:
         with open(path, "rb") as file:
             return file.read(LOOKED_AT)
@@ -92,7 +92,7 @@ def _require_points(path):
         raise HorizonError("%s: lines of GOCAD, expected points of horizons, a grid, a surface or a cube; --fault-lines and "
                            "--fault-sticks take lines" % path)
     if beginning.startswith(b"%PDF") or BINARY & set(beginning) and not beginning.startswith(b"\x1f\x8b"):
-        raise HorizonError("%s: not a format that is known, expected points of horizons, a grid or a cube" % path)
+        raise HorizonError("%s: unknown format, expected points of horizons, a grid or a cube" % path)
 
 
 def _with_lattice(reader, properties):
@@ -144,7 +144,7 @@ def read_source(source, path, horizons=None):
     found = [(name, points) for name, points in list_horizons(source.GetOutputDataObject(0))
              if source.GetHorizonStatus(name)]
     if not found:
-        raise HorizonError("%s: there is no point to work on" % path)
+        raise HorizonError("%s: there are no points" % path)
     if getattr(source, "kind", "") == READERS[geotiff.SOURCE]:  # whose horizon has no name but that of its file
         found = [(path.stem, points) for _, points in found]
     return found, seconds

@@ -59,7 +59,7 @@ class Record:
         self.files[-1].update(status="done", seconds_reading=supply.seconds, results=list(results), **supply.origin)
 
     def fail_file(self, error):
-        """There are no results, or they can not be told of."""
+        """There are no results, or they cannot be told of."""
         file = self.files[-1]
         file["error"] = str(error)
         if file["status"] != "done":
@@ -73,7 +73,7 @@ class Record:
         self._tell("warning", text)
 
     def fail(self, error):
-        """The whole run can not be done."""
+        """The whole run cannot be done."""
         self.error = str(error)
         self._tell("error", error)
 

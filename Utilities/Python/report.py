@@ -22,8 +22,8 @@ from .styles import FAULT_COLOR, FAULT_COLOR_BY_DISTANCE, LOW_TO_HIGH, NEAR_TO_F
 # Where Debian's package libjs-three puts three.js, and where SEISMICHORIZONS_THREE says that it is.
 THREE_FILES = ("/usr/share/javascript/three/three.min.js", "/usr/share/nodejs/three/build/three.min.js")
 THREE_VARIABLE = "SEISMICHORIZONS_THREE"
-NO_THREE = ("Meshes can not be turned around in this page: three.js (Debian's package libjs-three) was not found where it was "
-            "written.")
+NO_THREE = ("Interactive meshes are not available in this page: three.js (Debian's package libjs-three) was not found "
+            "where it was written.")
 
 
 def make_album(with_pictures):
@@ -34,9 +34,9 @@ def make_album(with_pictures):
 def check(path):
     """Raises HorizonError where no report can be written."""
     if path.is_dir():
-        raise HorizonError("%s can not be written: it is a folder" % path)
+        raise HorizonError("%s cannot be written: it is a folder" % path)
     if not os.access(path.parent, os.W_OK):
-        raise HorizonError("%s can not be written: %s is no folder that can be written into" % (path, path.parent))
+        raise HorizonError("%s cannot be written: %s is not a writable folder" % (path, path.parent))
 
 
 def write(run, path, album):
@@ -53,7 +53,7 @@ def write(run, path, album):
                 os.unlink(file.name)
                 raise
     except OSError as error:
-        raise HorizonError("%s can not be written: %s" % (path, error.strerror)) from None
+        raise HorizonError("%s cannot be written: %s" % (path, error.strerror)) from None
 
 
 def _umask():
@@ -121,12 +121,12 @@ def _viewer(run, album, three):
     if not pairs:
         return Markup()
     if not three or not having:
-        return fill("no_viewer", reason=NO_THREE if not three else "No mesh is small enough to be in this page, where there "
-                    "is room for %d MB." % (MESH_BYTES >> 20) if any(h["triangles"] for _, h in pairs) else
+        return fill("no_viewer", reason=NO_THREE if not three else "No mesh is small enough for this page, which has "
+                    "room for %d MB." % (MESH_BYTES >> 20) if any(h["triangles"] for _, h in pairs) else
                     "There is no mesh with triangles.")
     left_out = sum(1 for number, (_, h) in enumerate(pairs) if h["triangles"] and number not in having)
     note = "At full resolution, in their coordinates. " + (
-        "%s larger than the %d MB that there is room for, and only in the files." % (
+        "%s larger than the %d MB for which there is room, and only in the files." % (
             "1 mesh is" if left_out == 1 else "%d meshes are" % left_out, MESH_BYTES >> 20) if left_out else "")
     by_error = any(album.entries[number].mesh.error_on for number in having)
     return fill("viewer", note=note, choices=join((_choices(run, having), _body_choices(run, album))), manifest=as_json(_manifest(run, album, having)),

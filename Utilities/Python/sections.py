@@ -235,7 +235,7 @@ def details(run, album):
     if not pairs:
         return Markup()
     drawn = sum(1 for entry in album.entries if entry.pictures)
-    note = "There are no pictures, as none were asked for." if not album.with_pictures else (
+    note = "No pictures were requested." if not album.with_pictures else (
         "Pictures of the stages are there for %s." % ("all horizons" if drawn == len(pairs) else
                                                       "the %d horizons with most points, of %d" % (drawn, len(pairs))))
     many = len(run["files"]) > 1

@@ -3,7 +3,7 @@
 """One stage, that is one VTK algorithm: made with properties by their names, and run with errors as exceptions.
 
 Properties are those of the documentation (`CellSize=3` calls `SetCellSize(3)`); one that is a choice may be given by
-the name of the choice (`Elevation="RealZ"`).
+the name of the choice (`ZFrom="RealZ"`).
 """
 
 import contextlib
@@ -110,6 +110,6 @@ def _collect(messages):
 def _one_line(message):
     """The text of a VTK message without the place in the source that it comes from. VTK gives None for one with bytes
     that are no UTF-8, as names in files can have."""
-    message = message or "a message that is no UTF-8, expected text without special characters"
+    message = message or "a message that is not UTF-8, expected text without special characters"
     _, _, text = message.partition("): ")
     return " ".join((text or message).split())

@@ -53,7 +53,7 @@ class Supply:
                 yield found.pop(0)
 
     def _require(self, group):
-        """Raises HorizonError where one of the horizons can not be worked on while the others are there."""
+        """Raises HorizonError where one of the horizons cannot be worked on while the others are there."""
         for number in group:
             self._budget.require(self.sizes[number], "%s: %s" % (self._path.name, self.names[number]))
         largest = max(self.sizes[number] for number in group)
@@ -70,7 +70,7 @@ class Supply:
             reader.UpdateInformation()
         self.names = reading.selected(reader)
         if not self.names:
-            raise HorizonError("%s: there is no point to work on" % self._path)
+            raise HorizonError("%s: there are no points" % self._path)
         last_row = reader.GetNumberOfRows() - 1
         self.sizes = [reader.GetNumberOfPointsInRows(name, 0, last_row) for name in self.names]
         self._groups = memory.make_groups(self.sizes, self._budget)

@@ -28,7 +28,7 @@ def open_file(path, origin=None, column_step=None, row_step=None):
               for n in range(output.GetNumberOfPartitionedDataSets())]
     meshes = [(name, mesh) for name, mesh in meshes if mesh is not None and mesh.GetNumberOfPolys()]
     if not meshes:
-        raise HorizonError("%s: surfaces without triangles, expected some to be meshed anew" % path)
+        raise HorizonError("%s: surfaces without triangles, expected triangles to mesh anew" % path)
     steps = np.column_stack((column_step, row_step)) if column_step and row_step else _step(meshes) * np.eye(2)
     data = meshes[0][1].GetFieldData()
     sign = 1.0 if data.GetArray("VerticalDirection").GetValue(0) > 0 else -1.0

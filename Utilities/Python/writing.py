@@ -72,7 +72,7 @@ def _run(writer, data, path):
         raise HorizonError(str(error).replace(str(path), path.name)) from None
     if writer.GetErrorCode():
         reason = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
-        raise HorizonError("%s can not be written: %s" % (path.name, reason))
+        raise HorizonError("%s cannot be written: %s" % (path.name, reason))
     return [text.replace("%s: " % path, "") for text in warnings]
 
 
@@ -155,4 +155,4 @@ def write_file(content, path):
     try:
         path.write_bytes(content)
     except OSError as error:
-        raise HorizonError("%s can not be written: %s" % (path.name, error.strerror)) from None
+        raise HorizonError("%s cannot be written: %s" % (path.name, error.strerror)) from None

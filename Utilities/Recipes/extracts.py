@@ -26,7 +26,7 @@ def make_parser():
 def main():
     arguments = make_parser().parse_args()
     if not pathlib.Path(arguments.file).is_file():
-        sys.exit("extracts: %s: nothing there, expected a file" % arguments.file)
+        sys.exit("extracts: %s: no such file" % arguments.file)
     horizons = simple.OpenDataFile(arguments.file)
     surface = simple.HorizonSurface(Input=horizons, MaximumError=arguments.largest_error)
     distance = simple.HorizonSurfaceDistance(Reference=horizons, Mesh=surface)

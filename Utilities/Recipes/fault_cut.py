@@ -24,7 +24,7 @@ def main():
     parser.add_argument("--triangles", metavar="N", type=int, default=2000, help="how many triangles each mesh may have")
     arguments = parser.parse_args()
     if not pathlib.Path(arguments.file).is_file():
-        sys.exit("fault_cut: %s: nothing there, expected a file" % arguments.file)
+        sys.exit("fault_cut: %s: no such file" % arguments.file)
     os.makedirs(arguments.folder, exist_ok=True)
     horizons = simple.OpenDataFile(arguments.file)
     faults = simple.HorizonFaults(Input=horizons, SmallestThrow=arguments.throw)

@@ -21,7 +21,7 @@ def main():
     parser.add_argument("--largest-error", metavar="E", type=float, default=1.0, help="as MaximumError of Horizon Surface")
     arguments = parser.parse_args()
     if not pathlib.Path(arguments.file).is_file():
-        sys.exit("file_to_mesh: %s: nothing there, expected a file" % arguments.file)
+        sys.exit("file_to_mesh: %s: no such file" % arguments.file)
     horizons = simple.OpenDataFile(arguments.file)
     surface = simple.HorizonSurface(Input=horizons, MaximumError=arguments.largest_error)
     surface.UpdatePipeline()

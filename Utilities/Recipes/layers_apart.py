@@ -58,7 +58,7 @@ def main():
                         help="what is done where horizons cross")
     arguments = parser.parse_args()
     if not pathlib.Path(arguments.file).is_file():
-        sys.exit("layers_apart: %s: nothing there, expected a file" % arguments.file)
+        sys.exit("layers_apart: %s: no such file" % arguments.file)
     words = {"UpperWins": "Upper Wins", "LowerWins": "Lower Wins"}
     layers = simple.HorizonLayers(Input=simple.OpenDataFile(arguments.file),
                                   Crossings=words.get(arguments.crossings, arguments.crossings))

@@ -4,7 +4,7 @@
 
     python3 many_horizons.py results picks/*.dat survey.vsm
 
-Runs in the Python of the system; the package seismichorizons has to be found by it. A file that can not be read is
+Runs in the Python of the system; the package seismichorizons has to be found by it. A file that cannot be read is
 told of, and the others are done.
 """
 
@@ -34,7 +34,7 @@ def mesh_file(path, folder, error):
         writer.SetInputData(mesh)
         writer.SetDataModeToBinary()  # some readers of VTK stumble over appended data
         if not writer.Write():
-            raise OSError("%s can not be written" % writer.GetFileName())
+            raise OSError("%s cannot be written" % writer.GetFileName())
         yield {"file": path.name, "horizon": name, "points": points.GetNumberOfPoints(),
                "triangles": mesh.GetNumberOfPolys(), "radius": chosen["Radius"]}
 

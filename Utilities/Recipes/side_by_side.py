@@ -66,7 +66,7 @@ def main():
     parser.add_argument("values", metavar="VALUE", type=float, nargs="+", help="its values, one panel each")
     arguments = parser.parse_args()
     if not pathlib.Path(arguments.file).is_file():
-        sys.exit("side_by_side: %s: nothing there, expected a file" % arguments.file)
+        sys.exit("side_by_side: %s: no such file" % arguments.file)
     horizons = simple.OpenDataFile(arguments.file)
     if arguments.horizon:
         horizons.HorizonStatus = [arguments.horizon]

@@ -43,7 +43,7 @@ def run(path, piece, pieces, clock):
     sizes = [horizons.GetPartition(n, 0).GetNumberOfPoints() for n in range(horizons.GetNumberOfPartitionedDataSets())
              if horizons.GetNumberOfPartitions(n)]
     if not horizons.GetNumberOfPartitionedDataSets():
-        sys.exit("ranks: %s can not be read" % path)
+        sys.exit("ranks: %s cannot be read" % path)
     return {"seconds": seconds, "sizes": sizes}
 
 

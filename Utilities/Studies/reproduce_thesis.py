@@ -6,7 +6,7 @@ and 5.18 and its figures of surfaces say, the numbers found here, and those of o
 
 Utilities/Studies/reproduce_thesis.sh makes all that is needed, and runs it. Needs the package seismichorizons in
 PYTHONPATH; Matplotlib for the curves, an X server for the pictures of surfaces, and MeshLab as well for the partners of
-the thesis. What can not be made is left out.
+the thesis. What cannot be made is left out.
 """
 
 import argparse

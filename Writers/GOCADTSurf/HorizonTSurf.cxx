@@ -29,7 +29,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr const char* ExpectedTriangles = ", expected triangles: apply Triangulate before";
+constexpr const char* ExpectedTriangles = ", expected triangles: apply Triangulate first";
 
 std::vector<std::array<double, 3>> ReadVertices(vtkPolyData* horizon, double upwards)
 {

@@ -6,7 +6,7 @@
  *
  * Each triangle becomes a 3DFACE, each horizon a layer, all of them in one file of AutoCAD R12 (AC1009), in text
  * (Documentation/HorizonDXFWriter.md). The layer has the name of the block, else "Horizon <ID>" by the surface ID of the
- * first point, else the name of the file without its extension; with underscores for what names of layers can not have,
+ * first point, else the name of the file without its extension; with underscores for what names of layers cannot have,
  * and 31 characters at most. Of several with one name the second gets "_2", and so on.
  * Horizons without points are left out.
  *

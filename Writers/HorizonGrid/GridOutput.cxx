@@ -126,7 +126,8 @@ void GridOutput::Finish()
   this->Work.Progress(1.0);
   if (!this->Stream.flush())
   {
-    throw InputError("writing failed, expected room for a grid of " + std::to_string(this->NumberOfValues) + " values");
+    throw InputError(
+      "writing failed, expected disk space for a grid of " + std::to_string(this->NumberOfValues) + " values");
   }
 }
 }

@@ -4,7 +4,7 @@
 // Writes a horizon as grid files of other programs. Documentation/HorizonGridFormats.md describes the formats.
 //
 // Values and coordinates have all the digits they need, so that what is written is read as the same grid again. Throws
-// InputError when the format can not hold the grid, before anything is written, and when writing fails.
+// InputError when the format cannot hold the grid, before anything is written, and when writing fails.
 
 #ifndef SeismicHorizonsGridWriters_h
 #define SeismicHorizonsGridWriters_h

@@ -6,7 +6,7 @@
  *
  * A grid covers the lattice of its horizon; columns without a point have the null value of the format
  * (Documentation/HorizonGridFormats.md). A file holds one grid: of several horizons each goes into a file of its own,
- * whose name has that of the horizon behind an underscore, with underscores for what file names can not have:
+ * whose name has that of the horizon behind an underscore, with underscores for what file names cannot have:
  * "reek_Top.irap". Numbers have all their digits.
  *
  * @sa vtkHorizonGridReader vtkHorizonTextWriter

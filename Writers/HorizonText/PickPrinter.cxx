@@ -16,7 +16,7 @@ namespace
 // Numbers from here on are read as none.
 constexpr double LeastHuge = 0.999999e30;
 
-/// Text in quotes, in which quotes and characters that can not be printed have no place.
+/// Text in quotes, in which quotes and characters that cannot be printed have no place.
 std::string Quoted(std::string text)
 {
   std::replace(text.begin(), text.end(), '"', '\'');

@@ -92,15 +92,15 @@ public:
   const CrackSide* Find(PointId from, PointId to) const
   {
     const auto found = std::lower_bound(
-      this->Sides.begin(), this->Sides.end(), CrackSide{ from, to, 0, CrackSide::Kind::Lip }, IsBefore);
+      this->Sides.begin(), this->Sides.end(), CrackSide{ from, to, 0, CrackSide::Kind::Cutoff }, IsBefore);
     return found != this->Sides.end() && found->From == from && found->To == to ? &*found : nullptr;
   }
 
   /// One that begins in a point.
   const CrackSide* FindFrom(PointId from) const
   {
-    const auto found =
-      std::lower_bound(this->Sides.begin(), this->Sides.end(), CrackSide{ from, 0, 0, CrackSide::Kind::Lip }, IsBefore);
+    const auto found = std::lower_bound(
+      this->Sides.begin(), this->Sides.end(), CrackSide{ from, 0, 0, CrackSide::Kind::Cutoff }, IsBefore);
     return found != this->Sides.end() && found->From == from ? &*found : nullptr;
   }
 
@@ -142,7 +142,7 @@ void KeepOpen(SideTable& sides, const Loops& boundary, std::int32_t faces)
   ForEachSideOnLoops(sides, boundary, [&](std::size_t, const CrackSide& side) { isOpen[side.Face] = true; });
   for (const CrackSide& side : sides.All())
   {
-    const CrackSide* const beyond = side.What == CrackSide::Kind::Lip ? nullptr : sides.Find(side.To, side.From);
+    const CrackSide* const beyond = side.What == CrackSide::Kind::Cutoff ? nullptr : sides.Find(side.To, side.From);
     if (beyond)
     {
       regions.Join(side.Face, beyond->Face);
@@ -335,7 +335,7 @@ std::vector<CrackSide> FindCrackFaces(
     {
       const FaceStep& step = steps[n];
       const std::size_t number = whole.NumberOf(index.Place(columns[step.Point]), step.Hop);
-      CrackSide::Kind kind = CrackSide::Kind::Lip;
+      CrackSide::Kind kind = CrackSide::Kind::Cutoff;
       if (number != WholeGraph::None)
       {
         walked[number] = true;
@@ -366,16 +366,16 @@ Cracks FindCracks(std::vector<CrackSide> sides, const Loops& boundary, const std
   Cracks cracks;
   for (const CrackSide& side : table.All())
   {
-    if (side.What != CrackSide::Kind::Lip && !table.Find(side.To, side.From))
+    if (side.What != CrackSide::Kind::Cutoff && !table.Find(side.To, side.From))
     {
-      cracks.Mouths.push_back({ side.From, side.To });
+      cracks.OpenEnds.push_back({ side.From, side.To });
     }
   }
-  std::vector<std::size_t> lips(boundary.Size(), 0);
-  ForEachSideOnLoops(table, boundary, [&lips](std::size_t loop, const CrackSide&) { ++lips[loop]; });
+  std::vector<std::size_t> cutoffs(boundary.Size(), 0);
+  ForEachSideOnLoops(table, boundary, [&cutoffs](std::size_t loop, const CrackSide&) { ++cutoffs[loop]; });
   for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
   {
-    if (lips[loop] == boundary.Length(loop))
+    if (cutoffs[loop] == boundary.Length(loop))
     {
       cracks.Loops.push_back(loop);
     }

@@ -14,8 +14,8 @@
 //
 //     o---o---o---o---o---o       o       points
 //     |   :   :   :  /            -, |    admissible hops
-//     |   :   :   : /             :, /    hops across cuts: the slanted one is a mouth, as a point is missing beside it
-//     o---o---o---o
+//     |   :   :   : /             :, /    hops across cuts: the slanted one is an open end,
+//     o---o---o---o                       as a point is missing beside it
 
 #ifndef SeismicHorizonsCutFaces_h
 #define SeismicHorizonsCutFaces_h
@@ -81,7 +81,7 @@ struct CrackSide
 {
   enum class Kind : unsigned char
   {
-    Lip, // an admissible hop
+    Cutoff, // an admissible hop
     Short, // a hop to a neighbour across a cut
     Long // a longer one: what it leads over may have no cut in it
   };

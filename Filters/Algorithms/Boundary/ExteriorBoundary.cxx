@@ -6,7 +6,7 @@
 // (ClockwiseBoundary.h); marks of points by the loops they are on.
 //
 // The surprising part: both ways only ever walk around faces of a plane graph. Which hops belong to the graph is
-// decided before, so that a walk needs no rules of its own, and can not cross itself.
+// decided before, so that a walk needs no rules of its own, and cannot cross itself.
 
 #include "ExteriorBoundary.h"
 
@@ -521,7 +521,7 @@ void CheckCuts(const BoundaryOptions& options)
 {
   if (options.Cuts && HasSeams(options.Seams))
   {
-    throw InputError("cut links and a seam, expected one of them: a crack may go on beyond the seam");
+    throw InputError("cut links and a seam, expected one of them: a crack may continue beyond the seam");
   }
   if (options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1)
   {
@@ -531,7 +531,7 @@ void CheckCuts(const BoundaryOptions& options)
 }
 
 /// Without the numbers and the loops of patches that are too small, and the loops of their holes.
-ExteriorBoundary WithoutSpecks(const ExteriorBoundary& all, std::int64_t minimumSize)
+ExteriorBoundary WithoutSmallPatches(const ExteriorBoundary& all, std::int64_t minimumSize)
 {
   std::vector<std::int64_t> size(all.NumberOfPatches, 0);
   for (const std::int32_t patch : all.Patch)
@@ -637,7 +637,7 @@ ExteriorBoundary FindExteriorBoundary(
   ExteriorBoundary result = Find(index, options, SeamPresence(columns, options.Seams), cracks, monitor);
   if (options.MinimumPatchSize > 1)
   {
-    result = WithoutSpecks(result, options.MinimumPatchSize);
+    result = WithoutSmallPatches(result, options.MinimumPatchSize);
   }
   result.OpenCracks = FindCracks(std::move(cracks), result.Boundary, result.Patch);
   return result;
@@ -664,9 +664,9 @@ KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary)
   {
     const std::vector<PointId> numbers = kept.Numbers();
     boundary.Boundary = boundary.Boundary.Renumbered(numbers);
-    for (Edge& mouth : boundary.OpenCracks.Mouths)
+    for (Edge& openEnd : boundary.OpenCracks.OpenEnds)
     {
-      mouth = { numbers[mouth.From], numbers[mouth.To] };
+      openEnd = { numbers[openEnd.From], numbers[openEnd.To] };
     }
     boundary.Patch = kept.Select(boundary.Patch);
   }

@@ -20,7 +20,7 @@
 //    their meshes would lie over each other.
 //
 // A horizon can be cut along links between neighbouring columns (CutBlocks.h). The loop of a crack runs around both of
-// its lips, counter-clockwise as that of a hole, or is part of an outline where the crack reaches it.
+// its cutoffs, counter-clockwise as that of a hole, or is part of an outline where the crack reaches it.
 
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h

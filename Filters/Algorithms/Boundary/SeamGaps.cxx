@@ -63,12 +63,12 @@ void CheckSeams(PlanePoints columns, const BoundaryOptions& options)
   }
   if (!options.HoleBoundaries)
   {
-    throw InputError("a seam without boundaries of holes, expected these: a hole may go on beyond the seam");
+    throw InputError("a seam without hole boundaries, expected them: a hole may continue beyond the seam");
   }
   if (options.MinimumPatchSize > 1)
   {
     throw InputError("a seam and a minimum patch size of " + std::to_string(options.MinimumPatchSize) +
-      " points, expected 1: a patch may go on beyond the seam");
+      " points, expected 1: a patch may continue beyond the seam");
   }
   if (options.Growth == GrowthStrategy::Distance && options.Radius > 1)
   {

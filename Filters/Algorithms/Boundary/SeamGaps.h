@@ -23,7 +23,7 @@
 namespace SeismicHorizons
 {
 /// Throws InputError when a point is beyond a seam, or when the options do not suit one: loops of holes are needed,
-/// patches must not be dropped that go on beyond a seam, and growth by distance does not take all hops along a seam.
+/// patches must not be dropped that continue beyond a seam, and growth by distance does not take all hops along a seam.
 void CheckSeams(PlanePoints columns, const BoundaryOptions& options);
 
 /// Whether there are points on the seams of some options, which are the least and the greatest row then.

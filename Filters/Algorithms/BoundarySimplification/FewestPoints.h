@@ -90,7 +90,7 @@ private:
 //
 //        o--o                    When an edge takes the place of a chain, what lies between the two changes sides. No
 //       /    \    o--o           point may lie there, or on the edge, other than those of the chain. Then no edge of
-//   ---o------o--/----o---       another chain crosses the new one: it can not cross the chain, and would have an end
+//   ---o------o--/----o---       another chain crosses the new one: it cannot cross the chain, and would have an end
 //              \o                between the two. For the same reason two new edges never cross, in whatever order they
 //                              are made, as their ends are among the points that may not lie there.
 /// All answers are exact.

@@ -13,7 +13,7 @@
 //
 // Sides: parts of a cell that links connect which are not cut. A crack that ends in the cell would leave one part
 // around its tip: it is carried on there, straight to the border of the cell or to another crack, so that points of its
-// two lips are never on one side.
+// two cutoffs are never on one side.
 //
 //        a a a a a a
 //        a a a a a a

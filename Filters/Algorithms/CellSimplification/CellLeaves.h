@@ -86,7 +86,7 @@ public:
       : this->FirstCells[square];
   }
 
-  /// How many points of the original horizon a point stands for; at least 1, whatever the horizon says.
+  /// How many points of the original horizon a point represents; at least 1, whatever the horizon says.
   std::int64_t Weight(PointId point) const
   {
     return this->Input.Count.empty() ? 1 : std::max<std::int64_t>(1, this->Input.Count[point]);
@@ -110,7 +110,7 @@ public:
   }
 
   /// Lets a leaf begin at a point. `level` is how many times its cell was halved. `keepsInner` is for a leaf with
-  /// boundary points: whether one point stands for its inner points, or these go.
+  /// boundary points: whether one point represents its inner points, or these go.
   void MarkLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner)
   {
     this->MarkOf(first) = static_cast<unsigned char>(
@@ -139,7 +139,7 @@ public:
   // What is known of a leaf, by its first point.
   int Level(const PointId* leaf) const { return int(this->MarkOf(leaf) & LevelMask); }
   bool HasBoundary(const PointId* leaf) const { return (this->MarkOf(leaf) & Boundary) != 0; }
-  /// Whether one point stands for the inner points: in a leaf without boundary points, and where MarkLeaf said so.
+  /// Whether one point represents the inner points: in a leaf without boundary points, and where MarkLeaf said so.
   bool MergesInner(const PointId* leaf) const { return MergesInner(this->MarkOf(leaf)); }
   /// For how many leaves of a cell this is so.
   std::uint32_t CountMerging(std::int64_t cell) const;

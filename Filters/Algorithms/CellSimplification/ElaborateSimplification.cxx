@@ -406,7 +406,7 @@ Eigen::Matrix3d CovarianceOf(const CellLeaves& leaves, const PointId* first, con
 }
 
 /// The flatness (thesis eq. 4.5) of some points, at least one: from 0, which is a plane, to 1/3. Wrong by 1e-6 at most.
-/// Each point weighs as much as it stands for.
+/// Each point weighs as much as it represents.
 double FlatnessOf(const CellLeaves& leaves, const PointId* first, const PointId* last)
 {
   return last - first <= MostPointsOfPlane ? 0.0 : QuickFlatness(CovarianceOf(leaves, first, last));

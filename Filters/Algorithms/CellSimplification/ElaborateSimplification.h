@@ -60,7 +60,7 @@ struct ElaborateOptions : CellOptions
   /// them are farther apart than the extent (eq. 4.1, 4.2), in lattice units. Both at least 0.
   double BoundaryDensityThreshold = 0.25;
   double BoundaryExtentThreshold = 2.0;
-  /// When the side of a leaf with boundary points is larger than this, in lattice units, one point stands for its other
+  /// When the side of a leaf with boundary points is larger than this, in lattice units, one point represents its other
   /// points; else they go. At least 0.
   double BoundaryCellSizeThreshold = 2.0;
   /// No cell is halved to a side below this, in lattice units. At least 1; where it is more than half of the cell size

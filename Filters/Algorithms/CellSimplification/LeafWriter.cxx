@@ -4,9 +4,9 @@
 // Steps: number the boundary points; count the new points of each cell, and add the counts up; let every cell write its
 // points to the places that it knows by then. So no thread waits for another, and the order is that of the cells.
 //
-// What stands for the inner points of a leaf, its stand-in, is their barycentre when that is wanted, lies strictly
-// inside the boundary and is alone in its place. Else it is the inner point that is nearest to the barycentre in plan:
-// inner points of a horizon lie strictly inside its boundary, and no two of them share a place.
+// The representative of the inner points of a leaf is their barycentre when that is wanted, lies strictly inside the
+// boundary and is alone in its place. Else it is the inner point that is nearest to the barycentre in plan: inner
+// points of a horizon lie strictly inside its boundary, and no two of them share a place.
 
 #include "LeafWriter.h"
 
@@ -159,8 +159,8 @@ std::int64_t NearestPoint::SquaredDistanceToBox(const Range& range, const PlaneP
 //----------------------------------------------------------------------------------------------------------------------
 // Writing
 
-/// What stands for the inner points of a leaf.
-struct StandIn
+/// The point that represents the inner points of a leaf.
+struct CellRepresentative
 {
   // The leaf.
   const PointId* First = nullptr;
@@ -206,7 +206,7 @@ private:
   struct Scratch
   {
     std::vector<PointId> Kept; // the boundary points of a leaf
-    std::vector<StandIn> Found;
+    std::vector<CellRepresentative> Found;
     std::vector<PlanePoint> Places;
   };
 
@@ -217,12 +217,12 @@ private:
   void WriteCell(std::int64_t cell, PointId next, Scratch& scratch);
   void WriteBoundaryPoints(const PointId* first, const PointId* last, std::vector<PointId>& kept);
   void MergeIntoBoundary(const PointId* first, const PointId* last, std::vector<PointId>& kept);
-  StandIn FindStandIn(std::int64_t cell, const PointId* first, const PointId* last) const;
-  StandIn FindBarycentre(const PointId* first, const PointId* last) const;
+  CellRepresentative FindRepresentative(std::int64_t cell, const PointId* first, const PointId* last) const;
+  CellRepresentative FindBarycentre(const PointId* first, const PointId* last) const;
   bool IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const;
-  void SeparatePlaces(std::vector<StandIn>& standIns, std::vector<PlanePoint>& places) const;
-  void UseNearest(StandIn& standIn) const;
-  void WriteNewPoint(const StandIn& standIn, PointId number);
+  void SeparatePlaces(std::vector<CellRepresentative>& representatives, std::vector<PlanePoint>& places) const;
+  void UseNearest(CellRepresentative& representative) const;
+  void WriteNewPoint(const CellRepresentative& representative, PointId number);
 
   const CellLeaves& Leaves;
   const RepresentativeKind Representative;
@@ -323,7 +323,7 @@ void LeafWriter::WriteCell(std::int64_t cell, PointId next, Scratch& scratch)
       }
       if (this->Leaves.MergesInner(first))
       {
-        scratch.Found.push_back(this->FindStandIn(cell, first, last));
+        scratch.Found.push_back(this->FindRepresentative(cell, first, last));
       }
       else if (std::ptrdiff_t(scratch.Kept.size()) < last - first)
       {
@@ -331,9 +331,9 @@ void LeafWriter::WriteCell(std::int64_t cell, PointId next, Scratch& scratch)
       }
     });
   this->SeparatePlaces(scratch.Found, scratch.Places);
-  for (const StandIn& standIn : scratch.Found)
+  for (const CellRepresentative& representative : scratch.Found)
   {
-    this->WriteNewPoint(standIn, next);
+    this->WriteNewPoint(representative, next);
     ++next;
   }
 }
@@ -370,16 +370,16 @@ void LeafWriter::MergeIntoBoundary(const PointId* first, const PointId* last, st
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void LeafWriter::WriteNewPoint(const StandIn& standIn, PointId number)
+void LeafWriter::WriteNewPoint(const CellRepresentative& representative, PointId number)
 {
   const std::size_t target = std::size_t(number);
-  this->Result.Source[target] = standIn.Nearest;
-  this->Result.Averaged[target] = standIn.Averaged ? 1 : 0;
-  this->Result.Plane[target] = standIn.Plane;
-  this->Result.Height[target] = standIn.Height;
-  this->Result.Origin[target].Level = static_cast<unsigned char>(this->Leaves.Level(standIn.First));
-  this->Result.Origin[target].Kind = standIn.Averaged ? PointKind::Barycentre : PointKind::InputPoint;
-  for (const PointId* point = standIn.First; point != standIn.Last; ++point)
+  this->Result.Source[target] = representative.Nearest;
+  this->Result.Averaged[target] = representative.Averaged ? 1 : 0;
+  this->Result.Plane[target] = representative.Plane;
+  this->Result.Height[target] = representative.Height;
+  this->Result.Origin[target].Level = static_cast<unsigned char>(this->Leaves.Level(representative.First));
+  this->Result.Origin[target].Kind = representative.Averaged ? PointKind::Barycentre : PointKind::InputPoint;
+  for (const PointId* point = representative.First; point != representative.Last; ++point)
   {
     if (!this->Leaves.IsOnBoundary(*point))
     {
@@ -389,9 +389,9 @@ void LeafWriter::WriteNewPoint(const StandIn& standIn, PointId number)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-StandIn LeafWriter::FindStandIn(std::int64_t cell, const PointId* first, const PointId* last) const
+CellRepresentative LeafWriter::FindRepresentative(std::int64_t cell, const PointId* first, const PointId* last) const
 {
-  StandIn standIn = this->FindBarycentre(first, last);
+  CellRepresentative representative = this->FindBarycentre(first, last);
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   std::int64_t count = 0;
   for (const PointId* point = first; point != last; ++point)
@@ -401,24 +401,24 @@ StandIn LeafWriter::FindStandIn(std::int64_t cell, const PointId* first, const P
       continue;
     }
     ++count;
-    const std::int64_t distance = SquaredDistance(this->Leaves.Plane(*point), standIn.Plane);
+    const std::int64_t distance = SquaredDistance(this->Leaves.Plane(*point), representative.Plane);
     if (distance < least)
     {
       least = distance;
-      standIn.Nearest = *point;
+      representative.Nearest = *point;
     }
   }
-  standIn.Averaged = count > 1 && this->Representative == RepresentativeKind::Barycentre &&
-    this->IsInside(cell, standIn.Plane, standIn.Nearest);
-  if (!standIn.Averaged)
+  representative.Averaged = count > 1 && this->Representative == RepresentativeKind::Barycentre &&
+    this->IsInside(cell, representative.Plane, representative.Nearest);
+  if (!representative.Averaged)
   {
-    this->UseNearest(standIn);
+    this->UseNearest(representative);
   }
-  return standIn;
+  return representative;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-StandIn LeafWriter::FindBarycentre(const PointId* first, const PointId* last) const
+CellRepresentative LeafWriter::FindBarycentre(const PointId* first, const PointId* last) const
 {
   std::int64_t count = 0;
   std::int64_t x = 0;
@@ -435,18 +435,18 @@ StandIn LeafWriter::FindBarycentre(const PointId* first, const PointId* last) co
       z += double(weight) * this->Leaves.Height(*point);
     }
   }
-  StandIn standIn;
-  standIn.First = first;
-  standIn.Last = last;
-  standIn.Plane = { RoundedQuotient(x, count), RoundedQuotient(y, count) };
-  standIn.Height = z / double(count);
-  return standIn;
+  CellRepresentative representative;
+  representative.First = first;
+  representative.Last = last;
+  representative.Plane = { RoundedQuotient(x, count), RoundedQuotient(y, count) };
+  representative.Height = z / double(count);
+  return representative;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Whether a place in the hull of points of one cell and patch is strictly inside the boundary, as the point `inner`
 /// among them is: the segment between the two must cross the boundary of the patch an even number of times, and with
-/// cuts not at all, as it may cross both lips of a crack.
+/// cuts not at all, as it may cross both cutoffs of a crack.
 bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const
 {
   const PlanePoint from = this->Leaves.Plane(inner);
@@ -476,24 +476,24 @@ bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId in
 //----------------------------------------------------------------------------------------------------------------------
 /// Leaves above each other can have their barycentres in one place. Then all of them use their nearest points. These
 /// may in turn be in the place of another barycentre, so that the search goes on until nothing changes.
-void LeafWriter::SeparatePlaces(std::vector<StandIn>& standIns, std::vector<PlanePoint>& places) const
+void LeafWriter::SeparatePlaces(std::vector<CellRepresentative>& representatives, std::vector<PlanePoint>& places) const
 {
-  bool changed = standIns.size() > 1;
+  bool changed = representatives.size() > 1;
   while (changed)
   {
     changed = false;
     places.clear();
-    for (const StandIn& standIn : standIns)
+    for (const CellRepresentative& representative : representatives)
     {
-      places.push_back(standIn.Plane);
+      places.push_back(representative.Plane);
     }
     std::sort(places.begin(), places.end());
-    for (StandIn& standIn : standIns)
+    for (CellRepresentative& representative : representatives)
     {
-      const auto same = std::equal_range(places.begin(), places.end(), standIn.Plane);
-      if (standIn.Averaged && same.second - same.first > 1)
+      const auto same = std::equal_range(places.begin(), places.end(), representative.Plane);
+      if (representative.Averaged && same.second - same.first > 1)
       {
-        this->UseNearest(standIn);
+        this->UseNearest(representative);
         changed = true;
       }
     }
@@ -501,11 +501,11 @@ void LeafWriter::SeparatePlaces(std::vector<StandIn>& standIns, std::vector<Plan
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void LeafWriter::UseNearest(StandIn& standIn) const
+void LeafWriter::UseNearest(CellRepresentative& representative) const
 {
-  standIn.Averaged = false;
-  standIn.Plane = this->Leaves.Plane(standIn.Nearest);
-  standIn.Height = this->Leaves.Height(standIn.Nearest);
+  representative.Averaged = false;
+  representative.Plane = this->Leaves.Plane(representative.Nearest);
+  representative.Height = this->Leaves.Height(representative.Nearest);
 }
 
 /// The cell of a leaf, at height 0: the cell of the grid, halved as often as the leaf says, towards its first point.

@@ -52,7 +52,7 @@ struct DecimationQuality
   DecimationEffort Effort = DecimationEffort::Best;
   DecimationPriority Priority = DecimationPriority::SumOfSquares;
   /// 0 to 60 degrees, in plan: no flip and no removal makes a smaller angle, but where there was
-  /// a smaller one before. Where a number of points can not be met so, it is halved until that is.
+  /// a smaller one before. Where a number of points cannot be met so, it is halved until that is.
   double SmallestAngle = 2.0;
 };
 
@@ -87,7 +87,7 @@ struct Decimation
 };
 
 /// The places of the points are columns, one at most in each, inside the loops of their patch; heights are finite.
-/// Points of a negative patch are not looked at, and nothing stands for them. Throws InputError otherwise, and when
+/// Points of a negative patch are not looked at, and nothing represents them. Throws InputError otherwise, and when
 /// triangulating the loops does. Takes about 28 bytes per point and 16 per column of the bounding box of a patch,
 /// beside the result, and the memory of the horizon where that is moved.
 Decimation Decimate(

@@ -60,7 +60,7 @@ public:
   void AddHorizon(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown = nullptr);
   std::size_t NumberOfHorizons() const { return 1 + this->Others.size(); }
 
-  /// Gives the horizon back; the mesh can not be used any more.
+  /// Gives the horizon back; the mesh cannot be used any more.
   BoundedHorizon TakeHorizon();
 
   /// How many points the horizon has: those with a patch.

@@ -340,7 +340,7 @@ public:
 private:
   struct Candidate
   {
-    double Cost; // by how much the sum of errors grows; infinite where the vertex can not go
+    double Cost; // by how much the sum of errors grows; infinite where the vertex cannot go
     VertexId Vertex;
     std::int32_t Side; // of its ring, that is collapsed
   };

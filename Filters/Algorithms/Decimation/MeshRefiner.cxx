@@ -214,7 +214,7 @@ void MeshRefiner::Insert(PointId point, TriangleId triangle)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// To the height of its column, a vertex that is farther from that than the bound: it can not be inserted once more.
+// To the height of its column, a vertex that is farther from that than the bound: it cannot be inserted once more.
 void MeshRefiner::PutBack(VertexId vertex, TriangleId triangle)
 {
   this->Mesh.PutBack(vertex);

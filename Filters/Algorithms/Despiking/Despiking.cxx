@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: find threads by a morphological opening, with a square one column wider than they may be; then spikes, each by
+// Steps: find spurs by a morphological opening, with a square one column wider than they may be; then spikes, each by
 // the plane through the points around it, which is made of medians.
 //
 // Opening: a square is full when each of its rows is. So rows are looked at first, and then columns of what they gave;
@@ -31,11 +31,11 @@ void CheckOptions(const DespikingOptions& options)
 {
   CheckAtLeast("threshold", options.Threshold, 0.0, " lattice units");
   CheckWithin("neighborhood radius", options.Radius, 1, LargestMedianRadius, " columns");
-  CheckWithin("thread width", options.ThreadWidth, 0, LargestThreadWidth, " columns");
+  CheckWithin("spur width", options.SpurWidth, 0, LargestSpurWidth, " columns");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Threads
+// Spurs
 
 using Marks = std::vector<unsigned char>;
 
@@ -100,7 +100,7 @@ private:
 };
 
 /// The points that no full square of width + 1 columns along each side covers.
-std::vector<PointId> FindThreads(const ColumnIndex& index, int width)
+std::vector<PointId> FindSpurs(const ColumnIndex& index, int width)
 {
   Marks marks(index.NumberOfPlaces(), 0);
   index.ForEachPoint(0, index.NumberOfPlaces(), [&marks](std::int64_t place, PointId) { marks[place] = 1; });
@@ -110,16 +110,16 @@ std::vector<PointId> FindThreads(const ColumnIndex& index, int width)
   alongColumns.Erode(marks, width + 1);
   alongRows.Dilate(marks, width + 1);
   alongColumns.Dilate(marks, width + 1);
-  std::vector<PointId> threads;
+  std::vector<PointId> spurs;
   index.ForEachPoint(0, index.NumberOfPlaces(),
     [&](std::int64_t place, PointId point)
     {
       if (marks[place] == 0)
       {
-        threads.push_back(point);
+        spurs.push_back(point);
       }
     });
-  return threads;
+  return spurs;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -292,11 +292,11 @@ Spikes Find(
   assert(heights.size() == columns.size());
   Spikes spikes;
   spikes.Kind.assign(columns.size(), SpikeKind::None);
-  if (options.ThreadWidth > 0)
+  if (options.SpurWidth > 0)
   {
-    for (const PointId point : FindThreads(index, options.ThreadWidth))
+    for (const PointId point : FindSpurs(index, options.SpurWidth))
     {
-      spikes.Kind[point] = SpikeKind::Thread;
+      spikes.Kind[point] = SpikeKind::Spur;
     }
   }
   const std::vector<double> byPlace = ListHeights(index, heights);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points of a horizon that do not belong to it: spikes, which are far above or below all around, and threads, by which
-// tracking ran out over a gap.
+// Points of a horizon that do not belong to it: spikes, which are far above or below all around, and narrow spurs,
+// where tracking ran out over missing data.
 
 #ifndef SeismicHorizonsDespiking_h
 #define SeismicHorizonsDespiking_h
@@ -20,19 +20,19 @@ struct DespikingOptions
   double Threshold = 0.0;
   /// How many columns along each axis points count as around.
   int Radius = 2;
-  /// Strips and spurs that are at most so many columns wide are threads. 0: none are.
-  int ThreadWidth = 0;
+  /// The largest width of a spur, in columns. 0: none are looked for.
+  int SpurWidth = 0;
 };
 
 constexpr int LargestMedianRadius = 16;
-constexpr int LargestThreadWidth = 64;
+constexpr int LargestSpurWidth = 64;
 
 /// The values of the point array Spike.
 enum class SpikeKind : unsigned char
 {
   None = 0,
   Spike = 1,
-  Thread = 2
+  Spur = 2
 };
 
 struct Spikes
@@ -49,8 +49,8 @@ struct Spikes
 /// by more than four times the noise of all points, and four times the median deviation of the points around it from
 /// the same plane, so that rough places are compared with themselves.
 ///
-/// A point is of a thread when no full square of columns one wider than ThreadWidth covers it (a morphological
-/// opening); a spike on a thread is a spike. Does not depend on the number of threads of the computer.
+/// A point is on a spur when no full square of columns one wider than SpurWidth covers it (a morphological opening); a
+/// spike on a spur is a spike. Does not depend on the number of threads.
 Spikes FindSpikes(PlanePoints columns, const std::vector<double>& heights, const DespikingOptions& options,
   const Monitor& monitor = Monitor());
 

@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Walks. The loops and the mouths of cracks (Common/Cracks.h) are a plane graph. The walk that begins with a mouth,
-//    and always continues along the first loop or mouth that a clockwise sweep meets, surrounds the crack to its left.
-// 2. Loops that are lips all along, and that no walk went along, bound cracks on their own.
+// 1. Walks. The loops and the open ends of cracks (Common/Cracks.h) are a plane graph. The walk that begins with an
+//    open end, and always continues along the first loop or open end that a clockwise sweep meets, surrounds the crack
+//    to its left.
+// 2. Loops that are cutoffs all along, and that no walk went along, bound cracks on their own.
 // 3. What walks and loops enclose is triangulated, all cracks together, as a horizon of the points on them.
 //
 //     o---o-------o---o        o    vertices of the mesh
-//         : \     |            -    lips
-//         :   \   |            :    the mouth
+//         : \     |            -    cutoffs
+//         :   \   |            :    an open end
 //     o---o-------o---o        \    inside the crack
 //
-// No point is added, which is why the result fits the mesh on the other side of each lip. Edges of loops are known by
-// their positions: those of the points they leave, counted through all loops. A walk looks for other edges only at ends
-// of mouths; elsewhere its loop leads on.
+// No point is added, which is why the result fits the mesh on the other side of each cutoff. Edges of loops are known
+// by their positions: those of the points they leave, counted through all loops. A walk looks for other edges only at
+// points of open ends; elsewhere its loop continues.
 
 #include "FaultClosing.h"
 
@@ -31,10 +32,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// An edge of the graph: a mouth, or an edge of the loops by its position.
+/// An edge of the graph: an open end, or an edge of the loops by its position.
 struct GraphEdge
 {
-  bool IsMouth;
+  bool IsOpenEnd;
   std::size_t Number;
 };
 
@@ -74,7 +75,7 @@ public:
     : Plane(plane)
     , Boundary(boundary)
     , Open(cracks)
-    , IsWalked(cracks.Mouths.size(), false)
+    , IsWalked(cracks.OpenEnds.size(), false)
   {
     this->CountPositions();
     this->FindLeavingEdges();
@@ -83,11 +84,11 @@ public:
   /// The boundaries, with the cracks to their right.
   Loops Run()
   {
-    for (std::size_t mouth = 0; mouth < this->Open.Mouths.size(); ++mouth)
+    for (std::size_t openEnd = 0; openEnd < this->Open.OpenEnds.size(); ++openEnd)
     {
-      if (!this->IsWalked[mouth])
+      if (!this->IsWalked[openEnd])
       {
-        this->Walk({ true, mouth });
+        this->Walk({ true, openEnd });
         this->AppendWalk();
       }
     }
@@ -108,16 +109,16 @@ private:
       end += this->Boundary.Length(loop);
       this->Ends.push_back(end);
     }
-    this->IsLip.assign(end, false);
+    this->IsCutoff.assign(end, false);
   }
 
   void FindLeavingEdges()
   {
-    for (std::size_t mouth = 0; mouth < this->Open.Mouths.size(); ++mouth)
+    for (std::size_t openEnd = 0; openEnd < this->Open.OpenEnds.size(); ++openEnd)
     {
-      this->Leaving.push_back({ this->Open.Mouths[mouth].From, { true, mouth } });
+      this->Leaving.push_back({ this->Open.OpenEnds[openEnd].From, { true, openEnd } });
     }
-    std::vector<PointId> ends = this->Open.EndsOfMouths();
+    std::vector<PointId> ends = this->Open.PointsOfOpenEnds();
     std::sort(ends.begin(), ends.end());
     for (std::size_t loop = 0; loop < this->Boundary.Size() && !ends.empty(); ++loop)
     {
@@ -156,12 +157,12 @@ private:
 
   PointId FromOf(const GraphEdge& edge) const
   {
-    return edge.IsMouth ? this->Open.Mouths[edge.Number].From : this->At(edge.Number);
+    return edge.IsOpenEnd ? this->Open.OpenEnds[edge.Number].From : this->At(edge.Number);
   }
 
   PointId ToOf(const GraphEdge& edge) const
   {
-    return edge.IsMouth ? this->Open.Mouths[edge.Number].To : this->At(this->After(edge.Number));
+    return edge.IsOpenEnd ? this->Open.OpenEnds[edge.Number].To : this->At(this->After(edge.Number));
   }
 
   PlanePoint Vector(PointId from, PointId to) const
@@ -177,26 +178,26 @@ private:
     GraphEdge edge = first;
     do
     {
-      std::vector<bool>& walked = edge.IsMouth ? this->IsWalked : this->IsLip;
+      std::vector<bool>& walked = edge.IsOpenEnd ? this->IsWalked : this->IsCutoff;
       if (walked[edge.Number])
       {
-        const Edge& mouth = this->Open.Mouths[first.Number];
-        throw InputError("a crack that is not closed, from the mouth between points " + std::to_string(mouth.From) +
-          " and " + std::to_string(mouth.To) + ", expected mouths of the cracks between the boundary loops");
+        const Edge& openEnd = this->Open.OpenEnds[first.Number];
+        throw InputError("crack not closed, from its open end between points " + std::to_string(openEnd.From) +
+          " and " + std::to_string(openEnd.To) + ", expected open ends of cracks between the boundary loops");
       }
       walked[edge.Number] = true;
       this->Points.push_back(this->FromOf(edge));
       edge = this->Next(edge);
-    } while (!edge.IsMouth || edge.Number != first.Number);
+    } while (!edge.IsOpenEnd || edge.Number != first.Number);
   }
 
   GraphEdge Next(const GraphEdge& edge) const
   {
     const PointId point = this->ToOf(edge);
     const auto [first, last] = std::equal_range(this->Leaving.begin(), this->Leaving.end(), LeavingEdge{ point, {} });
-    if (first == last && edge.IsMouth)
+    if (first == last && edge.IsOpenEnd)
     {
-      throw InputError("a mouth of a crack that ends in point " + std::to_string(point) +
+      throw InputError("open end of a crack at point " + std::to_string(point) +
         ", where no boundary loop begins, expected points of the loops");
     }
     if (first == last)
@@ -224,7 +225,7 @@ private:
       throw InputError("a crack along loop " + std::to_string(loop) + ", expected less than the " +
         std::to_string(this->Boundary.Size()) + " of the boundary");
     }
-    if (!this->IsLip[this->StartOf(loop)])
+    if (!this->IsCutoff[this->StartOf(loop)])
     {
       this->Points.assign(this->Boundary.begin(loop), this->Boundary.end(loop));
       this->AppendWalk();
@@ -235,9 +236,9 @@ private:
   const Loops& Boundary;
   const Cracks& Open;
   std::vector<std::size_t> Ends; // of the loops, in positions
-  std::vector<bool> IsWalked; // by mouth
-  std::vector<bool> IsLip; // by position: whether its edge was walked
-  std::vector<LeavingEdge> Leaving; // the ends of mouths, by these
+  std::vector<bool> IsWalked; // by open end
+  std::vector<bool> IsCutoff; // by position: whether its edge was walked
+  std::vector<LeavingEdge> Leaving; // the points of open ends, by these
   std::vector<PointId> Points; // of the last walk
   Loops Result;
 };

@@ -102,7 +102,7 @@ private:
       if (++this->Number > MostCrossings)
       {
         throw InputError("fault polygons that cross rows of the lattice more than " + std::to_string(MostCrossings) +
-          " times, expected lines that do not go to and fro");
+          " times, expected simpler polygons");
       }
     }
   }

@@ -803,7 +803,7 @@ std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::
   if (options.Source != LatticeSource::OriginAndSteps)
   {
     throw InputError(number + " of " + std::to_string(picks.Size()) + " picks far from all others, " + said +
-      "; expected StrayPicks that are left out, or LatticeSource OriginAndSteps");
+      "; expected StrayPicks LeaveOut, or LatticeSource OriginAndSteps");
   }
   doubts.push_back(number + " picks far from all others, " + said + ": StrayPicks leaves them out");
   return said;

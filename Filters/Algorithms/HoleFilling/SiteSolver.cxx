@@ -717,9 +717,8 @@ void Multigrid<Radius>::Solve(std::vector<double>& values, const Monitor& monito
   }
   if (!(energy <= enough))
   {
-    throw InputError("a gap of " + std::to_string(finest.Size()) + " unknowns whose surface was not found in " +
-      std::to_string(MostCycles) +
-      " cycles, expected at most a few dozen; Membrane in place of Plate is found quicker");
+    throw InputError("the surface over a hole of " + std::to_string(finest.Size()) + " unknowns did not converge in " +
+      std::to_string(MostCycles) + " cycles, expected a few dozen at most; Membrane converges faster than Plate");
   }
   values = finest.AtSites(solution);
 }

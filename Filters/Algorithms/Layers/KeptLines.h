@@ -33,7 +33,7 @@ public:
   /// simplified, and those that cross others, are left out.
   void Keep(const PinchOutLines& lines);
 
-  /// Lines whose fitted ends have brought them too far from a horizon need not stay: that can not be cured by points
+  /// Lines whose fitted ends have brought them too far from a horizon need not stay: that cannot be cured by points
   /// beside them. Whether there were some.
   bool DropFar();
 

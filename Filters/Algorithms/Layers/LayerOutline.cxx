@@ -48,7 +48,7 @@ public:
   LayerOutline Run(const ExteriorBoundary& boundary, const std::vector<PointId>& fixed, const Monitor& monitor)
   {
     this->Options.Fixed = fixed;
-    const std::vector<PointId> ends = boundary.OpenCracks.EndsOfMouths();
+    const std::vector<PointId> ends = boundary.OpenCracks.PointsOfOpenEnds();
     this->Options.Fixed.insert(this->Options.Fixed.end(), ends.begin(), ends.end());
     BoundarySimplification simplified;
     const SpacePoints points(this->Columns, this->Heights.front(), 1);

@@ -326,7 +326,7 @@ private:
       {
         const PlanePoint& place = this->Columns[std::size_t(border.From)];
         throw InputError("the border of a layer at column (" + std::to_string(place.X) + ", " +
-          std::to_string(place.Y) + ") is no line of the plan, expected layers whose borders do not cross");
+          std::to_string(place.Y) + ") is not an edge of the plan, expected layers whose borders do not cross");
       }
     }
     sides.Legalize();
@@ -540,9 +540,9 @@ private:
     {
       places.push_back(mesh.Raised(vertex).Column);
     }
-    for (Edge& mouth : cracks.Mouths)
+    for (Edge& openEnd : cracks.OpenEnds)
     {
-      mouth = { vertexOf(mouth.From), vertexOf(mouth.To) };
+      openEnd = { vertexOf(openEnd.From), vertexOf(openEnd.To) };
     }
     return CloseFaults(places, mesh.Boundary().RenumberedBy(vertexOf), cracks);
   }

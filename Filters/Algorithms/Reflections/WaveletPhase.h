@@ -13,7 +13,7 @@ namespace SeismicHorizons
 {
 struct WaveletPhase
 {
-  double Degrees = 0.0; // -90 to below 90: which of the two signs it has can not be told
+  double Degrees = 0.0; // -90 to below 90: which of the two signs it has cannot be told
   double Deviation = 0.0; // the root mean square of how far those of eighths of the traces are from it: 0 to 90 degrees
 };
 

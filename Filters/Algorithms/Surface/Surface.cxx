@@ -599,7 +599,7 @@ private:
     options.DistanceThreshold = parameters.DistanceThreshold;
     const auto simplify = [&](const Loops& loops)
     { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
-    options.Fixed = this->Result.Boundary.OpenCracks.EndsOfMouths();
+    options.Fixed = this->Result.Boundary.OpenCracks.PointsOfOpenEnds();
     options.Fixed.insert(options.Fixed.end(), this->Result.BesideSlivers.begin(), this->Result.BesideSlivers.end());
     options.Index = this->Result.Kept.AreAll() ? &*this->Index : nullptr;
     if (!HasSeams(this->Options.Seams))

@@ -114,7 +114,7 @@ private:
     }
     if (this->Edges[edge].From != path.front())
     {
-      throw InputError("a loop that does not come back to its vertex " + std::to_string(path.front()) +
+      throw InputError("a loop that does not return to its vertex " + std::to_string(path.front()) +
         ", expected parts whose seams fit");
     }
     return path;
@@ -278,7 +278,7 @@ public:
     this->Result.NumberOfPatches = loops.NumberOfPatches;
     if (minimumPatchSize > 1)
     {
-      this->DropSpecks(minimumPatchSize);
+      this->DropSmallPatches(minimumPatchSize);
     }
     this->CountSeamVertices();
     return std::move(this->Result);
@@ -497,7 +497,7 @@ private:
     }
   }
 
-  void DropSpecks(std::int64_t minimumSize)
+  void DropSmallPatches(std::int64_t minimumSize)
   {
     std::vector<std::int64_t> size(this->Result.NumberOfPatches, 0);
     for (std::size_t vertex = 0; vertex < this->Result.Vertices.size(); ++vertex)
@@ -508,9 +508,9 @@ private:
     std::int32_t patches = 0;
     for (std::size_t patch = 0; patch < size.size(); ++patch)
     {
-      const bool isSpeck = size[patch] < minimumSize;
-      this->Result.DroppedPoints += isSpeck ? size[patch] : 0;
-      patchNumber[patch] = isSpeck ? NoPatch : patches++;
+      const bool isSmall = size[patch] < minimumSize;
+      this->Result.DroppedPoints += isSmall ? size[patch] : 0;
+      patchNumber[patch] = isSmall ? NoPatch : patches++;
     }
     this->Result.NumberOfPatches = std::size_t(patches);
     this->Keep(patchNumber);

@@ -26,7 +26,7 @@ struct SurfacePart
 {
   std::vector<PlanePoint> Vertices; // whole columns
   std::vector<double> Height; // lattice units
-  std::vector<std::int64_t> Count; // how many points each vertex stands for, those on the lower seam aside
+  std::vector<std::int64_t> Count; // how many points each vertex represents, those on the lower seam aside
   Loops Boundary;
   RawVector<PointId> Triangles; // counter-clockwise on the lattice
   SeamRows Seams;

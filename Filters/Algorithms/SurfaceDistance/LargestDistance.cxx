@@ -438,7 +438,7 @@ double CutAll(
   for (std::int64_t first = 0; first < size; first += round, round = std::min(2 * round, LargestRound))
   {
     monitor.Progress(double(first) / double(size));
-    // With half of what is left, those of the highest bounds can not take all of it.
+    // With half of what is left, those of the highest bounds cannot take all of it.
     const std::int64_t count = std::min(round, size - first);
     const double share = first + count < size ? 0.5 * left : left;
     left -= CutRound(known, &open[first], count, share / double(count), largest);

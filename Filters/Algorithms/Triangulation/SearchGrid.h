@@ -104,7 +104,7 @@ inline double SquaredDistanceToBox(const SegmentEnd& place, const PlaneBox& box)
 }
 
 /// Bounding boxes of the points in squares of voxels, which double in size from level to level, for what is far away: a
-/// search leaves out those that can not hold a better point. Takes time linear in the points and voxels, and memory of
+/// search leaves out those that cannot hold a better point. Takes time linear in the points and voxels, and memory of
 /// 16 bytes for each 12 voxels and for each 7 points.
 class PointPyramid
 {

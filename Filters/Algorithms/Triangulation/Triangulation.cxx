@@ -93,7 +93,7 @@ public:
   FullBlocks() = default;
 
   /// Finds those of all patches of a horizon; `frame` is that of its points. When the points are so few in their
-  /// bounding box that there can not be many full blocks, or when two of them are in one place, none is found.
+  /// bounding box that there cannot be many full blocks, or when two of them are in one place, none is found.
   FullBlocks(const BoundedHorizon& horizon, const PlaneFrame& frame)
     : Frame(frame)
     , Width(std::int64_t(frame.Inward(frame.Greatest).X) + 1)

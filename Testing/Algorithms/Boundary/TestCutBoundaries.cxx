@@ -103,9 +103,9 @@ void TestPartingCracks()
   ring.Cuts.CutNorth({ 1, 0 });
   ring.Cuts.CutNorth({ 1, 1 });
   CHECK_EQUAL(LoopsOf(ring, With(ring)), " 0,0 0,1 0,2 1,2 2,2 2,1 2,0 1,0 | 1,1 | 0,1 1,0 2,1 1,2");
-  BoundaryOptions withoutSpecks = With(ring);
-  withoutSpecks.MinimumPatchSize = 2;
-  CHECK_EQUAL(FindExteriorBoundary(ring.Columns, withoutSpecks).Patch[4], NoPatch);
+  BoundaryOptions withoutSmall = With(ring);
+  withoutSmall.MinimumPatchSize = 2;
+  CHECK_EQUAL(FindExteriorBoundary(ring.Columns, withoutSmall).Patch[4], NoPatch);
 }
 
 /// A crack that reaches the outline is part of it.
@@ -145,7 +145,7 @@ void TestLongHops()
   CHECK_EQUAL(FindExteriorBoundary(patch.Columns, With(patch, 3)).NumberOfPatches, 2u);
 }
 
-/// Lips are boundary points by every definition.
+/// Cutoffs are boundary points by every definition.
 void TestMarks()
 {
   CrackedPatch patch = Full(6, 6);
@@ -171,7 +171,7 @@ void TestErrors()
   options.HoleBoundaries = true;
   options.Seams.Lower = 0;
   CHECK_THROWS_WITH(FindExteriorBoundary(patch.Columns, options),
-    "cut links and a seam, expected one of them: a crack may go on beyond the seam");
+    "cut links and a seam, expected one of them: a crack may continue beyond the seam");
   CHECK_EQUAL(FindExteriorBoundary({}, With(patch)).NumberOfPatches, 0u);
 }
 

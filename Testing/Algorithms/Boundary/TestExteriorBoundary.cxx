@@ -180,7 +180,8 @@ void TestIslandsInHoles()
   }
 }
 
-/// Specks have no number and no loops, and the patches after them have lower numbers. The hole of the last patch stays.
+/// Small patches have no number and no loops, and the patches after them have lower numbers. The hole of the last patch
+/// stays.
 void TestMinimumPatchSize()
 {
   const Patches::Columns columns = Patches::FromPicture({ "###", "#.#", "###", "...", "#.#" });

@@ -131,7 +131,8 @@ void TestNoPointsAreMergedAcross()
   }
 }
 
-/// A side around a corner has its barycentre beyond both lips, in the patch all the same: another point stands for it.
+/// A side around a corner has its barycentre beyond both cutoffs, in the patch all the same: another point represents
+/// it.
 void TestBarycentreBeyondCrack()
 {
   constexpr std::int32_t size = 20; // of the cell; the crack ends outside

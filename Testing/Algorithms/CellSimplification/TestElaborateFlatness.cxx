@@ -80,7 +80,7 @@ void TestFlatnessOfCells()
   }
 }
 
-/// Boundary points and the point that stands for the others of their cell have one flatness, that of all its points;
+/// Boundary points and the representative of the others of their cell have one flatness, that of all its points;
 /// and no inner cell is less flat than the threshold lets it, unless it is the smallest.
 void TestFlatnessIsThatOfTheCell()
 {

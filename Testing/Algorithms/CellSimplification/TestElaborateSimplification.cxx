@@ -44,7 +44,7 @@ void TestPointsAboveEachOther()
   CHECK((CountLevels(octants, 2, PointKind::InputPoint) == Levels{ { 1, 8 } }));
 }
 
-/// In a C of one cell the barycentre of the inner points lies in the opening; the nearest of them stands for the cell.
+/// In a C of one cell the barycentre of the inner points lies in the opening; the nearest of them represents the cell.
 void TestBarycentreOutside()
 {
   const std::vector<std::string> picture = { "###########", "###########", "###########", "###", "###", "###",

@@ -108,7 +108,7 @@ void TestHugeCellsLeaveTheBoundary()
 }
 
 /// A narrow inlet runs through the middle of a cell that holds no point of it: long straight edges on both sides, and
-/// the barycentre of what is left and right of it lies in the inlet. The nearest point stands for the cell.
+/// the barycentre of what is left and right of it lies in the inlet. The nearest point represents the cell.
 void TestBarycentreOutside()
 {
   BoundedHorizon horizon;

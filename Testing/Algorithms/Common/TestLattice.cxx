@@ -109,10 +109,10 @@ void TestErrors()
   CHECK_THROWS_WITH(Lattice({ 2, 2, 2 }, map), "matrix that tilts the columns");
   map = identity;
   map(1, 1) = 0.0;
-  CHECK_THROWS_WITH(Lattice({ 2, 2, 2 }, map), "matrix that can not be inverted");
+  CHECK_THROWS_WITH(Lattice({ 2, 2, 2 }, map), "matrix that cannot be inverted");
   map = identity;
   map(2, 2) = 0.0;
-  CHECK_THROWS_WITH(Lattice({ 2, 2, 2 }, map), "matrix that can not be inverted");
+  CHECK_THROWS_WITH(Lattice({ 2, 2, 2 }, map), "matrix that cannot be inverted");
   const Lattice lattice({ 5, 4, 3 }, identity);
   CHECK_THROWS_WITH(lattice.ToSubVoxels({ 5.0, 1.0, 0.0 }, 17),
     "point 17 at column (5, 1), height 0, expected a place on the lattice of 5 x 4 columns");

@@ -39,7 +39,7 @@ void TestCircle()
 {
   CHECK_EQUAL(InCircle({ 0, 0 }, { 4, 0 }, { 0, 4 }, { 1, 1 }), 1);
   CHECK_EQUAL(InCircle({ 0, 0 }, { 4, 0 }, { 0, 4 }, { 5, 5 }), -1);
-  // Off a circle of the largest size by one: doubles alone can not tell.
+  // Off a circle of the largest size by one: doubles alone cannot tell.
   const std::int32_t far = (1 << 29) - 1;
   CHECK_EQUAL(InCircle({ 0, 0 }, { far, 0 }, { far, far }, { 1, far }), 1);
   CHECK_EQUAL(InCircle({ 1, 0 }, { far, 0 }, { far, far }, { 0, far }), -1);

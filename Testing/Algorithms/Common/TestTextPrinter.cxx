@@ -89,7 +89,7 @@ void FullStreamsAreNoticed()
   printer.Flush();
   stream.setstate(std::ios::badbit);
   printer.Print("d");
-  CHECK_THROWS_WITH(printer.Flush(), "writing failed behind 3 bytes, expected room for the rest of the file");
+  CHECK_THROWS_WITH(printer.Flush(), "writing failed after 3 bytes, expected disk space for the rest of the file");
 }
 }
 

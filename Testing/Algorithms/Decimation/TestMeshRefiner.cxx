@@ -13,7 +13,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// A vertex that is farther from its own column than the bound can not be inserted there: it goes back to its height,
+/// A vertex that is farther from its own column than the bound cannot be inserted there: it goes back to its height,
 /// and the insertion ends within the bound.
 void TestFarVertices()
 {

@@ -95,24 +95,24 @@ void TestFaultsAndLonePoints()
   CHECK(FindSpikes({}, {}, {}).Kind.empty());
 }
 
-Kinds Threads(const std::vector<std::string>& picture, int width)
+Kinds Spurs(const std::vector<std::string>& picture, int width)
 {
   const Patches::Columns columns = Patches::FromPicture(picture);
   DespikingOptions options;
-  options.ThreadWidth = width;
+  options.SpurWidth = width;
   return FindSpikes(columns, std::vector<double>(columns.size(), 0.0), options).Kind;
 }
 
-void TestThreads()
+void TestSpurs()
 {
   // Two squares, a bridge of two columns, a spur, and a hair.
   const std::vector<std::string> picture = { "###..###", "########", "########", "###..###", ".#......", ".#......" };
-  CHECK_EQUAL(Count(Threads(picture, 0), SpikeKind::Thread), 0u);
-  CHECK_EQUAL(Count(Threads(picture, 1), SpikeKind::Thread), 2u);
-  CHECK_EQUAL(Count(Threads(picture, 2), SpikeKind::Thread), 2u + 4u);
-  CHECK_EQUAL(Count(Threads(picture, 4), SpikeKind::Thread), 30u);
-  const Kinds one = Threads(picture, 1);
-  CHECK(one[0] == SpikeKind::Thread && one[1] == SpikeKind::Thread); // the lowest rows
+  CHECK_EQUAL(Count(Spurs(picture, 0), SpikeKind::Spur), 0u);
+  CHECK_EQUAL(Count(Spurs(picture, 1), SpikeKind::Spur), 2u);
+  CHECK_EQUAL(Count(Spurs(picture, 2), SpikeKind::Spur), 2u + 4u);
+  CHECK_EQUAL(Count(Spurs(picture, 4), SpikeKind::Spur), 30u);
+  const Kinds one = Spurs(picture, 1);
+  CHECK(one[0] == SpikeKind::Spur && one[1] == SpikeKind::Spur); // the lowest rows
 }
 
 /// By definition: whether one of the squares that cover a point is full.
@@ -196,9 +196,9 @@ void TestRandomPatches()
     for (std::size_t point = 0; point < columns.size(); ++point)
     {
       const bool isSpike = std::abs(DeviationOf(there, columns[point], options.Radius)) > options.Threshold;
-      const bool isThread =
-        options.ThreadWidth > 0 && !IsCovered(there, columns[point].X, columns[point].Y, options.ThreadWidth + 1);
-      CHECK(kinds[point] == (isSpike ? SpikeKind::Spike : isThread ? SpikeKind::Thread : SpikeKind::None));
+      const bool isSpur =
+        options.SpurWidth > 0 && !IsCovered(there, columns[point].X, columns[point].Y, options.SpurWidth + 1);
+      CHECK(kinds[point] == (isSpike ? SpikeKind::Spike : isSpur ? SpikeKind::Spur : SpikeKind::None));
     }
   }
 }
@@ -326,7 +326,7 @@ void TestErrors()
   CHECK_THROWS_WITH(FindSpikes(columns, { 0.0 }, { -1.0, 2, 0 }), "threshold -1, expected at least 0 lattice units");
   CHECK_THROWS_WITH(FindSpikes(columns, { 0.0 }, { infinity, 2, 0 }), "threshold inf, expected a finite number");
   CHECK_THROWS_WITH(FindSpikes(columns, { 0.0 }, { 4.0, 0, 0 }), "neighborhood radius 0, expected 1 to 16 columns");
-  CHECK_THROWS_WITH(FindSpikes(columns, { 0.0 }, { 4.0, 2, -1 }), "thread width -1, expected 0 to 64 columns");
+  CHECK_THROWS_WITH(FindSpikes(columns, { 0.0 }, { 4.0, 2, -1 }), "spur width -1, expected 0 to 64 columns");
   CHECK_THROWS_WITH(FindSpikes({ { 1, 1 }, { 1, 1 } }, { 0.0, 0.0 }, {}), "points 0 and 1 both in column (1, 1)");
 }
 }
@@ -336,7 +336,7 @@ int TestDespiking(int, char*[])
   TestSpikes();
   TestThreshold();
   TestFaultsAndLonePoints();
-  TestThreads();
+  TestSpurs();
   TestRimOfADip();
   TestThresholdByNoise();
   TestRoughAndSmooth();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cracked lattices with the mouths of their cracks, through the simplifications.
+// Cracked lattices with the open ends of their cracks, through the simplifications.
 
 #ifndef SeismicHorizonsClosedFaults_h
 #define SeismicHorizonsClosedFaults_h
@@ -47,7 +47,7 @@ inline Cracked Make(const CrackedPatch& patch, const BoundaryOptions& options, c
   return cracked;
 }
 
-/// The same cracks in a horizon of fewer points: the ends of mouths are still there.
+/// The same cracks in a horizon of fewer points: the points of open ends are still there.
 inline Cracks FindAgain(const Cracked& cracked, const BoundedHorizon& horizon)
 {
   std::map<PlanePoint, PointId> pointAt;
@@ -56,17 +56,17 @@ inline Cracks FindAgain(const Cracked& cracked, const BoundedHorizon& horizon)
     pointAt[horizon.Plane[point]] = PointId(point);
   }
   Cracks cracks = cracked.Open;
-  for (Edge& mouth : cracks.Mouths)
+  for (Edge& openEnd : cracks.OpenEnds)
   {
-    mouth = { pointAt.at(cracked.Horizon.Plane[mouth.From]), pointAt.at(cracked.Horizon.Plane[mouth.To]) };
+    openEnd = { pointAt.at(cracked.Horizon.Plane[openEnd.From]), pointAt.at(cracked.Horizon.Plane[openEnd.To]) };
   }
   return cracks;
 }
 
-/// With the ends of mouths kept.
+/// With the points of open ends kept.
 inline BoundedHorizon Simplify(const Cracked& cracked, BoundarySimplificationOptions options)
 {
-  options.Fixed = cracked.Open.EndsOfMouths();
+  options.Fixed = cracked.Open.PointsOfOpenEnds();
   BoundedHorizon result =
     Drop(cracked.Horizon, SimplifyBoundary(OnColumns(cracked.Horizon), cracked.Horizon.Boundary, options));
   result.Cuts = cracked.Horizon.Cuts;

@@ -17,7 +17,8 @@ using ClosingChecker::Outline;
 
 namespace
 {
-/// With radius 1 to 3, with loops for all holes, for large ones, or for those with cuts alone, and some without specks.
+/// With radius 1 to 3, with loops for all holes, for large ones, or for those with cuts alone, and some without small
+/// patches.
 BoundaryOptions MakeOptions(const CrackedPatch& patch, int n)
 {
   BoundaryOptions options;
@@ -59,7 +60,7 @@ std::string CheckMeshes(const Cracked& cracked, const BoundedHorizon& horizon, c
   return wrong;
 }
 
-/// What a lattice with all its points has between its lips: with a radius of 1 it is known block by block.
+/// What a lattice with all its points has between its cutoffs: with a radius of 1 it is known block by block.
 std::string CheckFull(
   const CrackedPatch& patch, const Cracked& cracked, const BoundaryOptions& options, Outline& outline)
 {

@@ -53,8 +53,8 @@ std::string Column(const CrackedPatch& patch, PointId point)
 struct Closed
 {
   std::size_t Triangles;
-  std::string Mouths; // their ends, like "0,1-0,0"
-  std::size_t Loops; // that are lips all along
+  std::string OpenEnds; // their points, like "0,1-0,0"
+  std::size_t Loops; // that are cutoffs all along
 };
 
 /// With loops for cracks alone, or for all holes, too.
@@ -73,18 +73,18 @@ Closed Close(const CrackedPatch& patch, bool withHoles = false, int radius = 1)
                   ClosingChecker::FindOutlineOfBlocks(patch, cracked.Horizon)),
       std::string());
   }
-  std::string mouths;
-  for (const Edge& mouth : cracked.Open.Mouths)
+  std::string openEnds;
+  for (const Edge& openEnd : cracked.Open.OpenEnds)
   {
-    mouths += (mouths.empty() ? "" : " ") + Column(patch, mouth.From) + '-' + Column(patch, mouth.To);
+    openEnds += (openEnds.empty() ? "" : " ") + Column(patch, openEnd.From) + '-' + Column(patch, openEnd.To);
   }
-  return { closing.size() / 3, mouths, cracked.Open.Loops.size() };
+  return { closing.size() / 3, openEnds, cracked.Open.Loops.size() };
 }
 
-void CheckClosed(const Closed& closed, std::size_t triangles, const std::string& mouths, std::size_t loops)
+void CheckClosed(const Closed& closed, std::size_t triangles, const std::string& openEnds, std::size_t loops)
 {
   CHECK_EQUAL(closed.Triangles, triangles);
-  CHECK_EQUAL(closed.Mouths, mouths);
+  CHECK_EQUAL(closed.OpenEnds, openEnds);
   CHECK_EQUAL(closed.Loops, loops);
 }
 
@@ -143,7 +143,7 @@ void TestRings()
   CheckClosed(Close(single), 4, "", 2);
 }
 
-/// The mouth of a crack at the border leads along the border.
+/// The open end of a crack at the border leads along the border.
 void TestOpenCracks()
 {
   CrackedPatch open = Full(4, 4);
@@ -183,7 +183,7 @@ void TestGaps()
 }
 
 /// What a crack cuts off of a border, down to a single column.
-void TestSpecks()
+void TestSmallPatches()
 {
   CrackedPatch spur = FromPicture({ "..#..", "..#..", "#####", "#####" });
   CutRow(spur, 2, 2, 1);
@@ -199,9 +199,9 @@ void TestSpecks()
   CheckClosed(Close(strip), 2 * 2 * 4, "", 2);
 }
 
-/// Hops of a larger radius lead over gaps, and mouths are as long. Missing columns that a square of such hops encloses
-/// are no gap.
-void TestLongMouths()
+/// Hops of a larger radius lead over gaps, and open ends are as long. Missing columns that a square of such hops
+/// encloses are no gap.
+void TestLongOpenEnds()
 {
   const std::string full = "#..#..#..#";
   const std::string none = "..........";
@@ -239,10 +239,10 @@ void TestChecker()
   wrong = closing;
   wrong.insert(wrong.end(), mesh.begin(), mesh.begin() + 3);
   CHECK(check(wrong).find("overlaps the mesh") != std::string::npos);
-  outline.Mouths.clear();
-  CHECK_EQUAL(check(closing), "mouths of cracks");
-  outline.IsLip.flip();
-  CHECK_EQUAL(check(closing), "lips that are closed");
+  outline.OpenEnds.clear();
+  CHECK_EQUAL(check(closing), "open ends of cracks");
+  outline.IsCutoff.flip();
+  CHECK_EQUAL(check(closing), "cutoffs that are closed");
   const CrackedPatch less{ Patches::Columns(patch.Columns.begin() + 12, patch.Columns.end()), patch.Cuts };
   CHECK_EQUAL(ClosingChecker::CheckBlocks(less, cracked.Horizon, closing), "closed over a missing column");
 }
@@ -268,11 +268,11 @@ void TestErrors()
   cracked.Open.Loops = { 1 };
   CHECK_THROWS_WITH(close(), "a crack along loop 1, expected less than the 1 of the boundary");
   cracked.Open = right;
-  cracked.Open.Mouths.push_back({ 11, 6 }); // from (1, 2) to (1, 1), between the same lips
-  CHECK_THROWS_WITH(close(), "a crack that is not closed, from the mouth between points 10 and 5");
-  cracked.Open.Mouths = { { 10, 16 } }; // (1, 3) is inside
-  CHECK_THROWS_WITH(close(), "a mouth of a crack that ends in point 16, where no boundary loop begins");
-  cracked.Open.Mouths = { { 5, 10 } }; // the wrong way round
+  cracked.Open.OpenEnds.push_back({ 11, 6 }); // from (1, 2) to (1, 1), between the same cutoffs
+  CHECK_THROWS_WITH(close(), "crack not closed, from its open end between points 10 and 5");
+  cracked.Open.OpenEnds = { { 10, 16 } }; // (1, 3) is inside
+  CHECK_THROWS_WITH(close(), "open end of a crack at point 16, where no boundary loop begins");
+  cracked.Open.OpenEnds = { { 5, 10 } }; // the wrong way round
   CHECK_THROWS_WITH(close(), "no surface to the left of the edge");
 }
 }
@@ -285,8 +285,8 @@ int TestFaultClosing(int, char*[])
   TestRings();
   TestOpenCracks();
   TestGaps();
-  TestSpecks();
-  TestLongMouths();
+  TestSmallPatches();
+  TestLongOpenEnds();
   TestChecker();
   TestWithoutCuts();
   TestErrors();

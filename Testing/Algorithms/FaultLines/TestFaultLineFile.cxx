@@ -173,7 +173,7 @@ void WrongFiles()
     "line 7: \"GOCAD\", expected END of the GOCAD object");
   CHECK_THROWS_WITH(Read("GOCAD PLine 1\nVRTX 1 1 2\n"), "line 2: 4 words, expected a vertex: id, x, y and z");
   CHECK_THROWS_WITH(Read("GOCAD PLine 1\nVRTX a 1 2 3\n"), "line 2: \"a\", expected the id of a vertex");
-  CHECK_THROWS_WITH(Read("GOCAD PLine 1\nVRTX 1 1 2 3\nVRTX 1 1 2 3\n"), "line 3: vertex 1 for the second time");
+  CHECK_THROWS_WITH(Read("GOCAD PLine 1\nVRTX 1 1 2 3\nVRTX 1 1 2 3\n"), "line 3: vertex id 1 repeated");
   CHECK_THROWS_WITH(
     Read("GOCAD PLine 1\nVRTX 1 1 2 3\nSEG 1 2\n"), "line 3: vertex 2, expected the id of a vertex above");
   CHECK_THROWS_WITH(Read("GOCAD PLine 1\nSEG 1\n"), "line 2: 2 words, expected SEG and two ids of vertices");

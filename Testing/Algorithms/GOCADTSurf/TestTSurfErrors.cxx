@@ -60,22 +60,22 @@ void VerticesAreChecked()
   CheckLineRefused("PVRTX 3.5 0 0 0", "PVRTX id \"3.5\"" + id);
   CheckLineRefused("VRTX -3 0 0 0", "VRTX id \"-3\"" + id);
   CheckLineRefused("VRTX 9223372036854775808 0 0 0", "VRTX id \"9223372036854775808\"" + id);
-  CheckLineRefused("VRTX 2 0 0 0", "VRTX with the id 2 of a vertex above, expected one of its own");
-  CheckLineRefused("ATOM 1 2", "ATOM with the id 1 of a vertex above, expected one of its own");
+  CheckLineRefused("VRTX 2 0 0 0", "VRTX with the id 2 of a vertex above, expected unique ids");
+  CheckLineRefused("ATOM 1 2", "ATOM with the id 1 of a vertex above, expected unique ids");
   CheckLineRefused("VRTX 3 0 0", "VRTX value \"\" of \"z\", expected a number");
   CheckLineRefused("VRTX 3 0 abc 0", "VRTX value \"abc\" of \"y\", expected a number");
   CheckLineRefused("VRTX 3 nan 0 0", "VRTX value \"nan\" of \"x\", expected a finite number");
   CheckLineRefused("VRTX 3 1e999 0 0", "VRTX value \"1e999\" of \"x\", expected a finite number");
-  CheckLineRefused("VRTX 3 0 0 0 7", "\"7\" behind VRTX, expected the end of the line");
-  CheckLineRefused("VRTX 3 0 0 0 CNXYZ 7", "\"7\" behind VRTX, expected the end of the line");
+  CheckLineRefused("VRTX 3 0 0 0 7", "\"7\" after VRTX, expected the end of the line");
+  CheckLineRefused("VRTX 3 0 0 0 CNXYZ 7", "\"7\" after VRTX, expected the end of the line");
 }
 
 void AtomsAreChecked()
 {
   CheckLineRefused("ATOM 3", "ATOM id \"\", expected an integer from 0 on");
-  CheckLineRefused("ATOM 3 1 5", "\"5\" behind ATOM, expected the end of the line");
+  CheckLineRefused("ATOM 3 1 5", "\"5\" after ATOM, expected the end of the line");
   CheckLineRefused("ATOM 3 9", "ATOM at vertex 9, expected the id of a vertex of the object");
-  const std::string circle = "an ATOM that refers back to itself, expected the id of a vertex with coordinates";
+  const std::string circle = "an ATOM that refers to itself, expected the id of a vertex with coordinates";
   CheckLineRefused("ATOM 3 3", circle);
   CheckLineRefused("ATOM 3 4\nATOM 4 5\nATOM 5 4", circle);
 }
@@ -84,29 +84,29 @@ void TrianglesAndBordersAreChecked()
 {
   CheckLineRefused("TRGL 1 2", "TRGL id \"\", expected an integer from 0 on");
   CheckLineRefused("TRGL 1 2 3", "TRGL of vertex 3, expected the id of a vertex above");
-  CheckLineRefused("TRGL 1 2 1 1", "\"1\" behind TRGL, expected the end of the line");
+  CheckLineRefused("TRGL 1 2 1 1", "\"1\" after TRGL, expected the end of the line");
   CheckLineRefused("BSTONE 3", "BSTONE of vertex 3, expected the id of a vertex above");
-  CheckLineRefused("BSTONE 1 1", "\"1\" behind BSTONE, expected the end of the line");
+  CheckLineRefused("BSTONE 1 1", "\"1\" after BSTONE, expected the end of the line");
   CheckLineRefused("BORDER 3 1", "BORDER id \"\", expected an integer from 0 on");
   CheckLineRefused("BORDER 3 1 4", "BORDER of vertex 4, expected the id of a vertex above");
-  CheckLineRefused("BORDER 3 1 2 1", "\"1\" behind BORDER, expected the end of the line");
+  CheckLineRefused("BORDER 3 1 2 1", "\"1\" after BORDER, expected the end of the line");
 }
 
 void DescriptionsAreChecked()
 {
   CheckRefused(Start + "GOCAD_ORIGINAL_COORDINATE_SYSTEM\nZPOSITIVE Up\n",
     "line 3: ZPOSITIVE \"Up\", expected Elevation or Depth");
-  CheckPropertyRefused("PROPERTIES r", "line 3: PROPERTIES for the second time, expected one such line for all of");
+  CheckPropertyRefused("PROPERTIES r", "line 3: PROPERTIES repeated, expected one such line for all of");
   CheckPropertyRefused("ESIZES 1", "line 3: 1 ESIZES, expected one for each of the 2 PROPERTIES");
   CheckPropertyRefused("ESIZES 1 0", "line 3: ESIZES \"0\", expected an integer from 1 to 1024");
   CheckPropertyRefused("ESIZES 1 1025", "line 3: ESIZES \"1025\", expected an integer from 1 to 1024");
   CheckPropertyRefused("NO_DATA_VALUES 1 2 3", "line 3: 3 NO_DATA_VALUES, expected one for each of the 2 PROPERTIES");
   CheckPropertyRefused("NO_DATA_VALUES 1 x", "line 3: NO_DATA_VALUES \"x\", expected a number or **none**");
-  CheckPropertyRefused("VRTX 1 0 0 0\nESIZES 1 1", "line 4: ESIZES behind vertices, expected before the first of");
+  CheckPropertyRefused("VRTX 1 0 0 0\nESIZES 1 1", "line 4: ESIZES after vertices, expected before the first");
   CheckPropertyRefused("PVRTX 1 0 0 0 5", "line 3: PVRTX value \"\" of \"q\", expected a number");
   CheckPropertyRefused("PVRTX 1 0 0 0 5 inf", "line 3: PVRTX value \"inf\" of \"q\", expected a finite number");
   CheckPropertyRefused("VRTX 1 0 0 0 5", "line 3: VRTX value \"\" of \"q\", expected a number");
-  CheckPropertyRefused("PVRTX 1 0 0 0 5 6 7", "line 3: \"7\" behind PVRTX, expected the end of the line");
+  CheckPropertyRefused("PVRTX 1 0 0 0 5 6 7", "line 3: \"7\" after PVRTX, expected the end of the line");
 }
 
 /// A file that is cut off anywhere is refused, unless only the last newline is gone.

@@ -107,7 +107,7 @@ void TestStrays()
     stray.X[70] = stray.Y[70] = far;
     GriddingOptions options;
     CHECK_THROWS_WITH(GridPicks(stray, options),
-      "1 of 2000 picks far from all others, line 73; expected StrayPicks that are left out, or LatticeSource");
+      "1 of 2000 picks far from all others, line 73; expected StrayPicks LeaveOut, or LatticeSource");
     options.Placement.LeaveOutStrays = true;
     const SurveyHorizons gridded = GridPicks(stray, options);
     CHECK_EQUAL(gridded.Lattice.ColumnStep.x(), step);

@@ -150,7 +150,7 @@ void TestSizes()
   }
 }
 
-/// Values that can not be interpolated, and those that can.
+/// Values that cannot be interpolated, and those that can.
 void TestAttributes()
 {
   // Points are numbered from the lowest row: 0 to 4, then 5, 6, then 7 to 11.

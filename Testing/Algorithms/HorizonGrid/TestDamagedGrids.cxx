@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files that are cut off, damaged or can not be read on, and work that is stopped, in all formats.
+// Files that are cut off, damaged or cannot be read on, and work that is stopped, in all formats.
 
 #include "GridSamples.h"
 #include "HorizonGrid/GridFormat.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the writers write is read as the same grid again, byte for byte where it matters, and what a format can not hold
+// What the writers write is read as the same grid again, byte for byte where it matters, and what a format cannot hold
 // is refused.
 
 #include "GridSamples.h"
@@ -236,7 +236,7 @@ void WriteErrorsAreTold()
   {
     std::ostringstream stream;
     stream.setstate(std::ios::badbit);
-    CHECK_THROWS_WITH(write(stream, Sample(), Monitor()), "writing failed, expected room for a grid of 6 values");
+    CHECK_THROWS_WITH(write(stream, Sample(), Monitor()), "writing failed, expected disk space for a grid of 6 values");
   }
 }
 

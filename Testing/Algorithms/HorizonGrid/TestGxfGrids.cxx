@@ -76,9 +76,9 @@ void TransformIsApplied()
   CHECK_THROWS_WITH(Read(Replace(Gxf(), "#GRID", "#TRANSFORM\n10\n#GRID")),
     "line 20: end of the line, expected the offset of #TRANSFORM");
   CHECK_THROWS_WITH(
-    Read(Replace(Gxf(), "#GRID", "#TRANSFORM\n1e308 0\n#GRID")), "expected a finite number behind #TRANSFORM");
-  CHECK_THROWS_WITH(Read(Replace(CompressedGxf(), "#GRID", "#TRANSFORM\n1e308 0\n#GRID")),
-    "expected a finite number behind #TRANSFORM");
+    Read(Replace(Gxf(), "#GRID", "#TRANSFORM\n1e308 0\n#GRID")), "expected a finite number after #TRANSFORM");
+  CHECK_THROWS_WITH(
+    Read(Replace(CompressedGxf(), "#GRID", "#TRANSFORM\n1e308 0\n#GRID")), "expected a finite number after #TRANSFORM");
 }
 
 void CompressedValuesAreRead()

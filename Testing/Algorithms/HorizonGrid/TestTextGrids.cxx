@@ -123,7 +123,7 @@ void EarthVisionIsChecked()
   CHECK_THROWS_WITH(Read(EarthVision() + "1050 5025 5 4 2\n"), "line 17: column \"4\", expected at most 3");
   CHECK_THROWS_WITH(Read(EarthVision() + "1050 x 5 2 2\n"), "line 17: y \"x\", expected a finite number");
   CHECK_THROWS_WITH(Read(EarthVision() + "1100 5025 5 3 2\n"),
-    "line 17: column 3 and row 2 a second time, expected one point for each");
+    "line 17: second point at column 3 and row 2, expected one for each node");
   CHECK_THROWS_WITH(Read(EarthVision() + "1060 5025 5 2 2\n"), " from its node, expected a regular lattice");
   const std::string header = EarthVision().substr(0, EarthVision().find("1000 5000"));
   CHECK_THROWS_WITH(Read(header), "0 points in one line of nodes, expected at least three that are not");

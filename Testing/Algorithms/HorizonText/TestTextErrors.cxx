@@ -27,9 +27,9 @@ void TestLayoutMessages()
   CHECK_THROWS_WITH(Read(""), "no picks after 0 lines, expected lines of numbers");
   CHECK_THROWS_WITH(Read("# nothing\n\n"), "no picks after 2 lines, expected lines of numbers");
   CHECK_THROWS_WITH(Read("EOB\n"), "no picks after 0 lines, expected");
-  CHECK_THROWS_WITH(Read(std::string("1 2 3\n\0\n", 8)), "byte 6 is 0, as in no text; expected lines of numbers");
+  CHECK_THROWS_WITH(Read(std::string("1 2 3\n\0\n", 8)), "byte 6 is 0, so this is no text; expected lines of numbers");
   CHECK_THROWS_WITH(
-    Read(std::string("1\0 \0002\0 \0003\0\n\0", 12)), "text in UTF-16, expected UTF-8 or ASCII: save it as that");
+    Read(std::string("1\0 \0002\0 \0003\0\n\0", 12)), "text in UTF-16, expected UTF-8 or ASCII: convert the file");
   CHECK_THROWS_WITH(Read(std::string("\0001\0 \0002\0 \0003\0\n", 12)), "text in UTF-16, expected UTF-8 or ASCII");
   CHECK_THROWS_WITH(Read("1 2\n"), "columns Inline, Crossline, expected Z, and X and Y or Inline and Crossline");
   CHECK_THROWS_WITH(Read("Dear all, see you\n"), "expected Z, and X and Y or Inline and Crossline");
@@ -82,7 +82,8 @@ void TestIesxMessages()
     Read(changed("   648.62", "      abc")), "line 3: \"abc\" as Z in the characters 39 to 47, expected");
   CHECK_THROWS_WITH(
     Read(changed(" I    376", " I  12:x1")), "line 3: \"12:x1\" as Inline in the characters 89 to 95, ");
-  CHECK_THROWS_WITH(Read(changed("   914.00  ", "           ")), "as Crossline in the characters 48 to 57, expected a number");
+  CHECK_THROWS_WITH(
+    Read(changed("   914.00  ", "           ")), "as Crossline in the characters 48 to 57, expected a number");
   CHECK_THROWS_WITH(Read(changed(" I    376 XX", "NL-07::2    ")), "line 4: picks of 2D lines and of a 3D survey");
   CHECK_THROWS_WITH(Read(changed("EOD\n", "")), "end of file without a line EOD, expected one");
   CHECK_THROWS_WITH(Read(changed("EOD", "\t1x")), "line 5: \"1x\", expected z and the attribute of the pick before");

@@ -133,7 +133,7 @@ void OtherBytesGiveTheSameLattice()
   CHECK(given.Lattice.Origin == found.Lattice.Origin);
   CHECK(given.Lattice.ColumnStep == found.Lattice.ColumnStep);
   options.LineFields = { 5, 21 }; // a number for each trace
-  CHECK_THROWS_WITH(ReadSEGYCube(name, options), "expected a grid that is full to a sixteenth at least");
+  CHECK_THROWS_WITH(ReadSEGYCube(name, options), "expected a grid that is at least one sixteenth full");
 }
 }
 

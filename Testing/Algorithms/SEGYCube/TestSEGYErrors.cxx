@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files that are none, cut off or damaged, and options that can not be: each gives one error that says what was
+// Files that are none, cut off or damaged, and options that cannot be: each gives one error that says what was
 // expected.
 
 #include "Common/Errors.h"
@@ -27,8 +27,8 @@ void WhatIsNoSEGYIsRefused()
   CHECK_THROWS_WITH(
     ReadBytes(std::string(9000, 'A')), "format code 16705 at byte 3225, expected 1 (IBM float), 2, 3, 7");
   CHECK_THROWS_WITH(ReadBytes(std::string(9000, '\0')), "format code 0 at byte 3225, expected 1 (IBM float)");
-  CHECK_THROWS_WITH(ReadBytes("\x1f\x8b" + Make(File())), "a file that gzip compressed, expected SEG-Y as it is");
-  CHECK_THROWS_WITH(ReadSEGYCube("no/such.sgy", {}), "nothing there, expected a file");
+  CHECK_THROWS_WITH(ReadBytes("\x1f\x8b" + Make(File())), "a file compressed by gzip, expected uncompressed SEG-Y");
+  CHECK_THROWS_WITH(ReadSEGYCube("no/such.sgy", {}), "no such file");
   CHECK_THROWS_WITH(ReadSEGYCube(".", {}), "a directory, expected a file");
   std::string bytes = Make(File());
   bytes[3225] = 4;
@@ -137,7 +137,7 @@ void LinesWithoutAGridAreRefused()
   options.LineFields = { 189, 193 };
   CHECK_THROWS_WITH(Read(file, options),
     "122 inlines (byte 189) and 12 crosslines (byte 193) for 12 traces, expected a grid "
-    "that is full to a sixteenth at least");
+    "that is at least one sixteenth full");
   file.Traces[0].Delay = 32000;
   file.Traces[1].Delay = -32000;
   options.LineFields = { NoField, 193 };
@@ -168,7 +168,7 @@ void OptionsAreChecked()
     "InlineByte 9 with CrosslineByte 0, expected both, or 0 for both");
   CHECK_THROWS_WITH(check([](SEGYOptions& o) { o.LineFields = { 9, 238 }; }), "CrosslineByte 238, expected 1 to 237");
   CHECK_THROWS_WITH(check([](SEGYOptions& o) { o.PlaceFields = { -2, 9 }; }), "XByte -2, expected 1 to 237");
-  CHECK_THROWS_WITH(check([](SEGYOptions& o) { o.PlaceFields = { -1, 9 }; }), "one of XByte and YByte as -1");
+  CHECK_THROWS_WITH(check([](SEGYOptions& o) { o.PlaceFields = { -1, 9 }; }), "one of XByte and YByte is -1");
   CHECK_THROWS_WITH(check([](SEGYOptions& o) { o.Tolerance = 0.5; }), "LatticeTolerance 0.5, expected more than 0");
   CHECK_THROWS_WITH(check([](SEGYOptions& o) { o.VerticalStep = -1.0; }), "VerticalStep -1, expected at least 0");
   CHECK_THROWS_WITH(
@@ -204,9 +204,9 @@ void AFileThatShrinksIsNoticed()
   const std::string name = Write(bytes, "shrinks");
   const SEGYCube cube = ReadSEGYCube(name, {});
   std::filesystem::resize_file(name, bytes.size() - 300);
-  CHECK_THROWS_WITH(ReadWindow(cube, Whole(cube)), "that can not be read, expected ");
+  CHECK_THROWS_WITH(ReadWindow(cube, Whole(cube)), " cannot be read, expected an unchanged file");
   std::filesystem::remove(name);
-  CHECK_THROWS_WITH(ReadWindow(cube, Whole(cube)), "a file that can not be opened, expected a readable one");
+  CHECK_THROWS_WITH(ReadWindow(cube, Whole(cube)), "the file cannot be opened, expected a readable one");
 }
 }
 

@@ -126,10 +126,10 @@ void FloatsAreNoPlaces()
     };
     const SEGYCube cube = Read(file);
     CHECK_EQUAL(cube.PlaceFields.First, NoField);
-    CHECK(Warns(cube, "x and y of traces (bytes 181 and 185) that are floats by their bits, expected integers"));
+    CHECK(Warns(cube, "x and y of traces (bytes 181 and 185) have the bits of floats, expected integers"));
     SEGYOptions options;
     options.PlaceFields = { 181, 185 };
-    CHECK_THROWS_WITH(Read(file, options), "that are floats by their bits, expected integers");
+    CHECK_THROWS_WITH(Read(file, options), "have the bits of floats, expected integers");
   }
 }
 

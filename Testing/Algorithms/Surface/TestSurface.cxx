@@ -318,8 +318,8 @@ void TestPlaneAndFewPoints()
   CHECK_THROWS_WITH(MakeSurface(MakePoints(Rectangle(2, 2), slope), none), "expected at least the 2 that");
 }
 
-/// Specks are dropped first, and when nothing else is there, nothing is left.
-void TestSpecks()
+/// Small patches are dropped first, and when nothing else is there, nothing is left.
+void TestSmallPatches()
 {
   Patches::Columns columns = Rectangle(20, 20);
   columns.insert(columns.begin() + 77, { 40, 3 });
@@ -390,7 +390,7 @@ int TestSurface(int, char*[])
   TestBesideSlivers();
   TestNumberOnRandomPatches();
   TestPlaneAndFewPoints();
-  TestSpecks();
+  TestSmallPatches();
   TestThreads();
   TestErrors();
   TestMonitor();

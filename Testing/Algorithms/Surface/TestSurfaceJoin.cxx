@@ -260,7 +260,7 @@ void TestDroppedOnSeams()
 }
 
 /// Patches are counted after they were joined.
-void TestSpecks()
+void TestSmallPatches()
 {
   const std::vector<std::string> rows = { "##....####", "##....####", "..........", ".##...####", "......####" };
   CHECK_EQUAL(JoinPicture(rows, { 2 }, 1).NumberOfPatches, 4u);
@@ -300,11 +300,11 @@ void TestSeamErrors()
   {
     SurfaceOptions options;
     options.HoleBoundaries = true;
-  options.Seams.Lower = 0;
+    options.Seams.Lower = 0;
     change(options);
     CHECK_THROWS_WITH(MakeSurface(points, options), message);
   };
-  refuse("a seam without boundaries of holes, expected", [](SurfaceOptions& o) { o.HoleBoundaries = false; });
+  refuse("a seam without hole boundaries, expected", [](SurfaceOptions& o) { o.HoleBoundaries = false; });
   refuse("a seam and a minimum patch size of 3 points, expected 1", [](SurfaceOptions& o) { o.MinimumPatchSize = 3; });
   refuse("a seam and growth by distance with a radius of 2 columns, expected clockwise growth",
     [](SurfaceOptions& o)
@@ -369,7 +369,7 @@ int TestSurfaceJoin(int, char*[])
   TestPictures();
   TestHoles();
   TestDroppedOnSeams();
-  TestSpecks();
+  TestSmallPatches();
   TestThreads();
   TestSeamErrors();
   TestJoinErrors();

@@ -136,7 +136,7 @@ TriangleSurface WithHoles(TriangleSurface surface, Patches::Random& random)
   return surface;
 }
 
-/// Lifts all on one side of a line, and leaves a crack or a wall there, of which both lips are at the same columns.
+/// Lifts all on one side of a line, and leaves a crack or a wall there, of which both cutoffs are at the same columns.
 TriangleSurface WithFault(const TriangleSurface& surface, double x, double throwOfFault, bool hasWall)
 {
   TriangleSurface faulted = surface;

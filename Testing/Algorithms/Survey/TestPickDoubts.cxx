@@ -149,7 +149,7 @@ void TestDuplicates()
   }
   CHECK(DoubtsOf(picks).empty()); // a hundredth
   picks.X[4] = picks.X[10];
-  CHECK(IsOne(DoubtsOf(picks), "5 of 400 picks dropped, as there is another one in their column"));
+  CHECK(IsOne(DoubtsOf(picks), "5 of 400 picks dropped, as their column has another one"));
 }
 
 void TestRounding()

@@ -187,13 +187,13 @@ Outline FindOutline(const BoundedHorizon& horizon, const RawVector<PointId>& clo
   Outline outline;
   horizon.Boundary.ForEachEdge(
     [&](PointId from, PointId to) {
-      outline.IsLip.push_back(sides.count({ from, to }) != 0);
+      outline.IsCutoff.push_back(sides.count({ from, to }) != 0);
     });
   for (const HalfEdge& side : sides)
   {
     if (sides.count({ side.second, side.first }) == 0 && edges.count(side) == 0)
     {
-      outline.Mouths.insert({ ColumnOf(horizon, side.first), ColumnOf(horizon, side.second) });
+      outline.OpenEnds.insert({ ColumnOf(horizon, side.first), ColumnOf(horizon, side.second) });
     }
   }
   return outline;
@@ -205,7 +205,7 @@ Outline FindOutlineOfBlocks(const CrackedPatch& patch, const BoundedHorizon& hor
   const CutLattice lattice(patch);
   Outline outline;
   horizon.Boundary.ForEachEdge([&](PointId from, PointId to)
-    { outline.IsLip.push_back(IsCrackToTheLeft(lattice, ColumnOf(horizon, from), ColumnOf(horizon, to))); });
+    { outline.IsCutoff.push_back(IsCrackToTheLeft(lattice, ColumnOf(horizon, from), ColumnOf(horizon, to))); });
   const std::set<HalfEdge> edges = EdgesOf(horizon.Boundary);
   for (std::size_t point = 0; point < horizon.Plane.size(); ++point)
   {
@@ -219,7 +219,7 @@ Outline FindOutlineOfBlocks(const CrackedPatch& patch, const BoundedHorizon& hor
       if (isHop && !isInside && IsCrackToTheLeft(lattice, from, to) && !IsCrackToTheLeft(lattice, to, from) &&
         edges.count({ lattice.At(to), PointId(point) }) == 0)
       {
-        outline.Mouths.insert({ from, to });
+        outline.OpenEnds.insert({ from, to });
       }
     }
   }
@@ -230,7 +230,7 @@ Outline FindOutlineOfBlocks(const CrackedPatch& patch, const BoundedHorizon& hor
 Outline SimplifyOutline(const BoundedHorizon& full, const Outline& outline, const BoundedHorizon& simplified)
 {
   Outline result;
-  result.Mouths = outline.Mouths;
+  result.OpenEnds = outline.OpenEnds;
   std::size_t first = 0;
   for (std::size_t loop = 0; loop < full.Boundary.Size(); ++loop)
   {
@@ -238,7 +238,7 @@ Outline SimplifyOutline(const BoundedHorizon& full, const Outline& outline, cons
     {
       for (const std::size_t n : Align(PlacesOfLoop(full, loop), PlacesOfLoop(simplified, loop)))
       {
-        result.IsLip.push_back(outline.IsLip[first + n]);
+        result.IsCutoff.push_back(outline.IsCutoff[first + n]);
       }
       first += full.Boundary.Length(loop);
     }
@@ -257,11 +257,11 @@ std::string CheckClosing(const BoundedHorizon& horizon, const RawVector<PointId>
     return sides;
   }
   const Outline found = FindOutline(horizon, closing);
-  if (found.IsLip != outline.IsLip)
+  if (found.IsCutoff != outline.IsCutoff)
   {
-    return "lips that are closed";
+    return "cutoffs that are closed";
   }
-  return found.Mouths == outline.Mouths ? std::string() : "mouths of cracks";
+  return found.OpenEnds == outline.OpenEnds ? std::string() : "open ends of cracks";
 }
 
 //----------------------------------------------------------------------------------------------------------------------

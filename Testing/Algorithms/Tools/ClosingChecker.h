@@ -23,11 +23,11 @@ using SeismicHorizons::PlanePoint;
 using SeismicHorizons::PointId;
 using SeismicHorizons::RawVector;
 
-/// The edges of loops that have a crack to their left, by their numbers through all loops, and the ends of the mouths.
+/// The edges of loops that have a crack to their left, by their numbers through all loops, and the points of open ends.
 struct Outline
 {
-  std::vector<bool> IsLip;
-  std::set<std::pair<PlanePoint, PlanePoint>> Mouths;
+  std::vector<bool> IsCutoff;
+  std::set<std::pair<PlanePoint, PlanePoint>> OpenEnds;
 };
 
 /// That of the closing triangles of a horizon.
@@ -40,7 +40,8 @@ Outline FindOutlineOfBlocks(const CrackedPatch& patch, const BoundedHorizon& hor
 Outline SimplifyOutline(const BoundedHorizon& full, const Outline& outline, const BoundedHorizon& simplified);
 
 /// Closing triangles turn counter-clockwise and overlap none of the mesh or of their own; every edge has one triangle
-/// on each side at most; and what has a triangle on one side alone is a lip, which is closed from its left, or a mouth.
+/// on each side at most; and what has a triangle on one side alone is a cutoff, which is closed from its left, or an
+/// open end.
 /// Empty when all is well, else what is wrong first.
 std::string CheckClosing(const BoundedHorizon& horizon, const RawVector<PointId>& mesh,
   const RawVector<PointId>& closing, const Outline& outline);

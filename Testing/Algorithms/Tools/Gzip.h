@@ -26,7 +26,7 @@ inline std::string Compress(const std::string& text)
   if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzipOnly, usualMemory, Z_DEFAULT_STRATEGY) !=
     Z_OK)
   {
-    throw std::runtime_error("zlib can not be used");
+    throw std::runtime_error("zlib cannot be used");
   }
   std::string compressed(deflateBound(&stream, text.size()), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));

@@ -81,7 +81,7 @@ inline std::vector<SpacePoint> ToSpacePoints(const BoundedHorizon& horizon)
   return places;
 }
 
-/// For each of so many points the one that stands for it in a simplified boundary: itself, unless it was dropped.
+/// For each of so many points the one that represents it in a simplified boundary: itself, unless it was dropped.
 inline std::vector<PointId> FindTargets(const BoundarySimplification& simplified, std::size_t points)
 {
   std::vector<PointId> targets(points);

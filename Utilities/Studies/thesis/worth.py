@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a mesh is worth: its distance from the surface it stands for, and the shape of its triangles."""
+"""What a mesh is worth: its distance from the surface that it represents, and the shape of its triangles."""
 
 import numpy as np
 import seismichorizons as sh
