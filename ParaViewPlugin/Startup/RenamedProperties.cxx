@@ -8,7 +8,7 @@
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
-#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyLocator.h"
 #include "vtkSMProxyManager.h"
@@ -46,21 +46,23 @@ vtkPVXMLElement* FindProperty(vtkPVXMLElement* proxy, const std::string& name)
   return nullptr;
 }
 
+/// All of them are a whole number.
 void ReadProxy(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
 {
   for (const Rename& rename : Renames)
   {
-    vtkPVXMLElement* const value = FindProperty(element, rename.Old);
+    vtkPVXMLElement* const old = FindProperty(element, rename.Old);
+    vtkPVXMLElement* const value = old ? old->FindNestedElementByName("Element") : nullptr;
+    int number = 0;
     int id = 0;
-    if (element->GetAttributeOrEmpty("type") != std::string(rename.Proxy) || !value ||
-      FindProperty(element, rename.New) || !element->GetScalarAttribute("id", &id))
+    if (element->GetAttributeOrEmpty("type") != std::string(rename.Proxy) || FindProperty(element, rename.New) ||
+      !value || !value->GetScalarAttribute("value", &number) || !element->GetScalarAttribute("id", &id))
     {
       continue;
     }
-    vtkSMProxy* const proxy = locator->LocateProxy(id);
-    vtkSMProperty* const property = proxy ? proxy->GetProperty(rename.New) : nullptr;
-    if (property && property->LoadState(value, locator))
+    if (vtkSMProxy* const proxy = locator->LocateProxy(id))
     {
+      vtkSMPropertyHelper(proxy, rename.New).Set(number);
       proxy->UpdateVTKObjects();
       vtkGenericWarningMacro(<< rename.Proxy << ": property " << rename.Old
                              << " of a state file, expected its new name " << rename.New

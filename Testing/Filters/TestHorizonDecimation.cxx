@@ -218,7 +218,7 @@ void TestDoubledLoops()
   {
     refuse({ outline->begin(), outline->end() }, target,
       "repeats an edge, expected each edge of a loop once, with the surface to its right");
-    refuse({ 40, 41, 40, 41, 40 }, target, "line 1 from point 41 to point 40 once more");
+    refuse({ 40, 41, 40, 41, 40 }, target, "line 1 from point 41 to point 40 repeats an edge");
     // Clockwise. Builds that check meshes stop at the first one.
     refuse({ 155, 455, 465, 165, 155 }, target,
       SeismicHorizons::MeshChecker::IsOn ? "made a wrong mesh"

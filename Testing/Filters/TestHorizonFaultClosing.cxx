@@ -251,7 +251,7 @@ void TestOldFieldData()
     outlines->SetInputDataObject(horizon);
     outlines->SetDistanceThreshold(100.0);
     decimation->SetInputConnection(outlines->GetOutputPort());
-    CHECK_EQUAL(Figure(Update(decimation), "FaultTriangleCount"), 24.0);
+    CHECK_EQUAL(Figure(Update(decimation), "FaultTriangleCount"), 2.0);
   }
   boundary->SetInputDataObject(old);
   for (const bool areUsed : { true, false })

@@ -227,7 +227,7 @@ class ErrorsTest(unittest.TestCase):
                 (ValueError, "there is no horizon 9", lambda: sh.read(DATA / "blobs.vsm", horizons=[9])),
                 (ValueError, "the extension .foo, expected one of", lambda: sh.write(top, "x.foo")),
                 (ValueError, "expected a mesh: surface", lambda: sh.write(top, "x.ts")),
-                (FileNotFoundError, "no such folder", lambda: sh.write(top, "/no/such/folder/x.dat"))):
+                (FileNotFoundError, "does not exist", lambda: sh.write(top, "/no/such/folder/x.dat"))):
             with self.subTest(words=words), self.assertRaisesRegex(kind, words):
                 call()
 
