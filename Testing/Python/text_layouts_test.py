@@ -224,7 +224,7 @@ def refused_layouts():
     yield "old line ends", Layout("x y z", end="\r", refused="carriage returns")
     yield "commas of thousands", Layout("x y z", separator=";", formats={c: "{:,.0f}".format for c in "xyz"}, refused="")
     yield "commas of thousands or decimals", Layout("il xl z", points=LINES, formats={"z": "{:,.0f}".format},
-                                                    refused="of decimals or of thousands")
+                                                    refused="decimal commas or thousands separators")
     yield "decimal commas between commas", Layout("il xl z", separator=",", points=LINES, formats={"z": comma},
                                                   refused="decimal commas")
     yield "several unknown names", Layout("il xl x y z", head="Ligne;Trace;X;Y;Profondeur", separator=";",

@@ -134,7 +134,7 @@ DOUBTED = [
     *[("null_%d" % value, with_null(value), "16 of 2000 picks with z %d, far from all others" % value)
       for value in (-999, -9999, -32768, 0, 9999)],
     ("null_flat", rows("%.2f %.2f %d", X, Y, np.where(CROSSLINE < 2005, 0, 1500)), "200 of 2000 picks with z 0, far from"),
-    ("twice", XYZ + rows("%.2f %.2f %.2f", X, Y, Z + 100.0), "2000 of 4000 picks dropped, as there is another one")]
+    ("twice", XYZ + rows("%.2f %.2f %.2f", X, Y, Z + 100.0), "2000 of 4000 picks dropped, as their column has another one")]
 
 
 class VariantsTest(unittest.TestCase):
