@@ -13,9 +13,11 @@
 #include "PlaneGeometry.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,16 @@ public:
   {
     const Block* const block = this->Find(column);
     return block && (block->North & Bit(column)) != 0;
+  }
+
+  /// Whether a link beside a step from a column to one of its eight neighbours is cut.
+  bool IsCutBeside(const PlanePoint& column, const PlanePoint& step) const
+  {
+    const PlanePoint least = { std::min(column.X, column.X + step.X), std::min(column.Y, column.Y + step.Y) };
+    const PlanePoint across = { least.X + std::abs(step.X), least.Y };
+    const PlanePoint above = { least.X, least.Y + std::abs(step.Y) };
+    return (step.X != 0 && (this->IsCutEast(least) || this->IsCutEast(above))) ||
+      (step.Y != 0 && (this->IsCutNorth(least) || this->IsCutNorth(across)));
   }
 
 private:

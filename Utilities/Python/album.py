@@ -164,9 +164,10 @@ def plan_of(cells, layer):
         own = places[numbers[first[:, None] + np.arange(size)]]
         is_above_or_below = np.all(own[:, :, None, :2] == own[:, None, :, :2], axis=3)
         heights = np.where(is_above_or_below, own[:, None, :, 2], np.nan)
-        is_top = own[:, :, 2] == np.nanmax(heights, axis=2, initial=-np.inf)
+        top = np.nanmax(heights, axis=2, initial=-np.inf)
+        is_top = own[:, :, 2] == top
         corners.append(own[is_top])
-        thickness.append((np.nanmax(heights, axis=2, initial=-np.inf) - np.nanmin(heights, axis=2, initial=np.inf))[is_top])
+        thickness.append((top - np.nanmin(heights, axis=2, initial=np.inf))[is_top])
     plan = vtkPolyData()
     plan.SetPoints(vtkPoints())
     plan.GetPoints().SetData(numpy_to_vtk(np.concatenate(corners) * (1.0, 1.0, 0.0), deep=True))

@@ -3,8 +3,6 @@
 
 #include "CutoffFit.h"
 
-#include "Common/ColumnIndex.h"
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -22,19 +20,13 @@ constexpr std::size_t FewestColumns = 6; // of a plane
 
 constexpr std::array<PlanePoint, 4> Steps = { PlanePoint{ 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
 
-bool IsCut(const LinkCuts& cuts, const PlanePoint& column, const PlanePoint& step)
-{
-  const PlanePoint least = { column.X + std::min(0, step.X), column.Y + std::min(0, step.Y) };
-  return step.X != 0 ? cuts.IsCutEast(least) : cuts.IsCutNorth(least);
-}
-
 /// Points around a column, on its side of all cuts.
 class Surroundings
 {
 public:
-  Surroundings(PlanePoints columns, const LinkCuts& cuts)
-    : Columns(columns)
-    , Index(columns)
+  Surroundings(const ColumnIndex& index, const LinkCuts& cuts)
+    : Columns(index.Columns())
+    , Index(index)
     , Cuts(cuts)
   {
   }
@@ -42,7 +34,7 @@ public:
   bool IsBesideCut(PointId point) const
   {
     return std::any_of(Steps.begin(), Steps.end(),
-      [&](const PlanePoint& step) { return IsCut(this->Cuts, this->Columns[std::size_t(point)], step); });
+      [&](const PlanePoint& step) { return this->Cuts.IsCutBeside(this->Columns[std::size_t(point)], step); });
   }
 
   /// None where a way leads around a cut.
@@ -59,7 +51,7 @@ public:
         const PlanePoint next = { column.X + step.X, column.Y + step.Y };
         const PointId point = this->Index.PointAt(next);
         const bool isNear = std::max(std::abs(next.X - middle.X), std::abs(next.Y - middle.Y)) <= Reach;
-        if (isNear && point != NoPoint && !IsCut(this->Cuts, column, step) &&
+        if (isNear && point != NoPoint && !this->Cuts.IsCutBeside(column, step) &&
           std::find(found.begin(), found.end(), point) == found.end())
         {
           found.push_back(point);
@@ -72,8 +64,8 @@ public:
       for (const PlanePoint& step : Steps)
       {
         const PointId other = this->Index.PointAt({ column.X + step.X, column.Y + step.Y });
-        isAtEnd =
-          isAtEnd || (IsCut(this->Cuts, column, step) && std::find(found.begin(), found.end(), other) != found.end());
+        isAtEnd = isAtEnd ||
+          (this->Cuts.IsCutBeside(column, step) && std::find(found.begin(), found.end(), other) != found.end());
       }
     }
     return isAtEnd ? std::vector<PointId>() : found;
@@ -81,7 +73,7 @@ public:
 
 private:
   PlanePoints Columns;
-  ColumnIndex Index;
+  const ColumnIndex& Index;
   const LinkCuts& Cuts;
 };
 
@@ -105,10 +97,11 @@ std::optional<double> PlaneHeight(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, PlanePoints columns, const HeightStack& heights,
+std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const LinkCuts& cuts)
 {
-  const Surroundings surroundings(columns, cuts);
+  const PlanePoints columns = index.Columns();
+  const Surroundings surroundings(index, cuts);
   std::vector<InnerHeights> fitted(heights.size());
   for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
   {

@@ -7,6 +7,7 @@
 #ifndef SeismicHorizonsCutoffFit_h
 #define SeismicHorizonsCutoffFit_h
 
+#include "Common/ColumnIndex.h"
 #include "Common/LinkCuts.h"
 #include "Crossings.h"
 #include "Decimation/HeightMesh.h"
@@ -16,9 +17,9 @@
 namespace SeismicHorizons
 {
 /// For each horizon of a mesh the heights of its vertices beside cut links: of planes through the columns within two of
-/// them that are connected with them there. `heights` are those that the mesh lies over, by point, and `known` has 1 where
+/// them that are connected with them there. `index` and `heights` are of what the mesh lies over, by point, and `known` has 1 where
 /// they count, empty where all do. Vertices around the end of a cut, and those with too few columns, are left out.
-std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, PlanePoints columns, const HeightStack& heights,
+std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const LinkCuts& cuts);
 }
 

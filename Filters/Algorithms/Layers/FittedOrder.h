@@ -24,11 +24,11 @@ class FittedOrder
 public:
   /// Of so many horizons; what follows them in the stack are the heights of layers, each that of the horizon above less
   /// that of the one below.
-  FittedOrder(PlanePoints columns, const HeightStack& heights, std::size_t horizons,
+  FittedOrder(const ColumnIndex& index, const HeightStack& heights, std::size_t horizons,
     const std::vector<unsigned char>& isOnLine, bool downwards)
     : Heights(heights)
     , Horizons(horizons)
-    , Index(columns)
+    , Index(index)
     , IsOnLine(isOnLine)
     , GrowDownwards(downwards)
   {
@@ -44,7 +44,7 @@ private:
 
   const HeightStack& Heights;
   const std::size_t Horizons;
-  const ColumnIndex Index; // with an empty rim
+  const ColumnIndex& Index; // with an empty rim
   const std::vector<unsigned char>& IsOnLine;
   const bool GrowDownwards;
 };

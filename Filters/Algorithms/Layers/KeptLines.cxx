@@ -3,16 +3,32 @@
 
 #include "KeptLines.h"
 
-#include "Common/ColumnIndex.h"
 #include "Common/PlaneGeometry.h"
 #include "Decimation/KeptSides.h"
 #include "Decimation/MeshRefiner.h"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace SeismicHorizons
 {
+//----------------------------------------------------------------------------------------------------------------------
+// Of the lines of all horizons between two places of the patch of a vertex: endsOf(horizon).
+template <typename EndsOf>
+bool KeptLines::IsAnyFar(VertexId vertex, EndsOf&& endsOf) const
+{
+  for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
+  {
+    const auto [from, to] = endsOf(horizon);
+    if (!this->Mesh.RasterAt(horizon, vertex).IsSideWithin(from, to, this->MaximumError + this->Mesh.Rounding()))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 void KeptLines::Keep(const PinchOutLines& lines)
 {
@@ -111,50 +127,36 @@ std::vector<Edge> KeptLines::SplitFar(const PinchOutLines& lines) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Of a line between two points, of the patch of a vertex.
 bool KeptLines::IsFar(VertexId vertex, PointId from, PointId to) const
 {
-  const auto raised = [this](std::size_t horizon, PointId point) {
-    return RaisedPoint{ this->Columns[std::size_t(point)], this->Heights[horizon][std::size_t(point)] };
-  };
-  for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
-  {
-    if (!this->Mesh.RasterAt(horizon, vertex)
-           .IsSideWithin(raised(horizon, from), raised(horizon, to), this->MaximumError + this->Mesh.Rounding()))
+  return this->IsAnyFar(vertex,
+    [&](std::size_t horizon)
     {
-      return true;
-    }
-  }
-  return false;
+      const std::vector<double>& heights = this->Heights[horizon];
+      return std::pair(RaisedPoint{ this->Columns[std::size_t(from)], heights[std::size_t(from)] },
+        RaisedPoint{ this->Columns[std::size_t(to)], heights[std::size_t(to)] });
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 bool KeptLines::IsFar(TriangleId triangle, int side) const
 {
-  for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
-  {
-    const RaisedTriangle corners = this->Mesh.RaisedCorners(horizon, triangle);
-    if (!this->Mesh.RasterOf(horizon, triangle)
-           .IsSideWithin(corners[std::size_t(side)], corners[std::size_t(NextCorner(side))],
-             this->MaximumError + this->Mesh.Rounding()))
-    {
-      return true;
-    }
-  }
-  return false;
+  const VertexId from = this->Mesh.Triangles().Corner(triangle, side);
+  const VertexId to = this->Mesh.Triangles().Corner(triangle, NextCorner(side));
+  return this->IsAnyFar(from,
+    [&](std::size_t horizon) { return std::pair(this->Mesh.Raised(horizon, from), this->Mesh.Raised(horizon, to)); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // Columns on lines too, at which vertices may be inserted later.
 void KeptLines::MarkAlong(const std::vector<Edge>& edges)
 {
-  const ColumnIndex index(this->Columns);
   for (const Edge& edge : edges)
   {
     ForEachColumnBetween(this->Columns[std::size_t(edge.From)], this->Columns[std::size_t(edge.To)],
       [&](const PlanePoint& column, double)
       {
-        const PointId point = index[index.Place(column)];
+        const PointId point = this->Index.PointAt(column);
         if (point != NoPoint)
         {
           this->IsOnLine[std::size_t(point)] = 1;

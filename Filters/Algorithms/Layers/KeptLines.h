@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsKeptLines_h
 #define SeismicHorizonsKeptLines_h
 
+#include "Common/ColumnIndex.h"
 #include "Crossings.h"
 #include "Decimation/HeightMesh.h"
 #include "PinchOuts.h"
@@ -18,11 +19,12 @@ namespace SeismicHorizons
 class KeptLines
 {
 public:
-  /// `heights` are those that the mesh lies over, by point. `isOnLine` gets 1 for points on lines.
-  KeptLines(HeightMesh& mesh, PlanePoints columns, const HeightStack& heights, double maximumError,
+  /// `index` and `heights` are of what the mesh lies over, by point. `isOnLine` gets 1 for points on lines.
+  KeptLines(HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights, double maximumError,
     std::vector<unsigned char>& isOnLine)
     : Mesh(mesh)
-    , Columns(columns)
+    , Index(index)
+    , Columns(index.Columns())
     , Heights(heights)
     , MaximumError(maximumError)
     , IsOnLine(isOnLine)
@@ -46,9 +48,12 @@ private:
   std::vector<Edge> SplitFar(const PinchOutLines& lines) const;
   bool IsFar(VertexId vertex, PointId from, PointId to) const;
   bool IsFar(TriangleId triangle, int side) const;
+  template <typename EndsOf>
+  bool IsAnyFar(VertexId vertex, EndsOf&& endsOf) const;
   void MarkAlong(const std::vector<Edge>& edges);
 
   HeightMesh& Mesh;
+  const ColumnIndex& Index;
   PlanePoints Columns;
   const HeightStack& Heights;
   double MaximumError;

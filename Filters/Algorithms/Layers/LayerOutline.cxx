@@ -4,7 +4,6 @@
 #include "LayerOutline.h"
 
 #include "BoundarySimplification/BoundarySimplification.h"
-#include "Common/ColumnIndex.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/SpacePoints.h"
 
@@ -25,11 +24,12 @@ class OutlineMaker
 public:
   /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all do.
   OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
-    const std::vector<HorizonView>& horizons, double error, double tolerance)
+    const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices, double error, double tolerance)
     : Columns(columns)
     , Heights(heights)
     , Known(known)
     , Horizons(horizons)
+    , Indices(indices)
   {
     this->Options.Method = OutlineMethod::FewestPoints;
     this->Options.DistanceThreshold = error;
@@ -37,10 +37,6 @@ public:
     if (tolerance > 0.0) // else outlines pass over no other columns
     {
       this->Index.emplace(columns);
-      for (const HorizonView& horizon : horizons)
-      {
-        this->Indices.emplace_back(horizon.Columns);
-      }
     }
   }
 
@@ -175,7 +171,7 @@ private:
   const std::vector<std::vector<unsigned char>>& Known;
   const std::vector<HorizonView>& Horizons;
   std::optional<ColumnIndex> Index; // of the columns of the stack
-  std::vector<ColumnIndex> Indices; // of those of the horizons
+  const std::vector<ColumnIndex>& Indices; // of those of the horizons
   BoundarySimplificationOptions Options;
 };
 }
@@ -183,9 +179,10 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const std::vector<HorizonView>& horizons,
-  const ExteriorBoundary& boundary, const LayerOutlineOptions& options, const Monitor& monitor)
+  const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, const LayerOutlineOptions& options,
+  const Monitor& monitor)
 {
-  return OutlineMaker(columns, heights, known, horizons, options.MaximumError, options.Tolerance)
+  return OutlineMaker(columns, heights, known, horizons, indices, options.MaximumError, options.Tolerance)
     .Run(boundary, options.Fixed, monitor);
 }
 }

@@ -7,6 +7,7 @@
 #define SeismicHorizonsLayerOutline_h
 
 #include "Boundary/ExteriorBoundary.h"
+#include "Common/ColumnIndex.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 #include "OrderedStack.h"
@@ -30,10 +31,12 @@ struct LayerOutlineOptions
 };
 
 /// Of points that all have a patch, with the heights of each horizon. `known` has for each of these 1 where its height
-/// counts; it is empty where all do. What horizons have in columns without a point counts where outlines pass over it.
+/// counts; it is empty where all do. What horizons have in columns without a point counts where outlines pass over it; `indices`
+/// are of their columns.
 LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const std::vector<HorizonView>& horizons,
-  const ExteriorBoundary& boundary, const LayerOutlineOptions& options, const Monitor& monitor);
+  const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, const LayerOutlineOptions& options,
+  const Monitor& monitor);
 }
 
 #endif

@@ -82,12 +82,14 @@ public:
     const std::vector<Edge> borders = this->FindBorders(boundary, pinchOuts.OnOutline);
     this->AddThickness();
     this->Fill();
-    LayerOutline outline = SimplifyOutline(this->Columns, this->MeshHeights(), this->Known, this->Horizons, boundary,
-      { this->Options.MaximumError, this->Result.OutlineTolerance, pinchOuts.OnOutline }, monitor.Step(0.25, 0.3));
+    LayerOutline outline =
+      SimplifyOutline(this->Columns, this->MeshHeights(), this->Known, this->Horizons, this->OwnColumns, boundary,
+        { this->Options.MaximumError, this->Result.OutlineTolerance, pinchOuts.OnOutline }, monitor.Step(0.25, 0.3));
     this->AddColumnsInside(kept, outline);
+    this->Index.emplace(this->Columns);
     HeightMesh mesh = this->MakeMesh(std::move(outline), monitor.Step(0.3, 0.4));
     this->KeepBorders(mesh, borders);
-    KeptLines lines(mesh, this->Columns, this->MeshHeights(), this->Options.MaximumError, this->IsOnLine);
+    KeptLines lines(mesh, *this->Index, this->MeshHeights(), this->Options.MaximumError, this->IsOnLine);
     lines.Keep(pinchOuts);
     this->Refine(mesh, lines, monitor.Step(0.4, 0.9));
     this->Result.PinchOutLines = lines.Size();
@@ -397,8 +399,8 @@ private:
     options.MaximumError = this->Options.MaximumError;
     options.FitHeights = this->Options.FitHeights;
     options.SmallestAngle = this->Options.SmallestAngle;
-    const FittedOrder order(this->Columns, this->Heights, this->Horizons.size(), this->IsOnLine,
-      this->Options.Crossings.HeightsGrowDownwards);
+    const FittedOrder order(
+      *this->Index, this->Heights, this->Horizons.size(), this->IsOnLine, this->Options.Crossings.HeightsGrowDownwards);
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { order.Apply(mesh, heights); };
     lines.DropFar();
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
@@ -423,10 +425,10 @@ private:
       return;
     }
     std::vector<InnerHeights> fitted =
-      FitCutoffs(mesh, this->Columns, this->MeshHeights(), this->Known, *this->Options.Cuts);
+      FitCutoffs(mesh, *this->Index, this->MeshHeights(), this->Known, *this->Options.Cuts);
+    rule(fitted);
     for (bool isFar = true; isFar && !fitted.front().Vertices.empty();)
     {
-      rule(fitted);
       const std::vector<InnerHeights> before = mesh.HeightsOf(fitted.front().Vertices);
       MoveHeightsWithin(mesh, this->Options.MaximumError + mesh.Rounding(), fitted);
       const std::vector<unsigned char> isAtFar = this->MarkFarEdges(mesh);
@@ -657,7 +659,6 @@ private:
   template <typename Visit>
   void ForEachPassed(const HeightMesh& mesh, Visit&& visit) const
   {
-    const ColumnIndex index(this->Columns);
     const PlaneMesh& triangles = mesh.Triangles();
     for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
     {
@@ -669,7 +670,7 @@ private:
             triangles.Corner(triangle, NextCorner(side)) };
           ForEachColumnBetween(mesh.Raised(ends[0]).Column, mesh.Raised(ends[1]).Column,
             [&](const PlanePoint& place, double part)
-            { this->VisitPassed(mesh, triangle, ends, part, place, index.PointAt(place), visit); });
+            { this->VisitPassed(mesh, triangle, ends, part, place, this->Index->PointAt(place), visit); });
         }
       }
     }
@@ -788,6 +789,7 @@ private:
   std::optional<LayerRegions> Regions; // where each layer has a domain of its own
   HeightStack Filled; // of these: a level horizon, and then the heights above without gaps
   std::vector<std::vector<unsigned char>> Known; // for each of them 1 where it counts
+  std::optional<ColumnIndex> Index; // of Columns, once all are there
   std::vector<ColumnIndex> OwnColumns; // of the horizons as they were given
   std::optional<double> StripArea; // that cuts leave out, where gaps may lie along them
   std::vector<unsigned char> IsOnLine; // there: 1 on pinch-out lines

@@ -308,18 +308,9 @@ private:
     return {};
   }
 
-  /// Whether a link beside a step is.
   bool IsCut(const PlanePoint& column, const PlanePoint& step) const
   {
-    if (!this->Cuts)
-    {
-      return false;
-    }
-    const PlanePoint least = { std::min(column.X, column.X + step.X), std::min(column.Y, column.Y + step.Y) };
-    const std::int32_t width = std::abs(step.X);
-    const std::int32_t height = std::abs(step.Y);
-    return (width > 0 && (this->Cuts->IsCutEast(least) || this->Cuts->IsCutEast({ least.X, least.Y + height }))) ||
-      (height > 0 && (this->Cuts->IsCutNorth(least) || this->Cuts->IsCutNorth({ least.X + width, least.Y })));
+    return this->Cuts && this->Cuts->IsCutBeside(column, step);
   }
 
   static constexpr int Farthest = 256; // columns
