@@ -71,7 +71,7 @@ struct Surface
     std::vector<PointId> all(this->Columns.size());
     std::iota(all.begin(), all.end(), 0);
     const auto forEachPoint = [&all](auto&& add) { std::for_each(all.begin(), all.end(), add); };
-    this->Raster = std::make_shared<HeightRaster>(forEachPoint, this->Columns, this->Horizon.Height);
+    this->Raster = std::make_shared<HeightRaster>(forEachPoint, this->Columns, this->Horizon.Height.data());
   }
 
   static BoundedHorizon Straighten(const BoundedHorizon& horizon, double tolerance)

@@ -52,8 +52,9 @@ std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
+HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const double* heights)
   : Horizon(std::move(horizon))
+  , OwnHeights(heights ? heights : this->Horizon.Height.data())
   , Places(this->Horizon.ColumnPlaces())
   , Patches(Renumber(std::move(this->Horizon.Patch)))
   , Points(std::size_t(
@@ -61,10 +62,9 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor)
   , Marks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
 {
   this->MeshLoops(monitor);
-  this->Rasters = this->MakeRasters(this->Horizon.Height);
+  this->Rasters = this->MakeRasters();
   this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
   this->FindRange();
-  this->Horizon.Height = std::vector<double>();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -73,9 +73,9 @@ void HeightMesh::AddHorizon(const std::vector<double>& heights, const std::vecto
   OtherHorizon other;
   for (const HeightRaster& raster : this->Rasters)
   {
-    other.Rasters.emplace_back(raster, heights, isKnown);
+    other.Rasters.emplace_back(raster, heights.data(), isKnown);
   }
-  other.Heights = &heights;
+  other.Heights = heights.data();
   for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
   {
     other.Vertices.push_back({ this->Vertices[vertex].Column, heights[this->Sources[vertex]] });
@@ -90,15 +90,6 @@ void HeightMesh::AddHorizon(const std::vector<double>& heights, const std::vecto
 //----------------------------------------------------------------------------------------------------------------------
 BoundedHorizon HeightMesh::TakeHorizon()
 {
-  std::vector<double>& heights = this->Horizon.Height;
-  heights.assign(this->Patches.size(), 0.0); // of points without a patch no one looks at them
-  for (std::size_t point = 0; point < heights.size(); ++point)
-  {
-    if (this->Patches[point] >= 0)
-    {
-      heights[point] = this->Rasters[this->Patches[point]].HeightAt(this->Places[point]);
-    }
-  }
   this->Horizon.Patch = std::move(this->Patches);
   return std::move(this->Horizon);
 }
@@ -115,7 +106,7 @@ void HeightMesh::MeshLoops(const Monitor& monitor)
     {
       numbers[point] = PointId(this->Sources.size());
       this->Sources.push_back(PointId(point));
-      this->Vertices.push_back({ this->Places[point], this->Horizon.Height[point] });
+      this->Vertices.push_back({ this->Places[point], this->OwnHeights[point] });
       outline.Plane.push_back(this->Places[point]);
       outline.Patch.push_back(this->Patches[point]);
     }
@@ -153,7 +144,7 @@ void HeightMesh::AddRounding(double lowest, double highest)
 
 //----------------------------------------------------------------------------------------------------------------------
 // One for each patch: they can be far apart, and one can lie in a hole of another one.
-std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& heights) const
+std::vector<HeightRaster> HeightMesh::MakeRasters() const
 {
   std::vector<HeightRaster> rasters;
   const std::vector<std::int32_t>& patch = this->Patches;
@@ -171,7 +162,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& hei
   if (patches == 1)
   {
     rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Places, heights, this->Horizon.Cuts.get());
+      this->Places, this->OwnHeights, this->Horizon.Cuts.get());
     return rasters;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -179,7 +170,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const std::vector<double>& hei
   for (std::int32_t number = 0; number < patches; ++number)
   {
     rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Places, heights, this->Horizon.Cuts.get());
+      this->Places, this->OwnHeights, this->Horizon.Cuts.get());
   }
   return rasters;
 }
@@ -223,7 +214,7 @@ void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<Triangle
     this->Vertices.push_back({ this->Places[point], raster.HeightAt(this->Places[point]) });
     for (OtherHorizon& other : this->Others)
     {
-      other.Vertices.push_back({ this->Places[point], (*other.Heights)[point] });
+      other.Vertices.push_back({ this->Places[point], other.Heights[point] });
     }
   }
 }

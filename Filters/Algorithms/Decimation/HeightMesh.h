@@ -49,8 +49,9 @@ struct InnerHeights
 class HeightMesh
 {
 public:
-  /// Meshes the loops. The places of the horizon are columns.
-  HeightMesh(BoundedHorizon horizon, const Monitor& monitor);
+  /// Meshes the loops. The places of the horizon are columns. Its heights may be those of others, `heights`, which must
+  /// outlive the mesh.
+  HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const double* heights = nullptr);
 
   /// Lays the mesh over another horizon, too, of the same points with other heights. Vertices then have a height of each,
   /// at first that of its column, and errors are the largest ones of all, which are measured without powers. What has no
@@ -119,7 +120,7 @@ public:
   double Height(std::size_t horizon, VertexId vertex) const { return this->Raised(horizon, vertex).Height; }
   double ColumnHeight(std::size_t horizon, VertexId vertex) const
   {
-    return horizon == 0 ? this->ColumnHeight(vertex) : (*this->Others[horizon - 1].Heights)[this->Sources[vertex]];
+    return horizon == 0 ? this->ColumnHeight(vertex) : this->Others[horizon - 1].Heights[this->Sources[vertex]];
   }
 
   const RaisedPoint& Raised(VertexId vertex) const { return this->Vertices[vertex]; }
@@ -203,7 +204,7 @@ private:
   {
     std::vector<HeightRaster> Rasters;
     std::vector<RaisedPoint> Vertices;
-    const std::vector<double>* Heights; // by point
+    const double* Heights; // by point
   };
 
   const HeightRaster& RasterAt(VertexId vertex) const
@@ -211,7 +212,7 @@ private:
     return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[this->Sources[vertex]]];
   }
   void MeshLoops(const Monitor& monitor);
-  std::vector<HeightRaster> MakeRasters(const std::vector<double>& heights) const;
+  std::vector<HeightRaster> MakeRasters() const;
   void AddRounding(double lowest, double highest);
   void FindRange();
   std::vector<TriangleId> AllTriangles() const;
@@ -222,6 +223,7 @@ private:
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 
   BoundedHorizon Horizon; // without what is in the members below
+  const double* const OwnHeights; // of the first horizon, by point
   const PlanePoints Places; // its columns
   std::vector<std::int32_t> Patches; // by point, without gaps; negative for those that the horizon does not have
   std::size_t Points;

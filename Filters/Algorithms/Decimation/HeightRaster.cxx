@@ -86,7 +86,7 @@ void HeightRaster::Add(PointId point, const PlanePoint& column, RawVector<PointI
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightRaster::SetHeights(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown)
+void HeightRaster::SetFloats(const std::vector<unsigned char>* isKnown)
 {
   const RawVector<PointId>& points = *this->Points;
   const auto size = std::int64_t(points.size());
@@ -97,14 +97,13 @@ void HeightRaster::SetHeights(const std::vector<double>& heights, const std::vec
       {
         if (points[place] != NoPoint)
         {
-          part.Add({ heights[points[place]], heights[points[place]] });
+          part.Add({ this->Heights[points[place]], this->Heights[points[place]] });
         }
       }
     });
   this->Lowest = range.Lowest;
   this->Highest = range.Highest;
-  this->Heights.resize(points.size());
-  this->FloatHeights.resize(points.size());
+  this->Floats.resize(points.size());
   const double middle = this->MiddleAs<float>();
   ParallelFor(size, ColumnGrain,
     [&](std::int64_t first, std::int64_t last)
@@ -113,8 +112,8 @@ void HeightRaster::SetHeights(const std::vector<double>& heights, const std::vec
       {
         const PointId point = points[place];
         const bool hasHeight = point != NoPoint && (!isKnown || (*isKnown)[point] != 0);
-        this->Heights[place] = hasHeight ? heights[point] : std::numeric_limits<double>::quiet_NaN();
-        this->FloatHeights[place] = float(this->Heights[place] - middle);
+        this->Floats[place] =
+          hasHeight ? float(this->Heights[point] - middle) : std::numeric_limits<float>::quiet_NaN();
       }
     });
 }
@@ -139,7 +138,6 @@ template <int Power, typename Real>
 HeightError HeightRaster::MeasureAs(const RaisedTriangle& triangle, double perUnit, double bound, double most) const
 {
   using Four = FourColumns<Real>;
-  const Real* const columns = this->HeightsAs<Real>();
   Four largest = Four::Zero();
   Four sums = Four::Zero();
   const bool canEnd = bound < Infinity || most < Infinity;
@@ -147,7 +145,7 @@ HeightError HeightRaster::MeasureAs(const RaisedTriangle& triangle, double perUn
   this->ForEachHeight<Real>(triangle, SideColumns(),
     [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
     {
-      const Four distances = AtLeastZero(Four((heights - Eigen::Map<const Four>(columns + place)).abs())) * isIn;
+      const Four distances = AtLeastZero(Four((heights - this->FourAt<Real>(place)).abs())) * isIn;
       largest = largest.max(distances);
       if (Power > 0)
       {
@@ -181,12 +179,11 @@ template <typename Real>
 PointId HeightRaster::FindPointAs(const RaisedTriangle& triangle, double error) const
 {
   using Four = FourColumns<Real>;
-  const Real* const columns = this->HeightsAs<Real>();
   PointId point = NoPoint;
   this->ForEachHeight<Real>(triangle, SideColumns(),
     [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
     {
-      const Four distances = AtLeastZero(Four((heights - Eigen::Map<const Four>(columns + place)).abs())) * isIn;
+      const Four distances = AtLeastZero(Four((heights - this->FourAt<Real>(place)).abs())) * isIn;
       if (LargestOf(distances) == error)
       {
         int n = 0;

@@ -62,40 +62,41 @@ struct Crossing
   double Error = 0.0; // the side's height less that of the line
 };
 
-/// Heights are also kept as floats, less the middle one. They decide wherever their rounding leaves no doubt, and the
-/// heights themselves elsewhere: so that all bounds are exact.
+/// Heights are kept as floats, less the middle one. They decide wherever their rounding leaves no doubt, and the heights
+/// themselves elsewhere: so that all bounds are exact.
 class HeightRaster
 {
 public:
   /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
-  /// `columns` and `heights`, which are finite, are those of all its points. Takes 16 bytes per column of the bounding
-  /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut; `cuts`, null
-  /// for none, must outlive it.
+  /// `columns` and `heights`, which are finite, are those of all its points. Takes 8 bytes per column of the bounding
+  /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut. The heights, and
+  /// `cuts`, null for none, must outlive it.
   template <typename ForEachPoint>
-  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const std::vector<double>& heights,
-    const LinkCuts* cuts = nullptr)
-    : Cuts(cuts)
+  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const double* heights, const LinkCuts* cuts = nullptr)
+    : Heights(heights)
+    , Cuts(cuts)
   {
     forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
     RawVector<PointId> points = this->MakePlaces();
     forEachPoint([&](PointId point) { this->Add(point, columns[point], points); });
     this->Points = std::make_shared<const RawVector<PointId>>(std::move(points));
-    this->SetHeights(heights, nullptr);
+    this->SetFloats(nullptr);
   }
 
-  /// Another horizon over the points of `other`, with 12 bytes per column. Columns of points that are not marked as known,
+  /// Another horizon over the points of `other`, with 4 bytes per column. Columns of points that are not marked as known,
   /// where that is given, have no height.
-  HeightRaster(const HeightRaster& other, const std::vector<double>& heights, const std::vector<unsigned char>* isKnown)
+  HeightRaster(const HeightRaster& other, const double* heights, const std::vector<unsigned char>* isKnown)
     : Box(other.Box)
     , Width(other.Width)
     , Points(other.Points)
+    , Heights(heights)
     , Cuts(other.Cuts)
   {
-    this->SetHeights(heights, isKnown);
+    this->SetFloats(isKnown);
   }
 
   /// Of a column with a point.
-  double HeightAt(const PlanePoint& column) const { return this->Heights[this->Place(column.X, column.Y)]; }
+  double HeightAt(const PlanePoint& column) const { return this->At<double>(this->Place(column.X, column.Y)); }
 
   double LowestHeight() const { return this->Lowest; }
   double HighestHeight() const { return this->Highest; }
@@ -153,21 +154,35 @@ private:
 
   RawVector<PointId> MakePlaces();
   void Add(PointId point, const PlanePoint& column, RawVector<PointId>& points) const;
-  void SetHeights(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown);
+  void SetFloats(const std::vector<unsigned char>* isKnown);
 
   /// How far an error is wrong at most that floats have, of corners no farther from their columns than a bound.
   double FloatRounding(double bound) const;
 
+  /// nan where there is no point, or an unknown one.
   template <typename Real>
-  const Real* HeightsAs() const
+  Real At(std::int64_t place) const
   {
+    const float less = this->Floats[place];
     if constexpr (std::is_same_v<Real, float>)
     {
-      return this->FloatHeights.data();
+      return less;
     }
     else
     {
-      return this->Heights.data();
+      return std::isnan(less) ? std::numeric_limits<double>::quiet_NaN() : this->Heights[(*this->Points)[place]];
+    }
+  }
+  template <typename Real>
+  FourColumns<Real> FourAt(std::int64_t place) const
+  {
+    if constexpr (std::is_same_v<Real, float>)
+    {
+      return Eigen::Map<const FourColumns<float>>(this->Floats.data() + place);
+    }
+    else
+    {
+      return { this->At<Real>(place), this->At<Real>(place + 1), this->At<Real>(place + 2), this->At<Real>(place + 3) };
     }
   }
   /// What these are less.
@@ -200,8 +215,8 @@ private:
   PlaneBox Box;
   std::int64_t Width = 0;
   std::shared_ptr<const RawVector<PointId>> Points; // by place
-  RawVector<double> Heights; // by place; nan where there is no point, or an unknown one
-  RawVector<float> FloatHeights; // the same less the middle one
+  const double* Heights; // by point
+  RawVector<float> Floats; // these less the middle one, by place; nan where there is no point, or an unknown one
   double Lowest = Infinity;
   double Highest = -Infinity;
   const LinkCuts* Cuts;
@@ -227,7 +242,7 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
       const std::int64_t end = this->Place(last, y);
       for (std::int64_t place = this->Place(first, y); place <= end; ++place)
       {
-        const double own = this->Heights[place];
+        const double own = this->At<double>(place);
         if (!std::isnan(own))
         {
           const double height = (weights[0] * a.Height + weights[1] * b.Height + weights[2] * c.Height) * perArea;
@@ -245,7 +260,6 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
 template <typename Real, typename Visitor>
 void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const
 {
-  const Real* const heights = this->HeightsAs<Real>();
   const double start = from.Height - this->MiddleAs<Real>();
   const double rise = to.Height - from.Height;
   // First the rows between the ends, then, with rows and columns exchanged, the columns.
@@ -275,8 +289,8 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       const std::int32_t y = isTurned ? walk.AtOrLeft() : line;
       crossing.Place = this->Place(x, y);
       crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
-      const double first = heights[crossing.Place];
-      const double second = heights[crossing.Beyond];
+      const double first = this->At<Real>(crossing.Place);
+      const double second = this->At<Real>(crossing.Beyond);
       crossing.PartOfColumn = double(walk.Parts()) * perLine;
       const double up = (double(line) - low.Y) * perLine;
       crossing.PartOfSide = isUp ? up : 1.0 - up;
@@ -299,7 +313,7 @@ void HeightRaster::ForEachFour(const RaisedTriangle& triangle, const SideColumns
   this->ForEachHeight<Real>(triangle, sides,
     [&](std::int64_t place, const Four& heights, const Four& b, const Four& c, const Four& isIn)
     {
-      const Four errors = heights - Eigen::Map<const Four>(this->HeightsAs<Real>() + place);
+      const Four errors = heights - this->FourAt<Real>(place);
       const Four above = AtLeastZero(errors);
       const Four below = AtLeastZero(Four(-errors));
       const Four hasPoint = AtLeastZero(Four(errors - errors + Real(1)));

@@ -4,11 +4,13 @@
 #include "CommonColumns.h"
 
 #include "Common/ColumnIndex.h"
+#include "Common/Parallel.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -24,13 +26,14 @@ bool IsBefore(const PlanePoint& a, const PlanePoint& b)
 /// The points of a horizon row by row.
 std::vector<PointId> SortByRows(PlanePoints columns)
 {
-  std::vector<PointId> points(columns.size());
+  std::vector<PointId> points = std::vector<PointId>(columns.size());
   std::iota(points.begin(), points.end(), 0);
-  const auto isBefore = [&](PointId a, PointId b) { return IsBefore(columns[a], columns[b]); };
-  if (!std::is_sorted(columns.begin(), columns.end(), IsBefore))
+  const auto isNotBefore = [](const PlanePoint& a, const PlanePoint& b) { return !IsBefore(a, b); };
+  if (std::adjacent_find(columns.begin(), columns.end(), isNotBefore) == columns.end())
   {
-    std::sort(points.begin(), points.end(), isBefore);
+    return points;
   }
+  std::sort(points.begin(), points.end(), [&](PointId a, PointId b) { return IsBefore(columns[a], columns[b]); });
   const auto same =
     std::adjacent_find(points.begin(), points.end(), [&](PointId a, PointId b) { return columns[a] == columns[b]; });
   if (same != points.end())
@@ -38,6 +41,31 @@ std::vector<PointId> SortByRows(PlanePoints columns)
     throw SameColumnError(std::min(*same, same[1]), std::max(*same, same[1]), columns[*same]);
   }
   return points;
+}
+
+/// Calls call(n) for all points, on threads.
+template <typename Call>
+void ForEach(const std::vector<PointId>& points, Call&& call)
+{
+  constexpr std::int64_t Grain = 1 << 14;
+  ParallelFor(std::int64_t(points.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto n = std::size_t(first); n < std::size_t(last); ++n)
+      {
+        call(n);
+      }
+    });
+}
+
+/// Those for which keep(point) is true, which is asked on threads.
+template <typename Keep>
+void KeepIf(std::vector<PointId>& points, Keep&& keep)
+{
+  std::vector<unsigned char> isKept(points.size());
+  ForEach(points, [&](std::size_t n) { isKept[n] = keep(points[n]) ? 1 : 0; });
+  auto next = isKept.begin();
+  points.erase(std::remove_if(points.begin(), points.end(), [&next](PointId) { return *next++ == 0; }), points.end());
 }
 
 /// Columns that so many neighbours of a stack have.
@@ -90,44 +118,42 @@ CommonColumns FindColumns(const std::vector<HorizonView>& horizons, std::size_t 
 CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons)
 {
   CommonColumns common;
-  for (const HorizonView& horizon : horizons)
+  if (horizons.empty())
   {
-    const bool isLikeFirst = !common.Points.empty() && common.Points.front().size() == horizon.Columns.size() &&
-      std::equal(horizon.Columns.begin(), horizon.Columns.end(), horizons.front().Columns.begin());
-    if (isLikeFirst) // as horizons of one survey often are
-    {
-      common.Points.push_back(common.Points.front());
-      continue;
-    }
-    std::vector<PointId> points = SortByRows(horizon.Columns);
-    if (common.Points.empty())
-    {
-      common.Points.push_back(std::move(points));
-      continue;
-    }
-    const PlanePoints first = horizons.front().Columns;
-    std::vector<std::vector<PointId>> both(common.Points.size() + 1);
-    auto next = points.begin();
-    for (std::size_t n = 0; n < common.Points.front().size(); ++n)
-    {
-      const PlanePoint& column = first[common.Points.front()[n]];
-      next = std::find_if(next, points.end(), [&](PointId point) { return !IsBefore(horizon.Columns[point], column); });
-      if (next != points.end() && horizon.Columns[*next] == column)
-      {
-        for (std::size_t other = 0; other < common.Points.size(); ++other)
-        {
-          both[other].push_back(common.Points[other][n]);
-        }
-        both.back().push_back(*next);
-      }
-    }
-    common.Points = std::move(both);
+    return common;
   }
-  if (!horizons.empty())
+  const PlanePoints first = horizons.front().Columns;
+  std::vector<std::optional<ColumnIndex>> indices(horizons.size()); // none where columns are as of the first
+  ParallelFor(std::int64_t(horizons.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto n = std::size_t(begin); n < std::size_t(end); ++n)
+      {
+        const PlanePoints own = horizons[n].Columns;
+        if (!std::equal(own.begin(), own.end(), first.begin(), first.end()))
+        {
+          indices[n].emplace(own);
+        }
+      }
+    });
+  const auto pointOf = [&](std::size_t n, PointId point)
+  { return indices[n] ? indices[n]->PointAt(first[std::size_t(point)]) : point; };
+  std::vector<PointId> points = SortByRows(first);
+  KeepIf(points,
+    [&](PointId point)
+    {
+      std::size_t n = 1;
+      for (; n < horizons.size() && pointOf(n, point) != NoPoint; ++n)
+      {
+      }
+      return n == horizons.size();
+    });
+  common.Columns = std::vector<PlanePoint>(points.size());
+  ForEach(points, [&](std::size_t n) { common.Columns[n] = first[std::size_t(points[n])]; });
+  for (std::size_t horizon = 0; horizon < horizons.size(); ++horizon)
   {
-    common.Columns.resize(common.Points.front().size());
-    std::transform(common.Points.front().begin(), common.Points.front().end(), common.Columns.begin(),
-      [&](PointId point) { return horizons.front().Columns[point]; });
+    common.Points.push_back(std::vector<PointId>(points.size()));
+    ForEach(points, [&](std::size_t n) { common.Points.back()[n] = pointOf(horizon, points[n]); });
   }
   return common;
 }

@@ -10,6 +10,7 @@
 #include "Common/BoundedHorizon.h"
 #include "Common/ColumnIndex.h"
 #include "Common/Errors.h"
+#include "Common/FixedChunks.h"
 #include "Common/KeptPoints.h"
 #include "Common/MeshChecker.h"
 #include "Common/Parallel.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -41,6 +43,36 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::int64_t TriangleGrain = 256; // that a thread takes at a time
+constexpr std::int64_t ColumnGrain = 1 << 14;
+
+struct MeshErrors
+{
+  double OfColumns = 0.0;
+  double OfSides = 0.0;
+
+  void Add(const MeshErrors& other)
+  {
+    this->OfColumns = std::max(this->OfColumns, other.OfColumns);
+    this->OfSides = std::max(this->OfSides, other.OfSides);
+  }
+};
+
+/// How many columns are in the mesh, of any horizon and of each.
+struct InsideCounts
+{
+  std::int64_t OfAny = 0;
+  std::vector<std::int64_t> OfHorizons;
+
+  void Add(const InsideCounts& other)
+  {
+    this->OfAny += other.OfAny;
+    this->OfHorizons.resize(other.OfHorizons.size(), 0);
+    std::transform(other.OfHorizons.begin(), other.OfHorizons.end(), this->OfHorizons.begin(), this->OfHorizons.begin(),
+      std::plus<>());
+  }
+};
+
 // ---- The plan ------------------------------------------------------------------------------------------------------
 class LayerMaker
 {
@@ -72,10 +104,7 @@ public:
       return std::move(this->Result);
     }
     this->TakeKept(kept);
-    for (const HorizonView& horizon : this->Horizons)
-    {
-      this->OwnColumns.emplace_back(horizon.Columns);
-    }
+    this->IndexHorizons();
     this->FindRegions();
     this->IsOnLine.assign(this->Columns.size(), 0);
     PinchOutLines pinchOuts = this->FindLines(boundary, monitor.Step(0.2, 0.25));
@@ -124,6 +153,19 @@ private:
       this->Columns.swap(this->Result.Stack.Columns);
       this->Heights.swap(this->Result.Stack.Heights);
     }
+  }
+
+  void IndexHorizons()
+  {
+    this->OwnColumns.assign(this->Horizons.size(), ColumnIndex(PlanePoints()));
+    ParallelFor(std::int64_t(this->Horizons.size()), 1,
+      [this](std::int64_t first, std::int64_t last)
+      {
+        for (auto horizon = std::size_t(first); horizon < std::size_t(last); ++horizon)
+        {
+          this->OwnColumns[horizon] = ColumnIndex(this->Horizons[horizon].Columns);
+        }
+      });
   }
 
   /// Where that passes over gaps, in which some horizons have points, the stack is completed there, so that these count as
@@ -367,11 +409,10 @@ private:
   {
     BoundedHorizon horizon;
     horizon.Columns = this->Columns;
-    horizon.Height = this->MeshHeights().front();
     horizon.Patch = std::move(outline.Patch);
     horizon.Boundary = std::move(outline.Boundary);
     horizon.Cuts = { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; // someone else's
-    HeightMesh mesh(std::move(horizon), monitor);
+    HeightMesh mesh(std::move(horizon), monitor, this->MeshHeights().front().data());
     for (std::size_t n = 1; n < this->MeshHeights().size(); ++n)
     {
       mesh.AddHorizon(this->MeshHeights()[n], this->HasRegions() ? &this->Known[n] : nullptr);
@@ -604,42 +645,46 @@ private:
 
   void MeasureErrors(const HeightMesh& mesh, const Monitor& monitor)
   {
-    std::vector<double> ofColumns(std::size_t(mesh.Triangles().Size()));
-    std::vector<double> ofSides(ofColumns.size());
-    const auto largest = [](const std::vector<double>& errors)
-    { return errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end()); };
     const auto horizons = double(this->Heights.size());
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
-      mesh.ForEachTriangle(monitor.Step(double(horizon) / horizons, double(horizon + 1) / horizons),
-        [&](TriangleId triangle)
+      const auto largest = AddUpChunks<MeshErrors>(mesh.Triangles().Size(), TriangleGrain,
+        monitor.Step(double(horizon) / horizons, double(horizon + 1) / horizons),
+        [&](MeshErrors& part, std::int64_t first, std::int64_t last)
         {
-          if (!this->IsHorizonIn(horizon, std::size_t(triangle)))
+          for (auto triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
           {
-            ofColumns[std::size_t(triangle)] = 0.0;
-            ofSides[std::size_t(triangle)] = 0.0;
-            return;
+            if (this->IsHorizonIn(horizon, std::size_t(triangle)))
+            {
+              AddErrors(mesh, this->InMesh(horizon), triangle, part);
+            }
           }
-          const HeightRaster& raster = mesh.RasterOf(this->InMesh(horizon), triangle);
-          const RaisedTriangle corners = mesh.RaisedCorners(this->InMesh(horizon), triangle);
-          ofColumns[std::size_t(triangle)] = raster.Measure(corners).Largest;
-          double ofInner = 0.0;
-          for (int side = 0; side < 3; ++side)
-          {
-            const bool isInner = mesh.Triangles().Neighbour(triangle, side) > triangle;
-            ofInner = isInner
-              ? std::max(ofInner,
-                  raster
-                    .MeasureCrossings(corners[std::size_t(side)], corners[std::size_t(NextCorner(side))], ErrorPower())
-                    .Largest)
-              : ofInner;
-          }
-          ofSides[std::size_t(triangle)] = ofInner;
         });
-      this->LargestErrorOf(horizon) = largest(ofColumns);
+      this->LargestErrorOf(horizon) = largest.OfColumns;
       if (horizon < this->Horizons.size())
       {
-        this->Result.LargestSideErrors[horizon] = largest(ofSides);
+        this->Result.LargestSideErrors[horizon] = largest.OfSides;
+      }
+    }
+  }
+
+  /// Exactly, where it is larger.
+  static void AddErrors(const HeightMesh& mesh, std::size_t horizon, TriangleId triangle, MeshErrors& largest)
+  {
+    const HeightRaster& raster = mesh.RasterOf(horizon, triangle);
+    const RaisedTriangle corners = mesh.RaisedCorners(horizon, triangle);
+    if (!raster.IsWithin(corners, largest.OfColumns))
+    {
+      largest.OfColumns = raster.Measure(corners).Largest;
+    }
+    for (int side = 0; side < 3; ++side)
+    {
+      const RaisedPoint& from = corners[std::size_t(side)];
+      const RaisedPoint& to = corners[std::size_t(NextCorner(side))];
+      const bool isInner = mesh.Triangles().Neighbour(triangle, side) > triangle;
+      if (isInner && !raster.IsSideWithin(from, to, largest.OfSides))
+      {
+        largest.OfSides = raster.MeasureCrossings(from, to, ErrorPower()).Largest;
       }
     }
   }
@@ -727,57 +772,60 @@ private:
   /// By column of the stack: 1 for those in the mesh of a horizon.
   std::vector<unsigned char> FindInside(const HeightMesh& mesh, std::size_t horizon) const
   {
-    std::vector<unsigned char> isIn(this->Columns.size(), 0);
-    for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
-    {
-      if (this->IsHorizonIn(horizon, std::size_t(triangle)))
+    std::vector<std::atomic<unsigned char>> isIn(this->Columns.size()); // those on edges are of two triangles
+    mesh.ForEachTriangle(Monitor(),
+      [&](TriangleId triangle)
       {
-        mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
-          [&](PointId point, double, const std::array<double, 3>&) { isIn[std::size_t(point)] = 1; });
-      }
-    }
-    return isIn;
+        if (this->IsHorizonIn(horizon, std::size_t(triangle)))
+        {
+          mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
+            [&](PointId point, double, const std::array<double, 3>&)
+            { isIn[std::size_t(point)].store(1, std::memory_order_relaxed); });
+        }
+      });
+    return { isIn.begin(), isIn.end() };
   }
 
   void CountOutside(const HeightMesh& mesh)
   {
     std::vector<PointsInside> inside(this->Horizons.size());
-    if (this->HasRegions())
+    for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
     {
-      ParallelFor(std::int64_t(inside.size()), 1,
-        [&](std::int64_t first, std::int64_t last)
-        {
-          for (auto horizon = std::size_t(first); horizon < std::size_t(last); ++horizon)
-          {
-            inside[horizon].OfStack = this->FindInside(mesh, horizon);
-          }
-        });
-    }
-    else
-    {
-      const std::vector<unsigned char> ofAll = this->FindInside(mesh, 0);
-      std::for_each(inside.begin(), inside.end(), [&ofAll](PointsInside& own) { own.OfStack = ofAll; });
+      const bool isAsFirst = horizon > 0 && !this->HasRegions();
+      inside[horizon].OfStack = isAsFirst ? inside.front().OfStack : this->FindInside(mesh, horizon);
     }
     this->MeasureOutline(mesh, inside);
-    const bool areOwn = !this->HasRegions() && this->Result.Stack.Completed == 0;
-    for (std::size_t point = 0; point < this->Columns.size(); ++point)
-    {
-      bool isAny = false;
-      for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
+    const auto counts = AddUpChunks<InsideCounts>(std::int64_t(this->Columns.size()), ColumnGrain, Monitor(),
+      [&](InsideCounts& part, std::int64_t first, std::int64_t last)
       {
-        const bool isIn = inside[horizon].OfStack[point] != 0;
-        isAny = isAny || isIn;
-        const bool isOwn = isIn && (areOwn || this->OwnColumns[horizon].PointAt(this->Columns[point]) != NoPoint);
-        this->Result.PointsOutside[horizon] -= isOwn ? 1 : 0;
-      }
-      this->Result.ColumnsOutside -= isAny ? 1 : 0;
-    }
+        part.OfHorizons.resize(inside.size(), 0);
+        for (auto point = std::size_t(first); point < std::size_t(last); ++point)
+        {
+          this->CountAt(point, inside, part);
+        }
+      });
+    this->Result.ColumnsOutside -= counts.OfAny;
     for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
     {
       std::vector<PointId>& points = inside[horizon].OnEdges;
       std::sort(points.begin(), points.end());
-      this->Result.PointsOutside[horizon] -= std::unique(points.begin(), points.end()) - points.begin();
+      this->Result.PointsOutside[horizon] -=
+        counts.OfHorizons[horizon] + (std::unique(points.begin(), points.end()) - points.begin());
     }
+  }
+
+  void CountAt(std::size_t point, const std::vector<PointsInside>& inside, InsideCounts& counts) const
+  {
+    const bool areOwn = !this->HasRegions() && this->Result.Stack.Completed == 0;
+    bool isAny = false;
+    for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
+    {
+      const bool isIn = inside[horizon].OfStack[point] != 0;
+      isAny = isAny || isIn;
+      const bool isOwn = isIn && (areOwn || this->OwnColumns[horizon].PointAt(this->Columns[point]) != NoPoint);
+      counts.OfHorizons[horizon] += isOwn ? 1 : 0;
+    }
+    counts.OfAny += isAny ? 1 : 0;
   }
 
   const std::vector<HorizonView>& Horizons;

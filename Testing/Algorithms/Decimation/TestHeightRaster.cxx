@@ -96,7 +96,7 @@ struct RandomColumns
     std::vector<PointId> points(this->Columns.size());
     std::iota(points.begin(), points.end(), 0);
     return HeightRaster(
-      [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, this->Columns, this->Heights);
+      [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, this->Columns, this->Heights.data());
   }
 
   Patches::Columns Columns;
@@ -171,8 +171,9 @@ void TestOwnedColumns()
     }
     std::vector<PointId> points(columns.size());
     std::iota(points.begin(), points.end(), 0);
-    const HeightRaster raster([&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, columns,
-      std::vector<double>(columns.size(), 1.0));
+    const std::vector<double> heights(columns.size(), 1.0);
+    const HeightRaster raster(
+      [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, columns, heights.data());
     const auto count = [&](const RaisedTriangle& triangle, bool ownsLongSide)
     {
       SideColumns sides;
@@ -209,7 +210,8 @@ void TestMissingColumns()
           add(point);
         }
       };
-      const HeightRaster raster(forEachPoint, columns, { 0.0, 3.0, 0.0 });
+      const std::array<double, 3> heights = { 0.0, 3.0, 0.0 };
+      const HeightRaster raster(forEachPoint, columns, heights.data());
       const RaisedTriangle raised = { { { t[0], 1.0 }, { t[1], 1.0 }, { t[2], 1.0 } } };
       const HeightError found = raster.Measure(raised, { 2, 1.0 });
       CHECK_EQUAL(raster.FindPoint(raised, found.Largest, 0.0), 1);
@@ -232,7 +234,7 @@ void TestSide()
   std::vector<PointId> points(columns.size());
   std::iota(points.begin(), points.end(), 0);
   const auto forEachPoint = [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); };
-  const HeightRaster raster(forEachPoint, columns, heights);
+  const HeightRaster raster(forEachPoint, columns, heights.data());
   std::vector<unsigned char> marks(columns.size(), 0);
   const RaisedPoint from{ { 0, 0 }, 0.0 };
   const RaisedPoint to{ { 4, 2 }, 0.0 };
