@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The messages of a C++ file: what tellers such as InputError are given, and each other text with the word "expected".
+"""The messages of a C++ file: what tellers such as InputError are given, and each other text with the word "expected" or a remedy.
 
 Expressions of pieces are put together, with `...` for each value; those with a choice become several messages.
 """
@@ -13,6 +13,7 @@ VALUE = "..."
 TELLERS = ("InputError", "FileError", "ErrorAt", "CutOffAt", "Error", "Fail", "SetProblem", "vtkWarningMacro",
            "vtkWarningWithObjectMacro", "Warnings.push_back", "oubts.push_back")
 CHECKS = {"CheckAtLeast": "at least %s%s", "CheckWithin": "%s to %s%s"}  # of parameters: name, number, bounds, unit
+HINT = re.compile(r"\bexpected\b|[:;] (?:set|add)\b")
 SILENT = ("std::fixed", "this->ErrorPrefix", "FilePrefix")  # what says nothing, or only the place
 MOST_CHOICES = 12
 TOKEN = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\]|\\.)+'
@@ -160,7 +161,7 @@ def messages_of(text, constants):
                     named[argument[0]] = stream_texts(tokens, streams[stream], n, named)
                     untold.pop(streams[stream], None)
                 yield from texts_of(argument, named)
-        elif token[0] == '"' and "expected" in token:
+        elif token[0] == '"' and HINT.search(token):
             start = start_of(tokens, n)
             texts = texts_of(tokens[start:end_of(tokens, start, [",", ";"])], named)
             if tokens[start] in streams:
