@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The messages of a C++ file: what tellers such as InputError are given, and each other text with the word "expected" or a remedy.
+"""The messages of a C++ file: what tellers such as InputError are given, and other texts with "expected" or a remedy.
 
 Expressions of pieces are put together, with `...` for each value; those with a choice become several messages.
 """
