@@ -4,10 +4,13 @@
 
 import pathlib
 import re
+import sys
 
 from mkdocs.structure.files import File
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TREE / "Utilities" / "Site"))
+import messages  # noqa: E402 -- beside this file
 TOP_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
 QUICK_START = "QuickStart"  # README.md, as the first page of a site of its own is index.md
 PICTURES = "Data/Baseline/*.png"
@@ -58,20 +61,9 @@ def move_links(markdown, from_top):
     return re.sub(r"(!?\[(?:[^\]\[]|\[[^\]]*\]\([^)]*\))*\])\(([^)\s]+)\)", moved, markdown)
 
 
-def error_tables():
-    """The sections of all pages with messages, under the titles of their pages."""
-    for page in sorted((TREE / "Documentation").glob("*.md")):
-        text = page.read_text(encoding="utf-8")
-        sections = [section.partition("\n")[2] for section in re.split(r"^## ", text, flags=re.M)[1:]
-                    if re.search(r"^\| message \||^```text$", section, re.M | re.I)]
-        if sections:
-            title = re.match(r"# (.*)", text).group(1)
-            yield "## [%s](%s)\n%s\n" % (title, page.name, "\n".join(sections).replace("### ", "#### "))
-
-
 def on_page_markdown(markdown, page, config, files):
-    """Sets links right; the page of messages is made of those of all pages."""
+    """Sets links right; the page of messages gets those of the source."""
     name = page.file.src_path
     if name == MESSAGES:
-        markdown += "\n" + "\n".join(error_tables())
+        markdown += messages.make_page()
     return move_links(markdown, name in TOP_PAGES)

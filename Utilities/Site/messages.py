@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Collects the messages out of the source, with `...` for each value, under the titles of the pages they belong to.
+
+As a program it prints them. The pages explain some of them, in tables.
+"""
+
+import ast
+import itertools
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import cpp_messages  # noqa: E402 -- beside this file
+
+TREE = pathlib.Path(__file__).resolve().parents[2]
+SHARED = "Several readers, writers or stages"
+COMMAND = "Report"
+# The stems and folders of files whose names are not those of their pages.
+PAGES = {stem: page for page, stems in {
+    "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
+    "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "FaultPolyData CutData",
+    "HorizonFromImage": "ImageGrid", "HorizonFromPoints": "Gridding PickColumns",
+    "HorizonLayers": "HorizonStack LayerOutput", "HorizonSurfaceDistance": "SurfacePair HorizonPairs",
+    "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
+    "InPython": "functions making calls stages volumes",
+    "SeismicReflectionExtraction": "Reflections ImageCube ExtractionLimits GuidePicks", "": "Parameters",
+}.items() for stem in stems.split()}
+# What messages are given to in Python.
+TELLERS = ("HorizonError", "ValueError", "TypeError", "FileNotFoundError", "RuntimeError", "ArgumentTypeError", "error",
+           "fail", "warn", "warnings.append")
+PLACES = r"%\([^)]*\)[.\d]*[sdgf]|%[.\d]*[sdgf]"
+
+
+def page_of(path):
+    """The name of the page of a source file; empty of one that several share."""
+    folder, stem = path.parent.name, path.stem.removeprefix("vtk")
+    if stem in PAGES:
+        return PAGES[stem]
+    names = [stem, "Horizon" + stem, PAGES.get(folder), "Horizon" + folder, folder + path.parts[-3][:-1]]
+    return next((name for name in names if (TREE / "Documentation" / ("%s.md" % name)).is_file()), "")
+
+
+def python_texts(node):
+    """What an expression may say."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return [re.sub(PLACES, "...", node.value).replace("%%", "%")]
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mod):
+        return python_texts(node.left)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        return [one + other for one in python_texts(node.left) for other in python_texts(node.right)]
+    if isinstance(node, ast.IfExp):
+        return python_texts(node.body) + python_texts(node.orelse)
+    return ["..."]
+
+
+def python_messages(text):
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Call) and node.args and ast.unparse(node.func).endswith(TELLERS):
+            yield from python_texts(node.args[0])
+        elif isinstance(node, ast.BinOp) or isinstance(node, ast.Assign):
+            texts = python_texts(node.value if isinstance(node, ast.Assign) else node)
+            yield from (text for text in texts if ", expected" in text)
+
+
+def tidy(text):
+    """As users read it, without the place that comes before; None of what is no message."""
+    text = re.sub(r"\s+", " ", text.removesuffix(" (see --help)"))
+    text = re.sub(r"\.{4,}", "...", re.sub(r"^(?=[ ,:.)])|(?<=[ ,:(])$", "...", text))
+    text = re.sub(r"^\.\.\.(?=[\w\"])", "... ", re.sub(r"^((byte |line )?\.\.\.: )+", "", text))
+    is_part = re.match(r"expected|(\.\.\.)?;", text) or re.search(r" (of|at) \.\.\.$", text) and "expected" not in text
+    says = set(re.findall("[A-Za-z]{2,}", text))
+    return None if is_part or len(says) < 2 or says <= {"expected", "to", "finite", "number", "at", "least"} else text
+
+
+def cpp_paths():
+    paths = itertools.chain(*((TREE / folder).rglob("*") for folder in ("Common", "Filters", "Readers", "Writers")))
+    # Users never hear of what MeshChecker finds.
+    return [path for path in sorted(paths) if path.suffix in (".h", ".cxx") and path.stem != "MeshChecker"]
+
+
+def collect():
+    """The messages of each page: {its name, or "" of those that several share: texts}."""
+    model = (TREE / "Common" / "DataModel.h").read_text("utf-8")
+    constants = cpp_messages.named_texts(cpp_messages.tokens_of(model), {})
+    found = {}
+    for path in cpp_paths():
+        for text in cpp_messages.messages_of(path.read_text("utf-8"), constants):
+            found.setdefault(tidy(text), set()).add(page_of(path))
+    for path in [TREE / "Utilities" / "horizon_mesh.py", *sorted((TREE / "Utilities" / "Python").glob("*.py"))]:
+        for text in python_messages(path.read_text("utf-8")):
+            found.setdefault(tidy(text), set()).add(PAGES.get(path.stem, COMMAND))
+    found.pop(None, None)
+    pages = {}
+    for text in sorted(found, key=lambda text: (text.strip("\"'. ").lower(), text)):
+        pages.setdefault(found[text].pop() if len(found[text]) == 1 else "", []).append(text)
+    return pages
+
+
+def explained(page):
+    """What a page says about messages in its tables: [(message, meaning)]."""
+    tables = re.findall(r"^\| Message \|.*\n.*\n((?:\|.*\n)+)", page, re.M)
+    rows = re.findall(r"^\| (.*?) \| (.*) \|$", "".join(tables), re.M)
+    return [(message, meaning) for cell, meaning in rows for message in re.findall("`([^`]+)`", cell)]
+
+
+def make_page():
+    """All messages as Markdown, with what the pages say about them."""
+    pages = {path.stem: path.read_text("utf-8") for path in sorted((TREE / "Documentation").glob("*.md"))}
+    meanings = {message: meaning for text in pages.values() for message, meaning in explained(text)}
+    lines = []
+    for name, texts in sorted(collect().items()):
+        lines += ["", "## " + ("[%s](%s.md)" % (pages[name].splitlines()[0].strip("# "), name) if name else SHARED), ""]
+        lines += ["- `%s`%s" % (text, ": " + meanings[text] if text in meanings else "") for text in texts]
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    print(make_page())
