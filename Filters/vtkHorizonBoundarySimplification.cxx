@@ -50,7 +50,7 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   const std::vector<PlanePoint> plane = points.AreMerged ? ToSubVoxels(points) : std::vector<PlanePoint>();
   const auto height = [&points](std::size_t point) { return points.HeightAt(point); };
   const BoundarySimplification simplified =
-    SimplifyBoundary(points.AreMerged ? SpacePoints(plane, height, points.Grid.SubVoxelsPerColumn())
+    SimplifyBoundary(points.AreMerged ? SpacePoints(plane, height, points.Lattice.SubVoxelsPerColumn())
                                       : SpacePoints(points.Column, height, 1),
       boundary, options, monitor.Step(0.2, 0.7));
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);

@@ -26,7 +26,7 @@ using namespace SeismicHorizons;
 
 /// A square, or a box, as one line along its edges. No line runs along all edges of a box just once: it takes 15 steps
 /// for the 12 edges.
-void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& grid, vtkPolyData* output)
+void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& lattice, vtkPolyData* output)
 {
   const vtkIdType first = output->GetNumberOfPoints();
   for (int corner = 0; corner < (isCube ? 8 : 4); ++corner)
@@ -36,7 +36,7 @@ void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& grid
     const bool back = corner % 4 >= 2;
     const Eigen::Vector3d steps(right ? 1.0 : 0.0, back ? 1.0 : 0.0, corner >= 4 ? 1.0 : 0.0);
     const Eigen::Vector3d low(cell.Low.X, cell.Low.Y, cell.Low.Z);
-    output->GetPoints()->InsertNextPoint(grid.ToWorld(low + cell.Size * steps).data());
+    output->GetPoints()->InsertNextPoint(lattice.ToWorld(low + cell.Size * steps).data());
   }
   const vtkIdType square[5] = { 0, 1, 2, 3, 0 };
   const vtkIdType rest[11] = { 4, 5, 1, 5, 6, 2, 6, 7, 3, 7, 4 };
@@ -52,7 +52,7 @@ void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& grid
   }
 }
 
-void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& grid, vtkPolyData* output)
+void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& lattice, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -61,7 +61,7 @@ void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& grid, 
   vtkSmartPointer<vtkIntArray> origins = NewOriginArray(vtkIdType(reduction.Cells.size()));
   for (std::size_t n = 0; n < reduction.Cells.size(); ++n)
   {
-    AddOutline(reduction.Cells[n], areCubes, grid, output);
+    AddOutline(reduction.Cells[n], areCubes, lattice, output);
     SetOrigin(origins, vtkIdType(n), reduction.Cells[n].Origin);
   }
   vtkCellData* const data = output->GetCellData();
@@ -98,18 +98,18 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Ou
   vtkPolyData* const output = outputs.front();
   LatticePoints points = ReadPoints(horizon, outputs);
   const vtkSmartPointer<vtkPolyData> input = points.Horizon;
-  const Lattice grid = points.Grid;
+  const Lattice lattice = points.Lattice;
   monitor.Progress(0.1);
   // The horizon is gone before the output is made.
   Reduction reduction =
     this->Simplify(ReadBoundedHorizon(std::move(points)), output->GetFieldData(), monitor.Step(0.2, 0.8));
   if (this->ShowCells)
   {
-    WriteCells(reduction, this->HasCubes(), grid, output);
+    WriteCells(reduction, this->HasCubes(), lattice, output);
   }
   else
   {
-    output->SetPoints(MakePoints(input, grid, reduction));
+    output->SetPoints(MakePoints(input, lattice, reduction));
     reduction.Plane = std::vector<PlanePoint>(); // memory that the arrays can use
     reduction.Height = std::vector<double>();
     WriteReduction(input, reduction, output);

@@ -34,14 +34,14 @@ void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 DecimationOptions vtkHorizonDecimation::MakeOptions(
-  const BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const
+  const BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice) const
 {
   DecimationOptions options;
   options.MaximumError = 0.0;
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindMaximumError(horizon.Columns, horizon.Height, grid);
+    options.MaximumError = this->FindMaximumError(horizon.Columns, horizon.Height, lattice);
   }
   else if (this->Target == NumberOfPoints)
   {
@@ -63,7 +63,7 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
 {
   RequireAllPoints(horizon);
   LatticePoints points = ReadColumns(horizon, outputs);
-  const SeismicHorizons::Lattice& grid = points.Grid;
+  const SeismicHorizons::Lattice& lattice = points.Lattice;
   BoundedHorizon bounded;
   bounded.Columns = points.Column;
   bounded.Patch = ReadPatches(points.Horizon);
@@ -72,12 +72,12 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
   bounded.Cuts = ShareCuts(points.Horizon, PlaneBox(points.Column));
   ReadCounts(points.Horizon); // refuses wrong ones before the work
   monitor.Progress(0.1);
-  const DecimationOptions options = this->MakeOptions(bounded, grid);
+  const DecimationOptions options = this->MakeOptions(bounded, lattice);
   Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));
-  WriteDecimation(points.Horizon, grid, decimation, outputs.front());
+  WriteDecimation(points.Horizon, lattice, decimation, outputs.front());
   if (this->GetCloseFaults())
   {
     const auto& vertices = decimation.Points;
-    CloseMesh(vertices.Plane, grid, vertices.Boundary, outputs.front(), monitor.Step(0.95, 1.0));
+    CloseMesh(vertices.Plane, lattice, vertices.Boundary, outputs.front(), monitor.Step(0.95, 1.0));
   }
 }

@@ -105,7 +105,7 @@ private:
   void operator=(const vtkHorizonDecimation&) = delete;
 
   SeismicHorizons::DecimationOptions MakeOptions(
-    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& grid) const;
+    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice) const;
 
   int Target = LargestError;
   int MaximumNumberOfPoints = 10000;

@@ -80,7 +80,7 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   monitor.Progress(0.2);
   CheckAtLeast("threshold", this->Threshold, 0.0, "");
   const double threshold = this->Threshold *
-    IndicesPerUnit(static_cast<HeightUnit>(this->ThresholdUnit), points.Column, points.Height, points.Grid);
+    IndicesPerUnit(static_cast<HeightUnit>(this->ThresholdUnit), points.Column, points.Height, points.Lattice);
   const Spikes found = FindSpikes(
     points.Column, points.Height, { threshold, this->NeighborhoodRadius, this->SpurWidth }, monitor.Step(0.2, 0.9));
   const std::vector<SpikeKind>& kinds = found.Kind;

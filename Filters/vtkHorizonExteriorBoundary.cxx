@@ -63,7 +63,7 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   options.Radius = this->Radius;
   options.Growth = static_cast<SeismicHorizons::GrowthStrategy>(this->GrowthStrategy);
   options.HoleBoundaries = this->HoleBoundaries;
-  options.SmallestHoleSize = this->FindSmallestHoleSize(points.Grid.ColumnArea());
+  options.SmallestHoleSize = this->FindSmallestHoleSize(points.Lattice.ColumnArea());
   options.MinimumPatchSize = this->MinimumPatchSize;
   const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;

@@ -157,17 +157,17 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
       {
         WriteFaultSheets(sheets, outputs[2]);
       }
-      ToLattice(sheets, points.Grid);
+      ToLattice(sheets, points.Lattice);
       polylines = FindTraces(ColumnHeights(points.Column, points.Height), sheets);
     }
     else
     {
-      polylines = ToMap(lines, points.Grid);
+      polylines = ToMap(lines, points.Lattice);
       this->UsePolygons(polylines, points, outputs);
     }
   }
   const double indices =
-    IndicesPerUnit(static_cast<HeightUnit>(this->ThrowUnit), points.Column, points.Height, points.Grid);
+    IndicesPerUnit(static_cast<HeightUnit>(this->ThrowUnit), points.Column, points.Height, points.Lattice);
   options.Noise *= indices;
   options.SmallestThrow =
     this->SmallestThrow > 0.0 ? this->SmallestThrow * indices : ThrowAboveNoise(points, options.Noise);
@@ -190,7 +190,7 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   }
   WriteCuts(lines, output->GetFieldData());
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
-  WriteFaultLines(lines, points.Grid, sum / double(points.Height.size()), outputs[1]);
+  WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[1]);
   this->NumberOfFaultLines += vtkIdType(lines.Size());
   this->NumberOfCutLinks += output->GetFieldData()->GetAbstractArray(FieldArray::CutLinks)->GetNumberOfTuples();
 }

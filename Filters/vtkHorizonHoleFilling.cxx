@@ -86,7 +86,7 @@ void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& 
 {
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const input = points.Horizon;
-  HoleFillingOptions options = this->MakeOptions(points.Grid.ColumnArea());
+  HoleFillingOptions options = this->MakeOptions(points.Lattice.ColumnArea());
   const std::array<int, 3> size = ReadLatticeDimensions(input);
   options.Survey = PlaneBox({ { 0, 0 }, { size[0] - 1, size[1] - 1 } });
   const std::vector<FilledArray> arrays = ListFilledArrays(input, points.Height, this->Attributes == FromRim);
@@ -94,7 +94,7 @@ void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& 
   monitor.Progress(0.2);
   const FilledColumns filled = FillHoles(points.Column, points.Height, ListFilledValues(arrays, points.Height), options,
     cuts ? &*cuts : nullptr, monitor.Step(0.2, 0.9));
-  WriteFilledHorizon(input, points.Grid, arrays, filled, outputs.front());
+  WriteFilledHorizon(input, points.Lattice, arrays, filled, outputs.front());
   if (this->Method == Automatic)
   {
     AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::RimSmoothing, filled.RimSmoothing);

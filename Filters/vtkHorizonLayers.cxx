@@ -239,7 +239,7 @@ void vtkHorizonLayers::WarnOfCrossings(
   {
     vtkWarningMacro(<< stack[deepest].Name << " and " << stack[deepest + 1].Name
                     << (deep > 1 ? ", and " + std::to_string(deep - 1) + " other pairs," : "") << " cross by up to "
-                    << depthOf(deepest) * WorldPerIndex(stack.Grid())
+                    << depthOf(deepest) * WorldPerIndex(stack.CommonLattice())
                     << ", expected no more than their noise makes: at an unconformity choose UpperWins or LowerWins");
   }
 }

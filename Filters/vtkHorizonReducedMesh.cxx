@@ -36,8 +36,8 @@ DecimationQuality vtkHorizonReducedMesh::MakeQuality() const
 
 //------------------------------------------------------------------------------
 double vtkHorizonReducedMesh::FindMaximumError(
-  PlanePoints columns, const std::vector<double>& height, const SeismicHorizons::Lattice& grid) const
+  PlanePoints columns, const std::vector<double>& height, const SeismicHorizons::Lattice& lattice) const
 {
   CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
-  return this->MaximumError * IndicesPerUnit(static_cast<HeightUnit>(this->ErrorUnit), columns, height, grid);
+  return this->MaximumError * IndicesPerUnit(static_cast<HeightUnit>(this->ErrorUnit), columns, height, lattice);
 }

@@ -138,7 +138,7 @@ protected:
   SeismicHorizons::DecimationQuality MakeQuality() const;
   /// MaximumError in lattice units, for a horizon with these places, in sub-voxels, and heights.
   double FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
-    const SeismicHorizons::Lattice& grid) const;
+    const SeismicHorizons::Lattice& lattice) const;
 
 private:
   vtkHorizonReducedMesh(const vtkHorizonReducedMesh&) = delete;

@@ -159,5 +159,5 @@ double vtkHorizonStackStage::IndicesOf(double height, const HorizonStack& stack)
 {
   const auto unit =
     this->HeightUnit == World ? SeismicHorizons::HeightUnit::World : SeismicHorizons::HeightUnit::Lattice;
-  return height * IndicesPerUnit(unit, {}, {}, stack.Grid());
+  return height * IndicesPerUnit(unit, {}, {}, stack.CommonLattice());
 }

@@ -143,7 +143,7 @@ SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points) const
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindMaximumError(points.Column, points.Height, points.Grid);
+    options.MaximumError = this->FindMaximumError(points.Column, points.Height, points.Lattice);
   }
   else
   {
@@ -194,15 +194,15 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineDeviation, surface.OutlineDeviation);
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineHeightDeviation, surface.OutlineHeightDeviation);
     AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(surface.NumberOutside));
-    WriteDecimation(outlines, points.Grid, surface.Mesh, mesh);
+    WriteDecimation(outlines, points.Lattice, surface.Mesh, mesh);
     if (this->GetCloseFaults())
     {
       const Reduction& vertices = surface.Mesh.Points;
-      CloseMesh(vertices.Plane, points.Grid, vertices.Boundary, mesh, monitor.Step(0.95, 1.0));
+      CloseMesh(vertices.Plane, points.Lattice, vertices.Boundary, mesh, monitor.Step(0.95, 1.0));
     }
     if (HasSeams(options.Seams))
     {
-      WriteSeams(outlines, points.Grid, surface, options.Seams, onLowerSeam, mesh);
+      WriteSeams(outlines, points.Lattice, surface, options.Seams, onLowerSeam, mesh);
     }
   }
   WriteChosen(surface.Parameters, mesh->GetFieldData());

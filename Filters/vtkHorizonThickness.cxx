@@ -48,7 +48,7 @@ constexpr int MapPort = 1; // of the output
 constexpr std::int64_t Few = 20; // one column of so many may be a crossing without a warning
 
 /// Of what has points, the one that is not the horizon itself, on the lattice of that; with the survey of both.
-PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& grid, SurveyDescription& survey)
+PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& lattice, SurveyDescription& survey)
 {
   std::vector<HorizonLeaf> leaves = ListHorizons(others, {});
   leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
@@ -63,16 +63,16 @@ PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattic
   vtkPolyData* const other = leaves.front().Input;
   CheckArraySizes(other);
   survey = JoinSurveys(ReadSurveyFields(horizon->GetFieldData()), other, { "the other horizon", "the first one" });
-  return PlaceOn(grid, WithoutHiddenPoints(other), { "the other horizon", "the first one" });
+  return PlaceOn(lattice, WithoutHiddenPoints(other), { "the other horizon", "the first one" });
 }
 
-LatticeScale ScaleOf(const Lattice& grid)
+LatticeScale ScaleOf(const Lattice& lattice)
 {
-  const Eigen::Vector3d origin = grid.ToWorld(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d origin = lattice.ToWorld(Eigen::Vector3d::Zero());
   LatticeScale scale;
-  scale.Plane.col(0) = (grid.ToWorld(Eigen::Vector3d::UnitX()) - origin).head<2>();
-  scale.Plane.col(1) = (grid.ToWorld(Eigen::Vector3d::UnitY()) - origin).head<2>();
-  scale.Height = (grid.ToWorld(Eigen::Vector3d::UnitZ()) - origin).z();
+  scale.Plane.col(0) = (lattice.ToWorld(Eigen::Vector3d::UnitX()) - origin).head<2>();
+  scale.Plane.col(1) = (lattice.ToWorld(Eigen::Vector3d::UnitY()) - origin).head<2>();
+  scale.Height = (lattice.ToWorld(Eigen::Vector3d::UnitZ()) - origin).z();
   return scale;
 }
 
@@ -135,10 +135,10 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkDataObject* const given = this->GetInputDataObject(OtherPort, 0);
   SurveyDescription survey;
-  const PlacedPoints other = ReadOther(given ? given : this->GetInputDataObject(0, 0), horizon, points.Grid, survey);
+  const PlacedPoints other = ReadOther(given ? given : this->GetInputDataObject(0, 0), horizon, points.Lattice, survey);
   monitor.Progress(0.4);
   const Thickness found = MeasureThickness(
-    { points.Column, points.Height }, { other.Columns, other.Height }, ScaleOf(points.Grid), monitor.Step(0.4, 0.9));
+    { points.Column, points.Height }, { other.Columns, other.Height }, ScaleOf(points.Lattice), monitor.Step(0.4, 0.9));
   KeptPoints kept(found.Isochore.size());
   for (std::size_t point = 0; point < found.Isochore.size(); ++point)
   {

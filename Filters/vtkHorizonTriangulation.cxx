@@ -37,7 +37,7 @@ using namespace SeismicHorizons;
 BoundedHorizon MakeHull(const LatticePoints& points)
 {
   BoundedHorizon horizon;
-  horizon.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+  horizon.SubVoxelsPerColumn = points.Lattice.SubVoxelsPerColumn();
   horizon.Plane = ToSubVoxels(points);
   horizon.Patch.assign(horizon.Plane.size(), 0);
   horizon.Boundary = FindConvexHull(horizon.Plane);
@@ -45,7 +45,7 @@ BoundedHorizon MakeHull(const LatticePoints& points)
 }
 
 /// The voxels as squares at the height of the horizon's first point.
-void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerColumn, const Lattice& grid,
+void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerColumn, const Lattice& lattice,
   double height, vtkPolyData* output)
 {
   const double perSubVoxel = 1.0 / subVoxelsPerColumn; // exact
@@ -63,7 +63,7 @@ void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerCo
       { x1, y1, height }, { x0, y1, height } };
     for (std::size_t n = 0; n < 4; ++n)
     {
-      ids[n] = points->InsertNextPoint(grid.ToWorld(corners[n]).data());
+      ids[n] = points->InsertNextPoint(lattice.ToWorld(corners[n]).data());
     }
     squares->InsertNextCell(4, ids.data());
   }
@@ -100,7 +100,7 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& 
 {
   const LatticePoints points = ReadPoints(given, outputs, KeptHeights::None);
   vtkPolyData* const input = points.Horizon;
-  const Lattice& grid = points.Grid;
+  const Lattice& lattice = points.Lattice;
   BoundedHorizon horizon = this->ConvexHull ? MakeHull(points) : ReadPatchesAndBoundary(points);
   monitor.Progress(0.1);
   CheckAtLeast("maximum number of triangles", this->MaximumNumberOfTriangles, 0, " (all)");
@@ -120,7 +120,7 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& 
   output->GetPointData()->PassData(input->GetPointData());
   ActivateHeight(output);
   output->SetLines(MakePolylines(horizon.Boundary));
-  const double smallestAngle = WriteTriangles(horizon.Plane, grid, std::move(mesh.Triangles), output);
+  const double smallestAngle = WriteTriangles(horizon.Plane, lattice, std::move(mesh.Triangles), output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   AddValue<vtkIdTypeArray>(figures, FieldArray::BoundaryEdgeCount, vtkIdType(mesh.BoundaryEdges));
@@ -128,7 +128,7 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& 
   AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
   if (this->CloseFaults && !this->ConvexHull && this->MaximumNumberOfTriangles == 0)
   {
-    CloseMesh(horizon.Plane, grid, horizon.Boundary, output, monitor.Step(0.95, 1.0));
+    CloseMesh(horizon.Plane, lattice, horizon.Boundary, output, monitor.Step(0.95, 1.0));
   }
-  WriteWalk(mesh.Walk, horizon.SubVoxelsPerColumn, grid, points.HeightAt(0), outputs[1]);
+  WriteWalk(mesh.Walk, horizon.SubVoxelsPerColumn, lattice, points.HeightAt(0), outputs[1]);
 }

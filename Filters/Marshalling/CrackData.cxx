@@ -233,7 +233,7 @@ std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints colu
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary, vtkPolyData* mesh,
+void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, vtkPolyData* mesh,
   const Monitor& monitor)
 {
   RawVector<PointId> triangles = CloseFaults(plane, boundary, ReadCracks(mesh, boundary), monitor);
@@ -243,7 +243,7 @@ void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& grid, const 
   std::fill_n(marks->GetPointer(mesh->GetNumberOfCells()), size, static_cast<unsigned char>(1));
   ExtendCellData(MeasureQuality(plane, triangles), size, mesh->GetCellData());
   mesh->GetCellData()->AddArray(marks);
-  FaceUp(grid, triangles);
+  FaceUp(lattice, triangles);
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
   {
     const std::array<vtkIdType, 3> corners = { triangles[corner], triangles[corner + 1], triangles[corner + 2] };

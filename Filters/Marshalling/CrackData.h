@@ -30,7 +30,7 @@ std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints colu
 /// loops, triangles with their cell data, and field data. They have Compactness and Quality, nan in other arrays, and 1
 /// in the new one, Fault, where all other cells have 0. Their number is the figure FaultTriangleCount. Throws
 /// InputError on arrays of another form, and where they do not fit the loops, as when some are gone.
-void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& grid, const Loops& boundary, vtkPolyData* mesh,
+void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, vtkPolyData* mesh,
   const Monitor& monitor);
 }
 

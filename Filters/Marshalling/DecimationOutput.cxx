@@ -25,10 +25,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
+void WriteMesh(Decimation& decimation, const Lattice& lattice, vtkPolyData* output)
 {
   output->SetVerts(nullptr);
-  const double smallestAngle = WriteTriangles(decimation.Points.Plane, grid, std::move(decimation.Triangles), output);
+  const double smallestAngle =
+    WriteTriangles(decimation.Points.Plane, lattice, std::move(decimation.Triangles), output);
   AddTriangleArray<vtkDoubleArray>(CellArray::Error, decimation.Errors, output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, decimation.LargestError);
@@ -42,11 +43,11 @@ void WriteMesh(Decimation& decimation, const Lattice& grid, vtkPolyData* output)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteDecimation(vtkPolyData* input, const Lattice& grid, Decimation& decimation, vtkPolyData* output)
+void WriteDecimation(vtkPolyData* input, const Lattice& lattice, Decimation& decimation, vtkPolyData* output)
 {
-  output->SetPoints(MakePoints(input, grid, decimation.Points));
+  output->SetPoints(MakePoints(input, lattice, decimation.Points));
   WriteReduction(input, decimation.Points, output);
   ActivateHeight(output);
-  WriteMesh(decimation, grid, output);
+  WriteMesh(decimation, lattice, output);
 }
 }

@@ -15,7 +15,7 @@ namespace SeismicHorizons
 {
 /// Makes `output` the mesh of the decimated `input`: points with their data, loops, triangles and figures. Moves the
 /// triangles away.
-void WriteDecimation(vtkPolyData* input, const Lattice& grid, Decimation& decimation, vtkPolyData* output);
+void WriteDecimation(vtkPolyData* input, const Lattice& lattice, Decimation& decimation, vtkPolyData* output);
 }
 
 #endif

@@ -91,8 +91,8 @@ void AppendDataSet(vtkDataObject* object, std::vector<FaultStick>& polylines)
 class PolylineWriter
 {
 public:
-  PolylineWriter(const Lattice& grid, double height)
-    : Grid(grid)
+  PolylineWriter(const Lattice& lattice, double height)
+    : Lattice(lattice)
     , Height(height)
   {
     this->Points->SetDataTypeToDouble();
@@ -163,12 +163,12 @@ private:
 
   void AppendPoint(const MapPlace& place, double height, double leftThrow)
   {
-    const Eigen::Vector3d world = this->Grid.ToWorld(Eigen::Vector3d(place.X, place.Y, height));
+    const Eigen::Vector3d world = this->Lattice.ToWorld(Eigen::Vector3d(place.X, place.Y, height));
     this->Cells->InsertCellPoint(this->Points->InsertNextPoint(world.data()));
     this->Throws->InsertNextValue(leftThrow);
   }
 
-  const Lattice& Grid;
+  const SeismicHorizons::Lattice& Lattice;
   const double Height;
   std::vector<double> Heights;
   vtkNew<vtkPoints> Points;
@@ -202,7 +202,7 @@ std::vector<FaultStick> ReadPolylines(vtkDataObject* lines)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines, const Lattice& grid)
+std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines, const Lattice& lattice)
 {
   std::vector<FaultPolyline> polylines;
   for (const FaultStick& line : lines)
@@ -210,7 +210,7 @@ std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines, const Lat
     polylines.emplace_back();
     for (const SpacePoint& world : line.Places)
     {
-      const Eigen::Vector3d place = grid.ToLattice(Eigen::Vector3d(world.X, world.Y, world.Z));
+      const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(world.X, world.Y, world.Z));
       polylines.back().push_back({ place.x(), place.y() });
     }
   }
@@ -218,13 +218,13 @@ std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines, const Lat
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& grid)
+void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& lattice)
 {
   for (FaultSheet& sheet : sheets)
   {
     for (std::size_t n = 0; n < sheet.NumberOfSticks() * sheet.NumberOfLevels(); ++n)
     {
-      const Eigen::Vector3d place = grid.ToLattice(Eigen::Vector3d(sheet[n].X, sheet[n].Y, sheet[n].Z));
+      const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(sheet[n].X, sheet[n].Y, sheet[n].Z));
       sheet[n] = { place.x(), place.y(), place.z() };
     }
   }
@@ -261,9 +261,9 @@ void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteFaultLines(const FaultLines& lines, const Lattice& grid, double height, vtkPolyData* output)
+void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double height, vtkPolyData* output)
 {
-  PolylineWriter writer(grid, height);
+  PolylineWriter writer(lattice, height);
   for (std::size_t line = 0; line < lines.Size(); ++line)
   {
     writer.Append(lines, line);

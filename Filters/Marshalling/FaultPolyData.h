@@ -23,10 +23,10 @@ namespace SeismicHorizons
 std::vector<FaultStick> ReadPolylines(vtkDataObject* lines);
 
 /// The same on a lattice, seen from above.
-std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines, const Lattice& grid);
+std::vector<FaultPolyline> ToMap(const std::vector<FaultStick>& lines, const Lattice& lattice);
 
 /// From world coordinates to columns and vertical indices.
-void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& grid);
+void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& lattice);
 
 /// Makes `output` the triangles of sheets. Cell data: FaultName.
 void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output);
@@ -34,7 +34,7 @@ void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output
 /// Makes `output` a polyline for each fault line: from its first corner through the middles of the links that it cuts
 /// to its last corner. Point data: Throw, how much higher the left of the line is than its right; cell data: FaultLine,
 /// its number. Where no height is known near a link, the next one along the line counts, or else `height`.
-void WriteFaultLines(const FaultLines& lines, const Lattice& grid, double height, vtkPolyData* output);
+void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double height, vtkPolyData* output);
 }
 
 #endif

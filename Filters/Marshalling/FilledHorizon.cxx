@@ -148,7 +148,7 @@ void WriteOtherValues(vtkAbstractArray* input, const FilledColumns& filled, vtkA
   output->InsertTuples(to, from, input);
 }
 
-void WritePoints(vtkPolyData* input, const Lattice& grid, const FilledColumns& filled, vtkPolyData* output)
+void WritePoints(vtkPolyData* input, const Lattice& lattice, const FilledColumns& filled, vtkPolyData* output)
 {
   const vtkIdType known = input->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
@@ -158,7 +158,7 @@ void WritePoints(vtkPolyData* input, const Lattice& grid, const FilledColumns& f
   for (std::size_t n = 0; n < filled.Column.size(); ++n)
   {
     const Eigen::Vector3d place(filled.Column[n].X, filled.Column[n].Y, filled.Height[n]);
-    points->SetPoint(known + vtkIdType(n), grid.ToWorld(place).data());
+    points->SetPoint(known + vtkIdType(n), lattice.ToWorld(place).data());
   }
   output->SetPoints(points);
 }
@@ -221,10 +221,10 @@ std::vector<PointValue> ListFilledValues(const std::vector<FilledArray>& arrays,
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteFilledHorizon(vtkPolyData* input, const Lattice& grid, const std::vector<FilledArray>& arrays,
+void WriteFilledHorizon(vtkPolyData* input, const Lattice& lattice, const std::vector<FilledArray>& arrays,
   const FilledColumns& filled, vtkPolyData* output)
 {
-  WritePoints(input, grid, filled, output);
+  WritePoints(input, lattice, filled, output);
   output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
   vtkPointData* const data = input->GetPointData();
   std::size_t first = 0;

@@ -37,7 +37,7 @@ std::vector<PointValue> ListFilledValues(const std::vector<FilledArray>& arrays,
 /// Makes `output` the points of `input`, as they are, and after them the new ones. Arrays that are not filled:
 /// PointCount is 0 at new points, Filled is 1; other floating point numbers are nan, and everything else that of the
 /// nearest point. Arrays of an outline that the horizon had are left out.
-void WriteFilledHorizon(vtkPolyData* input, const Lattice& grid, const std::vector<FilledArray>& arrays,
+void WriteFilledHorizon(vtkPolyData* input, const Lattice& lattice, const std::vector<FilledArray>& arrays,
   const FilledColumns& filled, vtkPolyData* output);
 }
 

@@ -11,18 +11,18 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-double WorldPerIndex(const Lattice& grid)
+double WorldPerIndex(const Lattice& lattice)
 {
   const Eigen::Vector3d up(0.0, 0.0, 1.0);
-  return std::abs((grid.ToWorld(up) - grid.ToWorld(Eigen::Vector3d::Zero())).z());
+  return std::abs((lattice.ToWorld(up) - lattice.ToWorld(Eigen::Vector3d::Zero())).z());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& grid)
+double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice)
 {
   if (unit == HeightUnit::World)
   {
-    return 1.0 / WorldPerIndex(grid);
+    return 1.0 / WorldPerIndex(lattice);
   }
   if (unit == HeightUnit::Diagonal)
   {

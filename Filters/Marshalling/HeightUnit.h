@@ -21,10 +21,10 @@ enum class HeightUnit
 };
 
 /// How much z changes from one vertical index to the next, without its sign.
-double WorldPerIndex(const Lattice& grid);
+double WorldPerIndex(const Lattice& lattice);
 
 /// How many vertical indices a unit has. `columns` and `height` are the places of all points.
-double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& grid);
+double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice);
 }
 
 #endif

@@ -80,9 +80,9 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FaceUp(const Lattice& grid, RawVector<PointId>& triangles)
+void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles)
 {
-  for (std::size_t corner = 0; !grid.KeepsOrientation() && corner < triangles.size(); corner += 3)
+  for (std::size_t corner = 0; !lattice.KeepsOrientation() && corner < triangles.size(); corner += 3)
   {
     std::swap(triangles[corner + 1], triangles[corner + 2]);
   }
@@ -90,10 +90,10 @@ void FaceUp(const Lattice& grid, RawVector<PointId>& triangles)
 
 //----------------------------------------------------------------------------------------------------------------------
 double WriteTriangles(
-  const std::vector<PlanePoint>& plane, const Lattice& grid, RawVector<PointId> triangles, vtkPolyData* mesh)
+  const std::vector<PlanePoint>& plane, const Lattice& lattice, RawVector<PointId> triangles, vtkPolyData* mesh)
 {
   const TriangleQuality quality = MeasureQuality(plane, triangles);
-  FaceUp(grid, triangles);
+  FaceUp(lattice, triangles);
   mesh->SetPolys(MakeTriangles(triangles));
   triangles = RawVector<PointId>(); // before the arrays are made, which take as much
   AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, mesh);

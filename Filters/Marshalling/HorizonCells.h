@@ -39,12 +39,12 @@ void AddTriangleArray(const char* name, const Values& values, vtkPolyData* mesh)
 }
 
 /// Turns triangles that are counter-clockwise on a lattice so that they are in the world.
-void FaceUp(const Lattice& grid, RawVector<PointId>& triangles);
+void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles);
 
 /// Adds triangles that are counter-clockwise on the lattice to a mesh that has its loops: facing up in the world, with
 /// Compactness and Quality as cell data. `plane` holds the places of the vertices. Gives the smallest angle in degrees.
 double WriteTriangles(
-  const std::vector<PlanePoint>& plane, const Lattice& grid, RawVector<PointId> triangles, vtkPolyData* mesh);
+  const std::vector<PlanePoint>& plane, const Lattice& lattice, RawVector<PointId> triangles, vtkPolyData* mesh);
 }
 
 #endif

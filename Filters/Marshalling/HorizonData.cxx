@@ -335,7 +335,7 @@ BoundedHorizon ReadPatchesAndBoundary(const LatticePoints& points)
   BoundedHorizon result;
   if (points.AreMerged)
   {
-    result.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+    result.SubVoxelsPerColumn = points.Lattice.SubVoxelsPerColumn();
     result.Plane = ToSubVoxels(points);
   }
   else
@@ -351,7 +351,7 @@ BoundedHorizon ReadPatchesAndBoundary(const LatticePoints& points)
 BoundedHorizon ReadBoundedHorizon(LatticePoints points)
 {
   BoundedHorizon result;
-  result.SubVoxelsPerColumn = points.Grid.SubVoxelsPerColumn();
+  result.SubVoxelsPerColumn = points.Lattice.SubVoxelsPerColumn();
   if (points.AreMerged)
   {
     result.Plane = ToSubVoxels(points);

@@ -29,9 +29,9 @@ namespace
 constexpr double Rounding = 1e-6; // of steps, in parts of them
 
 /// The column of a place on a lattice.
-PlanePoint ColumnAt(const Lattice& grid, const Eigen::Vector3d& world)
+PlanePoint ColumnAt(const Lattice& lattice, const Eigen::Vector3d& world)
 {
-  const Eigen::Vector3d place = grid.ToLattice(world);
+  const Eigen::Vector3d place = lattice.ToLattice(world);
   return { std::int32_t(std::lround(place.x())), std::int32_t(std::lround(place.y())) };
 }
 
@@ -62,7 +62,7 @@ void HorizonStack::PlaceTogether()
 {
   const auto frame = std::min_element(this->Horizons.begin(), this->Horizons.end(),
     [](const StackedHorizon& a, const StackedHorizon& b)
-    { return a.Points.Grid.ColumnArea() < (1.0 - Rounding) * b.Points.Grid.ColumnArea(); });
+    { return a.Points.Lattice.ColumnArea() < (1.0 - Rounding) * b.Points.Lattice.ColumnArea(); });
   this->Frame = frame->Points.Horizon;
   this->Dimensions = ReadLatticeDimensions(this->Frame);
   this->Map = ReadLatticeMap(this->Frame);
@@ -90,7 +90,7 @@ void HorizonStack::RefineHeights()
   double smallest = step;
   for (const StackedHorizon& horizon : this->Horizons)
   {
-    smallest = std::min(smallest, WorldPerIndex(horizon.Points.Grid));
+    smallest = std::min(smallest, WorldPerIndex(horizon.Points.Lattice));
   }
   if (smallest < (1.0 - Rounding) * step)
   {
@@ -166,7 +166,7 @@ std::optional<LinkCuts> HorizonStack::FindCuts() const
   std::optional<LinkCuts> cuts;
   for (const StackedHorizon& horizon : this->Horizons)
   {
-    const Lattice& own = horizon.Points.Grid;
+    const Lattice& own = horizon.Points.Lattice;
     for (const LatticeLink& link : ReadCutLinks(horizon.Points.Horizon))
     {
       const bool isNorth = link.Side == LinkSide::North;

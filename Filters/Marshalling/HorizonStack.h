@@ -47,7 +47,7 @@ public:
 
   std::size_t Size() const { return this->Horizons.size(); }
   const StackedHorizon& operator[](std::size_t n) const { return this->Horizons[n]; }
-  const Lattice& Grid() const { return this->Together; }
+  const Lattice& CommonLattice() const { return this->Together; }
   /// What is known of it from any of the horizons.
   const SurveyDescription& GetSurvey() const { return this->Survey; }
   /// Whether the uppermost horizon has the least heights in lattice units.

@@ -204,8 +204,8 @@ CubePlaces::CubePlaces(const ImageCube& cube)
 {
   Indices dimensions = cube.Traces.Size;
   std::transform(dimensions.begin(), dimensions.end(), cube.FirstIndex.begin(), dimensions.begin(), std::plus<>());
-  this->Grid =
-    Lattice(dimensions, Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(cube.Frame.ToWorld().data()));
+  this->Lattice = SeismicHorizons::Lattice(
+    dimensions, Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(cube.Frame.ToWorld().data()));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -223,7 +223,7 @@ std::array<int, 2> CubePlaces::TraceAt(const Eigen::Vector3d& place) const
 //----------------------------------------------------------------------------------------------------------------------
 std::string CubePlaces::CornersText() const
 {
-  return SeismicHorizons::ToText(this->Grid.ToWorld(this->First)) + " to " +
-    SeismicHorizons::ToText(this->Grid.ToWorld(this->First + this->Last));
+  return SeismicHorizons::ToText(this->Lattice.ToWorld(this->First)) + " to " +
+    SeismicHorizons::ToText(this->Lattice.ToWorld(this->First + this->Last));
 }
 }

@@ -42,7 +42,7 @@ class CubePlaces
 public:
   explicit CubePlaces(const ImageCube& cube);
 
-  Eigen::Vector3d ToCube(const Eigen::Vector3d& world) const { return this->Grid.ToLattice(world) - this->First; }
+  Eigen::Vector3d ToCube(const Eigen::Vector3d& world) const { return this->Lattice.ToLattice(world) - this->First; }
   bool HasTrace(const Eigen::Vector3d& place) const;
   /// The nearest to a place that has one.
   std::array<int, 2> TraceAt(const Eigen::Vector3d& place) const;
@@ -54,7 +54,7 @@ public:
   std::string CornersText() const;
 
 private:
-  Lattice Grid;
+  SeismicHorizons::Lattice Lattice;
   Eigen::Vector3d First; // index of the lattice
   Eigen::Vector3d Last; // trace and sample
 };

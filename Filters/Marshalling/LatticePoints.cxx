@@ -96,7 +96,7 @@ bool IsInSinglePrecision(vtkPolyData* horizon)
 
 /// How far from its column a point may stand, in columns: far enough for the rounding of world coordinates, and near
 /// enough that no other column could be meant.
-double FindTolerance(vtkPolyData* horizon, const Lattice& grid)
+double FindTolerance(vtkPolyData* horizon, const Lattice& lattice)
 {
   constexpr double Hundredth = 0.01;
   constexpr double Most = 0.25;
@@ -104,8 +104,9 @@ double FindTolerance(vtkPolyData* horizon, const Lattice& grid)
   {
     return Hundredth;
   }
-  const double rounding = grid.LargestCoordinate() * std::numeric_limits<float>::epsilon(); // twice what it is at most
-  const double columns = rounding * grid.ColumnsPerUnit();
+  const double rounding =
+    lattice.LargestCoordinate() * std::numeric_limits<float>::epsilon(); // twice what it is at most
+  const double columns = rounding * lattice.ColumnsPerUnit();
   if (columns > Most)
   {
     std::ostringstream text;
@@ -161,9 +162,9 @@ public:
   {
     CheckPoints(horizon);
     this->Result.Horizon = horizon;
-    this->Result.Grid = ReadLattice(horizon);
+    this->Result.Lattice = ReadLattice(horizon);
     this->Result.Height = LargeVector<double>(heights == KeptHeights::All ? std::size_t(this->Size) : 0);
-    this->Tolerance = FindTolerance(horizon, this->Result.Grid);
+    this->Tolerance = FindTolerance(horizon, this->Result.Lattice);
   }
 
   LatticePoints Run()
@@ -193,11 +194,11 @@ private:
         all = AddUpChunks<Placement>(this->Size, Grain, Monitor(),
           [&](Placement& placement, std::int64_t first, std::int64_t last)
           {
-            const Lattice grid = this->Result.Grid; // a copy, which no write to the arrays can change
+            const Lattice lattice = this->Result.Lattice; // a copy, which no write to the arrays can change
             for (std::int64_t point = first; point < last; ++point)
             {
-              const Eigen::Vector3d place = grid.ToLattice(world(point));
-              grid.CheckInside(place, PointId(point));
+              const Eigen::Vector3d place = lattice.ToLattice(world(point));
+              lattice.CheckInside(place, PointId(point));
               if (heights)
               {
                 heights[point] = place.z();
@@ -315,7 +316,7 @@ private:
               Eigen::Vector3d place = world(point);
               if (column != NoColumn)
               {
-                place.head<2>() = this->Result.Grid.ToWorld({ double(column.X), double(column.Y), 0.0 }).head<2>();
+                place.head<2>() = this->Result.Lattice.ToWorld({ double(column.X), double(column.Y), 0.0 }).head<2>();
               }
               std::copy_n(place.data(), 3, places + 3 * point);
             }
@@ -357,7 +358,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 double LatticePoints::HeightAt(std::size_t point) const
 {
-  return this->Grid.ToLattice(WorldOf(this->Horizon, std::int64_t(point))).z();
+  return this->Lattice.ToLattice(WorldOf(this->Horizon, std::int64_t(point))).z();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -383,7 +384,7 @@ PlanePoints ColumnsOf(vtkPolyData* horizon)
 std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
 {
   std::vector<PlanePoint> plane = LargeVector<PlanePoint>(points.Column.size());
-  const std::int32_t size = points.Grid.SubVoxelsPerColumn();
+  const std::int32_t size = points.Lattice.SubVoxelsPerColumn();
   ParallelFor(std::int64_t(plane.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -391,7 +392,7 @@ std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
       {
         const PlanePoint column = points.Column[point];
         plane[point] = column == NoColumn
-          ? points.Grid.ToSubVoxels(points.Grid.ToLattice(WorldOf(points.Horizon, point)), PointId(point))
+          ? points.Lattice.ToSubVoxels(points.Lattice.ToLattice(WorldOf(points.Horizon, point)), PointId(point))
           : PlanePoint{ column.X * size, column.Y * size };
       }
     });

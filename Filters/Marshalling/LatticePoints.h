@@ -26,7 +26,7 @@ struct LatticePoints
   double HeightAt(std::size_t point) const;
 
   vtkSmartPointer<vtkPolyData> Horizon; // as it was given, with the array Column, and in double precision
-  Lattice Grid;
+  SeismicHorizons::Lattice Lattice;
   PlanePoints Column; // the memory of that array; NoColumn where points were merged
   std::vector<double> Height; // lattice units; empty where they are not kept
   bool AreMerged = false; // whether any were

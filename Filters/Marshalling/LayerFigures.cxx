@@ -55,7 +55,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 double VolumeOfUnit(const HorizonStack& stack)
 {
-  return stack.Grid().ColumnArea() * WorldPerIndex(stack.Grid());
+  return stack.CommonLattice().ColumnArea() * WorldPerIndex(stack.CommonLattice());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -85,8 +85,8 @@ std::vector<std::string> NamesOfLayers(const HorizonStack& stack)
 void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack,
   std::optional<double> contact, vtkTable* table)
 {
-  const double height = WorldPerIndex(stack.Grid());
-  const double area = stack.Grid().ColumnArea();
+  const double height = WorldPerIndex(stack.CommonLattice());
+  const double area = stack.CommonLattice().ColumnArea();
   const double volume = VolumeOfUnit(stack);
   table->AddColumn(MakeTexts("Name", NamesOfLayers(stack)));
   TableWriter writer(table, stack.Size() - 1);
@@ -102,7 +102,7 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
     writer.Set<vtkDoubleArray>("ThicknessLargest", height * own.LargestThickness);
     if (contact)
     {
-      const double level = stack.Grid().ToLattice({ 0.0, 0.0, *contact }).z();
+      const double level = stack.CommonLattice().ToLattice({ 0.0, 0.0, *contact }).z();
       writer.Set<vtkDoubleArray>("VolumeAboveContact", volume * VolumeAbove(layers.Plan, layer, level));
     }
     writer.Set<vtkIdTypeArray>("Crossings", double(repair.Interfaces[layer].Columns));
@@ -149,7 +149,7 @@ void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable
   for (int n = 0; n < ContactsOfCurve; ++n)
   {
     levels.push_back(n + 1 == ContactsOfCurve ? base : top + (base - top) * n / (ContactsOfCurve - 1));
-    contacts->SetValue(n, stack.Grid().ToWorld({ 0.0, 0.0, levels.back() }).z());
+    contacts->SetValue(n, stack.CommonLattice().ToWorld({ 0.0, 0.0, levels.back() }).z());
   }
   const std::vector<std::string> names = NamesOfLayers(stack);
   for (std::size_t layer = 0; layer < names.size(); ++layer)
@@ -183,7 +183,7 @@ std::string UnitOfVolumes(const HorizonStack& stack)
 std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack)
 {
   std::ostringstream text;
-  const double height = WorldPerIndex(stack.Grid());
+  const double height = WorldPerIndex(stack.CommonLattice());
   const std::vector<std::string> names = NamesOfLayers(stack);
   const std::string unit = UnitOfVolumes(stack);
   text << names.size() << (names.size() == 1 ? " layer" : " layers") << " over " << layers.Plan.NumberOfTriangles()

@@ -44,7 +44,7 @@ constexpr std::int64_t Grain = 4096; // points that a thread takes at a time
 
 /// Points in the world of places on the lattice.
 template <typename Place>
-vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& grid, Place&& place)
+vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& lattice, Place&& place)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& grid, Pla
     {
       for (std::int64_t point = first; point < last; ++point)
       {
-        const Eigen::Vector3d world = grid.ToWorld(place(std::size_t(point)));
+        const Eigen::Vector3d world = lattice.ToWorld(place(std::size_t(point)));
         std::copy(world.data(), world.data() + 3, coordinates + 3 * point);
       }
     });
@@ -70,7 +70,7 @@ Eigen::Vector3d PlaceOf(const PlanePoint& column, double height)
 /// Whether what faces outwards on the lattice faces inwards in the world.
 bool IsMirrored(const HorizonStack& stack)
 {
-  return stack.Grid().KeepsOrientation() == stack.HeightsGrowDownwards();
+  return stack.CommonLattice().KeepsOrientation() == stack.HeightsGrowDownwards();
 }
 
 /// The corners of a cell, in the order of VTK, in a lattice that is left-handed in the world.
@@ -194,7 +194,7 @@ void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices
 void WriteLayerCells(
   const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, vtkUnstructuredGrid* output)
 {
-  output->SetPoints(MakePoints(cells.Vertices.size(), stack.Grid(),
+  output->SetPoints(MakePoints(cells.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t point)
     { return PlaceOf(plan.Columns[std::size_t(cells.Vertices[point])], cells.Heights[point]); }));
   const auto size = vtkIdType(cells.Size());
@@ -219,7 +219,7 @@ void WriteLayerCells(
   vtkNew<vtkCellArray> list;
   list->SetData(offsets, corners);
   output->SetCells(types, list);
-  const double height = WorldPerIndex(stack.Grid());
+  const double height = WorldPerIndex(stack.CommonLattice());
   const double volume = VolumeOfUnit(stack);
   vtkCellData* const data = output->GetCellData();
   AddArray<vtkIntArray>(data, CellArray::Layer, cells.Layers);
@@ -236,7 +236,7 @@ void WriteLayerCells(
 void WriteLayerBody(
   LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, vtkPolyData* output)
 {
-  output->SetPoints(MakePoints(body.Vertices.size(), stack.Grid(),
+  output->SetPoints(MakePoints(body.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t point) { return PlaceOf(plan.Columns[std::size_t(body.Vertices[point])], body.Heights[point]); }));
   for (std::size_t corner = 0; IsMirrored(stack) && corner < body.Triangles.size(); corner += 3)
   {
@@ -260,21 +260,21 @@ void WriteLayerHorizon(
   const LayerPlan& plan = layers.Plan;
   HorizonVertices own;
   FindVertices(plan, cells.PointsOfHorizons[horizon], stack[horizon].Placed.Columns, own);
-  output->SetPoints(MakePoints(own.Vertices.size(), stack.Grid(),
+  output->SetPoints(MakePoints(own.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t n)
     {
       const auto vertex = std::size_t(own.Vertices[n]);
       return PlaceOf(plan.Columns[vertex], plan.Heights[horizon][vertex]);
     }));
   RawVector<PointId> triangles = TrianglesOf(plan, horizon, own.Numbers);
-  FaceUp(stack.Grid(), triangles);
+  FaceUp(stack.CommonLattice(), triangles);
   output->SetPolys(MakeTriangles(triangles));
   CopyArrays(stack[horizon].Points.Horizon->GetPointData(), own.Points, output->GetPointData());
   AddPlaces(plan, horizon, own, output->GetPointData());
   ActivateHeight(output);
   vtkFieldData* const figures = output->GetFieldData();
   stack.WriteFields(figures);
-  const double height = WorldPerIndex(stack.Grid());
+  const double height = WorldPerIndex(stack.CommonLattice());
   const MovedHorizon& moved = layers.Stack.Repair.Horizons[horizon];
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.PointsOutside[horizon]));

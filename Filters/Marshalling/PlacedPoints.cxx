@@ -32,7 +32,7 @@ SurveyDescription WithDomain(SurveyDescription survey)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonNames& names)
+PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonNames& names)
 {
   const std::string point = "a point of " + names.Placed + " at ";
   PlacedPoints placed;
@@ -45,7 +45,7 @@ PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonName
     {
       throw InputError(point + ToText(world) + ", expected finite numbers");
     }
-    const Eigen::Vector3d place = grid.ToLattice(world);
+    const Eigen::Vector3d place = lattice.ToLattice(world);
     if (!(std::abs(place.z()) <= LargestHeight))
     {
       throw InputError(point + ToText(world) + ", expected at most 2^50 vertical indices up or down");

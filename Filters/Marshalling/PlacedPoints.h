@@ -33,7 +33,7 @@ struct HorizonNames
 
 /// Of points none of which is hidden. Throws InputError on points that are not within
 /// a twentieth of a column or not finite, and on heights beyond LargestHeight.
-PlacedPoints PlaceOn(const Lattice& grid, vtkPolyData* points, const HorizonNames& names);
+PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonNames& names);
 
 /// What the survey of several horizons is: what the first says, and the other one where that does not. A unit of time, or
 /// of length, says the domain, too. Throws InputError where both say what z is, or the unit of x and y, and it is not the

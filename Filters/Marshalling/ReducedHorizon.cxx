@@ -298,7 +298,7 @@ void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, const Reduction& reduction)
+vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice, const Reduction& reduction)
 {
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(3);
@@ -316,7 +316,7 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, c
         Eigen::Vector3d world;
         if (reduction.Averaged[point])
         {
-          world = grid.ToWorld({ place.X * perSubVoxel, place.Y * perSubVoxel, reduction.Height[point] });
+          world = lattice.ToWorld({ place.X * perSubVoxel, place.Y * perSubVoxel, reduction.Height[point] });
         }
         else
         {

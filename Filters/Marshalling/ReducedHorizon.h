@@ -24,7 +24,7 @@ vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size);
 void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin);
 
 /// The points that are left of `input`.
-vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& grid, const Reduction& reduction);
+vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice, const Reduction& reduction);
 
 /// Makes `output`, which has these points already, the reduced `input`: vertices, loops, and all point data. PointCount
 /// is summed. At averaged points floating point arrays and VerticalIndex (which is then of type double) are averaged,

@@ -67,14 +67,14 @@ std::vector<std::int64_t> CountsOf(vtkPolyData* mesh)
   return counts;
 }
 
-RawVector<PointId> ReadTrianglesOnLattice(vtkPolyData* mesh, const Lattice& grid)
+RawVector<PointId> ReadTrianglesOnLattice(vtkPolyData* mesh, const Lattice& lattice)
 {
   RawVector<PointId> triangles;
   for (const std::array<PointId, 3>& triangle : ReadTriangles(mesh))
   {
     triangles.insert(triangles.end(), triangle.begin(), triangle.end());
   }
-  FaceUp(grid, triangles); // once more, which undoes it
+  FaceUp(lattice, triangles); // once more, which undoes it
   return triangles;
 }
 
@@ -222,7 +222,7 @@ void WriteFigures(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface, const SeamRows& seams,
+void WriteSeams(vtkPolyData* points, const Lattice& lattice, const Surface& surface, const SeamRows& seams,
   const std::vector<PointId>& onLowerSeam, vtkPolyData* mesh)
 {
   AddTuple<vtkIntArray>(
@@ -238,7 +238,7 @@ void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface
   {
     const PointId vertex = vertices.Target[pin.Point];
     const PlanePoint& place = vertices.Plane[vertex];
-    const Eigen::Vector3d world = grid.ToWorld({ double(place.X), double(place.Y), pin.Height });
+    const Eigen::Vector3d world = lattice.ToWorld({ double(place.X), double(place.Y), pin.Height });
     mesh->GetPoints()->SetPoint(vertex, world.data());
   }
   const std::vector<std::int64_t> counts = ReadCounts(points);
@@ -264,18 +264,18 @@ SurfacePart ReadSurfacePart(vtkPolyData* mesh)
   part.Height = std::move(points.Height);
   part.Count = CountsOf(mesh);
   part.Boundary = ReadBoundary(mesh);
-  part.Triangles = ReadTrianglesOnLattice(mesh, points.Grid);
+  part.Triangles = ReadTrianglesOnLattice(mesh, points.Lattice);
   part.OpenGaps = ReadOpenGaps(mesh);
   return part;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void WriteJoinedSurface(
-  const std::vector<vtkPolyData*>& meshes, const Lattice& grid, const JoinedSurface& joined, vtkPolyData* output)
+  const std::vector<vtkPolyData*>& meshes, const Lattice& lattice, const JoinedSurface& joined, vtkPolyData* output)
 {
   WritePoints(meshes, joined, output);
   WriteBoundary(joined, output);
-  const double smallestAngle = WriteTriangles(joined.Vertices, grid, joined.Triangles, output);
+  const double smallestAngle = WriteTriangles(joined.Vertices, lattice, joined.Triangles, output);
   AddTriangleArray<vtkDoubleArray>(CellArray::Error, GatherErrors(meshes, joined), output);
   WriteFigures(meshes, joined, smallestAngle, output);
   ActivateHeight(output);

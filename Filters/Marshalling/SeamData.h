@@ -19,7 +19,7 @@ namespace SeismicHorizons
 /// Gives the mesh of a part what is joined by: the arrays SeamRows and SeamGap, the heights of points that were put
 /// onto the lines of seams, and counts without the points on the lower seam, which belong to the part below. `points`
 /// are those of the part, all of which the surface has kept, `onLowerSeam` some of them.
-void WriteSeams(vtkPolyData* points, const Lattice& grid, const Surface& surface, const SeamRows& seams,
+void WriteSeams(vtkPolyData* points, const Lattice& lattice, const Surface& surface, const SeamRows& seams,
   const std::vector<PointId>& onLowerSeam, vtkPolyData* mesh);
 
 /// The part that a mesh has become. Throws InputError when it is none.
@@ -27,7 +27,7 @@ SurfacePart ReadSurfacePart(vtkPolyData* mesh);
 
 /// Makes `output` the mesh that parts were joined to. `meshes` are these parts.
 void WriteJoinedSurface(
-  const std::vector<vtkPolyData*>& meshes, const Lattice& grid, const JoinedSurface& joined, vtkPolyData* output);
+  const std::vector<vtkPolyData*>& meshes, const Lattice& lattice, const JoinedSurface& joined, vtkPolyData* output);
 }
 
 #endif

@@ -38,12 +38,12 @@ void WriteRepaired(
     Eigen::Vector3d world(given.Points.Horizon->GetPoint(number));
     if (heights[point] != given.Placed.Height[point])
     {
-      const double z = stack.Grid().ToWorld({ 0.0, 0.0, heights[point] }).z();
+      const double z = stack.CommonLattice().ToWorld({ 0.0, 0.0, heights[point] }).z();
       moved[point] = z - world.z();
       world.z() = z;
     }
     points->SetPoint(number, world.data());
-    indices[point] = given.Points.Grid.ToLattice(world).z();
+    indices[point] = given.Points.Lattice.ToLattice(world).z();
   }
   output->SetPoints(points);
   vtkPointData* const data = output->GetPointData();
@@ -54,13 +54,13 @@ void WriteRepaired(
   const MovedHorizon& own = repaired.Repair.Horizons[horizon];
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(own.Columns));
-  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, WorldPerIndex(stack.Grid()) * own.Farthest);
+  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, WorldPerIndex(stack.CommonLattice()) * own.Farthest);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::string TellRepair(const CrossingRepair& repair, const HorizonStack& stack)
 {
-  const double height = WorldPerIndex(stack.Grid());
+  const double height = WorldPerIndex(stack.CommonLattice());
   std::ostringstream text;
   for (std::size_t n = 0; n < repair.Interfaces.size(); ++n)
   {

@@ -60,7 +60,7 @@ void MeshHorizon(vtkPolyData* input, int radius, vtkPolyData* output, const Moni
     input->GetNumberOfLines() > 0 ? ReadPoints(input, { output }) : ReadColumns(input, { output });
   const BoundedHorizon horizon = ReadHorizon(points, radius, monitor.Step(0.0, 0.5));
   Triangulation mesh = Triangulate(horizon, TriangulationOptions(), monitor.Step(0.5, 1.0));
-  FaceUp(points.Grid, mesh.Triangles);
+  FaceUp(points.Lattice, mesh.Triangles);
   output->SetPoints(points.Horizon->GetPoints());
   output->GetPointData()->PassData(points.Horizon->GetPointData());
   output->SetLines(MakePolylines(horizon.Boundary));
