@@ -65,8 +65,7 @@ public:
   ///@{
   /**
    * Which points are dropped. Threshold: one after the other, if near enough to the line through their neighbours, as
-   * in the thesis. FewestPoints: as many as possible, with every dropped point within OutlineTolerance on the map and
-   * DistanceThreshold in height. Default: Threshold.
+   * in the thesis. FewestPoints: as many as OutlineTolerance and DistanceThreshold allow. Default: Threshold.
    */
   vtkSetClampMacro(Method, int, Threshold, FewestPoints);
   vtkGetMacro(Method, int);
@@ -76,10 +75,9 @@ public:
 
   ///@{
   /**
-   * An outline point is dropped if it is nearer than this to the line through its neighbours (t of the thesis); 0
-   * drops nothing. A unit is one column sideways, or one vertical index up or down. With FewestPoints: the largest
-   * height of a dropped point above or below the new outline; 0 drops points exactly on it. Unit: lattice units.
-   * Range: at least 0. Default: 0.4.
+   * A point is dropped if it is nearer than this to the line through its neighbours (t of the thesis). With
+   * FewestPoints: the largest height of a dropped point above or below the new outline. Unit: lattice units. Range: at
+   * least 0. Default: 0.4.
    */
   vtkSetMacro(DistanceThreshold, double);
   vtkGetMacro(DistanceThreshold, double);
@@ -87,9 +85,8 @@ public:
 
   ///@{
   /**
-   * Whether dropped points must stay within DistanceThreshold above or below the final outline. Off: only of the line
-   * through their neighbours when dropped, as in the thesis; many drops can add up. FewestPoints always does this.
-   * Default: off.
+   * Whether dropped points stay within DistanceThreshold above or below the final outline. Off: only of the line when
+   * they are dropped, so that deviations add up. FewestPoints always does this. Default: off.
    */
   vtkSetMacro(BoundDeviation, bool);
   vtkGetMacro(BoundDeviation, bool);
@@ -98,10 +95,8 @@ public:
 
   ///@{
   /**
-   * The largest distance of a dropped point from the new outline on the map. 0 keeps the outline on the map; from
-   * about 0.5, staircases of the lattice become straight lines. Outlines never cross. Their points that come to lie
-   * inside are kept, those outside counted (NumberOfOutsidePoints); no other point changes sides. Unit: columns.
-   * Range: at least 0. Default: 0.
+   * The largest distance of a dropped point from the new outline on the map. 0 keeps the outline on the map; from about
+   * 0.5, staircases of the lattice become straight lines. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);

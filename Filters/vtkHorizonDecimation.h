@@ -78,8 +78,7 @@ public:
 
   ///@{
   /**
-   * The largest number of points of each horizon, including its outlines, which are never dropped. Unit: points. Range:
-   * at least 1. Default: 10000.
+   * The largest number of points of each horizon, outlines included. Unit: points. Range: at least 1. Default: 10000.
    */
   vtkSetMacro(MaximumNumberOfPoints, int);
   vtkGetMacro(MaximumNumberOfPoints, int);
@@ -87,8 +86,8 @@ public:
 
   ///@{
   /**
-   * The fraction of the points of each horizon to drop; 0.95 leaves one in twenty. Outlines are always kept. Unit:
-   * fraction of the points. Range: 0 to 1. Default: 0.95.
+   * The fraction of the points of each horizon to drop; 0.95 leaves one in twenty. Unit: fraction of the points. Range:
+   * 0 to 1. Default: 0.95.
    */
   vtkSetMacro(TargetReduction, double);
   vtkGetMacro(TargetReduction, double);

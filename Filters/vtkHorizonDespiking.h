@@ -59,8 +59,7 @@ public:
   ///@{
   /**
    * The largest distance of a point above or below the surface through the points around it. 0: four times the noise,
-   * measured on each horizon, and four times the deviations around. Unit: ThresholdUnit. Range: at least 0. Default:
-   * 0.
+   * measured on each horizon. Unit: ThresholdUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
@@ -75,8 +74,7 @@ public:
 
   ///@{
   /**
-   * The unit of Threshold. Lattice: 1 is one vertical index, a voxel. World: the unit of z, such as m or ms. Default:
-   * Lattice.
+   * The unit of Threshold. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
    */
   vtkSetClampMacro(ThresholdUnit, int, Lattice, World);
   vtkGetMacro(ThresholdUnit, int);
@@ -86,8 +84,8 @@ public:
 
   ///@{
   /**
-   * The extent of the points around, along each axis: 2 is a square of 5 by 5 columns. Clusters of spikes are found if
-   * they cover less than half of it. Unit: columns. Range: 1 to 16. Default: 2.
+   * The extent of the points around, along each axis: 2 is a square of 5 by 5 columns. Unit: columns. Range: 1 to 16.
+   * Default: 2.
    */
   vtkSetMacro(NeighborhoodRadius, int);
   vtkGetMacro(NeighborhoodRadius, int);

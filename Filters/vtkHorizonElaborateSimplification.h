@@ -48,9 +48,9 @@ public:
 
   ///@{
   /**
-   * The largest curvature of a flat cell: the least eigenvalue of the covariance of its points divided by the sum of
-   * the three (thesis, eq. 4.5). 0: only planes; 1/3: everything. Smaller values keep more points; the thesis uses
-   * 0.03 to 0.20. Range: 0 to 1/3. Default: 0.12.
+   * The largest curvature of a flat cell: the least eigenvalue of the covariance of its points, divided by the sum of
+   * the three (thesis, eq. 4.5). Smaller values keep more points; the thesis uses 0.03 to 0.20. Range: 0 to 1/3.
+   * Default: 0.12.
    */
   vtkSetMacro(FlatnessThreshold, double);
   vtkGetMacro(FlatnessThreshold, double);
@@ -58,9 +58,8 @@ public:
 
   ///@{
   /**
-   * A cell with outline points is halved unless it has more of them than this for each unit of its side (PD of the
-   * thesis, eq. 4.2), and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default:
-   * 0.25.
+   * A cell with outline points is halved unless it has more of them than this per unit of its side (PD of the thesis,
+   * eq. 4.2), and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default: 0.25.
    */
   vtkSetMacro(BoundaryDensityThreshold, double);
   vtkGetMacro(BoundaryDensityThreshold, double);
@@ -77,8 +76,8 @@ public:
 
   ///@{
   /**
-   * A cell with outline points that is not halved keeps these; a larger one than this also keeps one point for all its
-   * others. Unit: lattice units. Range: at least 0. Default: 2.
+   * A cell with outline points that is larger than this and not halved keeps one more point, for all its others. Unit:
+   * lattice units. Range: at least 0. Default: 2.
    */
   vtkSetMacro(BoundaryCellSizeThreshold, double);
   vtkGetMacro(BoundaryCellSizeThreshold, double);
@@ -86,8 +85,7 @@ public:
 
   ///@{
   /**
-   * No cell is halved to a smaller side. With more than half of CellSize, no cell is halved. Unit: lattice units.
-   * Range: at least 1. Default: 1.
+   * No cell is halved to a smaller side than this. Unit: lattice units. Range: at least 1. Default: 1.
    */
   vtkSetMacro(SmallestCellSize, double);
   vtkGetMacro(SmallestCellSize, double);
@@ -102,9 +100,8 @@ public:
 
   ///@{
   /**
-   * What the mean size of the neighbours one ring further out is taken over. OverCubes: each neighbouring cube counts
-   * once, with the mean size of its cells (thesis, eq. 4.3). OverPieces: each of these cells counts, so that cells are
-   * smaller further inside. Default: OverCubes.
+   * What the mean size of neighbours one ring further out is taken over. OverCubes: cubes, each with the mean size of
+   * its cells (thesis, eq. 4.3). OverPieces: their cells, which gives smaller cells inside. Default: OverCubes.
    */
   vtkSetClampMacro(NeighbourMean, int, OverCubes, OverPieces);
   vtkGetMacro(NeighbourMean, int);
@@ -114,9 +111,8 @@ public:
 
   ///@{
   /**
-   * The largest size of a cell divided by the mean of its neighbours one ring further out. 1: sizes stay as at the
-   * outline, or shrink, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1. Default:
-   * 1.
+   * The largest size of a cell, divided by the mean of its neighbours one ring further out. 1: sizes never grow
+   * inwards, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1. Default: 1.
    *
    * Up to the nearest size that halving gives.
    */

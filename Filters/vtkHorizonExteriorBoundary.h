@@ -66,8 +66,8 @@ public:
   ///@{
   /**
    * What counts as boundary. Exterior: the outline of every patch. Topological4: every point with an empty column on
-   * one of its four sides, at the outside and at every hole. Topological8: also points with an empty column at a
-   * corner. See "Topological boundaries" in HorizonExteriorBoundary.md. Default: Exterior.
+   * one of its four sides. Topological8: also at a corner. See "Topological boundaries" in HorizonExteriorBoundary.md.
+   * Default: Exterior.
    *
    * Topological4 is Def. 3.2 of the thesis: loops run through just these points, around patches of neighbouring columns
    * and all holes, whatever Radius, GrowthStrategy, HoleBoundaries and the smallest hole are. With Topological8 the
@@ -82,9 +82,8 @@ public:
 
   ///@{
   /**
-   * The largest hop from one point of the outline to the next along each axis (k of the thesis). Up to Radius - 1
-   * missing columns do not break a horizon into patches. Larger values give fewer patches and coarser outlines. Unit:
-   * columns. Range: 1 to 32. Default: 1.
+   * The largest hop of an outline along each axis (k of the thesis). Up to Radius - 1 missing columns do not break a
+   * patch; larger values give fewer patches and coarser outlines. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -92,9 +91,9 @@ public:
 
   ///@{
   /**
-   * How the outline continues where the radius leaves a choice. Distance: from neighbour to neighbour, with single
-   * bridges over gaps; every detail stays. Clockwise: by the outermost hop; narrow bays and gaps are cut short. The
-   * same for a Radius of 1. Default: Clockwise.
+   * How the outline continues where a Radius above 1 leaves a choice. Distance: from neighbour to neighbour, with
+   * single bridges over gaps; every detail stays. Clockwise: by the outermost hop, which cuts narrow bays short.
+   * Default: Clockwise.
    *
    * Thesis, Alg. 3.1 and 3.2. Clockwise takes the first hop of a clockwise sweep.
    */
@@ -106,7 +105,7 @@ public:
 
   ///@{
   /**
-   * Whether holes have an outline and stay open in the mesh; otherwise the mesh closes them. Default: off.
+   * Whether holes have an outline and stay open in the mesh. Off: the mesh closes them. Default: off.
    *
    * A hole is what the hops of the chosen rule leave open inside a patch, with at least one column strictly inside.
    */
@@ -117,8 +116,7 @@ public:
 
   ///@{
   /**
-   * Holes with fewer columns strictly inside are closed. 1 keeps every hole open. Unit: columns. Range: at least 1.
-   * Default: 1.
+   * Holes with fewer columns strictly inside are closed. Unit: columns. Range: at least 1. Default: 1.
    *
    * Columns of islands in the hole count.
    */
@@ -128,8 +126,8 @@ public:
 
   ///@{
   /**
-   * Holes with a smaller area are closed; 0: no limit. A hole must pass both limits to stay open. Unit: square units
-   * of the world. Range: at least 0. Default: 0.
+   * Holes with a smaller area are closed, too; 0: no limit. Unit: square units of the world. Range: at least 0.
+   * Default: 0.
    *
    * The area is that of the columns strictly inside.
    */
@@ -147,9 +145,8 @@ public:
 
   ///@{
   /**
-   * Whether faults (field data CutLinks) split the horizon. A fault that ends inside is a crack, with an outline
-   * around both of its cutoffs, which stays open in the mesh whatever its size. Off: faults are ignored from here on.
-   * See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   * Whether faults (field data CutLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the output has no CutLinks.
    */

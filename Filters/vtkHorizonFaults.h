@@ -87,9 +87,8 @@ public:
 
   ///@{
   /**
-   * What closed lines among Traces, fault polygons around the gap of a fault, do. Blank: points inside, where values
-   * are made up, are left out, and links are cut where a polygon is too narrow for a gap. Cut: points inside stay, as
-   * islands. Leave: nothing. Default: Blank.
+   * What fault polygons among Traces do. Blank: points inside, where values are made up, are left out. Cut: they stay,
+   * as islands. Leave: nothing. Default: Blank.
    */
   vtkSetClampMacro(Polygons, int, Blank, Leave);
   vtkGetMacro(Polygons, int);
@@ -109,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Faults are found if their throw reaches this somewhere, with their ends down to half of it. 0: eight times the
-   * noise of the heights, measured on each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
+   * The throw that a fault must reach somewhere; its ends are found down to half of it. 0: eight times the noise of the
+   * heights of each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(SmallestThrow, double);
   vtkGetMacro(SmallestThrow, double);
@@ -118,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Standard deviation of height differences between neighbouring columns due to noise alone; 0: measured on each
-   * horizon. Only throws of several times the noise are found. Unit: ThrowUnit. Range: at least 0. Default: 0.
+   * Standard deviation of height differences between neighbouring columns due to noise alone. 0: measured on each
+   * horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(Noise, double);
   vtkGetMacro(Noise, double);
@@ -134,8 +133,7 @@ public:
 
   ///@{
   /**
-   * The unit of SmallestThrow and Noise. Lattice: 1 is one vertical index, a voxel. World: the unit of z, such as m or
-   * ms. Default: Lattice.
+   * The unit of SmallestThrow and Noise. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
    */
   vtkSetClampMacro(ThrowUnit, int, Lattice, World);
   vtkGetMacro(ThrowUnit, int);
@@ -161,8 +159,7 @@ public:
 
   ///@{
   /**
-   * Faults are followed across up to this many missing columns in a row; planes fitted on both sides give the throw.
-   * 0: across none. Unit: columns. Range: at least 0. Default: 5.
+   * Faults are followed across up to this many missing columns in a row. Unit: columns. Range: at least 0. Default: 5.
    */
   vtkSetMacro(LargestGap, int);
   vtkGetMacro(LargestGap, int);
@@ -170,9 +167,8 @@ public:
 
   ///@{
   /**
-   * Also finds faults that bend the surface over up to this many columns instead of tearing it, where it was smoothed,
-   * tracked across a fault, or interpolated between lines. They are cut in the middle. 0: none. Unit: columns. Range:
-   * 0 to 10. Default: 7.
+   * Also finds faults that bend the surface over up to this many columns instead of tearing it, and cuts them in the
+   * middle. 0: none. Unit: columns. Range: 0 to 10. Default: 7.
    */
   vtkSetMacro(LargestRamp, int);
   vtkGetMacro(LargestRamp, int);
@@ -180,8 +176,8 @@ public:
 
   ///@{
   /**
-   * Whether two fault lines that end at a hole become one if each points to the end of the other, their throws are
-   * similar, and at least half of the columns between them are missing. Default: on.
+   * Whether fault lines that end at a hole and point to each other become one, if their throws are similar. Default:
+   * on.
    */
   vtkSetMacro(JoinThroughHoles, bool);
   vtkGetMacro(JoinThroughHoles, bool);
@@ -209,9 +205,8 @@ public:
 
   ///@{
   /**
-   * What the fault lines are. Traces: fault traces or polygons, along the horizon as seen from above. Sticks: lines
-   * down faults, in any order; the horizon is cut where it meets the surface between them, the third output. Default:
-   * Traces.
+   * What the fault lines are. Traces: fault traces or polygons, seen from above. Sticks: lines down faults; the horizon
+   * is cut where it meets the surface between them, the third output. Default: Traces.
    *
    * Sticks of one fault agree in all words of the cell array FaultName but the last.
    */
@@ -223,9 +218,8 @@ public:
 
   ///@{
   /**
-   * Fault traces, polygons or sticks in the coordinates of the horizon, as of vtkFaultLinesReader; optional. Links are
-   * cut where lines pass between two columns, seen from above; polygons are cut all around. Unit: world units. Range:
-   * lines, polygons. Default: none.
+   * Fault traces, polygons or sticks in the coordinates of the horizon, as of vtkFaultLinesReader; optional. Unit:
+   * world units. Range: lines, polygons. Default: none.
    *
    * Input 1.
    */

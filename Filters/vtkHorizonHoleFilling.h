@@ -68,8 +68,7 @@ public:
 
   ///@{
   /**
-   * Holes of more columns stay open. The error grows with the distance from the rim. Unit: columns. Range: at least 1.
-   * Default: 2500.
+   * Holes of more columns than this stay open. Unit: columns. Range: at least 1. Default: 2500.
    */
   vtkSetMacro(LargestHoleSize, vtkIdType);
   vtkGetMacro(LargestHoleSize, vtkIdType);
@@ -77,8 +76,8 @@ public:
 
   ///@{
   /**
-   * Holes with a larger area stay open; 0: no limit. A hole must pass both limits to be filled. Unit: square units of
-   * the world. Range: at least 0. Default: 0.
+   * Holes with a larger area stay open, too; 0: no limit. Unit: square units of the world. Range: at least 0. Default:
+   * 0.
    *
    * The area is that of the columns of the hole.
    */
@@ -88,9 +87,9 @@ public:
 
   ///@{
   /**
-   * The surface over a hole. Plate: a thin plate, which continues the slope and curvature of the rim. Membrane: like a
-   * skin, never above or below the rim; faster on very large holes. Automatic: a plate with RimSmoothing and RimWidth
-   * chosen by the roughness of the horizon. Default: Automatic.
+   * The surface over a hole. Plate: continues the slope and curvature of the rim. Membrane: like a skin, never above or
+   * below the rim. Automatic: a plate with RimSmoothing and RimWidth chosen by the roughness of the horizon. Default:
+   * Automatic.
    */
   vtkSetClampMacro(Method, int, Plate, Automatic);
   vtkGetMacro(Method, int);
@@ -101,9 +100,8 @@ public:
 
   ///@{
   /**
-   * How much noise of the rim the Method Plate smooths; known points never move. 0: none, for clean data such as grids
-   * and models. 1: for autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6.
-   * Default: 1.
+   * How much noise of the rim the Method Plate smooths; known points never move. 0: none, for clean data. 1: for
+   * autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6. Default: 1.
    *
    * The inverse of the strength of the plate's springs; 0, and all below a millionth, makes it pass through all
    * heights.
@@ -114,8 +112,8 @@ public:
 
   ///@{
   /**
-   * How many columns of known points around a hole the Method Plate continues. Noisy data need more, and more
-   * smoothing. Unit: columns. Range: 1 to 64. Default: 3.
+   * How many columns of known points around a hole the Method Plate continues; more for noisy data. Unit: columns.
+   * Range: 1 to 64. Default: 3.
    *
    * Below 2 it has no slope from a rim that is straight.
    */
@@ -125,9 +123,8 @@ public:
 
   ///@{
   /**
-   * Amplitudes and other floating-point attributes at new points. FromRim: values between those of the rim.
-   * NotANumber: nan, since nothing was measured. IDs and other integers are those of the nearest point. Default:
-   * FromRim.
+   * Floating-point attributes at new points. FromRim: values between those of the rim. NotANumber: nan, since nothing
+   * was measured. Default: FromRim.
    *
    * FromRim carries them inwards by a membrane, where values that are not finite count as unknown.
    */
@@ -139,9 +136,8 @@ public:
 
   ///@{
   /**
-   * Columns outside the horizon, bays included, that are at most this far from it and in the survey are filled, too,
-   * with 2 in the array Filled. The Method continues the slope of the rim: far from it that is a guess. Unit: columns.
-   * Range: 0 to 10000. Default: 0.
+   * Columns outside the horizon, at most this far from it and in the survey, are filled, too, with 2 in the array
+   * Filled. Unit: columns. Range: 0 to 10000. Default: 0.
    *
    * The survey is that of LatticeDimensions: a distance of its size fills it. Holes have the limits above.
    */

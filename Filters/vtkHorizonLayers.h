@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point of any horizon from the layers. Noise of several horizons adds up: three
-   * times the noise of the heights takes few cells. Unit: HeightUnit. Range: at least 0. Default: 0.75.
+   * The largest vertical distance of a point of any horizon from the layers. Three times the noise of the heights takes
+   * few cells. Unit: HeightUnit. Range: at least 0. Default: 0.75.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
@@ -71,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Whether the thickness of each layer is within MaximumError, too. Off: its error is at most twice that, with fewer
-   * cells. Default: off.
+   * Whether the thickness of each layer is within MaximumError, too. Off: within twice that, with fewer cells. Default:
+   * off.
    */
   vtkSetMacro(BoundThickness, bool);
   vtkGetMacro(BoundThickness, bool);
@@ -81,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Whether layers end along lines through the outermost columns without them. Off: they end in thin feathers,
-   * somewhere beyond. Default: on.
+   * Whether layers end along lines through the outermost columns without them. Off: they end in thin feathers beyond.
+   * Default: on.
    */
   vtkSetMacro(PinchOutLines, bool);
   vtkGetMacro(PinchOutLines, bool);
@@ -106,9 +106,8 @@ public:
 
   ///@{
   /**
-   * Where layers are. EachLayer: where both horizons of a layer have points, to the outermost columns; the same as
-   * Common for one layer. Common: where all horizons have points; outlines are simplified within MaximumError, and
-   * small holes closed. Default: EachLayer.
+   * Where layers are. EachLayer: where both horizons of a layer have points. Common: where all horizons have points,
+   * with outlines simplified within MaximumError, and small holes closed. Default: EachLayer.
    */
   vtkSetClampMacro(Domain, int, EachLayer, Common);
   vtkGetMacro(Domain, int);
@@ -118,7 +117,8 @@ public:
 
   ///@{
   /**
-   * Whether outlines of the domain Common are kept on the map, for volumes that differ by heights alone. Default: off.
+   * Whether outlines of the domain Common stay unchanged on the map: volumes then differ by heights alone. Default:
+   * off.
    */
   vtkSetMacro(KeepOutlines, bool);
   vtkGetMacro(KeepOutlines, bool);
@@ -173,7 +173,7 @@ public:
 
   ///@{
   /**
-   * Whether the figures have the volume above Contact (VolumeAboveContact). Default: off.
+   * Whether figures include the volume above Contact (VolumeAboveContact). Default: off.
    */
   vtkSetMacro(MeasureAboveContact, bool);
   vtkGetMacro(MeasureAboveContact, bool);

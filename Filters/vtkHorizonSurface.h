@@ -75,8 +75,8 @@ public:
 
   ///@{
   /**
-   * The largest number of triangles of each horizon; it must suffice for the outlines. Unit: triangles. Range: at
-   * least 1. Default: 20000.
+   * The largest number of triangles of each horizon, enough for its outlines. Unit: triangles. Range: at least 1.
+   * Default: 20000.
    */
   vtkSetMacro(MaximumNumberOfTriangles, int);
   vtkGetMacro(MaximumNumberOfTriangles, int);
@@ -84,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Whether the radius is chosen: the least one that spans 95 % of the steps from point to point, along rows and along
-   * columns; 2 for every second line. Off: Radius. Default: on.
+   * Whether the radius is chosen: the least one that spans 95 % of the steps from point to point. Off: Radius. See
+   * "What is chosen" in HorizonSurface.md. Default: on.
    */
   vtkSetMacro(AutomaticRadius, bool);
   vtkGetMacro(AutomaticRadius, bool);
@@ -94,8 +94,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticRadius, the largest hop of outlines along each axis, as in vtkHorizonExteriorBoundary. Gaps that
-   * a hop can span do not break a horizon into patches. Unit: columns. Range: 1 to 32. Default: 1.
+   * Without AutomaticRadius, the largest hop of outlines along each axis, as in vtkHorizonExteriorBoundary. Unit:
+   * columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -110,8 +110,8 @@ public:
 
   ///@{
   /**
-   * How outlines continue where the radius leaves a choice. Distance: from neighbour to neighbour, with single bridges
-   * over gaps. Clockwise: by the outermost hop; narrow bays and gaps are cut short. Default: Clockwise.
+   * How outlines continue where the radius leaves a choice. Distance: from neighbour to neighbour. Clockwise: by the
+   * outermost hop, which cuts narrow bays short. Default: Clockwise.
    */
   vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
   vtkGetMacro(GrowthStrategy, int);
@@ -130,9 +130,8 @@ public:
 
   ///@{
   /**
-   * Whether faults (field data CutLinks) split the horizon. A fault that ends inside is a crack, with an outline
-   * around both of its cutoffs, which stays open in the mesh, whatever its size, unless CloseFaults is on. Off: faults
-   * are ignored from here on. See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   * Whether faults (field data CutLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the outputs have no CutLinks.
    */
@@ -143,8 +142,8 @@ public:
 
   ///@{
   /**
-   * Whether the smallest hole that stays open is chosen: a square with a side of twice the radius plus one, or twice
-   * the outline tolerance if that is larger. Off: SmallestHoleSize. Default: on.
+   * Whether the smallest hole that stays open is chosen, by the radius and the outline tolerance. Off:
+   * SmallestHoleSize. See "What is chosen" in HorizonSurface.md. Default: on.
    */
   vtkSetMacro(AutomaticSmallestHoleSize, bool);
   vtkGetMacro(AutomaticSmallestHoleSize, bool);
@@ -153,8 +152,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticSmallestHoleSize, holes with fewer columns strictly inside are closed. 1 keeps every hole open.
-   * Unit: columns. Range: at least 1. Default: 1.
+   * Without AutomaticSmallestHoleSize, holes with fewer columns strictly inside are closed. Unit: columns. Range: at
+   * least 1. Default: 1.
    */
   vtkSetMacro(SmallestHoleSize, int);
   vtkGetMacro(SmallestHoleSize, int);
@@ -180,8 +179,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticOutlineTolerance, the largest distance on the map of a dropped point from its outline. 0 keeps
-   * the outline on the map. Unit: columns. Range: at least 0. Default: 0.
+   * Without AutomaticOutlineTolerance, the largest distance on the map of a dropped point from its outline. Unit:
+   * columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);
@@ -207,8 +206,8 @@ public:
 
   ///@{
   /**
-   * For a part that vtkHorizonSurfaceJoin joins to others: the rows of the lattice, below and above, where other parts
-   * continue, which have these rows too; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
+   * For a part that vtkHorizonSurfaceJoin joins: the rows of the lattice, below and above, that it shares with other
+   * parts; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
    *
    * The parts on both sides have the points of such a row (j), and this part none beyond. The target is the error then,
    * not of unit Diagonal, holes have boundaries, MinimumPatchSize is 1 and growth clockwise where the radius is not 1.

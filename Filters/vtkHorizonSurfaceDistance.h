@@ -87,8 +87,8 @@ public:
 
   ///@{
   /**
-   * The unit of the arrays Distance and VerticalDistance; figures are in both. Lattice: 1 is one column sideways and
-   * one vertical index up. World: the unit of the coordinates. Default: Lattice.
+   * The unit of the arrays Distance and VerticalDistance; figures are in both. Lattice: one column sideways, one
+   * vertical index up. World: the unit of the coordinates. Default: Lattice.
    */
   vtkSetClampMacro(DistanceUnit, int, Lattice, World);
   vtkGetMacro(DistanceUnit, int);
@@ -98,9 +98,8 @@ public:
 
   ///@{
   /**
-   * How many samples on the faces of each surface, for each point of the larger surface; at least 10,000 on each
-   * surface and one on each triangle. Edges are sampled at the same spacing. More make means and percentiles more
-   * exact. Unit: places per point. Range: 0.01 to 1000. Default: 2.
+   * How many samples on the faces of each surface, for each point of the larger surface; at least 10,000. More make
+   * means and percentiles more exact. Unit: places per point. Range: 0.01 to 1000. Default: 2.
    */
   vtkSetMacro(SamplesPerPoint, double);
   vtkGetMacro(SamplesPerPoint, double);
@@ -108,7 +107,7 @@ public:
 
   ///@{
   /**
-   * The seed of the random samples: the same one gives the same result. Range: at least 0. Default: 1.
+   * The seed of the random samples on faces. Range: at least 0. Default: 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -116,8 +115,8 @@ public:
 
   ///@{
   /**
-   * For a reference with neither triangles nor outlines: the largest hop of its outline along each axis, as in
-   * vtkHorizonExteriorBoundary. Unit: columns. Range: 1 to 32. Default: 1.
+   * For a reference with neither triangles nor outlines: the Radius of its vtkHorizonExteriorBoundary. Unit: columns.
+   * Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -125,8 +124,7 @@ public:
 
   ///@{
   /**
-   * Whether figures include points added by vtkHorizonHoleFilling (array Filled), on either surface, with the edges
-   * and triangles at them. All points have distances in any case. Default: off.
+   * Whether figures include points added by vtkHorizonHoleFilling, with the edges and triangles at them. Default: off.
    */
   vtkSetMacro(IncludeFilledPoints, bool);
   vtkGetMacro(IncludeFilledPoints, bool);

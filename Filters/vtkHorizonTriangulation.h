@@ -66,9 +66,9 @@ public:
 
   ///@{
   /**
-   * How the third point of a triangle is searched. VoxelTraversal: along the perpendicular bisector of the edge and
-   * its dilations (thesis 5.3.6). Compactness: among all points in the square box of the edge, by the compactness of
-   * their triangles (5.4). Both give the same mesh; the time differs. Default: VoxelTraversal.
+   * How the third point of a triangle is searched; the mesh is the same. VoxelTraversal: along the perpendicular
+   * bisector of the edge (thesis 5.3.6). Compactness: among all points in the square box of the edge (5.4). Default:
+   * VoxelTraversal.
    */
   vtkSetClampMacro(SearchStrategy, int, VoxelTraversal, Compactness);
   vtkGetMacro(SearchStrategy, int);
@@ -78,8 +78,7 @@ public:
 
   ///@{
   /**
-   * Whether the convex hull of all points is meshed, with or without outlines. Gaps between patches and bays of the
-   * outline are closed as well. Default: off.
+   * Whether the convex hull of all points is meshed, with or without outlines. Default: off.
    *
    * The polylines of the output are then the hull, or what the limits below leave of it.
    */
@@ -91,8 +90,7 @@ public:
   ///@{
   /**
    * With ConvexHull, triangles are removed from the outside inwards if the angle opposite their boundary edge is
-   * larger. 180 removes nothing; with 100, bays that widen outwards open, and below 90 those with parallel sides. All
-   * points stay in the mesh, in one piece. Not with MaximumNumberOfTriangles. Unit: degrees on the map. Range: 0 to
+   * larger; 180 removes none. See "Without outlines" in HorizonTriangulation.md. Unit: degrees on the map. Range: 0 to
    * 180. Default: 180.
    *
    * Thesis 5.3.8. The longest edge goes first; a triangle stays when it would leave a point without one, or let the
@@ -105,9 +103,8 @@ public:
 
   ///@{
   /**
-   * With ConvexHull, triangles are also removed if their boundary edge is longer. 0 removes nothing; 1.5 opens all
-   * that is open in a horizon with a point in every column. All points stay in the mesh, in one piece. Not with
-   * MaximumNumberOfTriangles. Unit: columns. Range: at least 0. Default: 0.
+   * With ConvexHull, triangles are also removed if their boundary edge is longer; 0 removes none. Unit: columns. Range:
+   * at least 0. Default: 0.
    */
   vtkSetMacro(MaximumBoundaryEdgeLength, double);
   vtkGetMacro(MaximumBoundaryEdgeLength, double);
@@ -116,7 +113,7 @@ public:
   ///@{
   /**
    * For inspection: each patch stops after this many triangles, and the second output shows the search cells of the
-   * last third point, coloured by dilation. 0 makes all triangles. Unit: triangles. Range: at least 0. Default: 0.
+   * last one. 0 makes all triangles. Unit: triangles. Range: at least 0. Default: 0.
    *
    * Full lattices are searched as well then.
    */
@@ -126,9 +123,8 @@ public:
 
   ///@{
   /**
-   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not
-   * change; gaps of missing points stay open. Not with ConvexHull or MaximumNumberOfTriangles. See "Closed meshes" in
-   * HorizonFaults.md. Default: off.
+   * Whether steep triangles, with 1 in the array Fault, close the cracks at faults. Not with ConvexHull or
+   * MaximumNumberOfTriangles. See "Closed meshes" in HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure counts them; the new FaultTriangleCount (vtkIdType) has their number.

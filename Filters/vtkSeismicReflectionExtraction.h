@@ -50,8 +50,8 @@ public:
 
   ///@{
   /**
-   * The angle by which the phase of the wavelet is rotated first. Picks are on interfaces if the phase is then 0:
-   * minus the EstimatedPhase of the cube as it is. Unit: degrees. Range: -180 to 180. Default: 0.
+   * The angle by which the phase of the wavelet is rotated first: minus the EstimatedPhase of the cube puts picks on
+   * interfaces. Unit: degrees. Range: -180 to 180. Default: 0.
    */
   vtkSetMacro(PhaseRotation, double);
   vtkGetMacro(PhaseRotation, double);
@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection; at a zero crossing, the
-   * mean of the neighbouring peaks. Unit: that of the amplitudes. Range: at least 0. Default: 0.
+   * The least absolute amplitude of a peak; with Middle, of all samples of a reflection; at a zero crossing, of the
+   * mean of the peaks beside it. Unit: that of the amplitudes. Range: at least 0. Default: 0.
    */
   vtkSetMacro(AmplitudeThreshold, double);
   vtkGetMacro(AmplitudeThreshold, double);
@@ -142,10 +142,9 @@ public:
 
   ///@{
   /**
-   * How picks become surfaces. BestFirst: the most similar waveforms are linked first; parts that overlap, or face
-   * each other with few links, as at faults, stay separate. Continuous: surfaces grow one after the other, each from
-   * the strongest remaining pick; strong events stay whole, some across faults. Components: all that touch. See "Three
-   * ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
+   * How picks become surfaces. BestFirst: the most similar waveforms are linked first; parts that overlap, or have few
+   * links, stay separate. Continuous: one surface after the other, each from the strongest remaining pick. Components:
+   * all that touch. See "Three ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
    */
   vtkSetClampMacro(Joining, int, BestFirst, Components);
   vtkGetMacro(Joining, int);
@@ -173,8 +172,8 @@ public:
 
   ///@{
   /**
-   * The largest vertical step between neighbouring picks of a surface; faults of a larger throw end it. 0: 0.3 of the
-   * dominant period, at least 2. Unit: samples. Range: 0 to 262143. Default: 0.
+   * The largest vertical step between neighbouring picks of a surface. 0: 0.3 of the dominant period, at least 2. Unit:
+   * samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(LargestStep, double);
   vtkGetMacro(LargestStep, double);
@@ -182,8 +181,8 @@ public:
 
   ///@{
   /**
-   * The least correlation of the waveforms of neighbouring picks, as a fraction of its median over all links. 0: any.
-   * Not with Components. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
+   * The least correlation of the waveforms of neighbouring picks, as a fraction of the median over all links. Not with
+   * Components. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
    */
   vtkSetMacro(SmallestCorrelation, double);
   vtkGetMacro(SmallestCorrelation, double);
@@ -192,7 +191,7 @@ public:
   ///@{
   /**
    * With BestFirst, the least fraction of links among the pairs of picks along which two parts of a surface face each
-   * other. Smaller values let surfaces grow across tears. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
+   * other. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
    */
   vtkSetMacro(SmallestContact, double);
   vtkGetMacro(SmallestContact, double);
@@ -223,8 +222,8 @@ public:
 
   ///@{
   /**
-   * Which surfaces come first. Strength: the largest sum of cubed absolute amplitudes at picks, which are the main
-   * reflectors. Size: the most picks. Default: Strength.
+   * Which surfaces come first. Strength: those with the largest sum of cubed absolute amplitudes, the main reflectors.
+   * Size: those with the most picks. Default: Strength.
    */
   vtkSetClampMacro(Order, int, Strength, Size);
   vtkGetMacro(Order, int);
@@ -234,9 +233,8 @@ public:
 
   ///@{
   /**
-   * Some picks of each horizon wanted, in the coordinates of the cube: lines, wells or an older horizon; optional.
-   * Each block is a horizon of its name; the point array Horizon, of numbers or texts, separates several horizons in a
-   * dataset. Picks outside the cube are ignored. Range: points. Default: none.
+   * Some picks of each horizon wanted, in the coordinates of the cube; optional. Blocks, or the point array Horizon of
+   * numbers or texts, separate horizons. Range: points. Default: none.
    *
    * Input 1.
    */
@@ -246,8 +244,8 @@ public:
 
   ///@{
   /**
-   * The largest distance of a pick of a guide from its reflection. Picks near no reflection are not used. 0: 0.2 of
-   * the dominant period, at least 1.5. Unit: samples. Range: 0 to 262143. Default: 0.
+   * The largest distance of a pick of a guide from its reflection. 0: 0.2 of the dominant period, at least 1.5. Unit:
+   * samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(GuideTolerance, double);
   vtkGetMacro(GuideTolerance, double);
@@ -280,8 +278,8 @@ public:
 
   ///@{
   /**
-   * One or two older horizons on the traces of the cube: only what lies between them, or on the LimitSide of one, is
-   * searched; optional. Traces on which a limit has no point are not searched. Range: points. Default: none.
+   * One or two older horizons: only what lies between them, or on the LimitSide of one, is searched; optional. Range:
+   * points. Default: none.
    *
    * Input 2, of several connections.
    */
