@@ -86,9 +86,9 @@ public:
 
   ///@{
   /**
-   * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold, as in the
-   * thesis. Peak: at each local maximum of the absolute amplitude, interpolated by a parabola. ZeroCrossing: where
-   * amplitudes change sign; positive ones become positive downwards. Default: Peak.
+   * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold. Peak: at each
+   * local maximum of the absolute amplitude, interpolated. ZeroCrossing: where amplitudes change sign; positive ones
+   * become positive downwards. Default: Peak.
    */
   vtkSetClampMacro(Position, int, Middle, ZeroCrossing);
   vtkGetMacro(Position, int);
@@ -125,8 +125,8 @@ public:
 
   ///@{
   /**
-   * The percentage of peaks of the polarity that are too weak; with Middle, of samples other than 0. High values break
-   * up surfaces that fade. With guides all peaks are used. Unit: percent. Range: 0 to 100. Default: 25.
+   * The percentage of peaks of the polarity that are too weak; with Middle, of samples other than 0. With guides all
+   * peaks are used. Unit: percent. Range: 0 to 100. Default: 25.
    */
   vtkSetMacro(AmplitudePercentile, double);
   vtkGetMacro(AmplitudePercentile, double);
@@ -142,9 +142,9 @@ public:
 
   ///@{
   /**
-   * How picks become surfaces. BestFirst: the most similar waveforms are linked first; parts that overlap, or have few
-   * links, stay separate. Continuous: one surface after the other, each from the strongest remaining pick. Components:
-   * all that touch. See "Three ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
+   * How picks become surfaces. BestFirst: the most similar waveforms are linked first. Continuous: surfaces grow one
+   * after the other, each from the strongest remaining pick. Components: all that touch. See "Three ways to join" in
+   * SeismicReflectionExtraction.md. Default: BestFirst.
    */
   vtkSetClampMacro(Joining, int, BestFirst, Components);
   vtkGetMacro(Joining, int);
@@ -207,7 +207,7 @@ public:
 
   ///@{
   /**
-   * The largest number of horizons: the first surfaces. Unit: surfaces. Range: at least 1. Default: 100.
+   * The largest number of horizons. Unit: surfaces. Range: at least 1. Default: 100.
    */
   vtkSetMacro(LargestNumber, int);
   vtkGetMacro(LargestNumber, int);
