@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * The side of a cell (s of the thesis): squares in the rough simplification, where 3 leaves about one point in nine;
-   * cubes in the elaborate one. Unit: lattice units. Range: at least 1. Default: 3 in vtkHorizonRoughSimplification, 8
+   * The side of a cell (s of the thesis): a square in the rough simplification, where 3 leaves about one point in nine;
+   * a cube in the elaborate one. Unit: lattice units. Range: at least 1. Default: 3 in vtkHorizonRoughSimplification, 8
    * in vtkHorizonElaborateSimplification.
    */
   vtkSetMacro(CellSize, int);
@@ -68,7 +68,7 @@ public:
   ///@{
   /**
    * The point that replaces those of a cell. Barycentre: their mean, with mean attributes, as in the thesis.
-   * NearestPoint: the point of the input nearest to it on the map, with its own attributes. Default: Barycentre.
+   * NearestPoint: the point nearest to that on the map, with its own attributes. Default: Barycentre.
    */
   vtkSetClampMacro(Representative, int, Barycentre, NearestPoint);
   vtkGetMacro(Representative, int);

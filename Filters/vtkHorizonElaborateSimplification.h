@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * A cell with outline points is halved unless it has more of them than this per unit of its side (PD of the thesis,
-   * eq. 4.2), and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default: 0.25.
+   * A cell with outline points is halved unless it has more of them per unit of its side (PD of the thesis, eq. 4.2),
+   * and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default: 0.25.
    */
   vtkSetMacro(BoundaryDensityThreshold, double);
   vtkGetMacro(BoundaryDensityThreshold, double);

@@ -123,8 +123,8 @@ public:
 
   ///@{
   /**
-   * Floating-point attributes at new points. FromRim: values between those of the rim. NotANumber: nan, since nothing
-   * was measured. Default: FromRim.
+   * Floating-point attributes at new points. FromRim: values between those of the rim. NotANumber: nan. Default:
+   * FromRim.
    *
    * FromRim carries them inwards by a membrane, where values that are not finite count as unknown.
    */

@@ -51,7 +51,7 @@ public:
   ///@{
   /**
    * The unit of MaximumError. Lattice: one vertical index, a voxel. World: the unit of z. Diagonal: the diagonal of the
-   * bounding box of the horizon, in lattice units. Default: Lattice.
+   * bounding box, in lattice units. Default: Lattice.
    */
   vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
   vtkGetMacro(ErrorUnit, int);
@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Whether heights of inner vertices are fitted to the points around them, and attributes averaged: fewer vertices for
-   * the same error. Off: every vertex is a point of the horizon. Default: on.
+   * Whether heights of inner vertices are fitted to the points around them, for fewer vertices. Off: every vertex is a
+   * point of the horizon, with its attributes. Default: on.
    */
   vtkSetMacro(FitHeights, bool);
   vtkGetMacro(FitHeights, bool);
@@ -80,7 +80,7 @@ public:
   ///@{
   /**
    * How thoroughly the mesh is optimised. Fast: points are inserted where the mesh is farthest from the horizon. Best:
-   * then vertices are removed, edges flipped and heights fitted: a quarter to a half fewer points in two to three times
+   * vertices are then removed and edges flipped, which needs a quarter to a half fewer points and two to three times
    * the time. Default: Best.
    */
   vtkSetClampMacro(Effort, int, Fast, Best);
@@ -109,8 +109,8 @@ public:
 
   ///@{
   /**
-   * No flip or removal makes a smaller angle on the map, unless a smaller one was there before. Larger values need more
-   * points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * No flip or removal makes a smaller angle, seen from above on the lattice, unless there was one. Larger values need
+   * more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);

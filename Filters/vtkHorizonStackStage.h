@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Which horizon is above which. ByHeight: by the mean heights in common columns. AsGiven: the uppermost first, for
-   * horizons without a clear order. Default: ByHeight.
+   * Which horizon is above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
+   * first, for horizons without a clear order. Default: ByHeight.
    */
   vtkSetClampMacro(Order, int, ByHeight, AsGiven);
   vtkGetMacro(Order, int);

@@ -84,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Whether the radius is chosen: the least one that spans 95 % of the steps from point to point. Off: Radius. See
-   * "What is chosen" in HorizonSurface.md. Default: on.
+   * Whether the radius is chosen, by the steps from point to point. Off: Radius. See "What is chosen" in
+   * HorizonSurface.md. Default: on.
    */
   vtkSetMacro(AutomaticRadius, bool);
   vtkGetMacro(AutomaticRadius, bool);
@@ -94,8 +94,7 @@ public:
 
   ///@{
   /**
-   * Without AutomaticRadius, the largest hop of outlines along each axis, as in vtkHorizonExteriorBoundary. Unit:
-   * columns. Range: 1 to 32. Default: 1.
+   * Without AutomaticRadius, the largest hop of outlines along each axis. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -110,8 +109,8 @@ public:
 
   ///@{
   /**
-   * How outlines continue where the radius leaves a choice. Distance: from neighbour to neighbour. Clockwise: by the
-   * outermost hop, which cuts narrow bays short. Default: Clockwise.
+   * How outlines continue where the radius leaves a choice, as in vtkHorizonExteriorBoundary. Distance: from neighbour
+   * to neighbour. Clockwise: by the outermost hop. Default: Clockwise.
    */
   vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
   vtkGetMacro(GrowthStrategy, int);
@@ -143,7 +142,7 @@ public:
   ///@{
   /**
    * Whether the smallest hole that stays open is chosen, by the radius and the outline tolerance. Off:
-   * SmallestHoleSize. See "What is chosen" in HorizonSurface.md. Default: on.
+   * SmallestHoleSize. Default: on.
    */
   vtkSetMacro(AutomaticSmallestHoleSize, bool);
   vtkGetMacro(AutomaticSmallestHoleSize, bool);

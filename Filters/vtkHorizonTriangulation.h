@@ -112,8 +112,8 @@ public:
 
   ///@{
   /**
-   * For inspection: each patch stops after this many triangles, and the second output shows the search cells of the
-   * last one. 0 makes all triangles. Unit: triangles. Range: at least 0. Default: 0.
+   * For inspection: each patch stops after this many triangles, and the second output shows the last search. 0 makes
+   * all triangles. Unit: triangles. Range: at least 0. Default: 0.
    *
    * Full lattices are searched as well then.
    */
