@@ -4,31 +4,30 @@
  * @class   vtkHorizonExteriorBoundary
  * @brief   finds the closed outline of each patch of a horizon
  *
- * Input: a horizon, or a composite dataset of them; at most one point in a column of the lattice.
- * Output: the same points with all their arrays, a vertex cell for each, and closed polylines over them (first point
- * repeated at the end): first one for each patch, clockwise seen from +z on the lattice, then, with HoleBoundaries, one
- * for each hole, counter-clockwise. Each begins at its point of least x, then least y. New point arrays:
- *  - PatchId (int): the number of the point's patch, from 0; also the number of the patch's loop;
+ * Input: a horizon, or a composite dataset of horizons, with at most one point per column of the lattice. Output: the
+ * same points and arrays, a vertex cell per point, and closed polylines (the first point is repeated at the end): one
+ * per patch, clockwise seen from +z on the lattice, then, with HoleBoundaries, one per hole, counter-clockwise. Each
+ * begins at its point of least x, then least y. New point arrays:
+ *  - PatchId (int): the patch of the point, from 0; also the number of its loop;
  *  - Boundary (unsigned char): 0 inside, 1 on the loop of a patch, 2 on the loop of a hole (see BoundaryType).
- * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints, the points of
- * patches that were too small. With cut links (UseCuts), what CloseFaults of the meshers needs
- * (Documentation/DataModel.md):
- *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
- *  - CrackLoops (vtkIdType): the numbers of the loops that cracks run along all around.
  *
- * A patch is a connected part of the horizon: two points are neighbours when they are at most Radius columns apart
- * along each axis, and points that reach each other from neighbour to neighbour are of one patch. A patch inside the
- * loop of another one (an island in a hole without a loop) has no loop: its points belong to the outer patch. A spur of
- * one column's width is walked out and back, and a single point has the loop from itself to itself. Loops may touch
+ * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints. With cut links
+ * (UseCuts) also what CloseFaults needs (Documentation/DataModel.md):
+ *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
+ *  - CrackLoops (vtkIdType): the numbers of the loops all along cracks.
+ *
+ * Two points are connected if they are at most Radius columns apart along each axis; a patch is a set of connected
+ * points. A patch inside the loop of another one, as an island in a hole without a loop, belongs to the outer patch. A
+ * spur one column wide is traced out and back, and a single point has a loop from itself to itself. Loops may touch
  * themselves and each other, but never cross.
  *
  * The method is that of the thesis (3.3, Def. 3.4, Alg. 3.1 and 3.2) as a walk around the faces of a plane graph of
- * hops, so that it ends, does not cross itself and encloses its patch for every radius and shape. With a radius of 1 it
- * is the border following of Suzuki and Abe (1985). Linear in the points and in the columns of their bounding box;
- * beyond input and output 16 bytes per point and 4 per column.
+ * hops, which encloses the patch for every radius and shape. With a radius of 1 it is the border following of Suzuki
+ * and Abe (1985). Time is linear in the points and the columns of their bounding box; memory beyond input and output is
+ * 16 bytes per point and 4 per column.
  *
- * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a radius
- * below 1 or above 32.
+ * Errors: two points in one column, points off the lattice or between columns, no lattice in the field data, or a
+ * radius out of range.
  *
  * @sa vtkHorizonBoundarySimplification
  */

@@ -4,44 +4,37 @@
  * @class   vtkHorizonFaults
  * @brief   detects faults in a horizon, or uses fault lines that you supply
  *
- * Input 0: a horizon, or a composite dataset of such; at most one point in a column of the lattice. Input 1, which may
- * be left out: fault traces, polygons or sticks, as lines or polygons of vtkPolyData in world coordinates. Of traces and
- * polygons only the places on the map count.
+ * Input 0: a horizon, or a composite dataset of horizons, with at most one point per column. Input 1, optional: fault
+ * traces, polygons or sticks, as lines or polygons of vtkPolyData in world coordinates. Heights of traces and polygons
+ * are ignored.
  *
- * Output 0: the horizon with all its points, arrays and cells, but without points inside fault polygons (Polygons). New
- * field data, in place of such as there are; a link joins two neighbouring columns of the lattice:
- *  - CutLinks (3 int): i, j and side of each link that a fault cuts; side 0 is the link to column (i + 1, j), 1 that to
- *    (i, j + 1). By j, i and side, each once. Columns may be missing
- *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan where it is not known
- *  - CutLine (int): the number of the fault line that the link belongs to
- *  - FaultNoise (double, one value): standard deviation of height differences due to noise alone, in vertical indices
- *  - SmallestFaultThrow (double, one value): the smallest throw that a fault reaches somewhere, in vertical indices, as
- *    it was given or follows from the noise
- *  - BlankedPoints (vtkIdType, one value): how many points inside polygons were left out, where lines are given
- * Later stages mesh each side of the cuts independently.
+ * Output 0: the horizon with its points, arrays and cells, without points inside fault polygons (Polygons). New field
+ * data, which replaces existing cuts; a link joins two neighbouring columns of the lattice:
+ *  - CutLinks (3 int): i, j and side of each cut link; side 0 is the link to column (i + 1, j), 1 that to (i, j + 1).
+ *    Sorted by j, i and side, each once. Columns may be missing;
+ *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan if unknown;
+ *  - CutLine (int): the fault line of the link;
+ *  - FaultNoise (double): standard deviation of height differences due to noise alone, in vertical indices;
+ *  - SmallestFaultThrow (double): the throw that a fault must reach somewhere, in vertical indices;
+ *  - BlankedPoints (vtkIdType): points inside polygons that were left out, if lines are given.
  *
- * Output 1: the fault lines as polylines, with the point data array Throw (double): how much larger the vertical index
- * is on the left of the line than on its right; lines run so that it is positive on the whole. Cell data: FaultLine
- * (int).
+ * Output 1: the fault lines as polylines. Point data: Throw (double), the vertical index to the left of the line less
+ * that to its right, mostly positive. Cell data: FaultLine (int).
  *
- * Output 2: with Sticks the surfaces of faults, as triangles between sticks that stand side by side; empty for all
- * horizons but the first, as they are the same. Cell data: FaultName (string).
+ * Output 2: with Sticks the surfaces of faults, triangles between neighbouring sticks; empty for all horizons but the
+ * first. Cell data: FaultName (string).
  *
- * With Detect, a link may be cut where the height difference, less the median of those within three columns, is at
- * least the larger of 2.5 times the noise and half of SmallestThrow. Such links are joined where they meet, over gaps
- * of a link or two; groups with five links of the larger of 4 times the noise and SmallestThrow stay when they are long
- * enough. Of each group a tree is kept that has the largest differences, without short branches. Gaps of up to
- * LargestGap missing columns are cut in the middle when planes through the points on both sides are as far apart there.
- * Faults that bend the surface over up to LargestRamp columns are cut in the middle: where the mean height of as many
- * columns beyond a link, less that of those before it, is at its largest, and falls within half of that width.
- * Lines on both sides of a hole are joined when they are in line and their throws are alike (JoinThroughHoles).
+ * Detect finds links whose height difference, less the median within three columns, is large compared with the noise
+ * and SmallestThrow. Groups of such links are kept if they are long enough, as trees without short branches. Missing
+ * columns (LargestGap), ramps (LargestRamp) and holes (JoinThroughHoles) are bridged. See
+ * Documentation/HorizonFaults.md.
  *
- * Linear time, on several threads, with the same result on any number of them; 16 bytes per column of the bounding box,
- * wide bands without points left out, and 16 per point beyond input and output.
+ * Time is linear; the result is the same for any number of threads. Memory beyond input and output is 16 bytes per
+ * column of the bounding box and 16 per point.
  *
- * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
- * parameter out of its range, a line with a point that is not finite, polygons around all points. A warning where no
- * given line passes the horizon.
+ * Errors: two points in one column, points off the lattice or between columns, no lattice in the field data, a
+ * parameter out of range, a line with a point that is not finite, or polygons around all points. A warning if no given
+ * line passes the horizon.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonHoleFilling
  */

@@ -4,33 +4,29 @@
  * @class   vtkHorizonSurface
  * @brief   makes a mesh of few triangles from the points of a horizon, with automatically chosen parameters
  *
- * Input: what vtkHorizonExteriorBoundary takes. Output 0: the mesh, as vtkHorizonDecimation gives it. Output 1: the
- * outlines over all points, as vtkHorizonExteriorBoundary gives them: what to measure the mesh against.
+ * Input: as of vtkHorizonExteriorBoundary. Output 0: the mesh, as of vtkHorizonDecimation. Output 1: the outlines over
+ * all points, as of vtkHorizonExteriorBoundary, for measuring the mesh against them.
  *
- * The filter does what vtkHorizonExteriorBoundary, vtkHorizonBoundarySimplification (FewestPoints) and
- * vtkHorizonDecimation do one after the other, with the same result to the byte, and without data in between. You
- * choose how far the mesh may be from the horizon (outlines may be as far off sideways), or how many triangles it may
- * have; the rest follows from that and from the points, unless you switch it off (Automatic...). What was chosen is new
- * field data of the mesh, one value each, with which the single stages give the same:
+ * You choose how far the mesh may be from the horizon (outlines may be as far off sideways), or how many triangles it
+ * may have; the rest follows from that and from the points, unless you switch it off (Automatic...). The result is
+ * bitwise identical to running vtkHorizonExteriorBoundary, vtkHorizonBoundarySimplification (FewestPoints) and
+ * vtkHorizonDecimation in sequence with the chosen parameters, which are field data of the mesh, one value each:
  *  - ChosenRadius (int), ChosenSmallestHoleSize (vtkIdType, columns);
  *  - ChosenOutlineTolerance (double, columns), ChosenDistanceThreshold (double, lattice units);
- *  - ChosenMaximumError (double, lattice units): the error of the mesh, or, with NumberOfTriangles, the one that the
- *    outlines were simplified for (0 when they had tolerances of their own);
- *  - ChosenMaximumNumberOfPoints (vtkIdType): with NumberOfTriangles the number of points that the mesh was decimated
- *    to; else 0.
+ *  - ChosenMaximumError (double, lattice units): the error of the mesh, or, with NumberOfTriangles, the one that
+ *    outlines were simplified for (0 if their tolerances were given);
+ *  - ChosenMaximumNumberOfPoints (vtkIdType): with NumberOfTriangles the number of points of the decimation, else 0.
  *
- * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles: ten
- * meshes at most. Outlines are simplified for that error, and the mesh then gets as many points inside as the number
- * leaves. It never has more triangles than that.
+ * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles, in
+ * ten meshes at most. Outlines are simplified for that error, and inner points are added up to the number.
  *
- * With the effort Best and a SmallestAngle above 0, outlines keep points beside which a first mesh of the effort Fast has
- * slivers, which the single stages cannot know of: with a SmallestAngle of 0 the results are the same. This takes a
- * quarter of the time, half on very rough horizons.
+ * With the effort Best and a SmallestAngle above 0, outlines also keep points beside slivers of a first mesh of the
+ * effort Fast; only with a SmallestAngle of 0 are the results those of the single stages.
  *
- * On several threads, with the same result on any number of them. Near linear; about 50 bytes per point and 12
- * per column of the bounding box of a patch beyond the input, output included.
+ * The result is the same for any number of threads. Time is near linear; memory beyond the input is about 50 bytes per
+ * point and 12 per column of the bounding box of a patch.
  *
- * Errors: those of the three stages; fewer triangles than the outlines take alone.
+ * Errors: those of the three stages, and fewer triangles than the outlines need.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonDecimation vtkHorizonSurfaceDistance
  */

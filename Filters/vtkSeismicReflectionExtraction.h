@@ -2,27 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSeismicReflectionExtraction
- * @brief   extracts horizons from a seismic cube: reflections of neighbouring traces joined to surfaces
+ * @brief   extracts horizons from a seismic cube by joining reflections of neighbouring traces into surfaces
  *
- * The input is a vtkImageData with amplitudes at its points, of any type of numbers (SetInputArrayToProcess; by default
- * the active scalars, or where there are none the point array Amplitude). Traces run along k, which has to be vertical.
- * Points that vtkGhostType hides, and numbers that are not finite, are no samples; traces of zeros have no reflections.
+ * Input 0: a vtkImageData with amplitudes at its points, of any type of numbers (SetInputArrayToProcess; by default the
+ * active scalars, or else the point array Amplitude), with vertical traces along k. Points that vtkGhostType hides, and
+ * numbers that are not finite, are ignored. Input 1, optional: picks of the horizons wanted. Input 2, optional:
+ * horizons that limit the search.
  *
- * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009), or its end. Strong ones
- * are thinned to a pick, and picks of neighbouring traces joined to surfaces, "Horizon 1" and on, the strongest first.
+ * A reflection is a run of samples of one sign on a trace (thesis 2.2.1, after Verney 2009), or its end. Strong ones
+ * are reduced to a pick, and picks of neighbouring traces are joined into surfaces, "Horizon 1" and on, the strongest
+ * first; with picks at input 1, the horizons through these.
  *
- * With picks of an interpreter at the second input, the output has the horizons that these ask for. Horizons at the
- * third input limit where reflections are looked for.
+ * The output is as of vtkVerneySparseMatrixReader: a vtkPartitionedDataSetCollection of vtkPolyData with one point and
+ * one vertex cell per pick, at most one per column. Point data: VerticalIndex, the sample nearest to the pick;
+ * Thickness (in samples) and Amplitude of its run; RealZ, its exact position; with picks at input 1 also Origin (0 at a
+ * pick, 1 on a surface taken, 2 where the horizon grew) and GuideDistance, to the nearest pick, in columns. Field data
+ * are those of the input, or else made from its origin, spacing, direction and extent.
  *
- * The output is what vtkVerneySparseMatrixReader gives: a vtkPartitionedDataSetCollection of vtkPolyData with one point
- * and one vertex cell per pick, at most one in a column. Of its point data, VerticalIndex is the sample nearest to the
- * pick, Thickness (in samples) and Amplitude are those of its run, and RealZ is its place to parts of a sample. With
- * picks of an interpreter come Origin (0 where one is, 1 on a part of a surface that was taken, 2 where it grew) and
- * GuideDistance, to the nearest, in columns. Field data are those of the input, where it has them, and else made from
- * its origin, spacing, direction and extent.
- *
- * The result is the same on any number of threads. Each of several processes works on the whole cube, and gives a part
- * of the horizons. An error leaves the output empty. It takes about 30 bytes for each pick, 90 with guides.
+ * The result is the same for any number of threads. With several processes, each processes the whole cube, and gives a
+ * part of the horizons. An error leaves the output empty. Memory is about 30 bytes per pick, 90 with picks at input 1.
  */
 
 #ifndef vtkSeismicReflectionExtraction_h
