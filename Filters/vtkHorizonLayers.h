@@ -60,7 +60,7 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point of any horizon from the layers. Three times the noise of the heights takes
+   * The largest vertical distance of a point of any horizon from the layers. Three times the noise of the heights needs
    * few cells. Unit: HeightUnit. Range: at least 0. Default: 0.75.
    */
   vtkSetMacro(MaximumError, double);

@@ -109,8 +109,8 @@ public:
 
   ///@{
   /**
-   * No flip or removal makes a smaller angle, seen from above on the lattice, unless there was one. Larger values need
-   * more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before.
+   * Larger values need more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);

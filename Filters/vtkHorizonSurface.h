@@ -71,8 +71,8 @@ public:
 
   ///@{
   /**
-   * The largest number of triangles of each horizon, enough for its outlines. Unit: triangles. Range: at least 1.
-   * Default: 20000.
+   * The largest number of triangles of each horizon. It must suffice for the outlines. Unit: triangles. Range: at least
+   * 1. Default: 20000.
    */
   vtkSetMacro(MaximumNumberOfTriangles, int);
   vtkGetMacro(MaximumNumberOfTriangles, int);
