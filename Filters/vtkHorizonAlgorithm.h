@@ -5,18 +5,18 @@
  * @brief   what the stages that turn one horizon into another have in common
  *
  * A horizon is a vtkPolyData with the lattice in its field data (see Documentation/DataModel.md). A stage takes one
- * horizon, or a composite dataset of them (any vtkDataObjectTree), and gives the same kind of dataset with the same
- * structure and names. A subclass only has to say what happens to one horizon.
+ * horizon, or a composite dataset of horizons (any vtkDataObjectTree), and gives the same kind of dataset with the same
+ * structure and names. A subclass only processes one horizon.
  *
- * A horizon without points gives an empty one. When a horizon cannot be processed, one error names it, and says what
- * was found and what was expected. The whole output is empty then, even if other horizons were processed before;
- * likewise when the user asks to stop. With InvalidHorizons set to LeaveOut, only such a horizon is empty, with a
- * warning. Progress goes from 0 to 1 over all horizons.
+ * A horizon without points gives an empty one. If a horizon cannot be processed, one error names it, and reports what
+ * was found and what was expected. The whole output is then empty, even if other horizons were processed before;
+ * likewise if the user stops it. With InvalidHorizons set to LeaveOut, only that horizon is empty, with a warning.
+ * Progress goes from 0 to 1 over all horizons.
  *
- * Inputs after the first one are optional, and what they have is for all horizons: every process gets it whole.
+ * Inputs after the first one are optional, and apply to all horizons: every process gets them whole.
  *
- * In a program of several processes each of them works on the horizons it has, and a horizon must have all its points
- * on one of them. An error on one empties the output of all.
+ * With several processes, each works on its horizons, and a horizon must have all its points on one process. An error
+ * on one empties the output of all.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonCellSimplification vtkHorizonTriangulation
  * vtkHorizonSurfaceDistance

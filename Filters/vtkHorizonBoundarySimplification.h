@@ -4,40 +4,35 @@
  * @class   vtkHorizonBoundarySimplification
  * @brief   drops points from straight stretches of the outlines of a horizon
  *
- * Input: what vtkHorizonExteriorBoundary gives. Output: the same with fewer points on the outlines. Those that the new
- * outlines leave outside, or pass through, leave the horizon; their PointCount goes to the nearer end of the edge that
- * now spans them. Those that come to lie inside stay, with the Boundary 0. New field data, one value each:
- *  - OutlineDeviation (double): the largest distance in plan, in columns, of a point that was on the outlines to the
- *    edge that spans it; 0 when OutlineTolerance is;
+ * Input: the output of vtkHorizonExteriorBoundary. Output: the same with fewer points on the outlines. Points that come
+ * to lie outside the new outlines, or on them, leave the horizon; their PointCount goes to the nearer end of the edge
+ * that spans them. Points that come to lie inside stay, with the Boundary 0. New field data, one value each:
+ *  - OutlineDeviation (double): the largest distance on the map, in columns, of a point that was on an outline to the
+ *    edge that spans it; 0 without an OutlineTolerance;
  *  - BoundaryDeviation (double): the same in space, in lattice units;
  *  - OutlineHeightDeviation (double): the largest vertical distance, in lattice units, of a point that left the horizon
- *    to the edge that spans it, where that is nearest in plan;
- *  - NumberOfOutsidePoints (vtkIdType): how many points the new outlines leave outside.
+ *    to the edge that spans it, where that is nearest on the map;
+ *  - NumberOfOutsidePoints (vtkIdType): points outside the new outlines.
  *
- * A loop is split into runs that are straight seen from above; the ends of a run stay. Within a run the middle one of
- * three points in succession is dropped when its distance in space from the line through the other two is less than
- * DistanceThreshold, pass after pass until nothing is dropped (thesis 3.4, Alg. 3.3). So the outline seen from above
- * does not change at all. Points where a loop touches itself or another one, and the points of spurs, stay. Loops of
- * holes are treated in the same way.
+ * Threshold (thesis 3.4, Alg. 3.3): a loop is divided into runs that are straight seen from above. In a run, the middle
+ * one of three successive points is dropped if its distance in space from the line through the others is less than
+ * DistanceThreshold, pass after pass. The outline on the map does not change. The ends of runs, the points of spurs,
+ * and those where loops touch stay. With an OutlineTolerance corners are dropped, too, if all points that the new edge
+ * spans are within the tolerance of it on the map, the corner is less than DistanceThreshold above or below it, and no
+ * other point of the horizon lies between the new edge and the old ones.
  *
- * With an OutlineTolerance corners are dropped too: when all points that the new edge spans are within the tolerance of
- * it in plan, the corner is less than DistanceThreshold above or below it, and no other point of the horizon lies
- * between the new edge and the two old ones. So loops never cross themselves or each other, and points inside stay
- * strictly inside.
+ * FewestPoints: each loop gets the fewest points for which all dropped points are within OutlineTolerance of the edge
+ * that spans them on the map, and at most DistanceThreshold above or below it: a shortest path over all possible edges
+ * (Imai and Iri 1988; FewestPoints.h). The same points stay as above. The number is the least for a given start, unless
+ * edges could span more than 512 points, or a run of more than 64 points is straight in space.
  *
- * With the Method FewestPoints every loop gets the fewest points for which all dropped points are within
- * OutlineTolerance of the edge that spans them, seen from above, and not more than DistanceThreshold above or below it
- * (a shortest path over all edges that can be; FewestPoints.h; Imai and Iri 1988). The same points stay as above, and
- * of a loop without any such point one that stays when its first does: with that, no loop could have fewer points, as
- * long as no edge could span more than 512 and no run of more than 64 is straight in space; otherwise the number is
- * near the least.
+ * Loops never cross, and points inside stay strictly inside.
  *
- * @warning Without BoundDeviation the threshold holds for each single step. Over many passes distances add up, and the
- * largest can exceed it: BoundaryDeviation says by how much. Without an OutlineTolerance outlines that run slantwise
- * over the lattice are staircases without straight runs, and stay as they are.
+ * @warning Without BoundDeviation the threshold holds for each single step; BoundaryDeviation is what the steps add up
+ * to. Without an OutlineTolerance, slanted outlines are staircases without straight runs, and stay.
  *
- * Errors: a threshold or tolerance below 0, no boundary loops, no lattice in the field data; with FewestPoints points
- * beside their columns.
+ * Errors: a negative threshold or tolerance, no boundary loops, no lattice in the field data; with FewestPoints, points
+ * off their columns.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonRoughSimplification
  */
@@ -65,8 +60,7 @@ public:
   ///@{
   /**
    * Which points are dropped. Threshold: one after the other, if near enough to the line through their neighbours, as
-   * in the thesis. FewestPoints: as many as possible, with every dropped point within OutlineTolerance on the map and
-   * DistanceThreshold in height. Default: Threshold.
+   * in the thesis. FewestPoints: as many as OutlineTolerance and DistanceThreshold allow. Default: Threshold.
    */
   vtkSetClampMacro(Method, int, Threshold, FewestPoints);
   vtkGetMacro(Method, int);
@@ -76,10 +70,9 @@ public:
 
   ///@{
   /**
-   * An outline point is dropped if it is nearer than this to the line through its neighbours (t of the thesis); 0
-   * drops nothing. A unit is one column sideways, or one vertical index up or down. With FewestPoints: the largest
-   * height of a dropped point above or below the new outline; 0 drops points exactly on it. Unit: lattice units.
-   * Range: at least 0. Default: 0.4.
+   * A point is dropped if it is nearer than this to the line through its neighbours (t of the thesis). With
+   * FewestPoints: the largest height of a dropped point above or below the new outline. Unit: lattice units. Range: at
+   * least 0. Default: 0.4.
    */
   vtkSetMacro(DistanceThreshold, double);
   vtkGetMacro(DistanceThreshold, double);
@@ -87,9 +80,8 @@ public:
 
   ///@{
   /**
-   * Whether dropped points must stay within DistanceThreshold above or below the final outline. Off: only of the line
-   * through their neighbours when dropped, as in the thesis; many drops can add up. FewestPoints always does this.
-   * Default: off.
+   * Whether dropped points stay within DistanceThreshold above or below the final outline. Off: only of the line when
+   * they are dropped, so that deviations add up. FewestPoints always does this. Default: off.
    */
   vtkSetMacro(BoundDeviation, bool);
   vtkGetMacro(BoundDeviation, bool);
@@ -98,10 +90,8 @@ public:
 
   ///@{
   /**
-   * The largest distance of a dropped point from the new outline on the map. 0 keeps the outline on the map; from
-   * about 0.5, staircases of the lattice become straight lines. Outlines never cross. Their points that come to lie
-   * inside are kept, those outside counted (NumberOfOutsidePoints); no other point changes sides. Unit: columns.
-   * Range: at least 0. Default: 0.
+   * The largest distance of a dropped point from the new outline on the map. 0 keeps the outline on the map; from about
+   * 0.5, staircases of the lattice become straight lines. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);

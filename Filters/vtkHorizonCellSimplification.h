@@ -4,18 +4,17 @@
  * @class   vtkHorizonCellSimplification
  * @brief   what the simplifications of the inside have in common
  *
- * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives. Output: boundary points and loops
- * as they were, then the points that represent cells. PointCount is summed: it says how many points of the original
- * horizon each point represents. Where a point is the barycentre of several, arrays of floating point numbers and
- * VerticalIndex are averaged, weighted by PointCount; all other arrays are labels, and are taken from the nearest of
- * the points that were merged. VerticalIndex becomes an array of doubles.
+ * Input: the output of vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification. Output: boundary points and
+ * loops, unchanged, then the representatives of cells. PointCount is summed: it is the number of points of the original
+ * horizon that a point represents. At a barycentre, floating-point arrays and VerticalIndex (then double) are averaged,
+ * weighted by PointCount; all other arrays are labels, taken from the nearest of the merged points. Its properties are
+ * on HorizonRoughSimplification.md.
  *
- * Point data added: CellOrigin (int, 3 components named Level, Ring, Kind): how many times the cell of the point was
- * halved; the ring of the cell, from 1 at the boundary, or 0 where cells have no rings; and whether the point is a
- * boundary point (0), the barycentre of several points (1) or a point of the input (2).
+ * New point data: CellOrigin (int, components Level, Ring, Kind): how often the cell was halved; its ring, from 1 at
+ * the boundary, 0 without rings; and 0 for a boundary point, 1 for a barycentre, 2 for a point of the input.
  *
- * With ShowCells the output is for inspection only: the cells as wireframe, with the cell data CellOrigin, CellSize
- * (double, lattice units), PatchId and PointCount (points of the input in it).
+ * With ShowCells the output is the cells as wireframe, for inspection, with the cell data CellOrigin, CellSize (double,
+ * lattice units), PatchId and PointCount (points of the input in the cell).
  *
  * @sa vtkHorizonRoughSimplification vtkHorizonElaborateSimplification
  */
@@ -42,9 +41,9 @@ public:
 
   ///@{
   /**
-   * The side of a cell (s of the thesis): of the squares of the rough simplification, where 1 keeps every point inside
-   * the outline and 3 about one in nine, or of the cubes that the elaborate one halves. Unit: lattice units. Range: at
-   * least 1. Default: 3 in vtkHorizonRoughSimplification, 8 in vtkHorizonElaborateSimplification.
+   * The side of a cell (s of the thesis): a square in the rough simplification, where 3 leaves about one point in nine;
+   * a cube in the elaborate one. Unit: lattice units. Range: at least 1. Default: 3 in vtkHorizonRoughSimplification, 8
+   * in vtkHorizonElaborateSimplification.
    */
   vtkSetMacro(CellSize, int);
   vtkGetMacro(CellSize, int);
@@ -52,10 +51,8 @@ public:
 
   ///@{
   /**
-   * The largest number of points. The rough simplification uses the smallest cell size for it, the elaborate one a
-   * FlatnessThreshold that leaves nearly as many, with larger or smaller cells if needed (thesis 6.2). The field data
-   * have the choice (ChosenCellSize, ChosenFlatnessThreshold). 0: CellSize and FlatnessThreshold as given. Outline
-   * points are always kept. Unit: points. Range: at least 0. Default: 0.
+   * The largest number of points, for which CellSize or FlatnessThreshold are chosen (thesis 6.2). 0: both as given.
+   * Outline points are always kept. Unit: points. Range: at least 0. Default: 0.
    */
   vtkSetMacro(MaximumNumberOfPoints, int);
   vtkGetMacro(MaximumNumberOfPoints, int);
@@ -70,9 +67,8 @@ public:
 
   ///@{
   /**
-   * The representative of the points of a cell. Barycentre: their mean, with mean attributes, as in the thesis.
-   * NearestPoint: the point nearest to it on the map, with its own attributes, so that every output point is one of
-   * the input. Default: Barycentre.
+   * The point that replaces those of a cell. Barycentre: their mean, with mean attributes, as in the thesis.
+   * NearestPoint: the point nearest to that on the map, with its own attributes. Default: Barycentre.
    */
   vtkSetClampMacro(Representative, int, Barycentre, NearestPoint);
   vtkGetMacro(Representative, int);
@@ -82,8 +78,8 @@ public:
 
   ///@{
   /**
-   * For inspection: the output is the cells as wireframe, squares at the mean height of their points, or cubes. The
-   * cell data array CellOrigin has the halvings and the ring of each cell. Default: off.
+   * For inspection: the output is the cells as wireframe. The cell data array CellOrigin has the halvings and the ring
+   * of each. Default: off.
    */
   vtkSetMacro(ShowCells, bool);
   vtkGetMacro(ShowCells, bool);

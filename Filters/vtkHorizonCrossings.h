@@ -4,10 +4,9 @@
  * @class   vtkHorizonCrossings
  * @brief   puts horizons that cross in order, column by column
  *
- * Input: the points of two or more horizons, as vtkHorizonLayers takes them. Output: the same horizons as blocks, the
- * uppermost first, all points with all arrays but RealZ; where horizons cross, points are moved up or down. Each horizon
- * has the point array Moved (double): how far a point was moved, upwards, in the unit of z; and the field data
- * MovedColumns (vtkIdType) and FarthestMove (double).
+ * Input: as of vtkHorizonStackStage. Output: the same horizons, the uppermost first, with all points and all arrays but
+ * RealZ; where horizons cross, points are moved up or down. Point data: Moved (double), how far a point was moved
+ * upwards, in the unit of z. Field data: MovedColumns (vtkIdType) and FarthestMove (double).
  *
  * The repair is exact in each column: the heights in order that are nearest to the given ones, by squares, or a running
  * minimum or maximum where one of two horizons wins. Errors: those of vtkHorizonLayers.

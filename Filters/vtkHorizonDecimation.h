@@ -4,34 +4,32 @@
  * @class   vtkHorizonDecimation
  * @brief   makes a mesh of few triangles that is nowhere farther from the horizon than an error you choose
  *
- * Input: what vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification gives, with its points on whole columns.
+ * Input: the output of vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification, with points on whole columns.
  *
- * Output: the vertices that are left, with the point arrays of the input, the boundary loops as they came, as
- * polylines, and triangles, all facing +z in the world. Every vertex is in the column of a point of the input;
- * PointCount says for how many points it stands. New cell data, nan for the polylines:
- *  - Compactness, Quality (float): as vtkHorizonTriangulation
- *  - Error (double): the largest vertical distance of a point inside a triangle, or on its sides, in lattice units
- * New field data, one value each, in lattice units:
- *  - LargestError, MeanError (double): vertical distances of points from the mesh; the mean is over all points
- *  - LargestLoopError (double): the largest vertical distance of loops, which are kept as they are, from the lines
- *    between neighbouring columns that they cross, and from the points that the boundary simplification before dropped
- *    from them (OutlineHeightDeviation)
- *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees), in plan
- *  - SliverCount (vtkIdType): triangles with an angle below the SmallestAngle that was asked for, nearly all of them at
- *    outlines, where heights beside a long side need vertices near it
+ * Output: the remaining vertices with the point arrays of the input, the boundary loops as polylines, and triangles
+ * that face +z in the world. Every vertex is in the column of a point of the input; PointCount is the number of points
+ * that it represents. New cell data, nan for polylines:
+ *  - Compactness, Quality (float): as of vtkHorizonTriangulation;
+ *  - Error (double): the largest vertical distance of a point inside a triangle, or on its sides, in lattice units.
+ *
+ * New field data, one value each, distances in lattice units:
+ *  - LargestError, MeanError (double): vertical distances of all points from the mesh;
+ *  - LargestLoopError (double): the largest vertical distance of loops from the lines between neighbouring columns that
+ *    they cross, and from points that a boundary simplification dropped from them (OutlineHeightDeviation);
+ *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees), on the map;
+ *  - SliverCount (vtkIdType): triangles with an angle below the requested SmallestAngle, nearly all of them at
+ *    outlines.
  *
  * With the Target LargestError no point is farther from the mesh than that, vertically, and no inner side of the mesh
- * is farther from the line between two neighbouring columns where it crosses that line. With the Effort Fast, vertices
- * are found by greedy insertion in rounds (Garland and Heckbert 1995), and the mesh is their constrained Delaunay
- * triangulation, seen from above. With Best, edges are then flipped and vertices removed again, as long as the error is
- * kept (Decimation.h).
+ * is farther from the line between two neighbouring columns where it crosses that line. Fast: greedy insertion in
+ * rounds (Garland and Heckbert 1995); the mesh is the constrained Delaunay triangulation of its vertices, seen from
+ * above. Best: edges are then flipped and vertices removed, as long as the error is kept (Decimation.h).
  *
- * On several threads, with the same result on any number of them. Near linear; about 45 bytes per point and 12
- * per column of the bounding box of a patch beyond input and output.
+ * The result is the same for any number of threads. Time is near linear; memory beyond input and output is about 45
+ * bytes per point and 12 per column of the bounding box of a patch.
  *
- * Errors: those of vtkHorizonTriangulation on loops; points beside their columns or outside the loops; an error that is
- * negative or not finite; fewer points than the loops have; a reduction that is not from 0 to 1; an angle that is not
- * from 0 to 60 degrees.
+ * Errors: those of vtkHorizonTriangulation on loops, points off their columns or outside the loops, fewer points than
+ * the loops have, or a parameter out of range.
  *
  * @sa vtkHorizonBoundarySimplification vtkHorizonTriangulation vtkHorizonSurfaceDistance
  */
@@ -78,8 +76,7 @@ public:
 
   ///@{
   /**
-   * The largest number of points of each horizon, including its outlines, which are never dropped. Unit: points. Range:
-   * at least 1. Default: 10000.
+   * The largest number of points of each horizon, outlines included. Unit: points. Range: at least 1. Default: 10000.
    */
   vtkSetMacro(MaximumNumberOfPoints, int);
   vtkGetMacro(MaximumNumberOfPoints, int);
@@ -87,8 +84,8 @@ public:
 
   ///@{
   /**
-   * The fraction of the points of each horizon to drop; 0.95 leaves one in twenty. Outlines are always kept. Unit:
-   * fraction of the points. Range: 0 to 1. Default: 0.95.
+   * The fraction of the points of each horizon to drop; 0.95 leaves one in twenty. Unit: fraction of the points. Range:
+   * 0 to 1. Default: 0.95.
    */
   vtkSetMacro(TargetReduction, double);
   vtkGetMacro(TargetReduction, double);

@@ -4,23 +4,21 @@
  * @class   vtkHorizonDespiking
  * @brief   removes or flags spikes and narrow spurs of a horizon
  *
- * Input: a horizon before it has an outline, or a composite dataset of such; at most one point in a column of the
- * lattice. Output: with Remove the points that are neither spikes nor on spurs, with Flag all of them; a vertex cell
- * for each point, and all arrays but PatchId and Boundary of an outline before. With Flag there is the point array
- *  - Spike (unsigned char): 0 a point that belongs to the horizon, 1 a spike, 2 on a spur.
- * Field data: NumberOfSpikes, NumberOfSpurPoints (vtkIdType), and SpikeThreshold (double), in vertical indices, as it
- * was given or followed from the noise.
+ * Input: a horizon without an outline, or a composite dataset of horizons, with at most one point per column. Output:
+ * with Remove the points that are neither spikes nor on spurs, with Flag all points; a vertex cell per point, and all
+ * arrays but PatchId and Boundary. With Flag there is the point array
+ *  - Spike (unsigned char): 0 for other points, 1 for a spike, 2 on a spur.
  *
- * A spike is a point whose height differs from the median of the points around it, each taken along the dip to the
- * place of the point, by more than Threshold. The median goes with the larger side at a fault, so that straight faults
- * are no spikes. A spur is at most SpurWidth columns wide: points that no full square of one column more covers (a
- * morphological opening). What was connected by it alone becomes a patch of its own, which vtkHorizonExteriorBoundary
- * drops if it is small.
+ * Field data: NumberOfSpikes, NumberOfSpurPoints (vtkIdType), and SpikeThreshold (double), in vertical indices.
  *
- * Takes time linear in the points and in the square of Radius, on several threads.
+ * The height of a spike differs by more than Threshold from the median of the points around it, each continued along
+ * the dip to the column of the point. Straight faults are no spikes, since the median follows the larger side. A point
+ * is on a spur if no full square of SpurWidth + 1 columns covers it (a morphological opening).
  *
- * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
- * parameter out of its range. A warning where more than 2 % of the points are spikes.
+ * Time is linear in the points and in the square of NeighborhoodRadius.
+ *
+ * Errors: two points in one column, points off the lattice or between columns, no lattice in the field data, or a
+ * parameter out of range. A warning if more than 2 % of the points are spikes.
  *
  * @sa vtkHorizonHoleFilling, which fills what was removed
  */
@@ -59,8 +57,7 @@ public:
   ///@{
   /**
    * The largest distance of a point above or below the surface through the points around it. 0: four times the noise,
-   * measured on each horizon, and four times the deviations around. Unit: ThresholdUnit. Range: at least 0. Default:
-   * 0.
+   * measured on each horizon. Unit: ThresholdUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
@@ -75,8 +72,7 @@ public:
 
   ///@{
   /**
-   * The unit of Threshold. Lattice: 1 is one vertical index, a voxel. World: the unit of z, such as m or ms. Default:
-   * Lattice.
+   * The unit of Threshold. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
    */
   vtkSetClampMacro(ThresholdUnit, int, Lattice, World);
   vtkGetMacro(ThresholdUnit, int);
@@ -86,8 +82,8 @@ public:
 
   ///@{
   /**
-   * The extent of the points around, along each axis: 2 is a square of 5 by 5 columns. Clusters of spikes are found if
-   * they cover less than half of it. Unit: columns. Range: 1 to 16. Default: 2.
+   * The extent of the points around, along each axis: 2 is a square of 5 by 5 columns. Unit: columns. Range: 1 to 16.
+   * Default: 2.
    */
   vtkSetMacro(NeighborhoodRadius, int);
   vtkGetMacro(NeighborhoodRadius, int);

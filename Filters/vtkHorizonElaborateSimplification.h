@@ -2,33 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonElaborateSimplification
- * @brief   thins out a horizon where it is flat, in cells whose size changes gradually from the outline inwards
+ * @brief   thins a horizon where it is flat, in cells whose size changes gradually from the outline inwards
  *
- * Input and output: as vtkHorizonCellSimplification describes. It can follow vtkHorizonRoughSimplification, which makes
- * it faster (the thesis's global method), or be used alone.
+ * Input and output: as of vtkHorizonCellSimplification. Use it after vtkHorizonRoughSimplification (the thesis's global
+ * method), which makes it faster, or on its own.
  *
- * The points of each patch are sorted into cubes of CellSize lattice units, from the least corner of the bounding box
- * of the horizon. Cubes are halved along all three axes where need be, and their octants again; both are called cells.
- * Each cell that is not halved any further gives the barycentre of its points, or the point nearest to that (thesis
- * 4.3.2, Alg. 4.2 and 4.3). Cubes with boundary points are the first ring. They are halved until the boundary points in
- * a cell lie densely and far enough apart; a large cell then keeps its boundary points and one point for the others, a
- * small one its boundary points alone. Each further ring is the cubes that touch the one before. They are halved until
- * the points in each cell are flat, by principal component analysis, and no cell is larger than those of the ring
- * before are in the mean.
+ * The points of each patch are sorted into cubes of CellSize lattice units, from the minimum corner of the bounding
+ * box. Cubes are halved along all three axes as needed, and their octants again; both are called cells. A cell that is
+ * not halved gives the barycentre of its points, or the point nearest to that (thesis 4.3.2, Alg. 4.2 and 4.3). Cubes
+ * with boundary points are the first ring. They are halved until the boundary points in a cell are dense and far enough
+ * apart; a large cell then keeps its boundary points and one point for the others, a small one its boundary points
+ * alone. Each further ring is the cubes that touch the previous one. They are halved until the points in each cell are
+ * flat, by principal component analysis, and no cell is larger than the mean of those of the previous ring.
  *
- * No cell is halved to a side below SmallestCellSize. A barycentre that is not strictly inside the boundary, or in the
- * place of another point, is replaced by the point nearest to it. So points stay strictly inside, and no two share a
- * place in plan.
+ * A barycentre that is not strictly inside the boundary, or in the place of another point, is replaced by the point
+ * nearest to it. So points stay strictly inside, and no two share a place on the map.
  *
- * Point data added: Flatness (double): how flat the points in the cell of a point are, boundary points included, as
- * FlatnessThreshold measures it. With ShowCells, it is cell data.
+ * New point data: Flatness (double), as FlatnessThreshold measures it, of all points in the cell, boundary points
+ * included. With ShowCells, it is cell data.
  *
- * Linear in the points and the cells of the bounding box. The cubes of a ring run in parallel (vtkSMPTools), and the
- * result is the same to the bit for any number of threads. Noise counts as curvature: where points go up and down by a
- * voxel, small cells are not flat.
+ * Time is linear in the points and the cells of the bounding box; the result is bitwise identical for any number of
+ * threads. Noise counts as curvature: small cells are not flat if points are off by a voxel.
  *
- * Errors: a cell size or smallest cell size below 1, a threshold below 0, a growth below 1, no boundary loops, no
- * PatchId, no lattice in the field data.
+ * Errors: a parameter out of range, no boundary loops, no PatchId, or no lattice in the field data.
  *
  * @sa vtkHorizonRoughSimplification vtkHorizonBoundarySimplification vtkQuadricClustering
  */
@@ -48,9 +44,9 @@ public:
 
   ///@{
   /**
-   * The largest curvature of a flat cell: the least eigenvalue of the covariance of its points divided by the sum of
-   * the three (thesis, eq. 4.5). 0: only planes; 1/3: everything. Smaller values keep more points; the thesis uses
-   * 0.03 to 0.20. Range: 0 to 1/3. Default: 0.12.
+   * The largest curvature of a flat cell: the least eigenvalue of the covariance of its points, divided by the sum of
+   * the three (thesis, eq. 4.5). Smaller values keep more points; the thesis uses 0.03 to 0.20. Range: 0 to 1/3.
+   * Default: 0.12.
    */
   vtkSetMacro(FlatnessThreshold, double);
   vtkGetMacro(FlatnessThreshold, double);
@@ -58,9 +54,8 @@ public:
 
   ///@{
   /**
-   * A cell with outline points is halved unless it has more of them than this for each unit of its side (PD of the
-   * thesis, eq. 4.2), and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default:
-   * 0.25.
+   * A cell with outline points is halved unless it has more of them per unit of its side (PD of the thesis, eq. 4.2),
+   * and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default: 0.25.
    */
   vtkSetMacro(BoundaryDensityThreshold, double);
   vtkGetMacro(BoundaryDensityThreshold, double);
@@ -77,8 +72,8 @@ public:
 
   ///@{
   /**
-   * A cell with outline points that is not halved keeps these; a larger one than this also keeps one point for all its
-   * others. Unit: lattice units. Range: at least 0. Default: 2.
+   * A cell with outline points that is larger than this and not halved keeps one more point, for all its others. Unit:
+   * lattice units. Range: at least 0. Default: 2.
    */
   vtkSetMacro(BoundaryCellSizeThreshold, double);
   vtkGetMacro(BoundaryCellSizeThreshold, double);
@@ -86,8 +81,7 @@ public:
 
   ///@{
   /**
-   * No cell is halved to a smaller side. With more than half of CellSize, no cell is halved. Unit: lattice units.
-   * Range: at least 1. Default: 1.
+   * No cell is halved to a smaller side than this. Unit: lattice units. Range: at least 1. Default: 1.
    */
   vtkSetMacro(SmallestCellSize, double);
   vtkGetMacro(SmallestCellSize, double);
@@ -102,9 +96,8 @@ public:
 
   ///@{
   /**
-   * What the mean size of the neighbours one ring further out is taken over. OverCubes: each neighbouring cube counts
-   * once, with the mean size of its cells (thesis, eq. 4.3). OverPieces: each of these cells counts, so that cells are
-   * smaller further inside. Default: OverCubes.
+   * What the mean size of neighbours one ring further out is taken over. OverCubes: cubes, each with the mean size of
+   * its cells (thesis, eq. 4.3). OverPieces: their cells, which gives smaller cells inside. Default: OverCubes.
    */
   vtkSetClampMacro(NeighbourMean, int, OverCubes, OverPieces);
   vtkGetMacro(NeighbourMean, int);
@@ -114,9 +107,8 @@ public:
 
   ///@{
   /**
-   * The largest size of a cell divided by the mean of its neighbours one ring further out. 1: sizes stay as at the
-   * outline, or shrink, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1. Default:
-   * 1.
+   * The largest size of a cell, divided by the mean of its neighbours one ring further out. 1: sizes never grow
+   * inwards, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1. Default: 1.
    *
    * Up to the nearest size that halving gives.
    */

@@ -4,31 +4,30 @@
  * @class   vtkHorizonExteriorBoundary
  * @brief   finds the closed outline of each patch of a horizon
  *
- * Input: a horizon, or a composite dataset of them; at most one point in a column of the lattice.
- * Output: the same points with all their arrays, a vertex cell for each, and closed polylines over them (first point
- * repeated at the end): first one for each patch, clockwise seen from +z on the lattice, then, with HoleBoundaries, one
- * for each hole, counter-clockwise. Each begins at its point of least x, then least y. New point arrays:
- *  - PatchId (int): the number of the point's patch, from 0; also the number of the patch's loop;
+ * Input: a horizon, or a composite dataset of horizons, with at most one point per column of the lattice. Output: the
+ * same points and arrays, a vertex cell per point, and closed polylines (the first point is repeated at the end): one
+ * per patch, clockwise seen from +z on the lattice, then, with HoleBoundaries, one per hole, counter-clockwise. Each
+ * begins at its point of least x, then least y. New point arrays:
+ *  - PatchId (int): the patch of the point, from 0; also the number of its loop;
  *  - Boundary (unsigned char): 0 inside, 1 on the loop of a patch, 2 on the loop of a hole (see BoundaryType).
- * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints, the points of
- * patches that were too small. With cut links (UseCuts), what CloseFaults of the meshers needs
- * (Documentation/DataModel.md):
- *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
- *  - CrackLoops (vtkIdType): the numbers of the loops that cracks run along all around.
  *
- * A patch is a connected part of the horizon: two points are neighbours when they are at most Radius columns apart
- * along each axis, and points that reach each other from neighbour to neighbour are of one patch. A patch inside the
- * loop of another one (an island in a hole without a loop) has no loop: its points belong to the outer patch. A spur of
- * one column's width is walked out and back, and a single point has the loop from itself to itself. Loops may touch
+ * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints. With cut links
+ * (UseCuts) also what CloseFaults needs (Documentation/DataModel.md):
+ *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
+ *  - CrackLoops (vtkIdType): the numbers of the loops all along cracks.
+ *
+ * Two points are connected if they are at most Radius columns apart along each axis; a patch is a set of connected
+ * points. A patch inside the loop of another one, as an island in a hole without a loop, belongs to the outer patch. A
+ * spur one column wide is traced out and back, and a single point has a loop from itself to itself. Loops may touch
  * themselves and each other, but never cross.
  *
  * The method is that of the thesis (3.3, Def. 3.4, Alg. 3.1 and 3.2) as a walk around the faces of a plane graph of
- * hops, so that it ends, does not cross itself and encloses its patch for every radius and shape. With a radius of 1 it
- * is the border following of Suzuki and Abe (1985). Linear in the points and in the columns of their bounding box;
- * beyond input and output 16 bytes per point and 4 per column.
+ * hops, which encloses the patch for every radius and shape. With a radius of 1 it is the border following of Suzuki
+ * and Abe (1985). Time is linear in the points and the columns of their bounding box; memory beyond input and output is
+ * 16 bytes per point and 4 per column.
  *
- * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a radius
- * below 1 or above 32.
+ * Errors: two points in one column, points off the lattice or between columns, no lattice in the field data, or a
+ * radius out of range.
  *
  * @sa vtkHorizonBoundarySimplification
  */
@@ -66,8 +65,8 @@ public:
   ///@{
   /**
    * What counts as boundary. Exterior: the outline of every patch. Topological4: every point with an empty column on
-   * one of its four sides, at the outside and at every hole. Topological8: also points with an empty column at a
-   * corner. See "Topological boundaries" in HorizonExteriorBoundary.md. Default: Exterior.
+   * one of its four sides. Topological8: also at a corner. See "Topological boundaries" in HorizonExteriorBoundary.md.
+   * Default: Exterior.
    *
    * Topological4 is Def. 3.2 of the thesis: loops run through just these points, around patches of neighbouring columns
    * and all holes, whatever Radius, GrowthStrategy, HoleBoundaries and the smallest hole are. With Topological8 the
@@ -82,9 +81,8 @@ public:
 
   ///@{
   /**
-   * The largest hop from one point of the outline to the next along each axis (k of the thesis). Up to Radius - 1
-   * missing columns do not break a horizon into patches. Larger values give fewer patches and coarser outlines. Unit:
-   * columns. Range: 1 to 32. Default: 1.
+   * The largest hop of an outline along each axis (k of the thesis). Up to Radius - 1 missing columns do not break a
+   * patch; larger values give fewer patches and coarser outlines. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -92,9 +90,9 @@ public:
 
   ///@{
   /**
-   * How the outline continues where the radius leaves a choice. Distance: from neighbour to neighbour, with single
-   * bridges over gaps; every detail stays. Clockwise: by the outermost hop; narrow bays and gaps are cut short. The
-   * same for a Radius of 1. Default: Clockwise.
+   * How the outline continues where a Radius above 1 leaves a choice. Distance: from neighbour to neighbour, with
+   * single bridges over gaps; every detail stays. Clockwise: by the outermost hop, which cuts narrow bays short.
+   * Default: Clockwise.
    *
    * Thesis, Alg. 3.1 and 3.2. Clockwise takes the first hop of a clockwise sweep.
    */
@@ -106,7 +104,7 @@ public:
 
   ///@{
   /**
-   * Whether holes have an outline and stay open in the mesh; otherwise the mesh closes them. Default: off.
+   * Whether holes have an outline and stay open in the mesh. Off: the mesh closes them. Default: off.
    *
    * A hole is what the hops of the chosen rule leave open inside a patch, with at least one column strictly inside.
    */
@@ -117,8 +115,7 @@ public:
 
   ///@{
   /**
-   * Holes with fewer columns strictly inside are closed. 1 keeps every hole open. Unit: columns. Range: at least 1.
-   * Default: 1.
+   * Holes with fewer columns strictly inside are closed. Unit: columns. Range: at least 1. Default: 1.
    *
    * Columns of islands in the hole count.
    */
@@ -128,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Holes with a smaller area are closed; 0: no limit. A hole must pass both limits to stay open. Unit: square units
-   * of the world. Range: at least 0. Default: 0.
+   * Holes with a smaller area are closed, too; 0: no limit. Unit: square units of the world. Range: at least 0.
+   * Default: 0.
    *
    * The area is that of the columns strictly inside.
    */
@@ -147,9 +144,8 @@ public:
 
   ///@{
   /**
-   * Whether faults (field data CutLinks) split the horizon. A fault that ends inside is a crack, with an outline
-   * around both of its cutoffs, which stays open in the mesh whatever its size. Off: faults are ignored from here on.
-   * See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   * Whether faults (field data CutLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the output has no CutLinks.
    */

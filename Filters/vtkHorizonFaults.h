@@ -4,44 +4,37 @@
  * @class   vtkHorizonFaults
  * @brief   detects faults in a horizon, or uses fault lines that you supply
  *
- * Input 0: a horizon, or a composite dataset of such; at most one point in a column of the lattice. Input 1, which may
- * be left out: fault traces, polygons or sticks, as lines or polygons of vtkPolyData in world coordinates. Of traces and
- * polygons only the places on the map count.
+ * Input 0: a horizon, or a composite dataset of horizons, with at most one point per column. Input 1, optional: fault
+ * traces, polygons or sticks, as lines or polygons of vtkPolyData in world coordinates. Heights of traces and polygons
+ * are ignored.
  *
- * Output 0: the horizon with all its points, arrays and cells, but without points inside fault polygons (Polygons). New
- * field data, in place of such as there are; a link joins two neighbouring columns of the lattice:
- *  - CutLinks (3 int): i, j and side of each link that a fault cuts; side 0 is the link to column (i + 1, j), 1 that to
- *    (i, j + 1). By j, i and side, each once. Columns may be missing
- *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan where it is not known
- *  - CutLine (int): the number of the fault line that the link belongs to
- *  - FaultNoise (double, one value): standard deviation of height differences due to noise alone, in vertical indices
- *  - SmallestFaultThrow (double, one value): the smallest throw that a fault reaches somewhere, in vertical indices, as
- *    it was given or follows from the noise
- *  - BlankedPoints (vtkIdType, one value): how many points inside polygons were left out, where lines are given
- * Later stages mesh each side of the cuts independently.
+ * Output 0: the horizon with its points, arrays and cells, without points inside fault polygons (Polygons). New field
+ * data, which replaces existing cuts; a link joins two neighbouring columns of the lattice:
+ *  - CutLinks (3 int): i, j and side of each cut link; side 0 is the link to column (i + 1, j), 1 that to (i, j + 1).
+ *    Sorted by j, i and side, each once. Columns may be missing;
+ *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan if unknown;
+ *  - CutLine (int): the fault line of the link;
+ *  - FaultNoise (double): standard deviation of height differences due to noise alone, in vertical indices;
+ *  - SmallestFaultThrow (double): the throw that a fault must reach somewhere, in vertical indices;
+ *  - BlankedPoints (vtkIdType): points inside polygons that were left out, if lines are given.
  *
- * Output 1: the fault lines as polylines, with the point data array Throw (double): how much larger the vertical index
- * is on the left of the line than on its right; lines run so that it is positive on the whole. Cell data: FaultLine
- * (int).
+ * Output 1: the fault lines as polylines. Point data: Throw (double), the vertical index to the left of the line less
+ * that to its right, mostly positive. Cell data: FaultLine (int).
  *
- * Output 2: with Sticks the surfaces of faults, as triangles between sticks that stand side by side; empty for all
- * horizons but the first, as they are the same. Cell data: FaultName (string).
+ * Output 2: with Sticks the surfaces of faults, triangles between neighbouring sticks; empty for all horizons but the
+ * first. Cell data: FaultName (string).
  *
- * With Detect, a link may be cut where the height difference, less the median of those within three columns, is at
- * least the larger of 2.5 times the noise and half of SmallestThrow. Such links are joined where they meet, over gaps
- * of a link or two; groups with five links of the larger of 4 times the noise and SmallestThrow stay when they are long
- * enough. Of each group a tree is kept that has the largest differences, without short branches. Gaps of up to
- * LargestGap missing columns are cut in the middle when planes through the points on both sides are as far apart there.
- * Faults that bend the surface over up to LargestRamp columns are cut in the middle: where the mean height of as many
- * columns beyond a link, less that of those before it, is at its largest, and falls within half of that width.
- * Lines on both sides of a hole are joined when they are in line and their throws are alike (JoinThroughHoles).
+ * Detect finds links whose height difference, less the median within three columns, is large compared with the noise
+ * and SmallestThrow. Groups of such links are kept if they are long enough, as trees without short branches. Missing
+ * columns (LargestGap), ramps (LargestRamp) and holes (JoinThroughHoles) are bridged. See
+ * Documentation/HorizonFaults.md.
  *
- * Linear time, on several threads, with the same result on any number of them; 16 bytes per column of the bounding box,
- * wide bands without points left out, and 16 per point beyond input and output.
+ * Time is linear; the result is the same for any number of threads. Memory beyond input and output is 16 bytes per
+ * column of the bounding box and 16 per point.
  *
- * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
- * parameter out of its range, a line with a point that is not finite, polygons around all points. A warning where no
- * given line passes the horizon.
+ * Errors: two points in one column, points off the lattice or between columns, no lattice in the field data, a
+ * parameter out of range, a line with a point that is not finite, or polygons around all points. A warning if no given
+ * line passes the horizon.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonHoleFilling
  */
@@ -87,9 +80,8 @@ public:
 
   ///@{
   /**
-   * What closed lines among Traces, fault polygons around the gap of a fault, do. Blank: points inside, where values
-   * are made up, are left out, and links are cut where a polygon is too narrow for a gap. Cut: points inside stay, as
-   * islands. Leave: nothing. Default: Blank.
+   * What fault polygons among Traces do. Blank: points inside, where values are made up, are left out. Cut: they stay,
+   * as islands. Leave: nothing. Default: Blank.
    */
   vtkSetClampMacro(Polygons, int, Blank, Leave);
   vtkGetMacro(Polygons, int);
@@ -109,8 +101,8 @@ public:
 
   ///@{
   /**
-   * Faults are found if their throw reaches this somewhere, with their ends down to half of it. 0: eight times the
-   * noise of the heights, measured on each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
+   * The throw that a fault must reach somewhere; its ends are found down to half of it. 0: eight times the noise of the
+   * heights of each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(SmallestThrow, double);
   vtkGetMacro(SmallestThrow, double);
@@ -118,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Standard deviation of height differences between neighbouring columns due to noise alone; 0: measured on each
-   * horizon. Only throws of several times the noise are found. Unit: ThrowUnit. Range: at least 0. Default: 0.
+   * Standard deviation of height differences between neighbouring columns due to noise alone. 0: measured on each
+   * horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(Noise, double);
   vtkGetMacro(Noise, double);
@@ -134,8 +126,7 @@ public:
 
   ///@{
   /**
-   * The unit of SmallestThrow and Noise. Lattice: 1 is one vertical index, a voxel. World: the unit of z, such as m or
-   * ms. Default: Lattice.
+   * The unit of SmallestThrow and Noise. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
    */
   vtkSetClampMacro(ThrowUnit, int, Lattice, World);
   vtkGetMacro(ThrowUnit, int);
@@ -161,8 +152,7 @@ public:
 
   ///@{
   /**
-   * Faults are followed across up to this many missing columns in a row; planes fitted on both sides give the throw.
-   * 0: across none. Unit: columns. Range: at least 0. Default: 5.
+   * Faults are followed across up to this many missing columns in a row. Unit: columns. Range: at least 0. Default: 5.
    */
   vtkSetMacro(LargestGap, int);
   vtkGetMacro(LargestGap, int);
@@ -170,9 +160,8 @@ public:
 
   ///@{
   /**
-   * Also finds faults that bend the surface over up to this many columns instead of tearing it, where it was smoothed,
-   * tracked across a fault, or interpolated between lines. They are cut in the middle. 0: none. Unit: columns. Range:
-   * 0 to 10. Default: 7.
+   * Also finds faults that bend the surface over up to this many columns instead of tearing it, and cuts them in the
+   * middle. 0: none. Unit: columns. Range: 0 to 10. Default: 7.
    */
   vtkSetMacro(LargestRamp, int);
   vtkGetMacro(LargestRamp, int);
@@ -180,8 +169,8 @@ public:
 
   ///@{
   /**
-   * Whether two fault lines that end at a hole become one if each points to the end of the other, their throws are
-   * similar, and at least half of the columns between them are missing. Default: on.
+   * Whether fault lines that end at a hole and point to each other become one, if their throws are similar. Default:
+   * on.
    */
   vtkSetMacro(JoinThroughHoles, bool);
   vtkGetMacro(JoinThroughHoles, bool);
@@ -209,9 +198,8 @@ public:
 
   ///@{
   /**
-   * What the fault lines are. Traces: fault traces or polygons, along the horizon as seen from above. Sticks: lines
-   * down faults, in any order; the horizon is cut where it meets the surface between them, the third output. Default:
-   * Traces.
+   * What the fault lines are. Traces: fault traces or polygons, seen from above. Sticks: lines down faults; the horizon
+   * is cut where it meets the surface between them, the third output. Default: Traces.
    *
    * Sticks of one fault agree in all words of the cell array FaultName but the last.
    */
@@ -223,9 +211,8 @@ public:
 
   ///@{
   /**
-   * Fault traces, polygons or sticks in the coordinates of the horizon, as of vtkFaultLinesReader; optional. Links are
-   * cut where lines pass between two columns, seen from above; polygons are cut all around. Unit: world units. Range:
-   * lines, polygons. Default: none.
+   * Fault traces, polygons or sticks in the coordinates of the horizon, as of vtkFaultLinesReader; optional. Unit:
+   * world units. Range: lines, polygons. Default: none.
    *
    * Input 1.
    */

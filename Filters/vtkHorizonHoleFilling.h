@@ -4,31 +4,29 @@
  * @class   vtkHorizonHoleFilling
  * @brief   fills holes of a horizon with a smooth continuation of the surrounding surface
  *
- * Input: a horizon before it has an outline, or a composite dataset of such; at most one point in a column of the
- * lattice. Output: the same points with their arrays, bit by bit, and after them a new point on each column of the
- * holes that are filled; a vertex cell for each point. A hole is a group of empty columns, connected side by side, that
- * a patch encloses: what vtkHorizonExteriorBoundary with a radius of 1 takes for one. Empty columns around patches stay
- * empty without an ExtrapolationDistance. Where a patch lies in a hole of another one, both are the rim of the hole.
+ * Input: a horizon without an outline, or a composite dataset of horizons, with at most one point per column. Output:
+ * the same points and arrays, bitwise unchanged, then a new point in each column of the filled holes; a vertex cell per
+ * point. A hole is a group of empty columns, connected by edges, that a patch encloses, as in
+ * vtkHorizonExteriorBoundary with a radius of 1. A patch inside a hole is part of its rim.
  *
  * Point arrays:
  *  - Filled (unsigned char): 1 at new points, 2 at those outside (ExtrapolationDistance), else 0;
- *  - PointCount (vtkIdType): 0 at new points, as they stand for no voxel; so they weigh nothing in means;
- *  - VerticalIndex, RealZ: those of the new surface; floating point numbers: by a membrane, or nan (see Attributes);
+ *  - PointCount (vtkIdType): 0 at new points, so that averages exclude them;
+ *  - VerticalIndex, RealZ: those of the new surface; other floating-point arrays: by a membrane, or nan (Attributes);
  *    all else, which are labels: that of the nearest point of the rim;
- *  - PatchId and Boundary of an outline before are left out, as it is that of the holes.
- * Field data, one vtkIdType each: NumberOfFilledHoles, NumberOfFilledPoints, and NumberOfOpenHoles, those that are too
- * large; with Automatic also what was chosen, RimSmoothing (double) and RimWidth (vtkIdType).
+ *  - PatchId and Boundary are removed.
  *
- * Each hole is filled independently; where the field data array CutLinks (Documentation/DataModel.md) cuts links of the
- * lattice, so is each side of the cuts. With Plate, the least energy of bending of a thin plate over the hole and a
- * ring of known columns around it, held to their heights by springs (Briggs 1974; of RimSmoothing 0 it goes through
- * them), and then a membrane that carries what is left at the rim inwards. With Membrane, each new point is the mean of
- * its four neighbours (Laplace's equation). Holes of few columns are solved directly, large ones by multigrid: time is
- * linear in the points, the columns of the bounding box, and the columns filled. Memory beyond input and output: 24
- * bytes per point, a fifth of one per column of the bounding box, and about 1000 per column of the largest hole.
+ * Field data, one vtkIdType each: NumberOfFilledHoles, NumberOfFilledPoints, and NumberOfOpenHoles; with Automatic also
+ * the chosen RimSmoothing (double) and RimWidth (vtkIdType).
  *
- * Errors: two points in one column, a point between columns or off the lattice, no lattice in the field data, a
- * parameter out of its range, cut links that are not on the lattice.
+ * Each hole is filled independently, and so is each side of cut links (CutLinks, Documentation/DataModel.md). Plate: a
+ * thin plate over the hole and a ring of known columns (Briggs 1974), then a membrane that carries the residual at the
+ * rim inwards. Membrane: each new point is the mean of its four neighbours. Small holes are solved directly, large ones
+ * by multigrid, in linear time. Memory beyond input and output is 24 bytes per point, and about 1000 per column of the
+ * largest hole.
+ *
+ * Errors: two points in one column, points off the lattice or between columns, no lattice in the field data, a
+ * parameter out of range, or cut links off the lattice.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonDespiking
  */
@@ -68,8 +66,7 @@ public:
 
   ///@{
   /**
-   * Holes of more columns stay open. The error grows with the distance from the rim. Unit: columns. Range: at least 1.
-   * Default: 2500.
+   * Holes of more columns than this stay open. Unit: columns. Range: at least 1. Default: 2500.
    */
   vtkSetMacro(LargestHoleSize, vtkIdType);
   vtkGetMacro(LargestHoleSize, vtkIdType);
@@ -77,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Holes with a larger area stay open; 0: no limit. A hole must pass both limits to be filled. Unit: square units of
-   * the world. Range: at least 0. Default: 0.
+   * Holes with a larger area stay open, too; 0: no limit. Unit: square units of the world. Range: at least 0. Default:
+   * 0.
    *
    * The area is that of the columns of the hole.
    */
@@ -88,9 +85,9 @@ public:
 
   ///@{
   /**
-   * The surface over a hole. Plate: a thin plate, which continues the slope and curvature of the rim. Membrane: like a
-   * skin, never above or below the rim; faster on very large holes. Automatic: a plate with RimSmoothing and RimWidth
-   * chosen by the roughness of the horizon. Default: Automatic.
+   * The surface over a hole. Plate: continues the slope and curvature of the rim. Membrane: like a skin, never above or
+   * below the rim. Automatic: a plate with RimSmoothing and RimWidth chosen by the roughness of the horizon. Default:
+   * Automatic.
    */
   vtkSetClampMacro(Method, int, Plate, Automatic);
   vtkGetMacro(Method, int);
@@ -101,9 +98,8 @@ public:
 
   ///@{
   /**
-   * How much noise of the rim the Method Plate smooths; known points never move. 0: none, for clean data such as grids
-   * and models. 1: for autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6.
-   * Default: 1.
+   * How much noise of the rim the Method Plate smooths; known points never move. 0: none, for clean data. 1: for
+   * autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6. Default: 1.
    *
    * The inverse of the strength of the plate's springs; 0, and all below a millionth, makes it pass through all
    * heights.
@@ -114,8 +110,8 @@ public:
 
   ///@{
   /**
-   * How many columns of known points around a hole the Method Plate continues. Noisy data need more, and more
-   * smoothing. Unit: columns. Range: 1 to 64. Default: 3.
+   * How many columns of known points around a hole the Method Plate continues; more for noisy data. Unit: columns.
+   * Range: 1 to 64. Default: 3.
    *
    * Below 2 it has no slope from a rim that is straight.
    */
@@ -125,8 +121,7 @@ public:
 
   ///@{
   /**
-   * Amplitudes and other floating-point attributes at new points. FromRim: values between those of the rim.
-   * NotANumber: nan, since nothing was measured. IDs and other integers are those of the nearest point. Default:
+   * Floating-point attributes at new points. FromRim: values between those of the rim. NotANumber: nan. Default:
    * FromRim.
    *
    * FromRim carries them inwards by a membrane, where values that are not finite count as unknown.
@@ -139,9 +134,8 @@ public:
 
   ///@{
   /**
-   * Columns outside the horizon, bays included, that are at most this far from it and in the survey are filled, too,
-   * with 2 in the array Filled. The Method continues the slope of the rim: far from it that is a guess. Unit: columns.
-   * Range: 0 to 10000. Default: 0.
+   * Columns outside the horizon, at most this far from it and in the survey, are filled, too, with 2 in the array
+   * Filled. Unit: columns. Range: 0 to 10000. Default: 0.
    *
    * The survey is that of LatticeDimensions: a distance of its size fills it. Holes have the limits above.
    */

@@ -4,31 +4,29 @@
  * @class   vtkHorizonLayers
  * @brief   makes closed volumes of the layers between horizons
  *
- * Input: the points of two or more horizons of one survey, before any simplification: composite datasets, or several
- * connections. They stand on one lattice, or on lattices whose steps are whole multiples of the smallest one, such as
- * every second line. Heights are not changed where horizons do not cross.
+ * Input: as of vtkHorizonStackStage, before any simplification. Heights change only where horizons cross.
  *
- * All layers share one triangulation in plan, with a height of each horizon at every vertex, so that layers fit together
- * without gaps. Each known point of each horizon is within MaximumError, vertically. Outputs:
- *  - 0 Layers: a vtkUnstructuredGrid of wedges, and where layers pinch out of pyramids and tetrahedra; layers share points.
- *    Cell data Layer (int, 0 the uppermost), Triangle (vtkIdType, of the plan), Thickness (the mean) and Volume (double);
- *    field data LayerNames
- *  - 1 Bodies: for each layer a closed surface that faces outwards, with the cell data Face (unsigned char: 0 top, 1 base,
- *    2 outline, 3 fault) and Layer
- *  - 2 Horizons: the horizons on the plan, in order from the uppermost, with the arrays of their points; field data
- *    LargestError (lattice units), MovedColumns and FarthestMove (world units), where they crossed
- *  - 3 Figures: a row for each layer: Volume, Area, thickness, crossings, cells, and at faults what is left out
- *  - 4 Volumes: the volume of each layer above a level contact, at 101 contacts
+ * All layers share one triangulation on the map, with a height of each horizon at every vertex, so that layers fit
+ * together without gaps. Each known point of each horizon is within MaximumError, vertically. Outputs:
+ *  - 0 Layers: a vtkUnstructuredGrid of wedges with shared points; pyramids and tetrahedra where layers pinch out. Cell
+ *    data: Layer (int, 0 the uppermost), Triangle (vtkIdType, of the plan), Thickness (the mean) and Volume (double).
+ *    Field data: LayerNames;
+ *  - 1 Bodies: a closed surface for each layer that faces outwards. Cell data: Face (unsigned char: 0 top, 1 base, 2
+ *    outline, 3 fault) and Layer;
+ *  - 2 Horizons: the horizons on the plan, the uppermost first, with the arrays of their points. Field data:
+ *    LargestError (lattice units), MovedColumns and FarthestMove (world units), where they crossed;
+ *  - 3 Figures: a row for each layer: volume, area, thickness, crossings, cells, and what is left out at faults;
+ *  - 4 Volumes: the volume of each layer above a level contact, at 101 heights.
  *
- * Volumes are in units of x and y times those of z (column VolumeUnit); with times as z there is a warning. They are exact
- * for the layers as they are: to the middle of outermost columns, where sums over bins reach half a bin further.
+ * Volumes are in units of x and y times those of z (column VolumeUnit), with a warning if z is time. They are exact for
+ * the layers, which end at the middle of the outermost columns; sums over bins reach half a bin further.
  *
- * Faults (field data CutLinks) of any horizon part all layers, with a wall on both sides and a strip of one column left out
- * in between: AreaAtFaults and VolumeAtFaults say how much that is. A dipping fault cuts each horizon along another line;
- * between these lines thickness is not that of one block.
+ * Faults (field data CutLinks) of any horizon cut all layers, with walls on both sides of a strip of one column that is
+ * left out (AreaAtFaults, VolumeAtFaults). A dipping fault cuts each horizon along another line; between these lines
+ * the thickness is that of two blocks.
  *
  * Errors: fewer than two horizons, points between the columns of another horizon, different domains or units of z, no
- * common column, and no clear order.
+ * common column, or no clear order.
  *
  * @sa vtkHorizonCrossings vtkHorizonThickness vtkHorizonSurface
  */
@@ -62,8 +60,8 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point of any horizon from the layers. Noise of several horizons adds up: three
-   * times the noise of the heights takes few cells. Unit: HeightUnit. Range: at least 0. Default: 0.75.
+   * The largest vertical distance of a point of any horizon from the layers. Three times the noise of the heights needs
+   * few cells. Unit: HeightUnit. Range: at least 0. Default: 0.75.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
@@ -71,8 +69,8 @@ public:
 
   ///@{
   /**
-   * Whether the thickness of each layer is within MaximumError, too. Off: its error is at most twice that, with fewer
-   * cells. Default: off.
+   * Whether the thickness of each layer is within MaximumError, too. Off: within twice that, with fewer cells. Default:
+   * off.
    */
   vtkSetMacro(BoundThickness, bool);
   vtkGetMacro(BoundThickness, bool);
@@ -81,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Whether layers end along lines through the outermost columns without them. Off: they end in thin feathers,
-   * somewhere beyond. Default: on.
+   * Whether layers end along lines through the outermost columns without them. Off: they end in thin feathers beyond.
+   * Default: on.
    */
   vtkSetMacro(PinchOutLines, bool);
   vtkGetMacro(PinchOutLines, bool);
@@ -106,9 +104,8 @@ public:
 
   ///@{
   /**
-   * Where layers are. EachLayer: where both horizons of a layer have points, to the outermost columns; the same as
-   * Common for one layer. Common: where all horizons have points; outlines are simplified within MaximumError, and
-   * small holes closed. Default: EachLayer.
+   * Where layers are. EachLayer: where both horizons of a layer have points. Common: where all horizons have points,
+   * with outlines simplified within MaximumError, and small holes closed. Default: EachLayer.
    */
   vtkSetClampMacro(Domain, int, EachLayer, Common);
   vtkGetMacro(Domain, int);
@@ -118,7 +115,8 @@ public:
 
   ///@{
   /**
-   * Whether outlines of the domain Common are kept on the map, for volumes that differ by heights alone. Default: off.
+   * Whether outlines of the domain Common stay unchanged on the map: volumes then differ by heights alone. Default:
+   * off.
    */
   vtkSetMacro(KeepOutlines, bool);
   vtkGetMacro(KeepOutlines, bool);
@@ -173,7 +171,7 @@ public:
 
   ///@{
   /**
-   * Whether the figures have the volume above Contact (VolumeAboveContact). Default: off.
+   * Whether figures include the volume above Contact (VolumeAboveContact). Default: off.
    */
   vtkSetMacro(MeasureAboveContact, bool);
   vtkGetMacro(MeasureAboveContact, bool);

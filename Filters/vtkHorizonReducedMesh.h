@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonReducedMesh
- * @brief   what the filters that give a mesh of few triangles within an error have in common
+ * @brief   what the filters that make a mesh of few triangles within an error have in common
  *
- * How far the mesh may be from the horizon, and how much is done for few triangles.
+ * How far the mesh may be from the horizon, and how much is done for few triangles. Its properties are on
+ * HorizonSurface.md.
  *
  * @sa vtkHorizonDecimation vtkHorizonSurface
  */
@@ -32,9 +33,8 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point of the horizon from the mesh. For heights in whole voxels, which are
-   * rounded by up to half a voxel, 0.75 brings the mesh nearest to the true surface; 1 or 2 need far fewer triangles.
-   * Unit: ErrorUnit. Range: at least 0. Default: 0.75.
+   * The largest vertical distance of a point of the horizon from the mesh. For heights in whole voxels, 0.75 comes
+   * nearest to the true surface; 1 or 2 need far fewer triangles. Unit: ErrorUnit. Range: at least 0. Default: 0.75.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
@@ -50,8 +50,8 @@ public:
 
   ///@{
   /**
-   * The unit of MaximumError. Lattice: 1 is one vertical index, a voxel. World: the unit of z. Diagonal: 1 is the
-   * diagonal of the bounding box of the horizon, in lattice units. Default: Lattice.
+   * The unit of MaximumError. Lattice: one vertical index, a voxel. World: the unit of z. Diagonal: the diagonal of the
+   * bounding box, in lattice units. Default: Lattice.
    */
   vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
   vtkGetMacro(ErrorUnit, int);
@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Whether heights of inner vertices are fitted to the points around them: fewer vertices for the same error, and
-   * averaged attributes. Off: every vertex is a point of the horizon, with its attributes. Default: on.
+   * Whether heights of inner vertices are fitted to the points around them, for fewer vertices. Off: every vertex is a
+   * point of the horizon, with its attributes. Default: on.
    */
   vtkSetMacro(FitHeights, bool);
   vtkGetMacro(FitHeights, bool);
@@ -80,9 +80,8 @@ public:
   ///@{
   /**
    * How thoroughly the mesh is optimised. Fast: points are inserted where the mesh is farthest from the horizon. Best:
-   * then vertices are removed, edges flipped and heights fitted. Best takes two to three times as long; it needs a
-   * quarter to a half fewer points for the same error, or has a smaller mean error for a number of points. Default:
-   * Best.
+   * vertices are then removed and edges flipped, which needs a quarter to a half fewer points and two to three times
+   * the time. Default: Best.
    */
   vtkSetClampMacro(Effort, int, Fast, Best);
   vtkGetMacro(Effort, int);
@@ -99,7 +98,7 @@ public:
 
   ///@{
   /**
-   * Which error is minimised if the target is not LargestError. LargestErrors: the largest one. SumOfSquares: the sum
+   * Which error is minimised unless the target is LargestError. LargestErrors: the largest one. SumOfSquares: the sum
    * of squares, and with it the mean. Default: SumOfSquares.
    */
   vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
@@ -111,8 +110,7 @@ public:
   ///@{
   /**
    * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before.
-   * For a number of points the angle is halved until the number is reached. Larger values need more points: 5 one in
-   * twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * Larger values need more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);
@@ -120,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not
-   * change; gaps of missing points stay open. See "Closed meshes" in HorizonFaults.md. Default: off.
+   * Whether steep triangles, with 1 in the array Fault, close the cracks at faults. See "Closed meshes" in
+   * HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure or array counts them; the new FaultTriangleCount (vtkIdType) has their number.

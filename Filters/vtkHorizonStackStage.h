@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonStackStage
- * @brief   what the filters that take all horizons of a stack together have in common
+ * @brief   what the filters that process all horizons of a stack together have in common
  *
- * Input: the points of two or more horizons of one survey: composite datasets, or several connections. They stand on one
- * lattice, or on lattices whose steps are whole multiples of the smallest one, such as every second line. Of several
- * processes each reads all of them, and the first one has the result.
+ * Input: the points of two or more horizons of one survey, as composite datasets or several connections. They are on
+ * one lattice, or on lattices whose steps are whole multiples of the smallest one, such as every second line. With
+ * several processes, each reads all horizons, and the first one has the result. Its properties are on
+ * HorizonCrossings.md.
  *
  * @sa vtkHorizonLayers vtkHorizonCrossings
  */
@@ -40,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Which horizon is above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the
-   * uppermost first; for horizons without a clear order in most columns. Default: ByHeight.
+   * Which horizon is above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
+   * first, for horizons without a clear order. Default: ByHeight.
    */
   vtkSetClampMacro(Order, int, ByHeight, AsGiven);
   vtkGetMacro(Order, int);
@@ -60,9 +61,9 @@ public:
 
   ///@{
   /**
-   * What happens in columns where horizons cross. Mean: all that cross move to their mean, which suits noise.
-   * UpperWins: the lower one moves, as if eroded. LowerWins: the upper one moves, as if it onlaps. Stop: an error that
-   * says where and how deep. Default: Mean.
+   * What happens in columns where horizons cross. Mean: all move to their mean, which suits noise. UpperWins: the lower
+   * one moves, as if eroded. LowerWins: the upper one moves, as if it onlaps. Stop: an error that says where and how
+   * deep. Default: Mean.
    */
   vtkSetClampMacro(Crossings, int, Mean, Stop);
   vtkGetMacro(Crossings, int);
@@ -83,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Where a layer is thinner, it is absent: its horizons become one there, as Crossings says, with Stop at their mean.
-   * Unit: HeightUnit. Range: at least 0. Default: 0.
+   * Where a layer is thinner, it is absent: its horizons become one, as Crossings says, with Stop at their mean. Unit:
+   * HeightUnit. Range: at least 0. Default: 0.
    */
   vtkSetMacro(MinimumThickness, double);
   vtkGetMacro(MinimumThickness, double);
@@ -99,8 +100,8 @@ public:
 
   ///@{
   /**
-   * The unit of heights: of MinimumThickness, and of MaximumError in Horizon Layers. Lattice: 1 is one vertical index, a
-   * sample, the smallest of all horizons. World: the unit of z. Default: Lattice.
+   * The unit of MinimumThickness, and of MaximumError in vtkHorizonLayers. Lattice: one vertical index, the smallest of
+   * all horizons. World: the unit of z. Default: Lattice.
    */
   vtkSetClampMacro(HeightUnit, int, Lattice, World);
   vtkGetMacro(HeightUnit, int);

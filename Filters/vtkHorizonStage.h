@@ -4,8 +4,9 @@
  * @class   vtkHorizonStage
  * @brief   what all stages have in common
  *
- * Inputs are horizons (vtkPolyData, see Documentation/DataModel.md; also vtkUnstructuredGrid of vertices, lines and
- * polygons, as Threshold gives it) or composite datasets of them (vtkDataObjectTree).
+ * Inputs are horizons (vtkPolyData, see Documentation/DataModel.md), or composite datasets of them (vtkDataObjectTree).
+ * A vtkUnstructuredGrid of vertices, lines and polygons, as of Threshold, is accepted, too. Its properties are on
+ * HorizonExteriorBoundary.md.
  *
  * @sa vtkHorizonAlgorithm vtkHorizonSurfaceDistance
  */
@@ -34,7 +35,7 @@ public:
 
   ///@{
   /**
-   * How a horizon that cannot be processed is treated. Stop: an error, and no output. LeaveOut: a warning, and an
+   * What happens to a horizon that cannot be processed. Stop: an error, and no output. LeaveOut: a warning, and an
    * empty horizon. Default: Stop.
    */
   vtkSetClampMacro(InvalidHorizons, int, Stop, LeaveOut);

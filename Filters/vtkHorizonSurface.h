@@ -4,33 +4,29 @@
  * @class   vtkHorizonSurface
  * @brief   makes a mesh of few triangles from the points of a horizon, with automatically chosen parameters
  *
- * Input: what vtkHorizonExteriorBoundary takes. Output 0: the mesh, as vtkHorizonDecimation gives it. Output 1: the
- * outlines over all points, as vtkHorizonExteriorBoundary gives them: what to measure the mesh against.
+ * Input: as of vtkHorizonExteriorBoundary. Output 0: the mesh, as of vtkHorizonDecimation. Output 1: the outlines over
+ * all points, as of vtkHorizonExteriorBoundary, for measuring the mesh against them.
  *
- * The filter does what vtkHorizonExteriorBoundary, vtkHorizonBoundarySimplification (FewestPoints) and
- * vtkHorizonDecimation do one after the other, with the same result to the byte, and without data in between. You
- * choose how far the mesh may be from the horizon (outlines may be as far off sideways), or how many triangles it may
- * have; the rest follows from that and from the points, unless you switch it off (Automatic...). What was chosen is new
- * field data of the mesh, one value each, with which the single stages give the same:
+ * You choose how far the mesh may be from the horizon (outlines may be as far off sideways), or how many triangles it
+ * may have; the rest follows from that and from the points, unless you switch it off (Automatic...). The result is
+ * bitwise identical to running vtkHorizonExteriorBoundary, vtkHorizonBoundarySimplification (FewestPoints) and
+ * vtkHorizonDecimation in sequence with the chosen parameters, which are field data of the mesh, one value each:
  *  - ChosenRadius (int), ChosenSmallestHoleSize (vtkIdType, columns);
  *  - ChosenOutlineTolerance (double, columns), ChosenDistanceThreshold (double, lattice units);
- *  - ChosenMaximumError (double, lattice units): the error of the mesh, or, with NumberOfTriangles, the one that the
- *    outlines were simplified for (0 when they had tolerances of their own);
- *  - ChosenMaximumNumberOfPoints (vtkIdType): with NumberOfTriangles the number of points that the mesh was decimated
- *    to; else 0.
+ *  - ChosenMaximumError (double, lattice units): the error of the mesh, or, with NumberOfTriangles, the one that
+ *    outlines were simplified for (0 if their tolerances were given);
+ *  - ChosenMaximumNumberOfPoints (vtkIdType): with NumberOfTriangles the number of points of the decimation, else 0.
  *
- * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles: ten
- * meshes at most. Outlines are simplified for that error, and the mesh then gets as many points inside as the number
- * leaves. It never has more triangles than that.
+ * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles, in
+ * ten meshes at most. Outlines are simplified for that error, and inner points are added up to the number.
  *
- * With the effort Best and a SmallestAngle above 0, outlines keep points beside which a first mesh of the effort Fast has
- * slivers, which the single stages cannot know of: with a SmallestAngle of 0 the results are the same. This takes a
- * quarter of the time, half on very rough horizons.
+ * With the effort Best and a SmallestAngle above 0, outlines also keep points beside slivers of a first mesh of the
+ * effort Fast; only with a SmallestAngle of 0 are the results those of the single stages.
  *
- * On several threads, with the same result on any number of them. Near linear; about 50 bytes per point and 12
- * per column of the bounding box of a patch beyond the input, output included.
+ * The result is the same for any number of threads. Time is near linear; memory beyond the input is about 50 bytes per
+ * point and 12 per column of the bounding box of a patch.
  *
- * Errors: those of the three stages; fewer triangles than the outlines take alone.
+ * Errors: those of the three stages, and fewer triangles than the outlines need.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonBoundarySimplification vtkHorizonDecimation vtkHorizonSurfaceDistance
  */
@@ -75,8 +71,8 @@ public:
 
   ///@{
   /**
-   * The largest number of triangles of each horizon; it must suffice for the outlines. Unit: triangles. Range: at
-   * least 1. Default: 20000.
+   * The largest number of triangles of each horizon. It must suffice for the outlines. Unit: triangles. Range: at least
+   * 1. Default: 20000.
    */
   vtkSetMacro(MaximumNumberOfTriangles, int);
   vtkGetMacro(MaximumNumberOfTriangles, int);
@@ -84,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Whether the radius is chosen: the least one that spans 95 % of the steps from point to point, along rows and along
-   * columns; 2 for every second line. Off: Radius. Default: on.
+   * Whether the radius is chosen, by the steps from point to point. Off: Radius. See "What is chosen" in
+   * HorizonSurface.md. Default: on.
    */
   vtkSetMacro(AutomaticRadius, bool);
   vtkGetMacro(AutomaticRadius, bool);
@@ -94,8 +90,7 @@ public:
 
   ///@{
   /**
-   * Without AutomaticRadius, the largest hop of outlines along each axis, as in vtkHorizonExteriorBoundary. Gaps that
-   * a hop can span do not break a horizon into patches. Unit: columns. Range: 1 to 32. Default: 1.
+   * Without AutomaticRadius, the largest hop of outlines along each axis. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);
@@ -110,8 +105,8 @@ public:
 
   ///@{
   /**
-   * How outlines continue where the radius leaves a choice. Distance: from neighbour to neighbour, with single bridges
-   * over gaps. Clockwise: by the outermost hop; narrow bays and gaps are cut short. Default: Clockwise.
+   * How outlines continue where the radius leaves a choice, as in vtkHorizonExteriorBoundary. Distance: from neighbour
+   * to neighbour. Clockwise: by the outermost hop. Default: Clockwise.
    */
   vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
   vtkGetMacro(GrowthStrategy, int);
@@ -130,9 +125,8 @@ public:
 
   ///@{
   /**
-   * Whether faults (field data CutLinks) split the horizon. A fault that ends inside is a crack, with an outline
-   * around both of its cutoffs, which stays open in the mesh, whatever its size, unless CloseFaults is on. Off: faults
-   * are ignored from here on. See "Faults" in HorizonExteriorBoundary.md. Default: on.
+   * Whether faults (field data CutLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the outputs have no CutLinks.
    */
@@ -143,8 +137,8 @@ public:
 
   ///@{
   /**
-   * Whether the smallest hole that stays open is chosen: a square with a side of twice the radius plus one, or twice
-   * the outline tolerance if that is larger. Off: SmallestHoleSize. Default: on.
+   * Whether the smallest hole that stays open is chosen, by the radius and the outline tolerance. Off:
+   * SmallestHoleSize. Default: on.
    */
   vtkSetMacro(AutomaticSmallestHoleSize, bool);
   vtkGetMacro(AutomaticSmallestHoleSize, bool);
@@ -153,8 +147,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticSmallestHoleSize, holes with fewer columns strictly inside are closed. 1 keeps every hole open.
-   * Unit: columns. Range: at least 1. Default: 1.
+   * Without AutomaticSmallestHoleSize, holes with fewer columns strictly inside are closed. Unit: columns. Range: at
+   * least 1. Default: 1.
    */
   vtkSetMacro(SmallestHoleSize, int);
   vtkGetMacro(SmallestHoleSize, int);
@@ -180,8 +174,8 @@ public:
 
   ///@{
   /**
-   * Without AutomaticOutlineTolerance, the largest distance on the map of a dropped point from its outline. 0 keeps
-   * the outline on the map. Unit: columns. Range: at least 0. Default: 0.
+   * Without AutomaticOutlineTolerance, the largest distance on the map of a dropped point from its outline. Unit:
+   * columns. Range: at least 0. Default: 0.
    */
   vtkSetMacro(OutlineTolerance, double);
   vtkGetMacro(OutlineTolerance, double);
@@ -207,8 +201,8 @@ public:
 
   ///@{
   /**
-   * For a part that vtkHorizonSurfaceJoin joins to others: the rows of the lattice, below and above, where other parts
-   * continue, which have these rows too; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
+   * For a part that vtkHorizonSurfaceJoin joins: the rows of the lattice, below and above, that it shares with other
+   * parts; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
    *
    * The parts on both sides have the points of such a row (j), and this part none beyond. The target is the error then,
    * not of unit Diagonal, holes have boundaries, MinimumPatchSize is 1 and growth clockwise where the radius is not 1.

@@ -4,21 +4,19 @@
  * @class   vtkHorizonSurfaceJoin
  * @brief   joins the meshes of the parts of a horizon into one
  *
- * For horizons larger than memory. Inputs, in any order: the meshes that vtkHorizonSurface gives for the parts that a
- * horizon was cut into at some rows of its lattice (SeamRows), which neighbouring parts share. All were made with the
- * same parameters, the radius included. Output: one mesh, as vtkHorizonSurface gives it for the whole.
+ * For horizons larger than memory. Inputs, in any order: meshes of vtkHorizonSurface for the parts of a horizon, which
+ * share rows of its lattice (SeamRows) and were made with the same parameters, the radius included. Output: one mesh,
+ * as of vtkHorizonSurface for the whole.
  *
- * Vertices on a seam become one, edges along it are those of two triangles, with no gap and no overlap, and patches and
- * holes that the seam cut are whole again. The largest error of the parts is that of the mesh. It differs from the mesh
- * of a horizon that was not cut only near the seams, see Documentation/HorizonSurfaceJoin.md.
+ * Vertices on a seam are merged, and patches and holes that the seam cut are whole again. The error of the mesh is the
+ * largest error of the parts. It differs from a mesh in one piece only near the seams, see
+ * Documentation/HorizonSurfaceJoin.md.
  *
- * Field data, beside those of the parts (largest values, sums and means of these):
+ * New field data, besides largest values, sums and means of those of the parts:
  *  - NumberOfParts (int);
- *  - SeamPoints (vtkIdType): how many vertices are on seams, and not on outlines.
+ *  - SeamPoints (vtkIdType): vertices on seams that are not on outlines.
  *
- * Near linear in the vertices, of which there are few beside the points of the horizon.
- *
- * Errors: a mesh that is no part; parts that leave a gap, or of different parameters or horizons.
+ * Errors: a mesh that is no part, missing parts, or parts of different parameters or horizons.
  *
  * @sa vtkHorizonSurface
  */

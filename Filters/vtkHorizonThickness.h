@@ -4,26 +4,26 @@
  * @class   vtkHorizonThickness
  * @brief   measures the thickness of the layer between two horizons, column by column
  *
- * Input 0: a horizon, or a composite dataset of such; at most one point in a column of the lattice. Input 1: the other
- * horizon, whose points stand on columns of the lattice of the first one; a window of the survey, or every second line,
- * is enough. Without it, the other one of two horizons at input 0 is meant.
+ * Input 0: a horizon, or a composite dataset of horizons, with at most one point per column. Input 1: the other
+ * horizon, with points on columns of the same lattice; a window of the survey, or every second line, is enough. Without
+ * input 1, each of two horizons at input 0 is measured to the other.
  *
- * Output 0: the points of input 0 in columns where the other horizon has one, with a vertex cell each, all arrays but
- * PatchId and Boundary of an outline before, and the point arrays
- *  - Isochore (double): the vertical thickness, in the unit of z; negative where the horizons cross
- *  - Isopach (double): the true thickness, at a right angle to the surface half-way between the horizons: the isochore
- *    times the cosine of its dip; nan where the dip is not known. Left out where VerticalDomain is time, or the units of
- *    z and of x and y differ.
- * Field data (double): IsochoreLeast, IsochoreMean, IsochoreLargest, IsochoreVolume (with Isopach only): the sum over
- * columns, each with the area of a whole bin, crossings as 0; and IsochoreCrossings (vtkIdType), columns where they
- * cross. Which horizon is the upper one does not matter: crossings are where the order is not that of most columns.
+ * Output 0: the points of input 0 in columns where the other horizon has one, a vertex cell per point, all arrays but
+ * PatchId and Boundary, and the point arrays
+ *  - Isochore (double): the vertical thickness, in the unit of z; negative where the horizons cross;
+ *  - Isopach (double): the true thickness, at a right angle to the surface half-way between the horizons; nan where the
+ *    dip is unknown. There is none if VerticalDomain is time, or if the units of z and of x and y differ.
  *
- * Output 1, the map: a vtkImageData in place of each horizon, with a pixel at z = 0 for each column of the bounding box,
- * the same arrays, and blanked pixels and nan where there is no thickness. Empty, with a warning, where the steps of
- * the lattice are not perpendicular, as images have no shear.
+ * Field data: IsochoreLeast, IsochoreMean, IsochoreLargest (double); IsochoreVolume (double, with Isopach only), the
+ * sum over columns, each with the area of a whole bin, crossings as 0; and IsochoreCrossings (vtkIdType), columns where
+ * the order is not that of most columns.
  *
- * A warning where more than one column in twenty is a crossing. Errors: another number of other horizons than one, a
- * point of it between columns, two in one column, no common column.
+ * Output 1, the map: a vtkImageData for each horizon, with a pixel at z = 0 for each column of the bounding box and the
+ * same arrays, blanked and nan where there is no thickness. Empty, with a warning, if the steps of the lattice are not
+ * perpendicular, as images have no shear.
+ *
+ * A warning if more than one column in twenty is a crossing. Errors: not exactly one other horizon, a point of it
+ * between columns, two in one column, or no common column.
  *
  * @sa vtkHorizonSurface, whose mesh carries both arrays
  */

@@ -4,42 +4,33 @@
  * @class   vtkHorizonTriangulation
  * @brief   makes the constrained Delaunay triangulation of a horizon within its outlines
  *
- * Input: what vtkHorizonExteriorBoundary or any simplification after it gives; with ConvexHull any horizon.
+ * Input: the output of vtkHorizonExteriorBoundary or of any simplification after it; with ConvexHull any horizon.
  *
- * Output 0: the same points with all their arrays, the boundary loops as polylines, and triangles, all facing +z in the
- * world. New cell data, nan for the polylines; in plan, in lattice units:
- *  - Compactness (float): 4 sqrt(3) area / (sum of squared sides) of a triangle (thesis eq. 5.9), from 0 to 1
- *  - Quality (float): 2 sqrt(3) area / (longest side x half the perimeter) (thesis eq. 5.10), from 0 to 1
+ * Output 0: the same points and arrays, the boundary loops as polylines, and triangles that face +z in the world. New
+ * cell data, on the map in lattice units, nan for polylines:
+ *  - Compactness (float): 4 sqrt(3) area / (sum of squared sides) (thesis eq. 5.9), from 0 to 1;
+ *  - Quality (float): 2 sqrt(3) area / (longest side x half the perimeter) (thesis eq. 5.10), from 0 to 1.
+ *
  * New field data, one value each:
- *  - TriangleCount, BoundaryEdgeCount (vtkIdType): boundary edges with surface on one side
- *  - NonDelaunayEdgeCount (vtkIdType): boundary edges that are there because they are boundary: every circle through
- *    their ends holds a point
- *  - SmallestAngle (double): in degrees
+ *  - TriangleCount, BoundaryEdgeCount (vtkIdType): boundary edges with surface on one side;
+ *  - NonDelaunayEdgeCount (vtkIdType): boundary edges without an empty circle through their ends;
+ *  - SmallestAngle (double): in degrees.
  *
- * Output 1, with MaximumNumberOfTriangles: the voxels that the search for the last triangle looked into, as squares, in
- * their order, with the cell data Dilatation (int): 0 on the perpendicular bisector, n on its n-th dilation, -1 in
- * the box of the edge for the strategy Compactness, in squares around it, or in the circle of a candidate. Empty
- * otherwise.
+ * Output 1, with MaximumNumberOfTriangles: the search cells of the last triangle, as squares in order, with the cell
+ * data Dilatation (int): 0 on the perpendicular bisector, n on its n-th dilation, else -1.
  *
- * Every boundary edge is an edge of the mesh (those of spurs, which have surface on neither side, belong to no
- * triangle); every point inside is a vertex; no triangle lies outside; every other edge is locally Delaunay, seen from
- * above in lattice units. Holes without loops close.
+ * Every boundary edge is an edge of the mesh, but those of spurs have no triangles. Every point inside is a vertex; no
+ * triangle lies outside; every other edge is locally Delaunay, seen from above in lattice units. Holes without loops
+ * are closed. With ConvexHull, MaximumBoundaryAngle and MaximumBoundaryEdgeLength remove triangles from the outside
+ * inwards (OutsideTriangles.h).
  *
- * Where the lattice is full, triangles are made without a search. In the rest they grow from the boundary inwards; the
- * third point for an edge is searched in a grid of voxels around it (thesis chapter 5). All
- * decisions are exact: places are taken as integers, columns being cut into up to 2^20 parts (Lattice.h), and ties
- * between points on one circle, of which a lattice is full, are settled by one rule that looks at the places alone
- * (Predicates.h). So the result is unique: neither the order of the points nor the strategy matters.
+ * Triangles grow inwards from the boundary; the third point for an edge is searched in a grid of cells (thesis chapter
+ * 5). Full lattices need no search. All decisions are exact, and ties between points on one circle are settled by their
+ * places alone (Predicates.h): the result depends neither on the order of the points nor on the strategy. Time is near
+ * linear; memory beyond input and output is about 60 bytes per point on full lattices, and up to 150.
  *
- * Near linear in the points; about 60 bytes per point beyond input and output on full lattices, 150 where all points
- * have to be searched for.
- *
- * A horizon without outlines is meshed within its convex hull (ConvexHull), from which MaximumBoundaryAngle and
- * MaximumBoundaryEdgeLength then take off the triangles that lie outside (OutsideTriangles.h).
- *
- * Errors: no boundary loops, loops that cross or are not closed or leave their patch, points in one place, on a
- * boundary edge or outside the boundary, an angle or edge length out of range, no PatchId, no lattice in the field
- * data.
+ * Errors: no boundary loops, loops that cross, are not closed or leave their patch, points in one place, on a boundary
+ * edge or outside the boundary, a parameter out of range, no PatchId, or no lattice in the field data.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonRoughSimplification vtkDelaunay2D
  */
@@ -66,9 +57,9 @@ public:
 
   ///@{
   /**
-   * How the third point of a triangle is searched. VoxelTraversal: along the perpendicular bisector of the edge and
-   * its dilations (thesis 5.3.6). Compactness: among all points in the square box of the edge, by the compactness of
-   * their triangles (5.4). Both give the same mesh; the time differs. Default: VoxelTraversal.
+   * How the third point of a triangle is searched; the mesh is the same. VoxelTraversal: along the perpendicular
+   * bisector of the edge (thesis 5.3.6). Compactness: among all points in the square box of the edge (5.4). Default:
+   * VoxelTraversal.
    */
   vtkSetClampMacro(SearchStrategy, int, VoxelTraversal, Compactness);
   vtkGetMacro(SearchStrategy, int);
@@ -78,8 +69,7 @@ public:
 
   ///@{
   /**
-   * Whether the convex hull of all points is meshed, with or without outlines. Gaps between patches and bays of the
-   * outline are closed as well. Default: off.
+   * Whether the convex hull of all points is meshed, with or without outlines. Default: off.
    *
    * The polylines of the output are then the hull, or what the limits below leave of it.
    */
@@ -91,8 +81,7 @@ public:
   ///@{
   /**
    * With ConvexHull, triangles are removed from the outside inwards if the angle opposite their boundary edge is
-   * larger. 180 removes nothing; with 100, bays that widen outwards open, and below 90 those with parallel sides. All
-   * points stay in the mesh, in one piece. Not with MaximumNumberOfTriangles. Unit: degrees on the map. Range: 0 to
+   * larger; 180 removes none. See "Without outlines" in HorizonTriangulation.md. Unit: degrees on the map. Range: 0 to
    * 180. Default: 180.
    *
    * Thesis 5.3.8. The longest edge goes first; a triangle stays when it would leave a point without one, or let the
@@ -105,9 +94,8 @@ public:
 
   ///@{
   /**
-   * With ConvexHull, triangles are also removed if their boundary edge is longer. 0 removes nothing; 1.5 opens all
-   * that is open in a horizon with a point in every column. All points stay in the mesh, in one piece. Not with
-   * MaximumNumberOfTriangles. Unit: columns. Range: at least 0. Default: 0.
+   * With ConvexHull, triangles are also removed if their boundary edge is longer; 0 removes none. Unit: columns. Range:
+   * at least 0. Default: 0.
    */
   vtkSetMacro(MaximumBoundaryEdgeLength, double);
   vtkGetMacro(MaximumBoundaryEdgeLength, double);
@@ -115,8 +103,8 @@ public:
 
   ///@{
   /**
-   * For inspection: each patch stops after this many triangles, and the second output shows the search cells of the
-   * last third point, coloured by dilation. 0 makes all triangles. Unit: triangles. Range: at least 0. Default: 0.
+   * For inspection: each patch stops after this many triangles, and the second output shows the last search. 0 makes
+   * all triangles. Unit: triangles. Range: at least 0. Default: 0.
    *
    * Full lattices are searched as well then.
    */
@@ -126,9 +114,8 @@ public:
 
   ///@{
   /**
-   * Whether steep triangles close the cracks at faults, with 1 in the array Fault. The rest of the mesh does not
-   * change; gaps of missing points stay open. Not with ConvexHull or MaximumNumberOfTriangles. See "Closed meshes" in
-   * HorizonFaults.md. Default: off.
+   * Whether steep triangles, with 1 in the array Fault, close the cracks at faults. Not with ConvexHull or
+   * MaximumNumberOfTriangles. See "Closed meshes" in HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure counts them; the new FaultTriangleCount (vtkIdType) has their number.

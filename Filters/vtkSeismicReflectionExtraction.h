@@ -2,27 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSeismicReflectionExtraction
- * @brief   extracts horizons from a seismic cube: reflections of neighbouring traces joined to surfaces
+ * @brief   extracts horizons from a seismic cube by joining reflections of neighbouring traces into surfaces
  *
- * The input is a vtkImageData with amplitudes at its points, of any type of numbers (SetInputArrayToProcess; by default
- * the active scalars, or where there are none the point array Amplitude). Traces run along k, which has to be vertical.
- * Points that vtkGhostType hides, and numbers that are not finite, are no samples; traces of zeros have no reflections.
+ * Input 0: a vtkImageData with amplitudes at its points, of any type of numbers (SetInputArrayToProcess; by default the
+ * active scalars, or else the point array Amplitude), with vertical traces along k. Points that vtkGhostType hides, and
+ * numbers that are not finite, are ignored. Input 1, optional: picks of the horizons wanted. Input 2, optional:
+ * horizons that limit the search.
  *
- * A reflection is a run of samples of one sign on a trace (thesis, 2.2.1, after Verney 2009), or its end. Strong ones
- * are thinned to a pick, and picks of neighbouring traces joined to surfaces, "Horizon 1" and on, the strongest first.
+ * A reflection is a run of samples of one sign on a trace (thesis 2.2.1, after Verney 2009), or its end. Strong ones
+ * are reduced to a pick, and picks of neighbouring traces are joined into surfaces, "Horizon 1" and on, the strongest
+ * first; with picks at input 1, the horizons through these.
  *
- * With picks of an interpreter at the second input, the output has the horizons that these ask for. Horizons at the
- * third input limit where reflections are looked for.
+ * The output is as of vtkVerneySparseMatrixReader: a vtkPartitionedDataSetCollection of vtkPolyData with one point and
+ * one vertex cell per pick, at most one per column. Point data: VerticalIndex, the sample nearest to the pick;
+ * Thickness (in samples) and Amplitude of its run; RealZ, its exact position; with picks at input 1 also Origin (0 at a
+ * pick, 1 on a surface taken, 2 where the horizon grew) and GuideDistance, to the nearest pick, in columns. Field data
+ * are those of the input, or else made from its origin, spacing, direction and extent.
  *
- * The output is what vtkVerneySparseMatrixReader gives: a vtkPartitionedDataSetCollection of vtkPolyData with one point
- * and one vertex cell per pick, at most one in a column. Of its point data, VerticalIndex is the sample nearest to the
- * pick, Thickness (in samples) and Amplitude are those of its run, and RealZ is its place to parts of a sample. With
- * picks of an interpreter come Origin (0 where one is, 1 on a part of a surface that was taken, 2 where it grew) and
- * GuideDistance, to the nearest, in columns. Field data are those of the input, where it has them, and else made from
- * its origin, spacing, direction and extent.
- *
- * The result is the same on any number of threads. Each of several processes works on the whole cube, and gives a part
- * of the horizons. An error leaves the output empty. It takes about 30 bytes for each pick, 90 with guides.
+ * The result is the same for any number of threads. With several processes, each processes the whole cube, and gives a
+ * part of the horizons. An error leaves the output empty. Memory is about 30 bytes per pick, 90 with picks at input 1.
  */
 
 #ifndef vtkSeismicReflectionExtraction_h
@@ -50,8 +48,8 @@ public:
 
   ///@{
   /**
-   * The angle by which the phase of the wavelet is rotated first. Picks are on interfaces if the phase is then 0:
-   * minus the EstimatedPhase of the cube as it is. Unit: degrees. Range: -180 to 180. Default: 0.
+   * The angle by which the phase of the wavelet is rotated first: minus the EstimatedPhase of the cube puts picks on
+   * interfaces. Unit: degrees. Range: -180 to 180. Default: 0.
    */
   vtkSetMacro(PhaseRotation, double);
   vtkGetMacro(PhaseRotation, double);
@@ -86,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold, as in the
-   * thesis. Peak: at each local maximum of the absolute amplitude, interpolated by a parabola. ZeroCrossing: where
-   * amplitudes change sign; positive ones become positive downwards. Default: Peak.
+   * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold. Peak: at each
+   * local maximum of the absolute amplitude, interpolated. ZeroCrossing: where amplitudes change sign; positive ones
+   * become positive downwards. Default: Peak.
    */
   vtkSetClampMacro(Position, int, Middle, ZeroCrossing);
   vtkGetMacro(Position, int);
@@ -116,8 +114,8 @@ public:
 
   ///@{
   /**
-   * The least absolute amplitude: at the peak; with Middle, of all samples of a reflection; at a zero crossing, the
-   * mean of the neighbouring peaks. Unit: that of the amplitudes. Range: at least 0. Default: 0.
+   * The least absolute amplitude of a peak; with Middle, of all samples of a reflection; at a zero crossing, of the
+   * mean of the peaks beside it. Unit: that of the amplitudes. Range: at least 0. Default: 0.
    */
   vtkSetMacro(AmplitudeThreshold, double);
   vtkGetMacro(AmplitudeThreshold, double);
@@ -125,8 +123,8 @@ public:
 
   ///@{
   /**
-   * The percentage of peaks of the polarity that are too weak; with Middle, of samples other than 0. High values break
-   * up surfaces that fade. With guides all peaks are used. Unit: percent. Range: 0 to 100. Default: 25.
+   * The percentage of peaks of the polarity that are too weak; with Middle, of samples other than 0. With guides all
+   * peaks are used. Unit: percent. Range: 0 to 100. Default: 25.
    */
   vtkSetMacro(AmplitudePercentile, double);
   vtkGetMacro(AmplitudePercentile, double);
@@ -142,10 +140,9 @@ public:
 
   ///@{
   /**
-   * How picks become surfaces. BestFirst: the most similar waveforms are linked first; parts that overlap, or face
-   * each other with few links, as at faults, stay separate. Continuous: surfaces grow one after the other, each from
-   * the strongest remaining pick; strong events stay whole, some across faults. Components: all that touch. See "Three
-   * ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
+   * How picks become surfaces. BestFirst: the most similar waveforms are linked first. Continuous: surfaces grow one
+   * after the other, each from the strongest remaining pick. Components: all that touch. See "Three ways to join" in
+   * SeismicReflectionExtraction.md. Default: BestFirst.
    */
   vtkSetClampMacro(Joining, int, BestFirst, Components);
   vtkGetMacro(Joining, int);
@@ -173,8 +170,8 @@ public:
 
   ///@{
   /**
-   * The largest vertical step between neighbouring picks of a surface; faults of a larger throw end it. 0: 0.3 of the
-   * dominant period, at least 2. Unit: samples. Range: 0 to 262143. Default: 0.
+   * The largest vertical step between neighbouring picks of a surface. 0: 0.3 of the dominant period, at least 2. Unit:
+   * samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(LargestStep, double);
   vtkGetMacro(LargestStep, double);
@@ -182,8 +179,8 @@ public:
 
   ///@{
   /**
-   * The least correlation of the waveforms of neighbouring picks, as a fraction of its median over all links. 0: any.
-   * Not with Components. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
+   * The least correlation of the waveforms of neighbouring picks, as a fraction of the median over all links. Not with
+   * Components. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
    */
   vtkSetMacro(SmallestCorrelation, double);
   vtkGetMacro(SmallestCorrelation, double);
@@ -192,7 +189,7 @@ public:
   ///@{
   /**
    * With BestFirst, the least fraction of links among the pairs of picks along which two parts of a surface face each
-   * other. Smaller values let surfaces grow across tears. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
+   * other. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
    */
   vtkSetMacro(SmallestContact, double);
   vtkGetMacro(SmallestContact, double);
@@ -208,7 +205,7 @@ public:
 
   ///@{
   /**
-   * The largest number of horizons: the first surfaces. Unit: surfaces. Range: at least 1. Default: 100.
+   * The largest number of horizons. Unit: surfaces. Range: at least 1. Default: 100.
    */
   vtkSetMacro(LargestNumber, int);
   vtkGetMacro(LargestNumber, int);
@@ -223,8 +220,8 @@ public:
 
   ///@{
   /**
-   * Which surfaces come first. Strength: the largest sum of cubed absolute amplitudes at picks, which are the main
-   * reflectors. Size: the most picks. Default: Strength.
+   * Which surfaces come first. Strength: those with the largest sum of cubed absolute amplitudes, the main reflectors.
+   * Size: those with the most picks. Default: Strength.
    */
   vtkSetClampMacro(Order, int, Strength, Size);
   vtkGetMacro(Order, int);
@@ -234,9 +231,8 @@ public:
 
   ///@{
   /**
-   * Some picks of each horizon wanted, in the coordinates of the cube: lines, wells or an older horizon; optional.
-   * Each block is a horizon of its name; the point array Horizon, of numbers or texts, separates several horizons in a
-   * dataset. Picks outside the cube are ignored. Range: points. Default: none.
+   * Some picks of each horizon wanted, in the coordinates of the cube; optional. Blocks, or the point array Horizon of
+   * numbers or texts, separate horizons. Range: points. Default: none.
    *
    * Input 1.
    */
@@ -246,8 +242,8 @@ public:
 
   ///@{
   /**
-   * The largest distance of a pick of a guide from its reflection. Picks near no reflection are not used. 0: 0.2 of
-   * the dominant period, at least 1.5. Unit: samples. Range: 0 to 262143. Default: 0.
+   * The largest distance of a pick of a guide from its reflection. 0: 0.2 of the dominant period, at least 1.5. Unit:
+   * samples. Range: 0 to 262143. Default: 0.
    */
   vtkSetMacro(GuideTolerance, double);
   vtkGetMacro(GuideTolerance, double);
@@ -280,8 +276,8 @@ public:
 
   ///@{
   /**
-   * One or two older horizons on the traces of the cube: only what lies between them, or on the LimitSide of one, is
-   * searched; optional. Traces on which a limit has no point are not searched. Range: points. Default: none.
+   * One or two older horizons: only what lies between them, or on the LimitSide of one, is searched; optional. Range:
+   * points. Default: none.
    *
    * Input 2, of several connections.
    */

@@ -166,6 +166,24 @@ class TextsTest(unittest.TestCase):
         self.write("Documentation/Three.md", PAGE)
         self.assertIn("Three.md: no link to Bases.md, expected one", self.run_program("pages").stderr)
 
+    def test_properties_of_a_base_class_are_on_the_page_that_it_names(self):
+        base = BASE.replace(" *\n */", " *\n * Of rows. Its properties are on\n * Two.md.\n */")
+        self.write("Filters/vtkBase.h", base.replace("4.5 in vtkOne, 2 in vtkTwo", "4.5"))
+        self.write("Filters/vtkTwo.h", ONE.replace("vtkOne", "vtkTwo"))
+        self.write("Documentation/Bases.md", PAGE.replace("More", "More in [Two](Two.md#properties)"))
+        self.assertIn("One.md: no link to Two.md, expected one", self.run_program("pages").stderr)
+        self.write("Documentation/One.md", PAGE.replace("More", "More in [Two](Two.md#properties)"))
+        self.run_program("pages").check_returncode()
+        rows = {page: (FOLDER / "Documentation" / page).read_text(encoding="utf-8").count("| RowWidth |")
+                for page in ("One.md", "Two.md")}
+        self.assertEqual(rows, {"One.md": 0, "Two.md": 1})
+        self.assertIn("RowWidth", self.panel()["One"])
+
+    def test_another_default_in_each_class_keeps_a_property_on_both_pages(self):
+        self.write("Filters/vtkBase.h", BASE.replace(" *\n */", " *\n * Its properties are on Two.md.\n */"))
+        self.run_program("pages").check_returncode()
+        self.assertIn("| RowWidth | 4.5 |", (FOLDER / "Documentation" / "One.md").read_text(encoding="utf-8"))
+
     def test_a_setter_without_a_comment_is_an_error(self):
         self.write("Filters/vtkOne.h", ONE.replace("  /// Whether it is on.", "  // Whether it is on."))
         self.assertIn("One: On has no text, expected a comment of SetOn in vtkOne.h", self.run_program("panel", FOLDER).stderr)

@@ -18,6 +18,9 @@ its proxy.
 The table on the page of a proxy has its own properties. Those of a base are in a table on the page that is called as the
 XML file of the base, to which the page of the proxy has a link. A file with several bases has a page with a table of each.
 
+A base class whose comment says 'Its properties are on HorizonSurface.md.' has its properties in the table of that page alone:
+other pages link to it. A property with another default in each class is on the page of each.
+
 Of each reader there are two proxies in the plugin, the one in the XML file and one that differs in its name: ParaView asks
 readers for a file in the order of these names, and takes the first that says yes. The second one comes before all readers
 of ParaView that do not look into files, as that of CSV. Python, which goes by labels, makes it, too; states of earlier
@@ -40,7 +43,7 @@ FIRST = "ByContent"  # before the name of a reader
 SEE = r'See "([^"]+)" in (\w+\.md)\.'
 
 Text = collections.namedtuple("Text", "meaning unit range default")
-Header = collections.namedtuple("Header", "base brief texts values")
+Header = collections.namedtuple("Header", "base brief page texts values")
 
 
 def split_facts(paragraph):
@@ -55,9 +58,10 @@ def split_facts(paragraph):
 
 
 def read_header(path):
-    """The base of a class, its brief, the text of each method that has one, and the values of each choice."""
+    """The base of a class, its brief, the page of its properties, the texts of methods, and the values of choices."""
     text = path.read_text(encoding="utf-8")
     brief = re.search(r"@brief +((?:.+\n)+?) \*\n", text)
+    page = re.search(r"Its properties are on (\w+\.md)\.", text.replace("\n * ", " "))
     base = re.search(r"^class \w+ (?:vtk\w+) : public (\w+)", text, re.M)
     texts = {}
     comment = r"^  (?:/\*\*\n((?:   \*(?!/).*\n)+)   \*/|/// (.*))\n((?:  (?!/).*\n)+)"
@@ -69,7 +73,8 @@ def read_header(path):
             texts["AddFileName"] = paragraph
     enums = re.findall(r"/// Values of (\w+)[^\n]*\n  enum \w+\n  {\n(.*?)  };", text, re.S)
     values = {name: re.findall(r"(\w+) = (\d+)", body) for name, body in enums}
-    return Header(base and base.group(1), brief and " ".join(brief.group(1).replace("\n *", " ").split()), texts, values)
+    return Header(base and base.group(1), brief and " ".join(brief.group(1).replace("\n *", " ").split()),
+                  page and page.group(1), texts, values)
 
 
 class Proxy:
@@ -127,17 +132,27 @@ class Texts:
             yield self.headers[class_name]
             class_name = self.headers[class_name].base
 
+    def header_of(self, proxy, prop):
+        """The header with the text of a property; None if it has none."""
+        return next((header for header in self.lineage(proxy.class_name) if prop.get("command") in header.texts), None)
+
+    def other_page(self, proxy, prop):
+        """The page that has a property instead of that of its proxy; None for most."""
+        header = self.header_of(proxy, prop)
+        if not header or header.page in (None, proxy.page):
+            return None
+        return None if " in vtk" in (split_facts(header.texts[prop.get("command")]).default or "") else header.page
+
     def find(self, proxy, prop):
         """The text of a property; None where neither a header nor the XML file has one."""
         own = prop.find("Documentation")
-        command = prop.get("command")
-        for header in self.lineage(proxy.class_name):
-            if command in header.texts:
-                if own is not None:
-                    sys.exit("%s: %s has a text in its XML file and one in C++" % (proxy.name, prop.get("name")))
-                text = split_facts(header.texts[command])
-                own_default = re.search(r"(\S+) in %s\b" % proxy.class_name, text.default or "")
-                return text._replace(default=own_default.group(1)) if own_default else text
+        header = self.header_of(proxy, prop)
+        if header:
+            if own is not None:
+                sys.exit("%s: %s has a text in its XML file and one in C++" % (proxy.name, prop.get("name")))
+            text = split_facts(header.texts[prop.get("command")])
+            own_default = re.search(r"(\S+) in %s\b" % proxy.class_name, text.default or "")
+            return text._replace(default=own_default.group(1)) if own_default else text
         return split_facts(own.text) if own is not None and own.text else None
 
     def values(self, proxy, prop):
@@ -207,7 +222,8 @@ class Texts:
         return [prop.get("name"), text.default, reach or "-", cell(text.unit or "-"), cell(text.meaning)]
 
     def table(self, proxy):
-        rows = [row for row in (self.row(proxy, prop) for prop in proxy.own) if row]
+        own = [prop for prop in proxy.own if not self.other_page(proxy, prop)]
+        rows = [row for row in (self.row(proxy, prop) for prop in own) if row]
         lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows
         return "".join("| %s |\n" % " | ".join(line) for line in lines)
 
@@ -223,7 +239,8 @@ class Texts:
             count = len(re.findall(pattern, text, re.M))
             if count != len(on_it):
                 sys.exit("%s: %d tables of properties, expected %d" % (page, count, len(on_it)))
-            for base in {proxy.base.page for proxy in on_it if proxy.base} - {page}:
+            others = {self.other_page(proxy, prop) for proxy in on_it for prop in proxy.own} - {None}
+            for base in {proxy.base.page for proxy in on_it if proxy.base} - {page} | others:
                 if "(%s" % base not in text:
                     sys.exit("%s: no link to %s, expected one, as there are more of its properties" % (page, base))
             tables = iter([self.table(proxy) for proxy in on_it])

@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """How near filled holes come to what was there: columns are taken out of horizons, filled by several methods, and
-compared. Prints the table of Documentation/HorizonHoleFilling.md: of each horizon, for holes of each width in columns, the
-root mean square error of Method Automatic in lattice units, and in brackets its ratio to the least of the other methods.
-With --methods each method has a column.
+compared. Prints a table of Documentation/StageTables.md: for each horizon and each width of holes in columns, the root mean
+square error of Method Automatic in lattice units, and in brackets its ratio to the least of the other methods. With
+--methods each method has a column.
 
     hole_filling.py [--methods] [--real FOLDER] [--widths W...] [--size COLUMNS] [--repeat N] [--processes N]
 
