@@ -124,7 +124,7 @@ vtkDataArray* vtkSeismicReflectionExtraction::FindAmplitudes(vtkImageData* cube)
   const char* const name = given && *given ? given : nullptr;
   if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    throw InputError("amplitudes that are not at points, expected an array of the points: see Cell Data To Point Data");
+    throw InputError("amplitudes of cells, expected a point array: apply Cell Data To Point Data");
   }
   vtkPointData* const data = cube->GetPointData();
   vtkDataArray* const array = name ? data->GetArray(name)

@@ -176,7 +176,7 @@ void RefuseCounters(const TextLines& sample, const TextLayout& layout)
     const std::vector<double> next = NumbersOf(sample, layout, 1);
     if (IsCounter(numbers) && !IsConstant(numbers) && !IsCounter(next))
     {
-      throw InputError("column 1 counts lines, expected places or line numbers" + std::string(Remedy));
+      throw InputError("column 1 counts lines, expected coordinates or line numbers" + std::string(Remedy));
     }
   }
 }

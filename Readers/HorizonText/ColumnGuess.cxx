@@ -66,7 +66,8 @@ double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t 
 {
   throw InputError("columns " + std::to_string(lines + 1) + " and " + std::to_string(lines + 2) +
     " look like line numbers, and columns " + std::to_string(places + 1) + " and " + std::to_string(places + 2) +
-    " may be their places but do not follow them, expected places that do, or other numbers: name the columns in "
+    " may be their coordinates but do not follow them, expected coordinates that do, or other numbers: name the "
+    "columns in "
     "Columns, such as Inline, "
     "Crossline, X, Y, Z");
 }

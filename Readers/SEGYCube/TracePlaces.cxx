@@ -52,7 +52,7 @@ PlaceFit TryFields(const TraceTable& table, const LineNumbers& lines, const Line
   const PickTable picks = ListPlaces(table, lines, fields);
   if (picks.X.empty())
   {
-    throw InputError(FieldsText(fields) + "that are all 0, expected places");
+    throw InputError(FieldsText(fields) + "that are all 0, expected coordinates");
   }
   return FitLattice(picks, numbering, FieldsText(fields), tolerance, monitor);
 }
@@ -149,10 +149,10 @@ PlacedTraces UseDoubtful(PlacedTraces doubtful, bool areLineNumbers, const LineN
 {
   if (areLineNumbers)
   {
-    return LinesForPlaces(FieldsText(doubtful.Fields) + "that are the line numbers, expected places", numbering);
+    return LinesForPlaces(FieldsText(doubtful.Fields) + "that equal the line numbers, expected coordinates", numbering);
   }
   doubtful.Warnings.push_back(FieldsText(doubtful.Fields) +
-    "with the steps of line numbers, expected places; if they are lines as well, set XByte and YByte");
+    "with the steps of line numbers, expected coordinates; if they are lines as well, set XByte and YByte");
   return doubtful;
 }
 }

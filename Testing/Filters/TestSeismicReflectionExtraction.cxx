@@ -300,7 +300,7 @@ void TestWrongArrays()
   CheckRefused(named, "no point array none of numbers, expected one with amplitudes");
   Filter cells = MakeFilter(MakeCube<vtkFloatArray>());
   cells->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Amplitude");
-  CheckRefused(cells, "amplitudes that are not at points, expected an array of the points");
+  CheckRefused(cells, "amplitudes of cells, expected a point array");
   Image vectors = Image::New();
   vectors->SetDimensions(Size);
   vectors->AllocateScalars(VTK_FLOAT, 3);

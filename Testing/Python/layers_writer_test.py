@@ -213,7 +213,7 @@ class LayersWriterTest(unittest.TestCase):
                 (points, "msh", "coordinate nan of point 2, expected a finite number"),
                 (below, "msh", "layer 4 of cell 0, expected 0 to 0"),
                 (apart, "disv", "cells of triangle 0 that are not over each other, expected layers"),
-                (tilted, "disv", "whose sides are not upright, expected layers"),
+                (tilted, "disv", "whose sides are not vertical, expected layers"),
                 (mesh_checks.with_text(few, "VerticalDomain", "time"), "disv",
                  "layers in time, expected depths: convert the horizons before"),
                 (feet, "disv", "z in ft and x and y in m, expected one unit")):

@@ -24,7 +24,7 @@ KNOWN = {
                       "coordinates of its points"],  # a warning
     "HorizonGridWriter": ["places are rounded to single precision, by up to ...; IRAP text keeps them"],  # a warning
     "HorizonSurface": ["maximum number of triangles ..., expected at least the ... that the outlines alone take"],
-    "HorizonTextReader": ["column 1 counts lines, expected places or line numbers: name the columns in Columns, such "
+    "HorizonTextReader": ["column 1 counts lines, expected coordinates or line numbers: name the columns in Columns, such "
                           "as Inline, Crossline, X, Y, Z"],  # with a constant
     "HorizonTriangulation": ["no surface to the left of the edge from point ... to point ..., expected closed boundary "
                              "loops with the surface to their right"],

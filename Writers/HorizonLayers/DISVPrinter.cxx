@@ -108,7 +108,7 @@ private:
     if (count != 3)
     {
       throw InputError("cell " + std::to_string(cell) +
-        ", whose sides are not upright, expected layers as Horizon Layers "
+        ", whose sides are not vertical, expected layers as Horizon Layers "
         "makes them");
     }
     return level;

@@ -241,7 +241,7 @@ void PlacesOffTheLatticeAreNotUsed()
   options.PlaceFields = { 181, 185 };
   CHECK_THROWS_WITH(Read(file, options), "columns away from their columns, expected at most 0.25");
   options.PlaceFields = { 73, 77 };
-  CHECK_THROWS_WITH(Read(file, options), "x and y of traces (bytes 73 and 77) that are all 0, expected places");
+  CHECK_THROWS_WITH(Read(file, options), "x and y of traces (bytes 73 and 77) that are all 0, expected coordinates");
   options.PlaceFields = { NoField, NoField };
   CHECK(Read(file, options).Warnings.empty());
 }

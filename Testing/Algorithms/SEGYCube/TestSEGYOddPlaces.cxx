@@ -55,8 +55,8 @@ void LineNumbersAreNoPlaces()
     const bool areLines = kind < 3;
     CHECK_EQUAL(cube.PlaceFields.First, areLines ? NoField : 181);
     CHECK(Warns(cube,
-      areLines ? "(bytes 181 and 185) that are the line numbers, expected places; line numbers stand"
-               : "(bytes 181 and 185) with the steps of line numbers, expected places"));
+      areLines ? "(bytes 181 and 185) that equal the line numbers, expected coordinates; line numbers stand"
+               : "(bytes 181 and 185) with the steps of line numbers, expected coordinates"));
   }
 }
 

@@ -279,7 +279,7 @@ void WrongColumnsAreRefused()
     change(cells);
     CHECK_THROWS_WITH(TextOf(PrintDISV, cells), message);
   };
-  check([](VolumeCells& cells) { cells.Points[0][0] = 0.5; }, "cell 0, whose sides are not upright, expected layers");
+  check([](VolumeCells& cells) { cells.Points[0][0] = 0.5; }, "cell 0, whose sides are not vertical, expected layers");
   check(
     [](VolumeCells& cells)
     {
