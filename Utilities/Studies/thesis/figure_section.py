@@ -9,9 +9,9 @@ from .words import listing
 SECTION = """\
 ## Figures of the thesis
 
-The surfaces differ: compare sizes, not places. Distances are shown at the points of the input, from pale (0) to dark
-(the 99th percentile of the row). Other figures are on the pages of the [outlines](HorizonExteriorBoundary.md) (3.20 to 3.22, 3.25, 3.27) and the [elaborate
-simplification](HorizonElaborateSimplification.md) (4.12, 4.13).{missing}
+Compare sizes, not places, since the surfaces differ. Distances are at the points of the input, from pale (0) to dark
+(the 99th percentile of the row). Further figures: [outlines](HorizonExteriorBoundary.md),
+[elaborate simplification](HorizonElaborateSimplification.md).{missing}
 
 {figures}"""
 
