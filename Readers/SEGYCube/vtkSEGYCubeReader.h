@@ -82,7 +82,7 @@ public:
 
   ///@{
   /**
-   * The byte of the inline number in trace headers, from 1; 189 in the standard. 0, also for CrosslineByte: found
+   * The byte of the inline number in trace headers, from 1; 189 in the standard. 0, with a CrosslineByte of 0: found
    * automatically. -1: none, all traces are on one inline. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(InlineByte, int);
@@ -91,8 +91,7 @@ public:
 
   ///@{
   /**
-   * The byte of the crossline number in trace headers, from 1; 193 in the standard. 0, also for InlineByte: found
-   * automatically. -1: none, all traces are on one crossline. Range: -1 to 237. Default: 0.
+   * As InlineByte, for the crossline number; 193 in the standard. Range: -1 to 237. Default: 0.
    *
    * Only one of the two can be -1.
    */
@@ -102,8 +101,8 @@ public:
 
   ///@{
   /**
-   * The byte of x in trace headers, from 1; 181 in the standard. 0, also for YByte: found automatically. -1 for both: x
-   * is the crossline, y the inline. Range: -1 to 237. Default: 0.
+   * The byte of x in trace headers, from 1; 181 in the standard. 0, with a YByte of 0: found automatically. -1, with a
+   * YByte of -1: x is the crossline, y the inline. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(XByte, int);
   vtkGetMacro(XByte, int);
@@ -111,8 +110,7 @@ public:
 
   ///@{
   /**
-   * The byte of y in trace headers, from 1; 185 in the standard. 0, also for XByte: found automatically. -1 for both: x
-   * is the crossline, y the inline. Range: -1 to 237. Default: 0.
+   * As XByte, for y; 185 in the standard. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(YByte, int);
   vtkGetMacro(YByte, int);
