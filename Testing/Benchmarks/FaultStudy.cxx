@@ -92,7 +92,7 @@ std::vector<Kind> ListKinds()
   return kinds;
 }
 
-const std::vector<double> Noises = { 0.0, 0.3, 1.0 };
+const std::vector<double> Noises = { 0.3, 1.0 };
 
 void PrintHead(int horizons)
 {
@@ -114,7 +114,7 @@ void PrintNoiseTable(int horizons, const Method& method)
   {
     std::printf(" noise %g |", noise);
   }
-  std::printf("\n| --- | --- | --- | --- | --- | --- |\n");
+  std::printf("\n| --- | --- | --- | --- | --- |\n");
   for (Kind kind : ListKinds())
   {
     for (const bool areWhole : { true, false })
@@ -141,7 +141,7 @@ constexpr int RampReach = 2; // how far from a fault that bends the surface a li
 /// Tapered faults at which columns are missing, that bend the surface, or of picks on some rows alone.
 void PrintShapeTable(int horizons, const Method& method)
 {
-  std::printf("| tapered faults | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- |\n");
+  std::printf("| tapered faults | noise 0.3 | noise 1 |\n| --- | --- | --- |\n");
   const auto print = [&](const std::string& shape, FaultGeneratorOptions options, int reach)
   {
     std::printf("| %s |", shape.c_str());
