@@ -324,9 +324,9 @@ constant of the method was chosen by.
 
 constexpr const char* Easy = R"(## Easy cubes
 
-All ways of joining find nearly everything, Continuous less of weak reflectors in noise. The worst of no noise and 50 %%,
-%d cubes of 80 x 64 traces of 220 samples, with layers 32 samples apart, folds, and a fault of half a layer; Ricker
-wavelet of 30 Hz, 4 ms.
+All ways of joining find nearly everything, Continuous less of weak reflectors in noise. The worst of no noise and
+50 %% noise, %d cubes of 80 x 64 traces of 220 samples, with layers 32 samples apart, folds, and a fault of half a
+layer; Ricker wavelet of 30 Hz, 4 ms.
 )";
 
 constexpr const char* Hard = R"(## Hard cubes
