@@ -38,25 +38,22 @@ Medians of here / thesis over the surfaces, in the last three rows also over the
 
 {thesis_table}
 - *Rough.* {contradiction}
-- *Elaborate, alone.* The thesis gives no values for its boundary thresholds
-  ([our interpretation](HorizonElaborateSimplification.md#method)). Our noise is white: with a flatness of 0.03 nearly
-  every noisy cell is divided into columns.
-- *Elaborate, after rough.* The thesis gives one number for both, mostly nearer to ours alone.
-- *Errors.* Our largest are at single voxels of noise and along the outline. In the thesis they grow with cells and
-  flatness, presumably because its surfaces have features as narrow as a cell.
+- *Elaborate.* The thesis gives no values for its boundary thresholds ([our
+  interpretation](HorizonElaborateSimplification.md#method)), and one number for alone and after rough.
+- *Errors.* Our largest are at single voxels of noise and along the outline; in the thesis they grow with cells and
+  flatness.
 
 ## What a vertex buys
 
 Each program makes a mesh with as many vertices as ours, within {near:.0f} % where possible. Figures are medians over
 the surfaces.
 
-- *Error times vertices*: errors of good meshes fall in proportion to the vertices.
-- *Outline* is the largest distance of the mesh's outline on the map.
+- Errors are multiplied by the vertices, since those of good meshes fall in proportion. *Outline* is the largest distance
+  of the mesh's outline on the map.
 - *Time* is from the points to the mesh. Ours includes the boundary and attributes; theirs neither, nor, except for
   `vtkDelaunay2D`, the mesh of all points that they need.
-- The two clustering filters have their best settings; the others have their defaults.
-- For `vtkGreedyTerrainDecimation` holes are filled, and its mesh is cut off along the outline. `vtkDelaunay2D` meshes
-  the points that we leave, without an outline.
+- The two clustering filters have their best settings; the others have their defaults. For `vtkGreedyTerrainDecimation`
+  holes are filled. `vtkDelaunay2D` meshes the points that we leave.
 
 As many vertices as `rough, s = 6`:
 
