@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * With CornerPoints: inline, crossline, x and y of a point. Unit: line numbers, world units. Range: finite, the three
-   * corners not on one line. Default: 0, 0, 0, 0.
+   * With CornerPoints: inline, crossline, x and y of a point; the three not on one line. Unit: line numbers, world
+   * units. Range: finite. Default: 0, 0, 0, 0.
    */
   vtkSetVector4Macro(FirstCorner, double);
   vtkGetVector4Macro(FirstCorner, double);
@@ -72,8 +72,7 @@ public:
 
   ///@{
   /**
-   * With CornerPoints: a second point. Unit: line numbers, world units. Range: finite, the three corners not on one
-   * line. Default: 0, 1, 1, 0.
+   * With CornerPoints: a second point. Unit: line numbers, world units. Range: finite. Default: 0, 1, 1, 0.
    */
   vtkSetVector4Macro(SecondCorner, double);
   vtkGetVector4Macro(SecondCorner, double);
@@ -81,8 +80,7 @@ public:
 
   ///@{
   /**
-   * With CornerPoints: a third point. Unit: line numbers, world units. Range: finite, the three corners not on one
-   * line. Default: 1, 0, 0, 1.
+   * With CornerPoints: a third point. Unit: line numbers, world units. Range: finite. Default: 1, 0, 0, 1.
    */
   vtkSetVector4Macro(ThirdCorner, double);
   vtkGetVector4Macro(ThirdCorner, double);
@@ -99,8 +97,8 @@ public:
 
   ///@{
   /**
-   * With OriginAndSteps: the step in x and y from a column, or crossline of the data, to the next. Unit: world units.
-   * Range: finite, not parallel to RowStep. Default: 1, 0.
+   * With OriginAndSteps: the step in x and y to the next column, or crossline of the data. Unit: world units. Range:
+   * finite, not parallel to RowStep. Default: 1, 0.
    */
   vtkSetVector2Macro(ColumnStep, double);
   vtkGetVector2Macro(ColumnStep, double);
@@ -108,8 +106,8 @@ public:
 
   ///@{
   /**
-   * With OriginAndSteps: the step in x and y from a row, or inline of the data, to the next. Unit: world units. Range:
-   * finite, not parallel to ColumnStep. Default: 0, 1.
+   * With OriginAndSteps: the step in x and y to the next row, or inline of the data. Unit: world units. Range: finite,
+   * not parallel to ColumnStep. Default: 0, 1.
    */
   vtkSetVector2Macro(RowStep, double);
   vtkGetVector2Macro(RowStep, double);
@@ -194,8 +192,8 @@ public:
 
   ///@{
   /**
-   * With Gridding, the largest distance of filled columns from a pick; in lines if picks have line numbers alone. 0:
-   * the convex hull of the picks is filled. Unit: world units. Range: 0 to 1e12. Default: 0.
+   * With Gridding, the largest distance of filled columns from a pick; in lines for line numbers alone. 0: the convex
+   * hull of the picks. Unit: world units. Range: 0 to 1e12. Default: 0.
    */
   vtkSetMacro(GriddingRadius, double);
   vtkGetMacro(GriddingRadius, double);

@@ -114,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Lists the horizons in one pass, then reads only selected horizons and rows. Not for volumes. See "Files larger than
-   * memory" in VerneySparseMatrixReader.md. Default: off.
+   * For files larger than memory: lists the horizons in one pass, then reads only selected horizons and rows. Not for
+   * volumes. See "Files larger than memory" in VerneySparseMatrixReader.md. Default: off.
    *
    * The list has the number of points of each horizon in each row, and is kept for other rows and horizons.
    */

@@ -10,8 +10,8 @@ def number(value):
 
 
 def stage_table(results):
-    """Seconds by the number of threads, and the memory at the largest size."""
-    sizes = sorted({r["size"] for r in results})
+    """Seconds by the number of threads at the two largest sizes, and the memory at the largest one."""
+    sizes = sorted({r["size"] for r in results})[-2:]
     counts = sorted({r["threads"] for r in results})
     found = {(r["stage"], r["size"], r["threads"]): r for r in results}
     rows = []
