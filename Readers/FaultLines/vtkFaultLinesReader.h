@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * The direction of world z in which z of sticks increases; it must be that of the horizon's reader. GOCAD files state
+   * The direction of world z in which z of sticks increases; it must match the horizon's reader. GOCAD files state
    * their own. Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);

@@ -54,7 +54,7 @@ public:
   /**
    * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), the name of an attribute, or a minus sign
    * to skip one. Empty: found from the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
-   * separated by commas, or by blanks if no name has any. Default: empty.
+   * separated by commas, or by blanks if there is no comma. Default: empty.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);
@@ -72,7 +72,8 @@ public:
 
   ///@{
   /**
-   * The lines to skip at the beginning of the file; a recognised header may follow. Range: at least 0. Default: 0.
+   * The lines to skip at the beginning of the file; a recognised header may follow. 0: found automatically. Range: at
+   * least 0. Default: 0.
    */
   vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
   vtkGetMacro(HeaderLines, int);

@@ -57,7 +57,7 @@ point of the largest horizon.
 
 {stages}
 *Boundary simplification* has a threshold of 0.4, *rough* cells of 3, *elaborate* cells of 8 and a flatness of 0.03.
-*Error* is that of the mesh of rough. *Whole chain* is read, boundary, its simplification, rough and triangulation.
+*Error* measures the mesh of rough. *Whole chain* is read, boundary, its simplification, rough and triangulation.
 *File to mesh* is read and Horizon Surface with its defaults.
 
 ## Other programs

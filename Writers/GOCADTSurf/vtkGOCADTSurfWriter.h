@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * The unit of z, such as m or ms, without conversion. Empty: that of the data (field data VerticalUnit), else none.
+   * The unit of z, such as m or ms, without conversion. Empty: as in the data (field data VerticalUnit), else none.
    * Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
@@ -71,7 +71,7 @@ public:
 
   ///@{
   /**
-   * The unit of x and y, such as m or ft, without conversion. Empty: that of the data (field data HorizontalUnit), else
+   * The unit of x and y, such as m or ft, without conversion. Empty: as in the data (field data HorizontalUnit), else
    * none. Range: any text. Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
@@ -80,7 +80,7 @@ public:
 
   ///@{
   /**
-   * The coordinate system, without conversion. Empty: that of the data (field data CoordinateSystem), else Default,
+   * The coordinate system, without conversion. Empty: as in the data (field data CoordinateSystem), else Default,
    * GOCAD's word for none. Range: any text. Default: empty.
    */
   vtkSetStringMacro(CoordinateSystemName);
