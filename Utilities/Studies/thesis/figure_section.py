@@ -17,9 +17,8 @@ Compare sizes, not places, since the surfaces differ. Distances are at the point
 
 
 def shown(figure):
-    caption = "*%s (figure%s %s). %s*" % (figure.title, "s" if len(figure.numbers) > 1 else "", listing(figure.numbers),
-                                          figure.text)
-    return "![%s](Pictures/%s)\n\n%s\n" % (figure.title, figure.picture(), caption)
+    numbers = "figure%s %s" % ("s" if len(figure.numbers) > 1 else "", listing(figure.numbers))
+    return "![%s](Pictures/%s)\n\n*%s (%s). %s*\n" % (numbers.capitalize(), figure.picture(), figure.title, numbers, figure.text)
 
 
 def rows(figures):
