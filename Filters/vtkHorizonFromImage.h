@@ -26,8 +26,8 @@ public:
 
   ///@{
   /**
-   * The array with z, of points or cells. Empty: the active scalars, or where there are none the first array of one
-   * component, those of points before those of cells. Range: a name. Default: empty.
+   * The array with z, of points or cells. Empty: the active scalars, else the first array of one component, of points
+   * before cells. Range: a name. Default: empty.
    */
   vtkSetStringMacro(ZArray);
   vtkGetStringMacro(ZArray);
@@ -35,9 +35,8 @@ public:
 
   ///@{
   /**
-   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out, and
-   * counted in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default:
-   * empty.
+   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out and counted
+   * in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default: empty.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);

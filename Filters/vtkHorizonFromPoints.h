@@ -31,10 +31,9 @@ public:
 
   ///@{
   /**
-   * The array with x. Empty: the coordinates of points, or an array with a usual name, as x or easting. Range: a name.
-   * Default: empty.
+   * The array with x. Empty: the coordinates of points, or an array with a usual name. Range: a name. Default: empty.
    *
-   * An array that is named has to be there; this holds for all of these.
+   * A named array must exist, here and below.
    */
   vtkSetStringMacro(XArray);
   vtkGetStringMacro(XArray);
@@ -42,7 +41,7 @@ public:
 
   ///@{
   /**
-   * The array with y. Empty: the coordinates, or a usual name, as y or northing. Range: a name. Default: empty.
+   * The array with y. Empty: as for x. Range: a name. Default: empty.
    */
   vtkSetStringMacro(YArray);
   vtkGetStringMacro(YArray);
@@ -50,7 +49,7 @@ public:
 
   ///@{
   /**
-   * The array with z. Empty: the coordinates, or a usual name, as z, depth or time. Range: a name. Default: empty.
+   * The array with z. Empty: as for x. Range: a name. Default: empty.
    */
   vtkSetStringMacro(ZArray);
   vtkGetStringMacro(ZArray);
@@ -58,8 +57,7 @@ public:
 
   ///@{
   /**
-   * The array with inline numbers. Empty: a usual name, as inline or il, if there is one. Range: a name. Default:
-   * empty.
+   * The array with inline numbers. Empty: one with a usual name, if any. Range: a name. Default: empty.
    */
   vtkSetStringMacro(InlineArray);
   vtkGetStringMacro(InlineArray);
@@ -67,8 +65,7 @@ public:
 
   ///@{
   /**
-   * The array with crossline numbers. Empty: a usual name, as crossline or xl, if there is one. Range: a name.
-   * Default: empty.
+   * The array with crossline numbers. Empty: one with a usual name, if any. Range: a name. Default: empty.
    */
   vtkSetStringMacro(CrosslineArray);
   vtkGetStringMacro(CrosslineArray);
@@ -76,8 +73,8 @@ public:
 
   ///@{
   /**
-   * The array with the names of horizons, numbers or texts. Empty: one called name or horizon; without it all points
-   * are Horizon 1. Range: a name. Default: empty.
+   * The array with the names of horizons, numbers or texts. Empty: one called name or horizon, else all points are
+   * Horizon 1. Range: a name. Default: empty.
    */
   vtkSetStringMacro(NameArray);
   vtkGetStringMacro(NameArray);
@@ -85,9 +82,8 @@ public:
 
   ///@{
   /**
-   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out, and
-   * counted in the field data DroppedNulls; attributes become nan. Unit: that of z. Range: numbers, separated by
-   * blanks or commas. Default: empty.
+   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out and counted
+   * in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default: empty.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);

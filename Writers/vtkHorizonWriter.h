@@ -4,14 +4,14 @@
  * @class   vtkHorizonWriter
  * @brief   base of the writers of horizons
  *
- * Takes a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset of them. All horizons go into one
- * file, or in formats of one horizon each into a file of its own. A file is written under another name in the same
- * folder and gets its own once it is complete: nothing is left of a file that could not be written to its end, or whose
- * writing was stopped, and a file of that name stays as it was. Several files are all written, or none.
+ * The input is a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset of them. All horizons go into
+ * one file or, in formats of one horizon each, into a file each. A file is written under a temporary name in the same
+ * folder and renamed when complete: if writing fails or is stopped, an existing file is unchanged. Several files are
+ * all written, or none.
  *
- * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
- * file; Write() returns 0 then, and GetErrorCode() gives one of vtkErrorCode: NoFileNameError, CannotOpenFileError,
- * OutOfDiskSpaceError, or UnknownError for all else.
+ * Write() returns 1 if the file was written, else 0. Each failure gives one error that starts with the name of the
+ * file, and GetErrorCode() is NoFileNameError, CannotOpenFileError, OutOfDiskSpaceError, or UnknownError for all else
+ * (vtkErrorCode.h).
  */
 
 #ifndef vtkHorizonWriter_h
@@ -46,9 +46,10 @@ public:
 
   ///@{
   /**
-   * Whether all processes of a program, ranks of MPI, write as one: each asks for its part of the horizons, and the first
-   * one writes those of all. All of them have to call Write() then, as ParaView makes them. Off: each process that calls it asks
-   * for all horizons, and writes them. Default: off.
+   * On: the MPI processes write one file together, and all of them must call Write(). Off: each process that calls it
+   * writes all horizons. Default: off.
+   *
+   * As ParaView does. Each process requests its piece of the horizons; the first one writes them all.
    */
   vtkSetMacro(Gathered, vtkTypeBool);
   vtkGetMacro(Gathered, vtkTypeBool);

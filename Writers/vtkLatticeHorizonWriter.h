@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLatticeHorizonWriter
- * @brief   base of the writers of horizons as numbers at the columns of their lattice
+ * @brief   base of the writers of horizons at the columns of their lattice
  *
- * Horizons without triangles are written as they are: their points have to stand on columns. Meshes are sampled: each
- * column that a triangle covers gets the z of the mesh there, so that a simplified horizon becomes a regular one again;
- * points on columns that no triangle covers are written, too. The lattice is that of the field data LatticeToWorld and
- * LatticeDimensions, which all horizons from the readers and stages have.
+ * Horizons without triangles are written as they are; their points must be on columns. Meshes are sampled: each column
+ * that a triangle covers gets the z of the mesh there, so that a simplified horizon becomes regular again. Points on
+ * other columns are also written. The lattice is that of the field data LatticeToWorld and LatticeDimensions.
  */
 
 #ifndef vtkLatticeHorizonWriter_h
@@ -32,9 +31,8 @@ public:
 
   ///@{
   /**
-   * The direction in which z of the file increases. AsRead: as in the file that the horizon comes from (field data
-   * VerticalDirection), upwards where there is none. Elevation: upwards, as world z. Depth: downwards; z is the
-   * negative of world z. Default: AsRead.
+   * The direction in which z of the file increases. AsRead: as in the file the horizon comes from (field data
+   * VerticalDirection), else up. Elevation: up. Depth: down; world z is negated. Default: AsRead.
    */
   vtkSetClampMacro(VerticalPositive, int, AsRead, Depth);
   vtkGetMacro(VerticalPositive, int);

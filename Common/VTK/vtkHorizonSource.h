@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonSource
- * @brief   base of what horizons come from: the choice of horizons, and the collection they are put in
+ * @brief   base of sources of horizons: selection, and the output collection
  *
- * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, which has its
- * name. Its vtkDataAssembly has a node for each, below the root "Horizons": the name without the characters that names
- * of nodes cannot have, and as it is in the attribute "label".
+ * The output is a vtkPartitionedDataSetCollection with one named partitioned dataset per selected horizon. Its
+ * vtkDataAssembly has a node for each below the root "Horizons": the name without characters that are invalid in names
+ * of nodes; the attribute "label" has the full name.
  *
- * When pieces are asked for, the selected horizons are dealt out by size: the one with the most points first, each to
- * the piece that has the fewest points so far; of equal horizons the first goes first, of equal pieces the first takes
- * it. Where sizes are not known before the horizons are made, they are dealt out in turn. In each piece the horizons of
- * others are partitioned datasets without a partition.
+ * If pieces are requested, the selected horizons are distributed by size: the largest first, each to the piece with the
+ * fewest points so far, ties to the first. Where sizes are unknown, they are distributed in turn. In each piece the
+ * horizons of others are partitioned datasets without a partition.
  *
- * What is wrong with a file or with a parameter gives one error; the output is empty then, and GetErrorCode() says what
- * it was: NoFileNameError, FileNotFoundError, CannotOpenFileError, PrematureEndOfFileError, FileFormatError, or
- * UnknownError for all else (vtkErrorCode.h).
+ * An invalid file or parameter gives one error; the output is then empty, and GetErrorCode() is NoFileNameError,
+ * FileNotFoundError, CannotOpenFileError, PrematureEndOfFileError, FileFormatError, or UnknownError for all else
+ * (vtkErrorCode.h).
  */
 
 #ifndef vtkHorizonSource_h
@@ -48,11 +47,11 @@ public:
 
   ///@{
   /**
-   * Which horizons are loaded, by name (SetHorizonStatus in Python and C++). Range: on, off. Default: all on.
+   * The horizons to load, by name. Range: on, off. Default: all on.
    *
-   * UpdateInformation() fills the list; where horizons come from an input, Update() does. A choice is kept when another
-   * file has a horizon of that name too, or when the horizon comes back that a window left out, and it may be made
-   * before the list is filled.
+   * UpdateInformation() fills the list; where horizons come from an input, Update() does. A choice may be made before
+   * that, and is kept for horizons of the same name in other files, and for those that a window left out and that come
+   * back.
    */
   vtkDataArraySelection* GetHorizonSelection();
   int GetNumberOfHorizons();
@@ -64,8 +63,8 @@ public:
   ///@}
 
   /**
-   * The number of points of each horizon, in the order of the list, or an estimate in proportion to it. Empty where
-   * nothing is known.
+   * The number of points of each horizon, in the order of the list, or an estimate in proportion to it. Empty if
+   * unknown.
    */
   vtkIdTypeArray* GetHorizonSizes();
 

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPickHorizonSource
- * @brief   base of what makes horizons of scattered points: their lattice
+ * @brief   base of sources of horizons from scattered points: their lattice
  *
- * Points come with line numbers (inline and crossline), with places (x and y), or with both, in any order. The lattice
- * is found from them, or given. Crosslines count along its i, and inlines along its j.
+ * Points have line numbers (inline and crossline), coordinates (x and y), or both, in any order. The lattice is found
+ * from them, or given. Crosslines count along i, inlines along j.
  *
- * - With line numbers and places an affine map from the ones to the others is fitted by least squares. Lines that are
- *   picked at every second or fourth only make a lattice of such steps. Where all points are on one inline, or on one
- *   crossline, the step across is taken to be as long as that along it, and perpendicular.
- * - With places alone the lattice is found from them: surveys may be turned and sheared, have holes and ragged edges.
- *   The step along i is that nearer to the direction of x.
- * - With line numbers alone x is the crossline and y the inline.
+ * How the lattice is found:
+ * - Line numbers and coordinates: an affine map between them, by least squares. Steps are those of the picked lines,
+ *   such as every fourth. If all points are on one inline or crossline, the step across is perpendicular and equally
+ *   long
+ * - Coordinates alone: surveys may be rotated and sheared, have holes and ragged edges. The step along i is the one
+ *   nearer to x
+ * - Line numbers alone: x is the crossline and y the inline
  *
  * Points are moved to their columns; LatticeDeviation is the largest distance.
  */
@@ -47,11 +48,11 @@ public:
 
   ///@{
   /**
-   * Where the lattice comes from. FromPoints: from line numbers, x and y, or both. CornerPoints: from the line numbers
-   * and coordinates of three known points, for data with line numbers. OriginAndSteps: from the coordinates of a
-   * column and the steps to its neighbours. See "Lattice" in HorizonTextReader.md. Default: FromPoints.
+   * Where the lattice comes from. FromPoints: line numbers, x and y, or both. CornerPoints: line numbers and
+   * coordinates of three points. OriginAndSteps: a column and the steps to its neighbours. See "Lattice" in
+   * HorizonTextReader.md. Default: FromPoints.
    *
-   * The points have to agree with a lattice that is given.
+   * Points must agree with a lattice that is given.
    */
   vtkSetClampMacro(LatticeSource, int, FromPoints, OriginAndSteps);
   vtkGetMacro(LatticeSource, int);
@@ -62,8 +63,8 @@ public:
 
   ///@{
   /**
-   * With CornerPoints: inline, crossline, x and y of a point of the survey. Unit: line numbers, world units. Range:
-   * finite, the three corners not on one line. Default: 0, 0, 0, 0.
+   * With CornerPoints: inline, crossline, x and y of a point; the three not on one line. Unit: line numbers, world
+   * units. Range: finite. Default: 0, 0, 0, 0.
    */
   vtkSetVector4Macro(FirstCorner, double);
   vtkGetVector4Macro(FirstCorner, double);
@@ -71,8 +72,7 @@ public:
 
   ///@{
   /**
-   * With CornerPoints: a second point. Unit: line numbers, world units. Range: finite, the three corners not on one
-   * line. Default: 0, 1, 1, 0.
+   * With CornerPoints: a second point. Unit: line numbers, world units. Range: finite. Default: 0, 1, 1, 0.
    */
   vtkSetVector4Macro(SecondCorner, double);
   vtkGetVector4Macro(SecondCorner, double);
@@ -80,8 +80,7 @@ public:
 
   ///@{
   /**
-   * With CornerPoints: a third point. Unit: line numbers, world units. Range: finite, the three corners not on one
-   * line. Default: 1, 0, 0, 1.
+   * With CornerPoints: a third point. Unit: line numbers, world units. Range: finite. Default: 1, 0, 0, 1.
    */
   vtkSetVector4Macro(ThirdCorner, double);
   vtkGetVector4Macro(ThirdCorner, double);
@@ -89,8 +88,8 @@ public:
 
   ///@{
   /**
-   * With OriginAndSteps: x and y of a column; if the data have line numbers, of their first inline and crossline.
-   * Unit: world units. Range: finite. Default: 0, 0.
+   * With OriginAndSteps: x and y of a column; with line numbers, of the first inline and crossline. Unit: world units.
+   * Range: finite. Default: 0, 0.
    */
   vtkSetVector2Macro(Origin, double);
   vtkGetVector2Macro(Origin, double);
@@ -98,8 +97,8 @@ public:
 
   ///@{
   /**
-   * With OriginAndSteps: the step in x and y from a column to the next along i; with line numbers, from a crossline of
-   * the data to the next. Unit: world units. Range: finite, not parallel to RowStep. Default: 1, 0.
+   * With OriginAndSteps: the step in x and y to the next column, or crossline of the data. Unit: world units. Range:
+   * finite, not parallel to RowStep. Default: 1, 0.
    */
   vtkSetVector2Macro(ColumnStep, double);
   vtkGetVector2Macro(ColumnStep, double);
@@ -107,8 +106,8 @@ public:
 
   ///@{
   /**
-   * With OriginAndSteps: the step in x and y from a row to the next along j; with line numbers, from an inline of the
-   * data to the next. Unit: world units. Range: finite, not parallel to ColumnStep. Default: 0, 1.
+   * With OriginAndSteps: the step in x and y to the next row, or inline of the data. Unit: world units. Range: finite,
+   * not parallel to ColumnStep. Default: 0, 1.
    */
   vtkSetVector2Macro(RowStep, double);
   vtkGetVector2Macro(RowStep, double);
@@ -116,8 +115,8 @@ public:
 
   ///@{
   /**
-   * The largest distance of points from their columns along each of the two steps, as a fraction of the step; beyond
-   * it is an error. Unit: columns. Range: more than 0, less than 0.5. Default: 0.1.
+   * The largest distance of points from their columns, as a fraction of each step; farther ones are an error. Unit:
+   * columns. Range: more than 0, less than 0.5. Default: 0.1.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);
@@ -132,10 +131,10 @@ public:
 
   ///@{
   /**
-   * How picks off the lattice, or far from all others, are treated. Stop: an error, or a warning if those far away are
-   * on the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning. Default: Stop.
+   * How picks off the lattice, or far from all others, are treated. Stop: an error, or a warning for distant ones on
+   * the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning. Default: Stop.
    *
-   * With Gridding those far from all others are an error, but a warning where the lattice is given.
+   * With Gridding, picks far from all others are an error, or a warning if the lattice is given.
    */
   vtkSetClampMacro(StrayPicks, int, Stop, LeaveOut);
   vtkGetMacro(StrayPicks, int);
@@ -154,11 +153,9 @@ public:
 
   ///@{
   /**
-   * Which of several points in one column (a bin of the survey) is kept. StrongestAmplitude: the one with the largest
-   * absolute value of the attribute Amplitude; without it, and of equal ones, the topmost. Topmost, Lowest: by height.
-   * Sheets: all, as at reverse faults; each connected sheet becomes a horizon. Points left out are counted in the
-   * field data DroppedDuplicates. With Gridding, of several at one place. See "Sheets" in HorizonTextReader.md.
-   * Default: StrongestAmplitude.
+   * Which of several points in one column is kept; with Gridding, of several at one position. StrongestAmplitude: the
+   * one with the largest absolute value of the attribute Amplitude, then the topmost. Topmost, Lowest: by height.
+   * Sheets: all, as at reverse faults. See "Sheets" in HorizonTextReader.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
@@ -180,9 +177,9 @@ public:
 
   ///@{
   /**
-   * How picks on no lattice, such as 2D lines, wells or scattered points, become a horizon. NoGridding: picks must be
-   * on a lattice. Plate: a thin plate near all of them. Nearest: each column has the z of the nearest pick. See
-   * "Gridding" in HorizonTextReader.md. Default: NoGridding.
+   * Makes a horizon of picks off any lattice, such as 2D lines, wells or scattered points. Plate: a thin plate near all
+   * of them. Nearest: each column has the z of the nearest pick. See "Gridding" in HorizonTextReader.md. Default:
+   * NoGridding.
    *
    * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.
    */
@@ -195,8 +192,8 @@ public:
 
   ///@{
   /**
-   * With Gridding, columns farther than this from all picks stay empty. 0: columns outside the convex hull of the
-   * picks stay empty. In lines for picks with line numbers alone. Unit: world units. Range: 0 to 1e12. Default: 0.
+   * With Gridding, the largest distance of filled columns from a pick; in lines for line numbers alone. 0: the convex
+   * hull of the picks. Unit: world units. Range: 0 to 1e12. Default: 0.
    */
   vtkSetMacro(GriddingRadius, double);
   vtkGetMacro(GriddingRadius, double);
@@ -204,8 +201,8 @@ public:
 
   ///@{
   /**
-   * With Gridding Plate, how much the surface may differ from picks: larger values remove noise, and differences where
-   * lines cross. Range: 0 to 1e6. Default: 0.01.
+   * With Gridding Plate, how far the surface may depart from picks: larger values remove noise, and misties at line
+   * crossings. Range: 0 to 1e6. Default: 0.01.
    */
   vtkSetMacro(GriddingSmoothing, double);
   vtkGetMacro(GriddingSmoothing, double);

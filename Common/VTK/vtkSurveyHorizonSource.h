@@ -2,30 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSurveyHorizonSource
- * @brief   base of what makes horizons of data with z alone: their vertical indices, units and names
+ * @brief   base of sources of horizons from z alone: vertical indices, units and names
  *
- * Each horizon becomes a vtkPolyData with one point and one vertex cell for each column that has a z: what the stages
- * work on. World x and y are those of the column, world z is z, or its negative where that counts downwards.
+ * Each horizon becomes a vtkPolyData with one point and one vertex cell per column that has a z: the input of the
+ * stages. World z is z, or its negative if z increases downwards.
  *
- * The thresholds of the stages are in lattice units, of which the vertical step is one, so that z becomes vertical
- * indices, too: index 0 is the multiple of the step at the least z, or just below; with VerticalStep 0 each horizon has a
- * step and an index 0 of its own, else all have the same.
+ * Thresholds of the stages are in lattice units, so z also becomes vertical indices. Index 0 is the multiple of the
+ * step at or below the smallest z. With VerticalStep 0 each horizon has its own step and index 0, else all share them.
  *
  * Point data, one component each:
  * - SurfaceId (int): the number of the horizon, from 1
  * - VerticalIndex (int): the nearest vertical index; the active scalars
- * - RealZ (double): z as it came
- * - attributes (double) under their own names, but for one named PointCount; nan where there is none
+ * - RealZ (double): z as in the data
+ * - attributes (double) under their own names, except PointCount; nan for no value
  *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components), LatticeToWorld (double, 16 components), VerticalDirection (int): as from
  *   vtkVerneySparseMatrixReader
- * - LineNumbers (double, 4 components): the first inline, its step from a row to the next, the first crossline, and its
- *   step from a column to the next; only where they are known
- * - LatticeDeviation (double): how far, in columns, a point was off its column at most
- * - DroppedDuplicates, DroppedNulls (vtkIdType): points left out because another one is in their column, and because
- *   they have no z
- * - VerticalUnit, VerticalDomain, HorizontalUnit, CoordinateSystem (string): where the data or the user say so
+ * - LineNumbers (double, 4 components): the first inline, its step per row, the first crossline, and its step per
+ *   column; only if known
+ * - LatticeDeviation (double): the largest distance of a point from its column, in columns
+ * - DroppedDuplicates, DroppedNulls (vtkIdType): points left out because another is in their column, or because they
+ *   have no z
+ * - VerticalUnit, VerticalDomain, HorizontalUnit, CoordinateSystem (string): if the data or the user state them
  *
  * @sa vtkHorizonTextReader vtkHorizonGridReader vtkHorizonFromPoints vtkHorizonFromImage
  */
@@ -49,12 +48,11 @@ public:
 
   ///@{
   /**
-   * The length of a vertical index, the unit of errors and thresholds. 0: chosen for each horizon, the rounded median
-   * of the differences in z between neighbouring columns. See "Vertical indices" in HorizonTextReader.md. Unit: that
-   * of z. Range: finite, at least 0. Default: 0.
+   * The length of a vertical index, the unit of errors and thresholds. 0: chosen for each horizon. See "Vertical
+   * indices" in HorizonTextReader.md. Unit: that of z. Range: finite, at least 0. Default: 0.
    *
-   * The median is of the differences that are not 0, rounded to the nearest of 1, 2 and 5 times a power of ten; 1 where
-   * there are none.
+   * The default is the median of the nonzero differences in z between neighbouring columns, rounded to 1, 2 or 5 times
+   * a power of ten; 1 if there are none.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);
@@ -70,11 +68,10 @@ public:
 
   ///@{
   /**
-   * The direction in which z of the data increases. Down: world z decreases with it, as for time and depth. Up: world
-   * z increases with it, as for elevation, which is negative below the sea. Automatic: Up for elevations by their
-   * format, as images from GeoTIFF, BAG and DEM files, else Down. Default: Automatic.
+   * The direction of world z in which z of the data increases: Down for time and depth, Up for elevation. Automatic: Up
+   * for formats of elevations, as images from GeoTIFF, BAG and DEM files, else Down. Default: Automatic.
    *
-   * Other data mostly do not say, and it is not guessed; where all z are negative and the direction is down there is a
+   * Most data do not state it, and it is not guessed; if all z are negative and the direction is Down, there is a
    * warning.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Automatic);
@@ -86,8 +83,7 @@ public:
 
   ///@{
   /**
-   * The unit of z for the field data: ms, s, m or ft, without conversion. Empty: as in the data. Range: any text.
-   * Default: empty.
+   * The unit of z: ms, s, m or ft, without conversion. Empty: as in the data. Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
@@ -95,8 +91,7 @@ public:
 
   ///@{
   /**
-   * Whether z is time or depth, for the field data, without conversion. Empty: as in the data. Range: any text.
-   * Default: empty.
+   * Time or depth. Empty: as in the data. Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalDomain);
   vtkGetStringMacro(VerticalDomain);
@@ -104,8 +99,7 @@ public:
 
   ///@{
   /**
-   * The unit of x and y for the field data: m or ft, without conversion. Empty: as in the data. Range: any text.
-   * Default: empty.
+   * The unit of x and y: m or ft, without conversion. Empty: as in the data. Range: any text. Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
@@ -113,8 +107,7 @@ public:
 
   ///@{
   /**
-   * The name of the coordinate system of x and y, for the field data, without conversion. Empty: as in the data.
-   * Range: any text. Default: empty.
+   * The coordinate system of x and y, without conversion. Empty: as in the data. Range: any text. Default: empty.
    */
   vtkSetStringMacro(CoordinateSystem);
   vtkGetStringMacro(CoordinateSystem);

@@ -4,28 +4,26 @@
  * @class   vtkGOCADTSurfReader
  * @brief   reads triangulated surfaces from a GOCAD file (.ts)
  *
- * The file is text with one or more objects; those of the type TSurf are read, others are skipped
- * (Documentation/GOCADTSurfReader.md).
+ * Reads the objects of type TSurf in a text file and skips others (Documentation/GOCADTSurfReader.md).
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected surface, in the order of
- * the file, under its name. A surface without a name is "TSurf <n>", where n counts the surfaces of the file from 1; of
- * several with one name the second gets " (2)", and so on. Its partition is a vtkPolyData:
- * - points in double precision, z upwards: where the file counts z downwards (ZPOSITIVE Depth), z is its negative, and
- *   triangles are turned around, so that they face the same side. A vertex that the file puts at the place of another
- *   one (ATOM) is a point of its own: nothing is merged;
- * - triangles, as polygons;
- * - point data: an array of doubles for each property, with as many components as the file says; nan where there is no
- *   value. A property that no vertex has a value of is left out;
- * - cell data: Part (int), the number of the TFACE of each triangle, from 0, where there are several;
- * - field data: VerticalDirection (int), -1 where the file counts z downwards, else 1; and where the file states them
- *   VerticalUnit, VerticalDomain ("time" or "depth", by the unit), HorizontalUnit, CoordinateSystem (text) and Colour
- * (3 double: red, green and blue from 0 to 1).
+ * the file, under its name. A surface without a name is "TSurf <n>", where n counts surfaces from 1; repeated names get
+ * " (2)" and so on. Each is a vtkPolyData:
+ * - points in double precision, z upwards. Where the file counts z downwards (ZPOSITIVE Depth), z is negated and
+ *   triangles are flipped, so that they face the same side. Vertices are not merged, not even with an ATOM
+ * - triangles, as polygons
+ * - point data: an array of doubles per property, with the components of the file; nan for no value. Properties without
+ *   values are left out
+ * - cell data: Part (int), the number of the TFACE of each triangle, from 0, if there are several
+ * - field data: VerticalDirection (int), -1 where the file counts z downwards, else 1; and, if stated, VerticalUnit,
+ *   VerticalDomain ("time" or "depth", by the unit), HorizontalUnit, CoordinateSystem (text) and Colour (3 double: red,
+ *   green and blue from 0 to 1)
  *
- * The file is read twice: first to list its surfaces, then to load those that are selected. The list is kept as long
- * as the name, the size and the modification time of the file stay. Time is linear in the size of the file.
+ * The file is read twice: to list its surfaces, then to load the selected ones. The list is kept while name, size and
+ * modification time are unchanged. Time is linear in the size of the file.
  *
- * A file that is missing or breaks the format gives one error, which starts with the name of the file and has the
- * number of the line; the output is empty then.
+ * A missing or invalid file gives one error that starts with its name and has the number of the line; the output is
+ * then empty.
  *
  * @sa vtkGOCADTSurfWriter
  */
@@ -48,15 +46,15 @@ public:
 
   ///@{
   /**
-   * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so
-   * on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
+   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
+   * path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
   /**
-   * 1 when the first line that is neither blank nor a comment begins with the word GOCAD, within the first 4096 bytes;
-   * else 0. Where its first object is a PLine only names that end in .ts will do, as vtkFaultLinesReader reads these.
+   * 1 if the first line that is neither blank nor a comment, within 4096 bytes, begins with the word GOCAD; else 0. If
+   * the first object is a PLine, only for names that end in .ts, as vtkFaultLinesReader reads the others.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

@@ -4,14 +4,14 @@
  * @class   vtkHorizonGridReader
  * @brief   reads a horizon from a grid file of a gridding program
  *
- * Grids of IRAP (classic ASCII and binary), STORM, ZMAP+, CPS-3, EarthVision, Surfer 6 and 7, GXF and Esri (ASCII) are
- * recognised by what is in them, never by their extension (Documentation/HorizonGridFormats.md). Rotation, flipped axes
- * and the places of nodes are kept; nodes without a value are left out and counted in DroppedNulls.
+ * Reads grids of IRAP (classic ASCII and binary), STORM, ZMAP+, CPS-3, EarthVision, Surfer 6 and 7, GXF and Esri
+ * (ASCII), recognised by content, never by extension (Documentation/HorizonGridFormats.md). Rotation, flipped axes and
+ * node positions are kept; nodes without a value are left out and counted in DroppedNulls.
  *
- * The horizon has the name that the file gives it, or that of the file, without its folder and extension. The whole
- * file is read by each of several processes. Memory is 24 bytes for each node, at the peak, besides the output.
+ * The horizon is named as in the file, else after the file. Each process reads the whole file. The peak of memory is 24
+ * bytes per node besides the output.
  *
- * A file that breaks its format gives one error, which starts with the name of the file and says where.
+ * An invalid file gives one error that starts with its name and says where.
  *
  * @sa vtkHorizonTextReader vtkHorizonFromImage vtkHorizonGridWriter
  */
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so
-   * on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
+   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
+   * path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}

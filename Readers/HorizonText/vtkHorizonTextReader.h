@@ -4,17 +4,16 @@
  * @class   vtkHorizonTextReader
  * @brief   reads horizons from text files of interpretation programs
  *
- * A line is a pick: inline and crossline, x and y, or all four; z; any number of attributes; and in front of them
- * perhaps the name of the horizon. Files have no header, a line of names, or a header of many lines; fields are
- * separated by blanks, tabs, commas or semicolons. Headers and lines of OpendTect, IESX (GeoQuest), Charisma,
- * OpenWorks, EarthVision (scattered data), Petrel (points with attributes) and RMS (attributes) are recognised by what
- * is in them. Without names, columns are recognised by their values (Documentation/HorizonTextReader.md). Columns says
- * what they hold where that goes wrong.
+ * A line is a pick: inline and crossline, x and y, or all four; z; any number of attributes; before them perhaps the
+ * name of the horizon. Files have no header, a line of names, or many lines of header; fields are separated by blanks,
+ * tabs, commas or semicolons. Formats of OpendTect, IESX (GeoQuest), Charisma, OpenWorks, EarthVision (scattered data),
+ * Petrel (points with attributes) and RMS (attributes) are recognised by content, unnamed columns by their values
+ * (Documentation/HorizonTextReader.md). If that fails, set Columns.
  *
- * The file is read once, or twice where it has more than one horizon and the list of them is asked for. Of several
- * processes each reads the whole file. Memory is 8 bytes for each number of a pick, and 16 bytes, at the peak.
+ * The file is read once, or twice if it has several horizons and their list is requested; each process reads the whole
+ * file. The peak of memory is 8 bytes per number of a pick, plus 16 bytes per pick.
  *
- * A file that breaks its format gives one error, which starts with the name of the file and has the number of the line.
+ * An invalid file gives one error that starts with its name and has the number of the line.
  *
  * @sa vtkHorizonGridReader vtkHorizonFromPoints
  */
@@ -37,26 +36,25 @@ public:
 
   ///@{
   /**
-   * The file; it may be compressed by gzip. Several are a series: the first for time 0, the second for time 1, and so
-   * on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
+   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
+   * path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
   /**
-   * 1 when the beginning of the file is that of one that this reader reads, under any name: lines of picks whose columns
-   * are recognised. Where neither names nor line numbers say so, x and y have to be on a lattice. Under names that
-   * belong to other files, such as .csv and .txt, they always have to, and columns that have names need one of z. Where
-   * a name has no extension, or one that only picks have, it is also 1 for columns of numbers of which it is doubtful
-   * what they are: reading them says what to do.
+   * 1 if the file begins with lines of picks whose columns are recognised, under any name. Without names or line
+   * numbers, x and y must be on a lattice; under names of other files, such as .csv and .txt, they always must be, and
+   * named columns need one of z. Under a name without an extension, or with one that only picks have, also 1 for
+   * ambiguous columns of numbers: reading reports what to do.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   ///@{
   /**
-   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), a minus sign for skipped columns, or the
-   * name of an attribute. Empty: by the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
-   * separated by commas, or without any by blanks. Default: empty.
+   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), the name of an attribute, or a minus sign
+   * to skip one. Empty: found from the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
+   * separated by commas, or by blanks if there is no comma. Default: empty.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);
@@ -64,9 +62,9 @@ public:
 
   ///@{
   /**
-   * Numbers and words that mean no value, besides nothing, stars, nan, null, none, undef, and numbers from 1e20.
-   * Points without z are left out, and counted in the field data DroppedNulls; attributes become nan. See "No value"
-   * in HorizonTextReader.md. Range: numbers and words, separated by blanks or commas. Default: -999.25 -99999 9999900.
+   * Numbers and words that mean no value, besides the usual ones. Points without z are left out and counted in the
+   * field data DroppedNulls. See "No value" in HorizonTextReader.md. Range: numbers and words, separated by blanks or
+   * commas. Default: -999.25 -99999 9999900.
    */
   vtkSetStringMacro(NullValues);
   vtkGetStringMacro(NullValues);
@@ -74,8 +72,8 @@ public:
 
   ///@{
   /**
-   * How many lines at the beginning of the file are skipped; a recognised header may follow. 0: found automatically.
-   * Range: at least 0. Default: 0.
+   * The lines to skip at the beginning of the file; a recognised header may follow. 0: found automatically. Range: at
+   * least 0. Default: 0.
    */
   vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
   vtkGetMacro(HeaderLines, int);

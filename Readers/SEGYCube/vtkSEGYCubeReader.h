@@ -4,40 +4,39 @@
  * @class   vtkSEGYCubeReader
  * @brief   reads a post-stack seismic cube, or a line of one, from a SEG-Y file
  *
- * Every trace is put where its header says: by its inline and crossline number, whatever the order of the file, so that
- * lines may be missing, cut short or in any order. The bytes of the line numbers and places are found
- * (Documentation/SEGYCubeReader.md), or given. Floats of IBM and IEEE and integers are read, in either byte order.
+ * Each trace is placed by its inline and crossline numbers, so lines may be missing, truncated or in any order. The
+ * header bytes of line numbers and coordinates are found (Documentation/SEGYCubeReader.md) or set. Samples are IBM or
+ * IEEE floats or integers, in either byte order.
  *
- * The output is one vtkImageData. Crosslines count along i, inlines along j, and samples along k, as on the lattice of
- * horizons of the same survey; its extent is that of the window (InlineRange, CrosslineRange, SampleRange) in the
- * indices of the whole cube. The image is turned as the survey is, so that its points are where traces and samples are.
- * World z is the time or depth of a sample, with the sign of VerticalDirection; the delay of the traces is in it.
+ * The first output is one vtkImageData: crosslines along i, inlines along j, samples along k, as in the lattice of
+ * horizons of the same survey. Its extent is that of the window (InlineRange, CrosslineRange, SampleRange), in indices
+ * of the whole cube. The image is rotated as the survey is. World z is time or depth, delays included, with the sign of
+ * VerticalDirection.
  *
  * Point data:
- * - Amplitude (float): the samples; exact but for integers of more than 24 bits, and doubles, which are rounded
- * - vtkGhostType (unsigned char): hides points without a sample, whose Amplitude is 0: those of columns without a
- * trace, of traces that are dead by their header or are all zeros, and, where delays differ, above or below a trace.
- * Only where there are such points in the window
+ * - Amplitude (float): the samples; only integers of more than 24 bits and doubles are rounded
+ * - vtkGhostType (unsigned char): hides points without a sample, whose Amplitude is 0: columns without a trace, dead
+ *   traces, traces of zeros and, where delays differ, points above or below a trace. Only if the window has such points
  *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components): of the whole cube
  * - LatticeToWorld (double, 16 components): the affine map from (i, j, k) to world coordinates, row by row
  * - LineNumbers, LatticeDeviation, VerticalDirection, VerticalUnit, VerticalDomain, HorizontalUnit, CoordinateSystem:
- * as from vtkHorizonTextReader
- * - StrongAmplitude (double): the size that 98 % of the samples stay below, by 200 traces all over the file; zeros do not count.
- * - ImageDeviation (double): how far, in columns, a point of the image is at most from where LatticeToWorld has it.
- *   Images cannot be sheared; 0 where the steps of the survey are perpendicular
- * - TextHeader (string, 40 tuples): the lines of the text that the file begins with
- *
- * The headers of all traces are read once for each file, and the samples of a window when they are asked for: by
- * several threads, and by several processes each its own part. Memory is the window's and some megabytes for each
- * thread, and 4 bytes for each trace of the file; up to 100 for each while headers are looked at.
+ *   as from vtkHorizonTextReader
+ * - StrongAmplitude (double): the 98th percentile of the absolute nonzero samples of 200 traces
+ * - ImageDeviation (double): the largest distance, in columns, of image points from where LatticeToWorld has them; 0 if
+ *   the steps of the survey are perpendicular
+ * - TextHeader (string, 40 tuples): the lines of the textual header
  *
  * The second output is one vtkStructuredGrid, for files of one inline or crossline whose traces have x and y: the same
- * samples, each trace where its own header says, on a line that need not be straight. It is empty for other files.
+ * samples, each trace at its own position, also on bent lines. It is empty for other files.
  *
- * What is no cube after stacking gives one error, which starts with the name of the file; GetErrorCode() says what
- * kind, as that of vtkHorizonSource does.
+ * Headers are read once per file; the samples of a window on request, by several threads, and by each process its own
+ * piece. Memory is that of the window, some megabytes per thread, and 4 bytes per trace of the file; up to 100 per
+ * trace while headers are read.
+ *
+ * A file that is not a post-stack cube gives one error that starts with the name of the file; GetErrorCode() gives its
+ * kind, as that of vtkHorizonSource.
  *
  * @sa vtkHorizonTextReader
  */
@@ -68,24 +67,23 @@ public:
 
   ///@{
   /**
-   * The SEG-Y file. Several are a series: the first for time 0, the second for time 1, and so on. See "Series of files"
-   * in Window.md. Range: a path in UTF-8. Default: none.
+   * The SEG-Y file. Several files are time steps. See "Series of files" in Window.md. Range: a path in UTF-8. Default:
+   * none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
   /**
-   * 1 when the file begins as SEG-Y files do: 3600 bytes and the header of a trace, with a format code there is, in
-   * either byte order, and a number of samples. Where its name does not end in .sgy, .segy or .seg, it has to begin with
-   * text, and end with a trace, as other binary files may have such numbers there.
+   * 1 if the file begins as SEG-Y files do: 3600 bytes and a trace header, with a valid format code, in either byte
+   * order, and a number of samples. Without the extension .sgy, .segy or .seg it must also begin with text and end with
+   * a whole trace, since other binary files may have such numbers there.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   ///@{
   /**
-   * The byte of the trace headers, from 1, of the inline number, a 4-byte integer: 189 by the standard, 9 or 5 in many
-   * files. 0 here and for the crossline: found automatically. -1: none, all traces are on one inline. Range: -1 to
-   * 237. Default: 0.
+   * The byte of the inline number in trace headers, from 1; 189 in the standard. 0, with a CrosslineByte of 0: found
+   * automatically. -1: none, all traces are on one inline. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(InlineByte, int);
   vtkGetMacro(InlineByte, int);
@@ -93,9 +91,7 @@ public:
 
   ///@{
   /**
-   * The byte of the trace headers, from 1, of the crossline number, a 4-byte integer: 193 by the standard, 21 or 13 in
-   * many files. 0 here and for the inline: found automatically. -1: none, all traces are on one crossline. Range: -1
-   * to 237. Default: 0.
+   * As InlineByte, for the crossline number; 193 in the standard. Range: -1 to 237. Default: 0.
    *
    * Only one of the two can be -1.
    */
@@ -105,9 +101,8 @@ public:
 
   ///@{
   /**
-   * The byte of the trace headers, from 1, of x, a 4-byte integer with the scalar of byte 71: 181 by the standard, 73
-   * or 81 in many files. 0 for x and y: found automatically. -1 for both: x is the crossline, and y the inline. Range:
-   * -1 to 237. Default: 0.
+   * The byte of x in trace headers, from 1; 181 in the standard. 0, with a YByte of 0: found automatically. -1, with a
+   * YByte of -1: x is the crossline, y the inline. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(XByte, int);
   vtkGetMacro(XByte, int);
@@ -115,9 +110,7 @@ public:
 
   ///@{
   /**
-   * The byte of the trace headers, from 1, of y, a 4-byte integer with the scalar of byte 71: 185 by the standard, 77
-   * or 85 in many files. 0 for x and y: found automatically. -1 for both: x is the crossline, and y the inline. Range:
-   * -1 to 237. Default: 0.
+   * As XByte, for y; 185 in the standard. Range: -1 to 237. Default: 0.
    */
   vtkSetMacro(YByte, int);
   vtkGetMacro(YByte, int);
@@ -125,7 +118,7 @@ public:
 
   ///@{
   /**
-   * The first and the last inline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
+   * The first and last inline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
   vtkSetVector2Macro(InlineRange, int);
   vtkGetVector2Macro(InlineRange, int);
@@ -133,7 +126,7 @@ public:
 
   ///@{
   /**
-   * The first and the last crossline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
+   * The first and last crossline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
   vtkSetVector2Macro(CrosslineRange, int);
   vtkGetVector2Macro(CrosslineRange, int);
@@ -141,8 +134,8 @@ public:
 
   ///@{
   /**
-   * The first and the last sample (k) to read; -1 stands for the end. Unit: vertical indices. Range: at least 0, or -1
-   * for the end. Default: 0, -1.
+   * The first and last sample (k) to read; -1 for the end. Unit: vertical indices. Range: at least 0, or -1 for the
+   * end. Default: 0, -1.
    */
   vtkSetVector2Macro(SampleRange, int);
   vtkGetVector2Macro(SampleRange, int);
@@ -167,8 +160,8 @@ public:
 
   ///@{
   /**
-   * The format of samples, for files that state a wrong one: amplitudes are then around 1e30, or look like noise.
-   * Default: FromFile.
+   * The sample format, for files that state a wrong one: amplitudes are then around 1e30, or look like noise. Default:
+   * FromFile.
    */
   vtkSetMacro(SampleFormat, int);
   vtkGetMacro(SampleFormat, int);
@@ -176,8 +169,8 @@ public:
 
   ///@{
   /**
-   * The number of samples of a trace. 0: that of the file, or of the traces if it does not fit them. Range: at least
-   * 0. Default: 0.
+   * The samples per trace. 0: as the file states, or as the traces do if that does not fit. Range: at least 0. Default:
+   * 0.
    */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
@@ -185,7 +178,7 @@ public:
 
   ///@{
   /**
-   * Whether an incomplete last trace is left out, with a warning. Off: it is an error. Default: off.
+   * Leaves out an incomplete last trace, with a warning. Off: it is an error. Default: off.
    */
   vtkSetMacro(IgnoreIncompleteTrace, bool);
   vtkGetMacro(IgnoreIncompleteTrace, bool);
@@ -203,9 +196,8 @@ public:
 
   ///@{
   /**
-   * How several traces with the same inline and crossline are treated. Refuse: an error. First, Last: the first or the
-   * last in the file. Mean: the mean of their samples, without traces of zeros. Dead traces never count beside others.
-   * Default: Refuse.
+   * Which of several traces with the same inline and crossline is used. Refuse: an error. First, Last: by order in the
+   * file. Mean: their mean, without traces of zeros. Dead traces never count beside others. Default: Refuse.
    */
   vtkSetClampMacro(DuplicatePolicy, int, Refuse, Mean);
   vtkGetMacro(DuplicatePolicy, int);
@@ -224,8 +216,8 @@ public:
 
   ///@{
   /**
-   * How traces are treated whose delay is not whole steps from that of most others; there is a warning. Interpolate:
-   * samples at whole steps, by cubic polynomials. Nearest: samples move by up to half a step. Default: Interpolate.
+   * How traces are aligned whose delay is not whole steps from that of most others. Interpolate: by cubic polynomials.
+   * Nearest: samples move by up to half a step. Default: Interpolate.
    */
   vtkSetClampMacro(DelayPolicy, int, Interpolate, Nearest);
   vtkGetMacro(DelayPolicy, int);
@@ -235,8 +227,8 @@ public:
 
   ///@{
   /**
-   * The step between samples. 0: a thousandth of the interval in the file: milliseconds for time, metres or feet in
-   * most depth cubes. Unit: that of z. Range: finite, at least 0. Default: 0.
+   * The step between samples. 0: a thousandth of the interval in the file, which is ms for time, m or ft in most depth
+   * cubes. Unit: that of z. Range: finite, at least 0. Default: 0.
    */
   vtkSetMacro(VerticalStep, double);
   vtkGetMacro(VerticalStep, double);
@@ -251,8 +243,7 @@ public:
 
   ///@{
   /**
-   * The direction in which time or depth increases. Down: world z decreases with it. Up: world z increases with it.
-   * Default: Down.
+   * The direction of world z in which time or depth increases. Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);
@@ -262,8 +253,8 @@ public:
 
   ///@{
   /**
-   * The unit of z for the field data: ms, s, m or ft, without conversion. Empty: ms, as in the standard; choose m or
-   * ft for a depth cube. Range: any text. Default: empty.
+   * The unit of z: ms, s, m or ft, without conversion. Empty: ms; set m or ft for a depth cube. Range: any text.
+   * Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
@@ -271,8 +262,7 @@ public:
 
   ///@{
   /**
-   * Whether z is time or depth, for the field data, without conversion. Empty: from the unit. Range: any text.
-   * Default: empty.
+   * Time or depth. Empty: from the unit. Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalDomain);
   vtkGetStringMacro(VerticalDomain);
@@ -280,8 +270,7 @@ public:
 
   ///@{
   /**
-   * The unit of x and y for the field data: m or ft, without conversion. Empty: as in the file. Range: any text.
-   * Default: empty.
+   * The unit of x and y: m or ft, without conversion. Empty: as in the file. Range: any text. Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
@@ -289,8 +278,7 @@ public:
 
   ///@{
   /**
-   * The name of the coordinate system of x and y, for the field data, without conversion. Range: any text. Default:
-   * empty.
+   * The name of the coordinate system of x and y, without conversion. Range: any text. Default: empty.
    */
   vtkSetStringMacro(CoordinateSystem);
   vtkGetStringMacro(CoordinateSystem);
@@ -299,8 +287,8 @@ public:
   ///@{
   /**
    * The largest distance of x and y from the lattice, as a fraction of the step. Up to a tenth of the traces may be
-   * farther off, with a warning; if more are, line numbers replace x and y. Whole metres are up to 0.1 off if lines
-   * are 6 m apart. Unit: columns. Range: more than 0, less than 0.5. Default: 0.25.
+   * farther off, with a warning; if more are, line numbers replace x and y. Unit: columns. Range: more than 0, less
+   * than 0.5. Default: 0.25.
    */
   vtkSetMacro(LatticeTolerance, double);
   vtkGetMacro(LatticeTolerance, double);
@@ -308,16 +296,16 @@ public:
 
   ///@{
   /**
-   * The largest distance of points of the image from their true places. Images can be rotated, but not sheared: lines
-   * too far from perpendicular are an error. Unit: columns. Range: at least 0. Default: 0.5.
+   * The largest distance of image points from their true positions; images cannot be sheared, so lines must be nearly
+   * perpendicular. Unit: columns. Range: at least 0. Default: 0.5.
    */
   vtkSetMacro(ImageTolerance, double);
   vtkGetMacro(ImageTolerance, double);
   ///@}
 
   /**
-   * What was found in the headers: format and byte order, the inlines and crosslines and the bytes of their numbers,
-   * missing and dead traces, coordinates, and vertical indices. Empty before the first update.
+   * What was found in the headers: format and byte order, lines and their bytes, missing and dead traces, coordinates,
+   * and vertical indices. Empty before the first update.
    */
   const char* GetDescription() { return this->Description.c_str(); }
 

@@ -4,54 +4,45 @@
  * @class   vtkVerneySparseMatrixReader
  * @brief   reads horizons from a sparse-matrix file (.vsm)
  *
- * The file holds the voxels of seismic horizons, column by column of a lattice of nX x nY x nZ cells, each with a
- * vertical index, a surface ID, a thickness, an amplitude and a real z (Documentation/FileFormat.md). It is a list of
- * voxels per column, not a sparse matrix of linear algebra; the name is that of the thesis it comes from.
+ * The file lists the voxels of horizons, column by column of a lattice of nX x nY x nZ cells, each with a vertical
+ * index, a surface ID, a thickness, an amplitude and a real z (Documentation/FileFormat.md).
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, by ascending
- * surface ID, named "Horizon <ID>". Its partition is a vtkPolyData with one point and one vertex cell per voxel: what
- * the stages work on. On request (OutputType) it is a map instead, a vtkImageData; or the whole output is one
- * vtkImageData, a volume with the voxels of all selected horizons.
+ * surface ID, named "Horizon <ID>": a vtkPolyData with one point and one vertex cell per voxel. With OutputType Images
+ * it is a map, a vtkImageData; with Volume the whole output is one vtkImageData.
  *
  * Point data of the vtkPolyData, one component each:
  * - SurfaceId (int): the ID of the horizon
  * - VerticalIndex (int): k, from 0 to nZ - 1; the active scalars
  * - Thickness, Amplitude, RealZ (double): as in the file
  *
- * Point data of the vtkImageData, which covers the bounding box of the horizon's columns with one point for each, at
- * z = 0:
+ * Point data of a map, which covers the bounding box of the horizon's columns at z = 0:
  * - SurfaceId (int)
- * - Elevation (double): the world z the point has in the vtkPolyData; warp by it along z to get the surface; the
- *   active scalars
+ * - Elevation (double): the world z of the point in the vtkPolyData, by which to warp the map; the active scalars
  * - VerticalIndex, Thickness, Amplitude, RealZ (double): as above
- * - vtkGhostType (unsigned char): blanks the columns without a voxel, where all arrays of doubles are nan
+ * - vtkGhostType (unsigned char): blanks columns without a voxel, where arrays of doubles are nan
  *
- * Point data of a volume, which has a point at the centre of each cell of the lattice or of the selected horizons'
- * bounding box (VolumeExtent). The extent is that of i, j and k; where these three are left-handed in the world, as
- * they are when k counts downwards and i and j do not, that of i, j and -k.
+ * Point data of a volume, with a point at the centre of each cell of the lattice or of the bounding box (VolumeExtent).
+ * Its axes are i, j and k, or i, j and -k where the former are left-handed in the world.
  * - SurfaceId (int): the ID of the horizon that has the voxel, or BackgroundValue
- * - Amplitude or Thickness (float), when VolumeArray asks for it: as in the file, or 0 where there is no voxel
+ * - Amplitude or Thickness (float), if VolumeArray selects it: as in the file, or 0 without a voxel
  *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components): nX, nY, nZ
  * - LatticeToWorld (double, 16 components): the affine map from (i, j, k) to world coordinates, row by row. Its columns
- *   are (ColumnStep, 0), (RowStep, 0), (0, 0, +-VerticalStep) and Origin; see VerticalDirection for the sign, and
- *   Elevation for the last two.
+ *   are (ColumnStep, 0), (RowStep, 0), (0, 0, +-VerticalStep) and Origin; see VerticalDirection for the sign, and ZFrom
+ *   for the last two
  * - VerticalDirection (int, 1 component): -1 for Down, 1 for Up
- * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out because the horizon has another one in the same
- *   column, see DuplicatePolicy; of all selected horizons in a volume
+ * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out by DuplicatePolicy; of all selected horizons in a
+ *   volume
  *
- * The file is read once, for the list of horizons, and what was found is kept until the horizons are asked for; it is
- * read again when they are asked for another time, with other parameters say. Time is linear in the size of the file;
- * lines are parsed on several threads. The peak of memory is 36 bytes per voxel of the file, those of horizons that are
- * not selected included, plus 36 bytes per voxel of the output, which has 64 and takes arrays over as they are; or plus
- * what a volume takes, 4 or 8 bytes for each of its points. With LeastMemory, horizons that are not
- * selected take none.
+ * The file is read once, on several threads; later requests with other parameters read it again. Time is linear in its
+ * size. The peak of memory is 36 bytes per voxel of the file, selected or not, plus 36 bytes per voxel of the output,
+ * or the volume's 4 or 8 bytes per point. With LeastMemory, horizons that are not selected take none. Each process
+ * reads the whole file.
  *
- * Of several processes each reads the whole file.
- *
- * A file that is missing or breaks the format gives one error, which starts with the name of the file and has the
- * number of the line; the output is empty then.
+ * A missing or invalid file gives one error that starts with its name and has the number of the line; the output is
+ * then empty.
  *
  * @sa vtkHorizonExteriorBoundary
  */
@@ -82,23 +73,22 @@ public:
 
   ///@{
   /**
-   * The file; it may be compressed by gzip, whatever its name. Several are a series: the first for time 0, the second
-   * for time 1, and so on. See "Series of files" in Window.md. Range: a path in UTF-8. Default: none.
+   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
+   * path in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
   /**
-   * 1 for any name that ends in .vsm or .vsm.gz, in letters of either case: when something is wrong with the file,
-   * reading it says what. For other names 1 when the first line of the file is what the format asks for: three positive
-   * integers, separated by blanks, within the first 4095 bytes, and the lines behind it have voxels and nothing else, as
-   * far as 64 kilobytes go; else 0. A byte order mark is skipped.
+   * 1 for names that end in .vsm or .vsm.gz, in either case: reading reports what is wrong. For other names, 1 if the
+   * first line, within 4095 bytes, is three positive integers separated by blanks, and the lines after it hold only
+   * voxels, within 64 kilobytes; else 0. A byte order mark is skipped.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   ///@{
   /**
-   * Horizons of fewer points in the ranges below are not listed. Unit: points. Range: at least 1. Default: 1.
+   * Horizons with fewer points in the ranges are not listed. Unit: points. Range: at least 1. Default: 1.
    */
   vtkSetMacro(SmallestHorizonSize, vtkIdType);
   vtkGetMacro(SmallestHorizonSize, vtkIdType);
@@ -106,8 +96,8 @@ public:
 
   ///@{
   /**
-   * The first and the last column (i) to load, from 0; -1 stands for the end. The lattice is still that of the whole
-   * file, and the whole file is checked. Unit: columns. Range: at least 0, or -1 for the end. Default: 0, -1.
+   * The first and last column (i) to load; -1 for the end. Unit: columns. Range: at least 0, or -1 for the end.
+   * Default: 0, -1.
    */
   vtkSetVector2Macro(ColumnRange, int);
   vtkGetVector2Macro(ColumnRange, int);
@@ -115,8 +105,8 @@ public:
 
   ///@{
   /**
-   * The first and the last row (j) to load, from 0; -1 stands for the end. The lattice is still that of the whole
-   * file. Unit: rows. Range: at least 0, or -1 for the end. Default: 0, -1.
+   * The first and last row (j) to load; -1 for the end. Unit: rows. Range: at least 0, or -1 for the end. Default: 0,
+   * -1.
    */
   vtkSetVector2Macro(RowRange, int);
   vtkGetVector2Macro(RowRange, int);
@@ -124,11 +114,10 @@ public:
 
   ///@{
   /**
-   * For files larger than memory: one pass lists the horizons, then only the selected ones, and the rows asked for,
-   * are read. Not for volumes. Default: off.
+   * For files larger than memory: lists the horizons in one pass, then reads only selected horizons and rows. Not for
+   * volumes. See "Files larger than memory" in VerneySparseMatrixReader.md. Default: off.
    *
-   * The list has nothing else but how many points each horizon has in each row. It takes two passes instead of one, but
-   * for other rows and horizons it is kept.
+   * The list has the number of points of each horizon in each row, and is kept for other rows and horizons.
    */
   vtkSetMacro(LeastMemory, bool);
   vtkGetMacro(LeastMemory, bool);
@@ -136,13 +125,13 @@ public:
   ///@}
 
   /**
-   * With LeastMemory, after UpdateInformation(): how many points a horizon has in some rows (and the ColumnRange). 0
-   * for other names.
+   * With LeastMemory, after UpdateInformation(): the number of points of a horizon in some rows (and the ColumnRange).
+   * 0 for other names.
    */
   vtkIdType GetNumberOfPointsInRows(const char* name, int firstRow, int lastRow);
 
   /**
-   * With LeastMemory, after UpdateInformation(): how many rows the lattice of the file has; else 0.
+   * With LeastMemory, after UpdateInformation(): the number of rows of the lattice; else 0.
    */
   int GetNumberOfRows();
 
@@ -156,13 +145,12 @@ public:
 
   ///@{
   /**
-   * What horizons become. Points: points in space, the input of the stages. Images: maps at z = 0, with a pixel for
-   * every column and attributes as arrays; columns without the horizon are blank. Warp them by the array Elevation.
-   * Volume: all horizons in one image, for slices and volume rendering. For the last two, ColumnStep and RowStep must
-   * be perpendicular. Default: Points.
+   * What horizons become. Points: points in space, the input of the stages. Images: maps at z = 0. Volume: all horizons
+   * in one image. For the last two, ColumnStep and RowStep must be perpendicular. See "Output" in
+   * VerneySparseMatrixReader.md. Default: Points.
    *
-   * Points are a vtkPolyData for each horizon, images a vtkImageData for each, a volume is one vtkImageData;
-   * GetOutput() gives null for that, use GetOutputDataObject(0).
+   * One vtkPolyData or vtkImageData per horizon, or one vtkImageData for a volume; GetOutput() gives null for a volume,
+   * use GetOutputDataObject(0).
    */
   vtkSetClampMacro(OutputType, int, Points, Volume);
   vtkGetMacro(OutputType, int);
@@ -180,8 +168,8 @@ public:
 
   ///@{
   /**
-   * What a volume covers. Whole: all cells of the lattice. BoundingBox: the smallest box with all voxels of the
-   * selected horizons. Default: Whole.
+   * What a volume covers. Whole: the lattice. BoundingBox: the smallest box around the selected horizons. Default:
+   * Whole.
    */
   vtkSetClampMacro(VolumeExtent, int, Whole, BoundingBox);
   vtkGetMacro(VolumeExtent, int);
@@ -199,8 +187,8 @@ public:
 
   ///@{
   /**
-   * The active scalars of a volume. The array SurfaceId has the ID of the horizon at each voxel; Amplitude or
-   * Thickness add an array of these, 0 without a voxel. Default: SurfaceId.
+   * The active scalars of a volume: the ID of the horizon, or Amplitude or Thickness, which become a second array.
+   * Default: SurfaceId.
    */
   vtkSetClampMacro(VolumeArray, int, SurfaceId, Thickness);
   vtkGetMacro(VolumeArray, int);
@@ -220,7 +208,7 @@ public:
 
   ///@{
   /**
-   * The largest memory of the arrays of a volume, on each process; a larger volume is an error. Unit: MB (2^20 bytes).
+   * The largest memory of the arrays of a volume, per process; a larger volume is an error. Unit: MB (2^20 bytes).
    * Range: at least 1. Default: 2048.
    */
   vtkSetMacro(VolumeMemoryLimit, int);
@@ -236,14 +224,14 @@ public:
 
   ///@{
   /**
-   * World z of the points. VerticalIndex: from the vertical index, Origin and VerticalStep. RealZ: the time or depth
-   * in the file, without Origin and VerticalStep. VerticalDirection gives the sign. Voxels of a volume stay in their
-   * cells, and stages measure distances and cell sizes in the lattice in both cases. Default: VerticalIndex.
+   * World z of points. VerticalIndex: from the index, Origin and VerticalStep. RealZ: the time or depth in the file.
+   * Stages measure in the lattice in both cases. See "World coordinates" in VerneySparseMatrixReader.md. Default:
+   * VerticalIndex.
    *
-   * With RealZ, LatticeToWorld holds the straight line that fits real z over the vertical index best, for all voxels in
-   * the ranges (with LeastMemory those in the ColumnRange), so that a height of 1 in lattice units is one vertical
-   * index all the same. Where real z or the index is the same everywhere there is no such line, and Origin and
-   * VerticalStep hold. The voxels of a volume always lie where LatticeToWorld puts their vertical index.
+   * With RealZ, LatticeToWorld has the straight line that best fits real z to the vertical index, over all voxels in
+   * the ranges (with LeastMemory those in the ColumnRange), so that a height of 1 in lattice units remains one vertical
+   * index. If real z or the index is constant, Origin and VerticalStep are used. The voxels of a volume always lie
+   * where LatticeToWorld puts their vertical index.
    */
   vtkSetClampMacro(ZFrom, int, VerticalIndex, RealZ);
   vtkGetMacro(ZFrom, int);
@@ -260,8 +248,7 @@ public:
 
   ///@{
   /**
-   * World coordinates of the centre of cell (0, 0, 0), the first voxel of the cube. Unit: world units. Range: finite.
-   * Default: 0, 0, 0.
+   * World coordinates of the centre of cell (0, 0, 0). Unit: world units. Range: finite. Default: 0, 0, 0.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -269,8 +256,8 @@ public:
 
   ///@{
   /**
-   * The step in world x and y from a column to the next along i, which runs fastest in the file. Unit: world units.
-   * Range: finite, not parallel to RowStep. Default: 1, 0.
+   * The step in x and y from a column to the next along i, which runs fastest in the file. Unit: world units. Range:
+   * finite, not parallel to RowStep. Default: 1, 0.
    */
   vtkSetVector2Macro(ColumnStep, double);
   vtkGetVector2Macro(ColumnStep, double);
@@ -278,8 +265,8 @@ public:
 
   ///@{
   /**
-   * The step in world x and y from a row to the next along j. Unit: world units. Range: finite, not parallel to
-   * ColumnStep. Default: 0, 1.
+   * The step in x and y from a row to the next along j. Unit: world units. Range: finite, not parallel to ColumnStep.
+   * Default: 0, 1.
    */
   vtkSetVector2Macro(RowStep, double);
   vtkGetVector2Macro(RowStep, double);
@@ -287,8 +274,8 @@ public:
 
   ///@{
   /**
-   * The length along z from a vertical index to the next; a negative one reverses the direction. Unit: world units.
-   * Range: finite, not 0. Default: 1.
+   * The length of a vertical index; a negative one reverses the direction. Unit: world units. Range: finite, not 0.
+   * Default: 1.
    *
    * z is Origin's z minus (VerticalDirection Down) or plus (Up) VerticalStep times the index.
    */
@@ -305,8 +292,7 @@ public:
 
   ///@{
   /**
-   * The direction in which vertical indices and real z increase. Down: world z decreases with them, as for time and
-   * depth. Up: world z increases with them. Default: Down.
+   * The direction of world z in which vertical indices and real z increase. Default: Down.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Up);
   vtkGetMacro(VerticalDirection, int);
@@ -326,10 +312,8 @@ public:
   ///@{
   /**
    * Which of several voxels of a horizon in one column is kept. StrongestAmplitude: the one with the largest absolute
-   * amplitude, of equal ones the topmost. Topmost, Lowest: the one with the smallest or largest vertical index.
-   * Sheets: all, as at reverse faults; each connected sheet becomes a horizon; not with LeastMemory. Voxels left out
-   * are counted in the field data DroppedDuplicates. See "Sheets" in VerneySparseMatrixReader.md. Default:
-   * StrongestAmplitude.
+   * amplitude, then the topmost. Topmost, Lowest: by vertical index. Sheets: all, as at reverse faults; not with
+   * LeastMemory. See "Sheets" in VerneySparseMatrixReader.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Horizon 7 (2)"; see ColumnSheets.h.
    */

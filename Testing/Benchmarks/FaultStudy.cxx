@@ -32,6 +32,7 @@ const std::vector<double> Throws = { 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 40.0 };
 struct Method
 {
   std::string Name;
+  std::vector<double> Dips;
   FaultDetectionOptions Options;
 };
 
@@ -39,7 +40,9 @@ std::vector<Method> ListMethods()
 {
   std::vector<Method> methods(2);
   methods[0].Name = "Defaults";
+  methods[0].Dips = { 0.5 };
   methods[1].Name = "SmallestThrow 2, SmallestExtent 8, SmallestBranch 6";
+  methods[1].Dips = { 0.5, 2.0 };
   methods[1].Options.SmallestThrow = 2.0;
   methods[1].Options.SmallestExtent = 8;
   methods[1].Options.SmallestBranch = 6;
@@ -89,19 +92,18 @@ std::vector<Kind> ListKinds()
   return kinds;
 }
 
-const std::vector<double> Noises = { 0.0, 0.3, 1.0 };
+const std::vector<double> Noises = { 0.3, 1.0 };
 
 void PrintHead(int horizons)
 {
   std::printf(
     "# Faults found\n\n"
-    "Made by `FaultStudy`. Each entry is the share of faulted edges that [Horizon Faults](HorizonFaults.md) finds, in "
-    "%%\n"
-    "by their throw of 1 to 2, 2 to 4, 4 to 8 and 8 or more vertical indices, and the number of false ones per 1,000\n"
-    "columns: those more than a column away from all that are torn. Each is from %d horizons of 200 by 200 columns "
-    "with\n"
-    "largest throws of 2, 3, 5, 8, 12, 20 and 40 each, with four faults, or eight that cross; `nan` where no edge has\n"
-    "such a throw. Noise is its standard deviation, dip is in vertical indices per column.\n",
+    "How much of the faults of generated horizons [Horizon Faults](HorizonFaults.md) finds. Made by `FaultStudy`.\n\n"
+    "Each entry is the percentage of faulted edges found, by throws of 1 to 2, 2 to 4, 4 to 8, and 8 or more vertical\n"
+    "indices, and the number of false ones per 1,000 columns: those more than a column away from all faulted edges.\n"
+    "Each is from %d horizons of 200 by 200 columns with largest throws of 2, 3, 5, 8, 12, 20 and 40 each, and four\n"
+    "faults, or eight that cross; `nan` where no edge has such a throw. Noise is its standard deviation, dip is in\n"
+    "vertical indices per column.\n",
     horizons);
 }
 
@@ -112,12 +114,12 @@ void PrintNoiseTable(int horizons, const Method& method)
   {
     std::printf(" noise %g |", noise);
   }
-  std::printf("\n| --- | --- | --- | --- | --- | --- |\n");
+  std::printf("\n| --- | --- | --- | --- | --- |\n");
   for (Kind kind : ListKinds())
   {
     for (const bool areWhole : { true, false })
     {
-      for (const double dip : { 0.5, 2.0 })
+      for (const double dip : method.Dips)
       {
         std::printf("| %s | %s | %g |", kind.Name.c_str(), areWhole ? "whole" : "real", dip);
         for (const double noise : Noises)
@@ -139,7 +141,7 @@ constexpr int RampReach = 2; // how far from a fault that bends the surface a li
 /// Tapered faults at which columns are missing, that bend the surface, or of picks on some rows alone.
 void PrintShapeTable(int horizons, const Method& method)
 {
-  std::printf("| tapered faults | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- |\n");
+  std::printf("| tapered faults | noise 0.3 | noise 1 |\n| --- | --- | --- |\n");
   const auto print = [&](const std::string& shape, FaultGeneratorOptions options, int reach)
   {
     std::printf("| %s |", shape.c_str());
@@ -168,15 +170,14 @@ void PrintShapeTable(int horizons, const Method& method)
   print("picks on each 5th row", options, RampReach);
 }
 
-/// Folds twice as high as the dip, without faults: false links for 1,000 columns.
-void PrintFoldTable(int horizons, const Method& method)
+/// Folds twice as high as the dip, without faults: the most false edges for 1,000 columns.
+double ScoreFolds(int horizons, const Method& method)
 {
-  std::printf("| heights | dip | noise 0 | noise 0.3 | noise 1 |\n| --- | --- | --- | --- | --- |\n");
+  double most = 0.0;
   for (const bool areWhole : { true, false })
   {
     for (const double dip : { 0.5, 2.0 })
     {
-      std::printf("| %s | %g |", areWhole ? "whole" : "real", dip);
       for (const double noise : Noises)
       {
         FaultGeneratorOptions options;
@@ -185,12 +186,11 @@ void PrintFoldTable(int horizons, const Method& method)
         options.AreHeightsWhole = areWhole;
         options.Dip = dip;
         options.Noise = noise;
-        std::printf(" %.2f |", ScoreHorizons(4 * horizons, method.Options, options).FalsePerThousand());
+        most = std::max(most, ScoreHorizons(4 * horizons, method.Options, options).FalsePerThousand());
       }
-      std::printf("\n");
-      std::fflush(stdout);
     }
   }
+  return most;
 }
 
 /// Adds the squares of the errors of the heights that a hole is filled with.
@@ -269,12 +269,13 @@ std::vector<FaultStick> MakeSticks(const FaultedHorizon& horizon, std::size_t sp
   return sticks;
 }
 
-void PrintStickTable(int horizons)
+/// The least part that is found, and the most false edges, over sticks at 5 to 60 edges, of which one may be short.
+void PrintSticks(int horizons)
 {
-  std::printf("| a stick for each | all sticks | one ends short |\n| --- | --- | --- |\n");
+  double found = 100.0;
+  double wrong = 0.0;
   for (const std::size_t spacing : { 5, 20, 60 })
   {
-    std::printf("| %d links |", int(spacing));
     for (const bool endsShort : { false, true })
     {
       FaultScore total;
@@ -288,10 +289,14 @@ void PrintStickTable(int horizons)
         const auto sheets = MakeFaultSheets(MakeSticks(horizon, spacing, endsShort), false);
         total.Add(ScoreFaults(horizon, CutAlong(heights, FindTraces(heights, sheets)), 0, RampReach));
       }
-      std::printf(" %.0f, %.2f |", total.FoundPercent(3), total.FalsePerThousand());
+      found = std::min(found, total.FoundPercent(3));
+      wrong = std::max(wrong, total.FalsePerThousand());
     }
-    std::printf("\n");
   }
+  std::printf(
+    "Of a fault from side to side with a stick every 5 to 60 edges, in any order, at least %.0f %% of the edges are\n"
+    "cut within two columns, and at most %.2f per 1,000 columns elsewhere. Noise 0.3.\n",
+    found, wrong);
 }
 
 void PrintHoleTable(int horizons, const Method& method)
@@ -358,17 +363,14 @@ int main(int argc, char* argv[])
     {
       continue;
     }
-    std::printf("\nFolds twice as high as the dip, without faults; false edges per 1,000 columns:\n\n");
-    PrintFoldTable(horizons, method);
+    std::printf("\nFolds twice as high as the dip, without faults, have at most %.2f false edges per 1,000 columns.\n",
+      ScoreFolds(horizons, method));
     std::printf(
-      "\nA fault with a throw of 8 and more through a hole: %% of its edges there found within two columns, false\n"
-      "edges per 1,000 columns, and root mean square errors of the filled heights; noise 0.3:\n\n");
+      "\nA fault with a throw of 8 and more through a hole: percentage of its edges there found within two columns,\n"
+      "false edges per 1,000 columns, and RMS errors of the filled heights; noise 0.3:\n\n");
     PrintHoleTable(horizons, method);
   }
-  std::printf(
-    "\n## Sticks\n\n"
-    "A fault from side to side, given by sticks in no order, with a noise of 0.3: %% of its edges cut within two\n"
-    "columns, and edges per 1,000 columns that are cut elsewhere.\n\n");
-  PrintStickTable(horizons);
+  std::printf("\n## Sticks\n\n");
+  PrintSticks(horizons);
   return EXIT_SUCCESS;
 }

@@ -17,6 +17,7 @@ its proxy.
 
 The table on the page of a proxy has its own properties. Those of a base are in a table on the page that is called as the
 XML file of the base, to which the page of the proxy has a link. A file with several bases has a page with a table of each.
+A proxy without properties of its own has no table.
 
 A base class whose comment says 'Its properties are on HorizonSurface.md.' has its properties in the table of that page alone:
 other pages link to it. A property with another default in each class is on the page of each.
@@ -222,9 +223,10 @@ class Texts:
         return [prop.get("name"), text.default, reach or "-", cell(text.unit or "-"), cell(text.meaning)]
 
     def table(self, proxy):
+        """Empty without rows."""
         own = [prop for prop in proxy.own if not self.other_page(proxy, prop)]
         rows = [row for row in (self.row(proxy, prop) for prop in own) if row]
-        lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows
+        lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows if rows else []
         return "".join("| %s |\n" % " | ".join(line) for line in lines)
 
     def pages(self):
@@ -237,13 +239,14 @@ class Texts:
             text = path.read_text(encoding="utf-8")
             pattern = r"^\| %s \|\n(?:\|.*\n)*" % r" \| ".join(COLUMNS)
             count = len(re.findall(pattern, text, re.M))
-            if count != len(on_it):
-                sys.exit("%s: %d tables of properties, expected %d" % (page, count, len(on_it)))
+            tables = [table for table in map(self.table, on_it) if table]
+            if count != len(tables):
+                sys.exit("%s: %d tables of properties, expected %d" % (page, count, len(tables)))
             others = {self.other_page(proxy, prop) for proxy in on_it for prop in proxy.own} - {None}
             for base in {proxy.base.page for proxy in on_it if proxy.base} - {page} | others:
                 if "(%s" % base not in text:
                     sys.exit("%s: no link to %s, expected one, as there are more of its properties" % (page, base))
-            tables = iter([self.table(proxy) for proxy in on_it])
+            tables = iter(tables)
             yield path, text, re.sub(pattern, lambda _, tables=tables: next(tables), text, flags=re.M)
 
     def write_panel(self, folder):

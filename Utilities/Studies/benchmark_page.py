@@ -10,8 +10,8 @@ def number(value):
 
 
 def stage_table(results):
-    """Seconds by the number of threads, and the memory at the largest size."""
-    sizes = sorted({r["size"] for r in results})
+    """Seconds by the number of threads at the two largest sizes, and the memory at the largest one."""
+    sizes = sorted({r["size"] for r in results})[-2:]
     counts = sorted({r["threads"] for r in results})
     found = {(r["stage"], r["size"], r["threads"]): r for r in results}
     rows = []
@@ -45,35 +45,34 @@ def peer_table(results):
 PAGE = """\
 # Benchmarks
 
+Time and memory of the stages, and times of other programs.
+
 `Utilities/Studies/benchmark.sh --markdown Documentation/Benchmarks.md` measures and writes this page, here on
 {processors} processors, with generated horizons and all their attributes.
 
 ## Seconds, and bytes of memory
 
-Seconds on {threads} threads. Bytes are the largest growth of the process, result included, per point of the largest
-horizon.
+Seconds on {threads} threads, by the number of points. Bytes are the largest growth of the process, result included, per
+point of the largest horizon.
 
 {stages}
-- *Boundary simplification* has a threshold of 0.4, *rough* cells of 3, *elaborate* cells of 8 and a flatness of 0.03.
-- *Error* is that between the meshes of all points and of those that rough leaves.
-- *Whole chain* is read, boundary, its simplification, rough and triangulation in one run.
-- *File to mesh* is read and Horizon Surface with its defaults (an error of 0.75).
+*Boundary simplification* has a threshold of 0.4, *rough* cells of 3, *elaborate* cells of 8 and a flatness of 0.03.
+*Error* measures the mesh of rough. *Whole chain* is read, boundary, its simplification, rough and triangulation.
+*File to mesh* is read and Horizon Surface with its defaults.
 
 ## Other programs
 
-Their time divided by ours at the same thread count: above 1, ours is faster. Programs that would take longer than
+Their time divided by ours on as many threads: above 1, ours is faster. Programs that would take longer than
 {most_seconds:g} s are left out. [Tables.md](Tables.md#what-a-vertex-buys) compares the results.
 
 {peers}
 - Bare loop, OpenCV, CGAL and vtkStaticCellLocator are timed with our algorithm alone on one thread, on horizons of their
   own; the others with our filters, attributes included.
-- The *bare loop* over a mapped file knows digits, points and minus signs, and checks nothing.
-- OpenCV starts with an image, ours with a list of points.
-- CGAL's time includes listing the triangles inside the outline. *After rough* and *after elaborate*, the outline is
-  simplified; the columns are those of the points before.
-- Clustering filters have cells of 3, and `vtkQuadricDecimation` as many triangles as after rough; making the mesh of all
-  points that they need is not timed.
-- *ParaView's chain* is vtkDelimitedTextReader on lines of i, j and k, vtkDelaunay2D and vtkDecimatePro.
+- The *bare loop* parses a mapped file without checks. OpenCV starts with an image, ours with a list of points.
+- CGAL also lists the triangles inside the outline, which is simplified *after rough* and *after elaborate*.
+- Clustering filters have cells of 3, and `vtkQuadricDecimation` as many triangles as after rough; the mesh of all points
+  that they need is not timed.
+- *ParaView's chain* is vtkDelimitedTextReader, vtkDelaunay2D and vtkDecimatePro.
 """
 
 

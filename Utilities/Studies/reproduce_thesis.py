@@ -107,9 +107,9 @@ def main():
         shown = figures.figures(options.generator, folder, found[-1].size)
     cgal = measure_cgal(options.triangulation_benchmark, meshings)
     options.folder.mkdir(parents=True, exist_ok=True)
-    (options.folder / "Tables.md").write_text(page(found, curves, meshings, paces, shown), encoding="utf-8")
+    (options.folder / "Tables.md").write_text(page(found, curves, paces, shown), encoding="utf-8")
     if options.tables:
-        options.tables.write_text(all_tables(found, shown), encoding="utf-8")
+        options.tables.write_text(all_tables(found, meshings, paces, shown), encoding="utf-8")
     draw(found, curves, meshings, cgal, options.folder / "Pictures")
     draw_figures(shown, options.folder / "Pictures")
 

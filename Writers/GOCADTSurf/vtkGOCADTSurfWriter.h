@@ -4,21 +4,19 @@
  * @class   vtkGOCADTSurfWriter
  * @brief   writes horizon meshes as triangulated surfaces of GOCAD (.ts)
  *
- * Each horizon becomes an object of the type TSurf, all of them in one file, in text
- * (Documentation/GOCADTSurfWriter.md). It has the name of its block, else "Horizon <ID>" by the surface ID of its first
- * point, else the name of the file without its extension; of several with one name the second gets " (2)", and so on.
- * Horizons without points are left out.
+ * Each horizon becomes an object of type TSurf, all in one text file (Documentation/GOCADTSurfWriter.md). It has the
+ * name of its block, else "Horizon <ID>" by the surface ID of its first point, else the name of the file without
+ * extension; repeated names get " (2)" and so on. Horizons without points are left out.
  *
- * Polygons have to be triangles. Written are the points that triangles have, in double precision with as many digits as
- * reading them back takes, and the triangles. Where there is cell data of the name Part, the triangles of each number
- * become a TFACE of their own; a point that several of them have in common is an ATOM in all but the first. Lines and
- * vertex cells are not written, nor are other cell data.
+ * Polygons must be triangles. The points of triangles are written in double precision, with as many digits as needed to
+ * read them back exactly. If there is cell data Part, the triangles of each number become a TFACE; a point that several
+ * share is an ATOM in all but the first. Lines, vertex cells and other cell data are not written.
  *
- * Field data that are looked at: VerticalUnit, HorizontalUnit, CoordinateSystem (text), and Colour (3 numbers: red,
- * green and blue from 0 to 1), as vtkGOCADTSurfReader gives them.
+ * Field data used: VerticalUnit, HorizontalUnit, CoordinateSystem (text), and Colour (3 numbers: red, green and blue
+ * from 0 to 1), as from vtkGOCADTSurfReader.
  *
- * Time is linear but for the sorting of the points of each part; memory is about 110 bytes for each point and 8 for
- * each of its attributes, of the horizon that is being written.
+ * Time is linear except for sorting the points of each part; memory is about 110 bytes per point and 8 per attribute,
+ * of the horizon being written.
  *
  * @sa vtkGOCADTSurfReader
  */
@@ -53,9 +51,8 @@ public:
 
   ///@{
   /**
-   * The direction in which z of the file increases (ZPOSITIVE); z of the data always increases upwards. Elevation:
-   * upwards, with z as it is. Depth: downwards, for depth or time; z is written as its negative, and triangles are
-   * flipped so that they face the same side. Default: Elevation.
+   * The direction in which z of the file increases (ZPOSITIVE). Elevation: up, z as in the data. Depth: down; z is
+   * negated, and triangles are flipped to face the same side. Default: Elevation.
    */
   vtkSetClampMacro(VerticalPositive, int, Elevation, Depth);
   vtkGetMacro(VerticalPositive, int);
@@ -65,8 +62,8 @@ public:
 
   ///@{
   /**
-   * The unit of z that the file states, such as m, ft, ms or s; numbers are not converted. Empty: that of the data
-   * (field data VerticalUnit), else none, as where the unit is unknown. Range: any text. Default: empty.
+   * The unit of z, such as m or ms, without conversion. Empty: as in the data (field data VerticalUnit), else none.
+   * Range: any text. Default: empty.
    */
   vtkSetStringMacro(VerticalUnit);
   vtkGetStringMacro(VerticalUnit);
@@ -74,8 +71,8 @@ public:
 
   ///@{
   /**
-   * The unit of x and y that the file states, such as m or ft; numbers are not converted. Empty: that of the data
-   * (field data HorizontalUnit), else none, as where the unit is unknown. Range: any text. Default: empty.
+   * The unit of x and y, such as m or ft, without conversion. Empty: as in the data (field data HorizontalUnit), else
+   * none. Range: any text. Default: empty.
    */
   vtkSetStringMacro(HorizontalUnit);
   vtkGetStringMacro(HorizontalUnit);
@@ -83,8 +80,8 @@ public:
 
   ///@{
   /**
-   * The name of the coordinate system that the file states; coordinates are not converted. Empty: that of the data
-   * (field data CoordinateSystem), else Default, GOCAD's own word for none. Range: any text. Default: empty.
+   * The coordinate system, without conversion. Empty: as in the data (field data CoordinateSystem), else Default,
+   * GOCAD's word for none. Range: any text. Default: empty.
    */
   vtkSetStringMacro(CoordinateSystemName);
   vtkGetStringMacro(CoordinateSystemName);
@@ -92,13 +89,12 @@ public:
 
   ///@{
   /**
-   * Which point arrays of numbers are written as properties of the vertices. What is not finite has no value in the
-   * file. NoArrays: none. PickArrays: the attributes of picks, such as Amplitude; not what stages keep for themselves,
-   * nor the heights of the file that the picks are from, which differ from z where stages moved it. AllArrays: all, for
-   * maps of Distance, for instance. Default: PickArrays.
+   * Which point arrays become properties of vertices. NoArrays: none. PickArrays: the attributes of picks, such as
+   * Amplitude, but not arrays of the stages. AllArrays: all, such as Distance. See "Attributes" in GOCADTSurfWriter.md.
+   * Default: PickArrays.
    *
-   * A property has as many numbers for each vertex as the array has components. No value is -99999, or a number with
-   * more nines where the array has that as a value.
+   * A property has the components of the array. No value is -99999, or a number with more nines if the array has that
+   * value.
    */
   vtkSetClampMacro(WriteAttributes, int, NoArrays, AllArrays);
   vtkGetMacro(WriteAttributes, int);
@@ -109,9 +105,8 @@ public:
 
   ///@{
   /**
-   * Whether the border of each surface is written (BSTONE and BORDER), its outlines and holes; without it, modelling
-   * programs find the border themselves. Programs that know nothing but vertices and triangles refuse files that have
-   * it, xtgeo for instance. Default: off.
+   * Writes the borders of surfaces, outlines and holes (BSTONE and BORDER). Some programs, such as xtgeo, refuse files
+   * with them. Default: off.
    */
   vtkSetMacro(WriteBorders, bool);
   vtkGetMacro(WriteBorders, bool);

@@ -4,16 +4,15 @@
  * @class   vtkHorizonDXFWriter
  * @brief   writes horizon meshes as drawings (.dxf)
  *
- * Each triangle becomes a 3DFACE, each horizon a layer, all of them in one file of AutoCAD R12 (AC1009), in text
- * (Documentation/HorizonDXFWriter.md). The layer has the name of the block, else "Horizon <ID>" by the surface ID of the
- * first point, else the name of the file without its extension; with underscores for what names of layers cannot have,
- * and 31 characters at most. Of several with one name the second gets "_2", and so on.
- * Horizons without points are left out.
+ * Each triangle becomes a 3DFACE, each horizon a layer, all in one text file of AutoCAD R12 (AC1009;
+ * Documentation/HorizonDXFWriter.md). The layer has the name of the block, else "Horizon <ID>" by the surface ID of the
+ * first point, else the name of the file without extension; at most 31 characters, with underscores for invalid ones.
+ * Repeated names get "_2" and so on. Horizons without points are left out.
  *
- * Polygons have to be triangles. Coordinates are as they are, z upwards, in double precision with as many digits as
- * reading them back takes. Lines, vertex cells and arrays are not written.
+ * Polygons must be triangles. Coordinates are unchanged, z upwards, in double precision with as many digits as needed
+ * to read them back exactly. Lines, vertex cells and arrays are not written.
  *
- * Time is linear; memory is 36 bytes for each point, of the horizon that is being written.
+ * Time is linear; memory is 36 bytes per point of the horizon being written.
  *
  * @sa vtkGOCADTSurfWriter
  */

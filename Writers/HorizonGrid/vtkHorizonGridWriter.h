@@ -5,9 +5,9 @@
  * @brief   writes horizons as regular grids
  *
  * A grid covers the lattice of its horizon; columns without a point have the null value of the format
- * (Documentation/HorizonGridFormats.md). A file holds one grid: of several horizons each goes into a file of its own,
- * whose name has that of the horizon behind an underscore, with underscores for what file names cannot have:
- * "reek_Top.irap". Numbers have all their digits.
+ * (Documentation/HorizonGridFormats.md). Each file holds one grid: several horizons become files with the name of the
+ * horizon after an underscore, such as "reek_Top.irap"; characters that file names cannot have become underscores.
+ * Numbers have all their digits.
  *
  * @sa vtkHorizonGridReader vtkHorizonTextWriter
  */
@@ -36,10 +36,9 @@ public:
 
   ///@{
   /**
-   * The format of the file. ByExtension: ZMAP+ for names that end in .zmap or .zmp, IRAP classic binary for .gri and
-   * .irapbin, IRAP classic ASCII for others. IrapText: IRAP classic ASCII, for lattices with perpendicular steps,
-   * rotated or not. Zmap: ZMAP+, for lattices along the axes; others are resampled on such a one, with a warning.
-   * IrapBinary: IRAP classic binary, as IrapText, in single precision. Default: ByExtension.
+   * The format. ByExtension: ZMAP+ for .zmap and .zmp, IRAP classic binary for .gri and .irapbin, else IRAP classic
+   * ASCII. IrapText: IRAP classic ASCII. Zmap: ZMAP+; rotated grids are resampled. IrapBinary: IRAP classic binary, in
+   * single precision. See "What is written" in HorizonGridWriter.md. Default: ByExtension.
    */
   vtkSetClampMacro(Format, int, ByExtension, IrapBinary);
   vtkGetMacro(Format, int);

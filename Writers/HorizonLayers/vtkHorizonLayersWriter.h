@@ -4,13 +4,12 @@
  * @class   vtkHorizonLayersWriter
  * @brief   writes layers for simulators and meshers (Gmsh .msh, Abaqus .inp, MODFLOW 6 .disv)
  *
- * Takes the cells that vtkHorizonLayers makes. The extension of the file says the format, each with its own order of
- * corners; coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). ParaView itself
- * writes .vtu, which has all arrays. A file appears complete or not at all.
+ * The input is the cells of vtkHorizonLayers. The extension selects the format, each with its own order of corners;
+ * coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). ParaView itself writes .vtu,
+ * with all arrays. A file appears complete or not at all.
  *
- * Write() returns 1 when the file was written. Whatever is wrong gives one error, which begins with the name of the
- * file; Write() returns 0 then, and GetErrorCode() gives one of vtkErrorCode. Of several processes that call it, the
- * one that has cells writes.
+ * Write() returns 1 if the file was written, else 0. Each failure gives one error that starts with the name of the
+ * file, and GetErrorCode() is one of vtkErrorCode. If several processes call it, the one that has cells writes.
  *
  * @sa vtkHorizonLayers
  */

@@ -4,12 +4,11 @@
  * @class   vtkHorizonMeshWriter
  * @brief   writes horizon meshes for other programs (.vtp, .stl, .ply, .obj), one file for each
  *
- * The extension of the file says the format. Of several horizons each goes into a file of its own, whose name is that of
- * the file with that of the horizon behind an underscore: "reek_Top.stl" for "reek.stl". Horizons without points are left
- * out.
+ * The extension selects the format. Several horizons become files with the name of the horizon after an underscore:
+ * "reek_Top.stl" for "reek.stl". Horizons without points are left out.
  *
- * .vtp has all that a horizon has, with its arrays, also points and outlines. The others have triangles alone, with z
- * upwards: .stl and .obj as text, .ply as bytes, all in double precision (Documentation/HorizonMeshWriter.md).
+ * .vtp has all of a horizon: arrays, points and outlines. The others have triangles only, z upwards, in double
+ * precision: .stl and .obj as text, .ply as binary (Documentation/HorizonMeshWriter.md).
  *
  * @sa vtkGOCADTSurfWriter vtkHorizonDXFWriter
  */

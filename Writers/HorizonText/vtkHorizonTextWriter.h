@@ -4,9 +4,9 @@
  * @class   vtkHorizonTextWriter
  * @brief   writes horizons as lines of text: inline, crossline, x, y, z and attributes
  *
- * A line for each column, in the form of OpendTect: separated by tabs, with a header of one line; 1e30 where an
- * attribute has no value. Inline and crossline are written where all horizons have LineNumbers in their field data.
- * All horizons go into one file; of several each line begins with the name in quotes. Numbers have all their digits.
+ * One line per column, as OpendTect writes them: tab-separated, with a header of one line; 1e30 for no value of an
+ * attribute. Inline and crossline are written if all horizons have LineNumbers in their field data. All horizons go
+ * into one file; if there are several, each line begins with the name in quotes. Numbers have all their digits.
  *
  * Horizons without triangles have their point arrays of real numbers as attributes; meshes have none.
  *
@@ -28,8 +28,8 @@ public:
 
   ///@{
   /**
-   * Whether point arrays of real numbers, other than those of the stages, are written as attributes; only horizons
-   * without triangles have them. Default: on.
+   * Writes point arrays of real numbers, other than those of the stages, as attributes; only of horizons without
+   * triangles. Default: on.
    */
   vtkSetMacro(WriteAttributes, bool);
   vtkGetMacro(WriteAttributes, bool);

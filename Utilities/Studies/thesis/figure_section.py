@@ -9,17 +9,16 @@ from .words import listing
 SECTION = """\
 ## Figures of the thesis
 
-The surfaces differ: compare sizes, not places. Distances are shown at the points of the input, from pale (0) to dark
-(the 99th percentile of the row). Other figures are on the pages of the [outlines](HorizonExteriorBoundary.md) (3.20 to 3.22, 3.25, 3.27) and the [elaborate
-simplification](HorizonElaborateSimplification.md) (4.12, 4.13).{missing}
+Compare sizes, not places, since the surfaces differ. Distances are at the points of the input, from pale (0) to dark
+(the 99th percentile of the row). Further figures: [outlines](HorizonExteriorBoundary.md),
+[elaborate simplification](HorizonElaborateSimplification.md).{missing}
 
 {figures}"""
 
 
 def shown(figure):
-    caption = "*%s (figure%s %s). %s*" % (figure.title, "s" if len(figure.numbers) > 1 else "", listing(figure.numbers),
-                                          figure.text)
-    return "![%s](Pictures/%s)\n\n%s\n" % (figure.title, figure.picture(), caption)
+    numbers = "figure%s %s" % ("s" if len(figure.numbers) > 1 else "", listing(figure.numbers))
+    return "![%s](Pictures/%s)\n\n*%s (%s). %s*\n" % (numbers.capitalize(), figure.picture(), figure.title, numbers, figure.text)
 
 
 def rows(figures):

@@ -120,7 +120,7 @@ def smoother_row(figure, what, horizon, threshold):
 
 def outline_of_surface(generator, make, folder):
     figure = Figure(["3.23"], "Outline, and less of it",
-                    "Bends in plan stay, whatever t is. Noise gives ours more bends than the thesis left points.")
+                    "Bends in plan are kept for any t; noise gives ours more of them.")
     outline_rows(figure, make(15626).outlined, (0.4,), (1025, 660))
     smoother_row(figure, "without noise", surfaces.make_with_noise(generator, 15626, 0.0, folder), 0.4)
     return figure
@@ -128,8 +128,7 @@ def outline_of_surface(generator, make, folder):
 
 def outline_of_small_surface(generator, folder):
     figure = Figure(["3.24"], "A short outline",
-                    "The thesis names neither surface nor t. Ours has three times as many bends as the thesis left "
-                    "points.")
+                    "The thesis names neither surface nor t; ours has more bends.")
     horizon = surfaces.make_with_noise(generator, 15626, 0.0, folder, SMALL)
     outline_rows(figure, stages.outline(stages.start(horizon)), (1.0,), (118, 24))
     smoother_row(figure, "a square", surfaces.make_square(SMALL_SIDE), 1.0)
@@ -187,8 +186,8 @@ def compare(figure, surface, folder, ours, theirs):
 
 def square_simplified(square):
     figure = Figure(["4.16", "5.21"], "A square, from its outline to the inside",
-                    "Ours is a sum of waves whose height fits the outline of 3.26. All cubes inside are flat: only the "
-                    "boundary thresholds, for which the thesis gives no values, divide them.")
+                    "Ours is a sum of waves whose height fits the outline of 3.26. Cubes inside are flat: only the boundary "
+                    "thresholds divide them.")
     simplified = stages.elaborate(square.straight, 8, 0.09)
     mesh = Simplified(square.full, stages.mesh(simplified).data)
     square.show(figure, "All")

@@ -11,80 +11,49 @@ from . import figure_section, meshlab, partners, stages, surfaces, tables, words
 PAGE = """\
 # Beside the thesis
 
-`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE` it also writes tables 4.1 to
-4.6 with a row for each surface, and the numbers in captions of figures.
-
-- The surfaces of the thesis are not public. Ours are synthetic (`generate_horizons`, [The surfaces](#the-surfaces)).
-- Errors are [distances](HorizonSurfaceDistance.md) between the mesh of all points and that of the points left, both
-  ways, in lattice units, divided by the diagonal of the bounding box as in the thesis.
-- Times are the fastest of up to {runs} runs on {threads} threads, attributes included. Those of the thesis are from a PC
-  of its time.{meshlab}
-
-## In short
+Our simplifications compared with the thesis, and with other programs at the same number of vertices.
+`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE` it also writes the surfaces,
+tables 4.1 to 4.6 and 5.1 with a row for each surface, and the numbers in captions of figures.
 
 - {thesis_words}
 - {cluster_words}
 - With as many vertices as our rough simplification (s = 6; [What a vertex buys](#what-a-vertex-buys)): {rough_best}
 - With as many vertices as our elaborate simplification (s = 8): {elaborate_best}
 
+## Method
+
+- The surfaces of the thesis are not public. Ours are synthetic (`generate_horizons`) and have its sizes and
+  proportions, with bays, holes, {dropouts} of single dropouts, and patches of noise: blocks of 16 columns with heights
+  off by up to {noise_height} voxels and {noise_gaps} of the voxels missing. The area of noise is fitted so that the
+  rough simplification with s = 3, 6 and 8 leaves in the median as many points as in the thesis.
+- Errors are [distances](HorizonSurfaceDistance.md) between the mesh of all points and that of the points left, both
+  ways, in lattice units, divided by the diagonal of the bounding box as in the thesis. Heights are whole numbers: a
+  mesh that passes between them has a mean error of up to a quarter of a vertical index.
+- Times are the fastest of up to {runs} runs on {threads} threads, attributes included. Those of the thesis are from a
+  PC of its time.{meshlab}
+
 ## What is different from the thesis
 
 Medians of here / thesis over the surfaces, in the last three rows also over the flatnesses:
 
 {thesis_table}
-- *Rough.* With s = 6 and 8 the surfaces are made to agree. With s = 3 four of ours leave fewer points, as they must
-  ([below](#the-surfaces)).
-- *Elaborate, alone.* The thesis gives no values for its boundary thresholds
-  ([how we read it](HorizonElaborateSimplification.md#method)). Our noise is white: with a flatness of 0.03 nearly every
-  cell in it is cut down to columns, and we leave more there.
-- *Elaborate, after rough.* A cell of 8 then has at most 9 points. The thesis gives one number for both, mostly nearer
-  to ours alone.
-- *Errors.* Our largest are at single voxels of noise and along the outline, whatever the cells and the flatness. In the
-  thesis they grow with both: its surfaces presumably have features as narrow as a cell, ours only wide folds.
+- *Rough.* {contradiction}
+- *Elaborate.* The thesis gives no values for its boundary thresholds ([our
+  interpretation](HorizonElaborateSimplification.md#method)), and one number for alone and after rough.
+- *Errors.* Our largest are at single voxels of noise and along the outline; in the thesis they grow with cells and
+  flatness.
 
-## The surfaces
-
-{surfaces}
-Boxes have the proportions of the thesis. Inside are bays, a few holes, {dropouts} of single dropouts, and patches of
-noise: blocks of 16 columns in which heights are off by up to {noise_height} voxels and {noise_gaps} of the voxels are
-missing. Only the area with noise is fitted: with it the rough simplification with s = 3, 6 and 8 leaves in the median as
-much as in the thesis. {outline_words} Heights are whole numbers: a mesh that passes between them has a mean error of up
-to a quarter of a vertical index.
-
-{contradiction}
-
-## Exterior boundary (figures 3.18 and 3.19)
-
-![Time of the exterior boundary over its radius](Pictures/BoundaryTime.png)
-
-*All outlines of a surface over the radius k, by both rules of growth. The thesis gives one number: 18 ms.*
-
-![Outline points dropped over the threshold](Pictures/BoundaryRate.png)
-
-*Points that the boundary simplification drops. The three points of the thesis are from three outlines.*
-
-## Triangulation (table 5.1 and figure 5.18)
-
-All points of a surface are meshed; our times include the exterior boundary. VTS is voxel traversal.
-
-{table_5_1}
-![Time to mesh all points](Pictures/TriangulationTime.png)
-
-*CGAL, where installed, meshes the hull of as many points of other horizons. Ball pivoting has the radius it guesses.*
-
-{left_out_meshing}
 ## What a vertex buys
 
-Each program makes a mesh with as many vertices as ours, within {near:.0f} % where possible. Figures are medians over the
-surfaces.
+Each program makes a mesh with as many vertices as ours, within {near:.0f} % where possible. Figures are medians over
+the surfaces.
 
-- *Error times vertices*: errors of good meshes fall in proportion to the vertices.
-- *Outline* is the largest distance of the mesh's outline on the map.
-- *Time* is from the points to the mesh. Ours includes the boundary and attributes; theirs is without attributes and,
-  except for `vtkDelaunay2D`, without making the mesh of all points that they need.
-- The two clustering filters have their best settings; the others have their defaults.
-- `vtkGreedyTerrainDecimation` takes no missing pixels: holes are filled for it, and its mesh is cut off along the
-  outline. `vtkDelaunay2D` meshes the points that we leave, without an outline.
+- Errors are multiplied by the vertices, since those of good meshes fall in proportion. *Outline* is the largest distance
+  of the mesh's outline on the map.
+- *Time* is from the points to the mesh. Ours includes the boundary and attributes; theirs neither, nor, except for
+  `vtkDelaunay2D`, the mesh of all points that they need.
+- The two clustering filters have their best settings; the others have their defaults. For `vtkGreedyTerrainDecimation`
+  holes are filled. `vtkDelaunay2D` meshes the points that we leave.
 
 As many vertices as `rough, s = 6`:
 
@@ -100,9 +69,14 @@ As many vertices as `elaborate, s = 8, flatness 0.03`:
 {figures}"""
 
 ALL_TABLES = """\
-# Tables 4.1 to 4.6 and figures of the thesis
+# Surfaces, tables 4.1 to 4.6 and 5.1, and figures of the thesis
 
 Points left in percent of the input, errors as parts of the diagonal, milliseconds.
+
+## The surfaces
+
+{surfaces}
+{outline_words}
 
 ## Rough simplification and merging (tables 4.1, 4.2 and 4.4)
 
@@ -119,6 +93,13 @@ Points left in percent of the input, errors as parts of the diagonal, millisecon
 ## Both, s = 10 after rough with s = 8 (table 4.6)
 
 {both_after_8}
+## Triangulation (table 5.1)
+
+All points of a surface are meshed; our times include the exterior boundary. VTS is voxel traversal. Ball pivoting has
+the radius it guesses.
+
+{table_5_1}
+{left_out_meshing}
 ## Captions of figures
 
 Errors are the largest and the mean.
@@ -126,14 +107,16 @@ Errors are the largest and the mean.
 {captions}"""
 
 
-def all_tables(found, shown):
+def all_tables(found, meshings, paces, shown):
     """What the medians of the page are made of, and what the figures say."""
-    return ALL_TABLES.format(
+    return wrapped(ALL_TABLES.format(
+        surfaces=tables.surfaces(found), outline_words=words.outline_sentence(found),
         rough_table=tables.rough(found), elaborate_table=tables.elaborate(found), both_after_3=tables.both(found, 3),
-        both_after_6=tables.both(found, 6), both_after_8=tables.both(found, 8), captions=figure_section.rows(shown))
+        both_after_6=tables.both(found, 6), both_after_8=tables.both(found, 8), table_5_1=tables.table_5_1(meshings),
+        left_out_meshing=words.left_out(paces[1]), captions=figure_section.rows(shown)))
 
 
-def page(found, curves, meshings, paces, shown):
+def page(found, curves, paces, shown):
     """`shown` are the figures that show surfaces."""
     rough, elaborate = found[0].equal
     return wrapped(PAGE.format(
@@ -141,11 +124,9 @@ def page(found, curves, meshings, paces, shown):
         meshlab="" if meshlab.is_installed() else " MeshLab was not run.",
         thesis_words=words.thesis_sentence(found), cluster_words=words.cluster_sentence(found),
         rough_best=words.best_sentence(found, rough), elaborate_best=words.best_sentence(found, elaborate),
-        surfaces=tables.surfaces(found), dropouts="%g %%" % (100.0 * surfaces.DROPOUTS),
+        dropouts="%g %%" % (100.0 * surfaces.DROPOUTS),
         noise_height=surfaces.NOISE_HEIGHT, noise_gaps="%g %%" % (100.0 * surfaces.NOISE_GAPS),
-        contradiction=words.contradiction_sentence(), outline_words=words.outline_sentence(found),
-        thesis_table=words.thesis_table(found), table_5_1=tables.table_5_1(meshings),
-        left_out_meshing=words.left_out(paces[1]),
+        contradiction=words.contradiction_sentence(), thesis_table=words.thesis_table(found),
         near=100.0 * partners.NEAR_ENOUGH, rough_partners=words.partner_table(found, rough),
         elaborate_partners=words.partner_table(found, elaborate), curve_surface="{:,}".format(curves[0]),
         left_out_partners=words.left_out(paces[0]), figures=figure_section.section(shown, meshlab.is_installed())))
