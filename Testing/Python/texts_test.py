@@ -95,7 +95,7 @@ PAGE = "# A page\n\n| Property | Default | Range | Unit | Meaning |\n| --- | ---
 ROWS = """| RowWidth | 4.5 | 0.5 to 1e3 | `WidthUnit` | How far, in the array `RowCount`. |
 | Kind | ByRow | ByRow (0), Column2 (1) | - | What is done with `RowWidth`, as in [Number Two](Two.md). ByRow: rows. \
 Column2: columns. See [Some kinds](#some-kinds). |
-| On | off | off (0), on (1) | - | Whether it is on. See [Some kinds](Two.md#some-kinds). |
+| On | off | off, on | - | Whether it is on. See [Some kinds](Two.md#some-kinds). |
 """
 
 

@@ -200,7 +200,7 @@ class Texts:
         if values:
             reach = ", ".join("%s (%s)" % entry for entry in values)
         elif prop.find("BooleanDomain") is not None:
-            reach = "off (0), on (1)"
+            reach = "off, on"
 
         def see(match):
             words, page = match.groups()
