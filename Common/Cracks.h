@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cracks that cut links leave open between the loops of a horizon.
+// The cracks that faulted links leave open between the loops of a horizon.
 
 #ifndef SeismicHorizonsCracks_h
 #define SeismicHorizonsCracks_h

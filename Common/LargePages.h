@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Systems provide memory page by page, at the first write, and clear each page before. With pages of the usual 4 KB that
-// takes half of the time of reading, or of simplifying, ten million points.
+// Systems provide memory page by page, at the first write, and clear each page before. With pages of the usual 4 KB
+// that takes half of the time of reading, or of simplifying, ten million points.
 
 #ifndef SeismicHorizonsLargePages_h
 #define SeismicHorizonsLargePages_h

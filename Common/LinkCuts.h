@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Where a surface is torn: a bit for the link from each column to that east of it (i + 1), and one for that to the
-// north (j + 1), whether there are points in the columns or not. A fault is a chain of cut links.
+// north (j + 1), whether there are points in the columns or not. A fault is a chain of faulted links.
 //
 // Only blocks of 8 by 8 columns that have a cut take memory. They are found by hashing, with open addressing: a table
 // of their keys, of which at most a quarter is taken, so that nearly all look-ups end with the first key.

@@ -30,8 +30,8 @@ inline std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
   return x * x + y * y;
 }
 
-/// Calls visit(column, part) for the columns between two others on the straight line through them, both left out: part is
-/// how far along it they are, from 0 to 1.
+/// Calls visit(column, part) for the columns between two others on the straight line through them, both left out: part
+/// is how far along it they are, from 0 to 1.
 template <typename Visit>
 void ForEachColumnBetween(const PlanePoint& from, const PlanePoint& to, Visit&& visit)
 {

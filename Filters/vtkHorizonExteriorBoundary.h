@@ -11,7 +11,7 @@
  *  - PatchId (int): the patch of the point, from 0; also the number of its loop;
  *  - Boundary (unsigned char): 0 inside, 1 on the loop of a patch, 2 on the loop of a hole (see BoundaryType).
  *
- * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints. With cut links
+ * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints. With faulted links
  * (UseCuts) also what CloseFaults needs (Documentation/DataModel.md):
  *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
  *  - CrackLoops (vtkIdType): the numbers of the loops all along cracks.
@@ -144,10 +144,10 @@ public:
 
   ///@{
   /**
-   * Whether faults (field data CutLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
    *
-   * Off: the output has no CutLinks.
+   * Off: the output has no FaultedLinks.
    */
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);

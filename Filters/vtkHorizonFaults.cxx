@@ -71,7 +71,7 @@ void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "JoinThroughHoles: " << (this->JoinThroughHoles ? "on" : "off") << "\n";
   os << indent << "MeasuredNoise: " << this->MeasuredNoise << "\n";
   os << indent << "NumberOfFaultLines: " << this->NumberOfFaultLines << "\n";
-  os << indent << "NumberOfCutLinks: " << this->NumberOfCutLinks << "\n";
+  os << indent << "NumberOfFaultedLinks: " << this->NumberOfFaultedLinks << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ int vtkHorizonFaults::RequestData(
 {
   this->MeasuredNoise = 0.0;
   this->NumberOfFaultLines = 0;
-  this->NumberOfCutLinks = 0;
+  this->NumberOfFaultedLinks = 0;
   this->NumberOfGivenLines = 0;
   this->DoesGivenLineCut = false;
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
@@ -192,5 +192,5 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[1]);
   this->NumberOfFaultLines += vtkIdType(lines.Size());
-  this->NumberOfCutLinks += output->GetFieldData()->GetAbstractArray(FieldArray::CutLinks)->GetNumberOfTuples();
+  this->NumberOfFaultedLinks += output->GetFieldData()->GetAbstractArray(FieldArray::FaultedLinks)->GetNumberOfTuples();
 }

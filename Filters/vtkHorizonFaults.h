@@ -10,10 +10,10 @@
  *
  * Output 0: the horizon with its points, arrays and cells, without points inside fault polygons (Polygons). New field
  * data, which replaces existing cuts; a link joins two neighbouring columns of the lattice:
- *  - CutLinks (3 int): i, j and side of each cut link; side 0 is the link to column (i + 1, j), 1 that to (i, j + 1).
- *    Sorted by j, i and side, each once. Columns may be missing;
- *  - CutThrow (double): height beyond the link minus height before it, in vertical indices; nan if unknown;
- *  - CutLine (int): the fault line of the link;
+ *  - FaultedLinks (3 int): i, j and side of each faulted link; side 0 is the link to column (i + 1, j), 1 that to (i, j
+ *    + 1). Sorted by j, i and side, each once. Columns may be missing;
+ *  - FaultThrow (double): height beyond the link minus height before it, in vertical indices; nan if unknown;
+ *  - FaultLine (int): the fault line of the link;
  *  - FaultNoise (double): standard deviation of height differences due to noise alone, in vertical indices;
  *  - SmallestFaultThrow (double): the throw that a fault must reach somewhere, in vertical indices;
  *  - BlankedPoints (vtkIdType): points inside polygons that were left out, if lines are given.
@@ -144,7 +144,7 @@ public:
 
   ///@{
   /**
-   * Branches of a fault with fewer cut links are dropped. Unit: links. Range: at least 0. Default: 10.
+   * Branches of a fault with fewer faulted links are dropped. Unit: links. Range: at least 0. Default: 10.
    */
   vtkSetMacro(SmallestBranch, int);
   vtkGetMacro(SmallestBranch, int);
@@ -183,11 +183,11 @@ public:
    */
   vtkGetMacro(MeasuredNoise, double);
 
-  /// How many lines cut links, in all horizons of the last update.
+  /// How many fault lines there are, in all horizons of the last update.
   vtkGetMacro(NumberOfFaultLines, vtkIdType);
 
   /// How many links between columns are cut, in all horizons of the last update.
-  vtkGetMacro(NumberOfCutLinks, vtkIdType);
+  vtkGetMacro(NumberOfFaultedLinks, vtkIdType);
 
   /// Values of LineType.
   enum LineTypes
@@ -249,7 +249,7 @@ private:
   bool JoinThroughHoles = true;
   double MeasuredNoise = 0.0;
   vtkIdType NumberOfFaultLines = 0;
-  vtkIdType NumberOfCutLinks = 0;
+  vtkIdType NumberOfFaultedLinks = 0;
   vtkIdType NumberOfGivenLines = 0; // that the last horizon was given
   bool DoesGivenLineCut = false; // any link of any horizon
 };

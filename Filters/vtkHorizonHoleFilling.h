@@ -19,14 +19,14 @@
  * Field data, one vtkIdType each: NumberOfFilledHoles, NumberOfFilledPoints, and NumberOfOpenHoles; with Automatic also
  * the chosen RimSmoothing (double) and RimWidth (vtkIdType).
  *
- * Each hole is filled independently, and so is each side of cut links (CutLinks, Documentation/DataModel.md). Plate: a
- * thin plate over the hole and a ring of known columns (Briggs 1974), then a membrane that carries the residual at the
- * rim inwards. Membrane: each new point is the mean of its four neighbours. Small holes are solved directly, large ones
- * by multigrid, in linear time. Memory beyond input and output is 24 bytes per point, and about 1000 per column of the
- * largest hole.
+ * Each hole is filled independently, and so is each side of faulted links (FaultedLinks, Documentation/DataModel.md).
+ * Plate: a thin plate over the hole and a ring of known columns (Briggs 1974), then a membrane that carries the
+ * residual at the rim inwards. Membrane: each new point is the mean of its four neighbours. Small holes are solved
+ * directly, large ones by multigrid, in linear time. Memory beyond input and output is 24 bytes per point, and about
+ * 1000 per column of the largest hole.
  *
  * Errors: two points in one column, points off the lattice or between columns, no lattice in the field data, a
- * parameter out of range, or cut links off the lattice.
+ * parameter out of range, or faulted links off the lattice.
  *
  * @sa vtkHorizonExteriorBoundary vtkHorizonDespiking
  */

@@ -21,9 +21,9 @@
  * Volumes are in units of x and y times those of z (column VolumeUnit), with a warning if z is time. They are exact for
  * the layers, which end at the middle of the outermost columns; sums over bins reach half a bin further.
  *
- * Faults (field data CutLinks) of any horizon cut all layers, with walls on both sides of a strip of one column that is
- * left out (AreaAtFaults, VolumeAtFaults). A dipping fault cuts each horizon along another line; between these lines
- * the thickness is that of two blocks.
+ * Faults (field data FaultedLinks) of any horizon cut all layers, with walls on both sides of a strip of one column
+ * that is left out (AreaAtFaults, VolumeAtFaults). A dipping fault cuts each horizon along another line; between these
+ * lines the thickness is that of two blocks.
  *
  * Errors: fewer than two horizons, points between the columns of another horizon, different domains or units of z, no
  * common column, or no clear order.
@@ -125,7 +125,7 @@ public:
 
   ///@{
   /**
-   * Whether faults of the horizons (field data CutLinks) divide layers. Default: on.
+   * Whether faults of the horizons (field data FaultedLinks) divide layers. Default: on.
    */
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);

@@ -125,10 +125,10 @@ public:
 
   ///@{
   /**
-   * Whether faults (field data CutLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
    *
-   * Off: the outputs have no CutLinks.
+   * Off: the outputs have no FaultedLinks.
    */
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);

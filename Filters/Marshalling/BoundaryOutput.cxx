@@ -7,6 +7,7 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "CrackData.h"
+#include "CutData.h"
 #include "HorizonCells.h"
 #include "HorizonPoints.h"
 
@@ -48,8 +49,8 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
 //----------------------------------------------------------------------------------------------------------------------
 void RemoveCuts(vtkPolyData* output)
 {
-  for (const char* const name : { FieldArray::CutLinks, FieldArray::CutThrow, FieldArray::CutLine,
-         FieldArray::CrackOpenEnds, FieldArray::OldCrackOpenEnds, FieldArray::CrackLoops })
+  RemoveFaultedLinks(output->GetFieldData());
+  for (const char* const name : { FieldArray::CrackOpenEnds, FieldArray::OldCrackOpenEnds, FieldArray::CrackLoops })
   {
     output->GetFieldData()->RemoveArray(name);
   }

@@ -23,7 +23,7 @@ namespace SeismicHorizons
 void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, vtkPolyData* output);
 
-/// Takes the cut links and their cracks out of the field data of a horizon.
+/// Takes the faulted links and their cracks out of the field data of a horizon.
 void RemoveCuts(vtkPolyData* output);
 
 /// What to warn of when no patch of a horizon is large enough.

@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
+#include "CutData.h"
 #include "FaultClosing/FaultClosing.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
@@ -39,7 +40,7 @@ constexpr int OpenEndComponents = 4; // the columns of both points
 
 bool HasCuts(vtkFieldData* data)
 {
-  vtkDataArray* const links = FindNumbers(data, FieldArray::CutLinks);
+  vtkDataArray* const links = FindFaultedLinks(data);
   return links && links->GetNumberOfTuples() > 0;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cracks of a horizon with cut links, in its field data (Documentation/DataModel.md), and meshes that are closed
-// there.
+// The cracks of a horizon with faulted links, in its field data (Documentation/DataModel.md), and meshes that are
+// closed there.
 
 #ifndef SeismicHorizonsCrackData_h
 #define SeismicHorizonsCrackData_h
@@ -18,7 +18,7 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Writes cracks between the loops of a horizon as CrackOpenEnds and CrackLoops. A horizon without cut links gets
+/// Writes cracks between the loops of a horizon as CrackOpenEnds and CrackLoops. A horizon without faulted links gets
 /// neither, and loses those that it has.
 void WriteCracks(const Cracks& cracks, vtkPolyData* horizon);
 

@@ -36,7 +36,7 @@ LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>&
     if (!(value >= 0.0 && value < end[component] && value == double(int(value))))
     {
       std::ostringstream text;
-      text << "cut link " << n << " (" << link[0] << ", " << link[1] << ", " << link[2]
+      text << "faulted link " << n << " (" << link[0] << ", " << link[1] << ", " << link[2]
            << "), expected a column of the lattice, i from 0 to " << end[0] - 1 << " and j from 0 to " << end[1] - 1
            << ", and a side, 0 or 1";
       throw InputError(text.str());
@@ -47,16 +47,33 @@ LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<LatticeLink> ReadCutLinks(vtkDataObject* horizon)
+vtkDataArray* FindFaultedLinks(vtkFieldData* data)
 {
-  vtkDataArray* const array = FindNumbers(horizon->GetFieldData(), FieldArray::CutLinks);
+  vtkDataArray* const links = FindNumbers(data, FieldArray::FaultedLinks);
+  return links ? links : FindNumbers(data, FieldArray::OldFaultedLinks);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RemoveFaultedLinks(vtkFieldData* data)
+{
+  for (const char* const name : { FieldArray::FaultedLinks, FieldArray::FaultThrow, FieldArray::FaultLine,
+         FieldArray::OldFaultedLinks, FieldArray::OldFaultThrow, FieldArray::OldFaultLine })
+  {
+    data->RemoveArray(name);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<LatticeLink> ReadFaultedLinks(vtkDataObject* horizon)
+{
+  vtkDataArray* const array = FindFaultedLinks(horizon->GetFieldData());
   if (!array || array->GetNumberOfTuples() == 0)
   {
     return {};
   }
   if (array->GetNumberOfComponents() != 3)
   {
-    throw InputError("field data array " + std::string(FieldArray::CutLinks) + " with " +
+    throw InputError("field data array " + std::string(array->GetName()) + " with " +
       std::to_string(array->GetNumberOfComponents()) + " components, expected 3: i, j and the side");
   }
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
@@ -71,7 +88,7 @@ std::vector<LatticeLink> ReadCutLinks(vtkDataObject* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns)
 {
-  std::vector<LatticeLink> links = ReadCutLinks(horizon);
+  std::vector<LatticeLink> links = ReadFaultedLinks(horizon);
   links.erase(std::remove_if(links.begin(), links.end(),
                 [&columns](const LatticeLink& link) { return !columns.Contains(link.Column); }),
     links.end());
@@ -102,8 +119,9 @@ std::shared_ptr<const LinkCuts> ShareCuts(vtkDataObject* horizon, const PlaneBox
 //----------------------------------------------------------------------------------------------------------------------
 void WriteCuts(const FaultLines& lines, vtkFieldData* data)
 {
+  RemoveFaultedLinks(data);
   const std::vector<LinkOfLine> sorted = SortLinks(lines);
-  auto links = NewArray<vtkIntArray>(FieldArray::CutLinks, vtkIdType(sorted.size()), 3);
+  auto links = NewArray<vtkIntArray>(FieldArray::FaultedLinks, vtkIdType(sorted.size()), 3);
   for (std::size_t n = 0; n < sorted.size(); ++n)
   {
     const LatticeLink& link = lines[sorted[n].Link].Place;
@@ -112,7 +130,7 @@ void WriteCuts(const FaultLines& lines, vtkFieldData* data)
   }
   data->AddArray(links);
   AddArray<vtkDoubleArray>(
-    data, FieldArray::CutThrow, sorted, [&lines](const LinkOfLine& item) { return lines[item.Link].Throw; });
-  AddArray<vtkIntArray>(data, FieldArray::CutLine, sorted, [](const LinkOfLine& item) { return int(item.Line); });
+    data, FieldArray::FaultThrow, sorted, [&lines](const LinkOfLine& item) { return lines[item.Link].Throw; });
+  AddArray<vtkIntArray>(data, FieldArray::FaultLine, sorted, [](const LinkOfLine& item) { return int(item.Line); });
 }
 }

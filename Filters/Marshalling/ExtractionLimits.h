@@ -31,8 +31,8 @@ struct ExtractionLimits
 
 /// Between two horizons, whichever is the upper one on a trace, or on one side of one: datasets of points, or composite
 /// ones whose blocks are horizons. Nothing is searched on traces where a horizon has no point. Throws InputError
-/// on no horizon or more than two, on two points of one on the same trace, on a place that is not finite, on a horizon beyond
-/// all samples, and when no trace has all limits.
+/// on no horizon or more than two, on two points of one on the same trace, on a place that is not finite, on a horizon
+/// beyond all samples, and when no trace has all limits.
 ExtractionLimits ReadLimits(const std::vector<vtkDataObject*>& horizons, const ImageCube& cube, LimitSide side);
 }
 

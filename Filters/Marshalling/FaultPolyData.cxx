@@ -129,7 +129,7 @@ public:
 
 private:
   /// The corner where the cut of a link ends, or begins.
-  static MapPlace EndOf(const CutLink& cut, bool isLast)
+  static MapPlace EndOf(const FaultedLink& cut, bool isLast)
   {
     const double shift = cut.IsForward == isLast ? 0.5 : -0.5;
     const PlanePoint column = cut.Place.Column;

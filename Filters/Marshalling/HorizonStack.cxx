@@ -167,7 +167,7 @@ std::optional<LinkCuts> HorizonStack::FindCuts() const
   for (const StackedHorizon& horizon : this->Horizons)
   {
     const Lattice& own = horizon.Points.Lattice;
-    for (const LatticeLink& link : ReadCutLinks(horizon.Points.Horizon))
+    for (const LatticeLink& link : ReadFaultedLinks(horizon.Points.Horizon))
     {
       const bool isNorth = link.Side == LinkSide::North;
       const Eigen::Vector3d place(link.Column.X, link.Column.Y, 0.0);

@@ -24,8 +24,8 @@ constexpr const char* NotEnoughMemory = "not enough memory, expected a horizon w
 /// Lets an input port take a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset.
 void AcceptHorizons(vtkInformation* port);
 
-/// Throws InputError when an array does not have a tuple for each point or cell, or ghosts not one number. Whatever reads
-/// horizons asks this first: nothing behind it looks at the sizes of arrays.
+/// Throws InputError when an array does not have a tuple for each point or cell, or ghosts not one number. Whatever
+/// reads horizons asks this first: nothing behind it looks at the sizes of arrays.
 void CheckArraySizes(vtkPolyData* horizon);
 
 /// Gives an output port a composite dataset of the class of `input`, or a dataset of the class Single for any other

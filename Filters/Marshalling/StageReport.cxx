@@ -114,8 +114,8 @@ std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
 /// How many links and lines a stage cut; nothing where it cut none.
 std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
 {
-  vtkDataArray* const lines = output->GetFieldData()->GetArray(FieldArray::CutLine);
-  const bool isOfStage = lines && lines != input->GetFieldData()->GetArray(FieldArray::CutLine);
+  vtkDataArray* const lines = output->GetFieldData()->GetArray(FieldArray::FaultLine);
+  const bool isOfStage = lines && lines != input->GetFieldData()->GetArray(FieldArray::FaultLine);
   if (!isOfStage || lines->GetNumberOfTuples() == 0)
   {
     return {};

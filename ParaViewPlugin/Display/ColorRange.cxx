@@ -96,7 +96,8 @@ void FormatEnds(vtkSMProxy* legend, const std::array<double, 2>& range)
   legend->UpdateVTKObjects();
 }
 
-/// Finds the range of the array that a representation is coloured by, where a hint tells another one than that of the data.
+/// Finds the range of the array that a representation is coloured by, where a hint tells another one than that of the
+/// data.
 bool FindRange(vtkSMProxy* representation, ColorRange& range)
 {
   const vtkSMPropertyHelper input(representation, "Input");

@@ -22,8 +22,8 @@ bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation);
 /// Remembers how a view looks at what it shows.
 void RememberCamera(vtkSMProxy* view);
 
-/// Whether what has come into a view is of a survey and not made of anything else, and the camera as RememberCamera left it:
-/// it may follow then.
+/// Whether what has come into a view is of a survey and not made of anything else, and the camera as RememberCamera
+/// left it: it may follow then.
 bool MayFollow(vtkSMProxy* view, vtkSMProxy* representation);
 
 /// Hides in a view what led to a stage, or its other outputs, where its hints ask for that.

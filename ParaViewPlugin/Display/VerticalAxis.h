@@ -13,8 +13,8 @@ class vtkPVDataInformation;
 
 namespace SeismicHorizons
 {
-/// The vertical axis as a reader of maps knows it: "Depth (m)", "Time (ms)" or "Elevation (m)", larger downwards or upwards;
-/// "Depth" or "Height" without a unit.
+/// The vertical axis as a reader of maps knows it: "Depth (m)", "Time (ms)" or "Elevation (m)", larger downwards or
+/// upwards; "Depth" or "Height" without a unit.
 struct VerticalAxis
 {
   std::string Name; ///< empty where nothing tells which way is down

@@ -4,12 +4,12 @@
  * @class   vtkHorizonRepresentation
  * @brief   shows horizons, which can be coloured by their heights
  *
- * All points get one more array on their way to the screen, with the name and the direction of the vertical axis: "Depth
- * (m)", "Time (ms)" or "Elevation (m)". Horizons of all files are coloured on one scale so, whatever their vertical
- * indices are counted from. The boundary of simplified outlines is also there as "Simplified Boundary", to have other
- * colours than that of the outlines it was made of. Fault lines are shown at the upper edge of the step, not in its middle,
- * where the horizon hides them. The pipeline does not carry these arrays along: they take memory where points are shown
- * alone.
+ * All points get one more array on their way to the screen, with the name and the direction of the vertical axis:
+ * "Depth (m)", "Time (ms)" or "Elevation (m)". Horizons of all files are coloured on one scale so, whatever their
+ * vertical indices are counted from. The boundary of simplified outlines is also there as "Simplified Boundary", to
+ * have other colours than that of the outlines it was made of. Fault lines are shown at the upper edge of the step, not
+ * in its middle, where the horizon hides them. The pipeline does not carry these arrays along: they take memory where
+ * points are shown alone.
  */
 
 #ifndef vtkHorizonRepresentation_h

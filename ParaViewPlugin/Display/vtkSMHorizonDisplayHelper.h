@@ -28,9 +28,9 @@
  * where the colours end, with one more colour for what is above. Ranges but "data" follow what a window shows until
  * somebody sets another one.
  *
- * `colors` is the name of a ColorMap in the hint of the representation, in ParaView's format of colour maps in XML, from
- * low to high. Categories are those of the elements Annotation of the map. Colours that somebody has chosen for an array
- * before are left alone.
+ * `colors` is the name of a ColorMap in the hint of the representation, in ParaView's format of colour maps in XML,
+ * from low to high. Categories are those of the elements Annotation of the map. Colours that somebody has chosen for an
+ * array before are left alone.
  *
  * Where `hides_inputs` is 1, what led to a stage is hidden in a view once the stage is shown there, not only its input;
  * where `hides_outputs` is 1, other outputs of the stage are.
@@ -57,7 +57,8 @@ public:
 
   void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
 
-  /// Does the same once data have come where there were none at first: after an error, or a stop. True where it was done.
+  /// Does the same once data have come where there were none at first: after an error, or a stop. True where it was
+  /// done.
   static bool ShowLate(vtkSMProxy* representation);
 
 protected:

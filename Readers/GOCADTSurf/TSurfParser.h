@@ -28,8 +28,8 @@ namespace SeismicHorizons
 /// How many bytes of a file are held at a time. A longer line makes the buffer grow.
 constexpr std::size_t TSurfBufferSize = 4 * 1024 * 1024;
 
-/// The type of the first object, in lower case, where the first line that is neither blank nor a comment begins with the
-/// word GOCAD, within the first 4096 bytes. Leaves the stream where it was.
+/// The type of the first object, in lower case, where the first line that is neither blank nor a comment begins with
+/// the word GOCAD, within the first 4096 bytes. Leaves the stream where it was.
 std::optional<std::string> FirstTypeOfGOCAD(std::istream& stream);
 
 struct TSurfList

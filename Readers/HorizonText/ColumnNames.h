@@ -18,7 +18,8 @@ namespace SeismicHorizons
 /// is that of an attribute.
 TextColumn ColumnOfName(std::string_view name);
 
-/// The unit of length or time that a name ends with: "ms" of "TWT (ms)" and "TWT_ms", "m" of "X [m]". Empty without one.
+/// The unit of length or time that a name ends with: "ms" of "TWT (ms)" and "TWT_ms", "m" of "X [m]". Empty without
+/// one.
 std::string_view UnitOfName(std::string_view name);
 
 /// "time" of "TWT" or "Time", "depth" of "TVDSS" or "Depth"; else empty.

@@ -224,7 +224,8 @@ PickTable PickCollector::Take()
   return std::move(this->Table);
 }
 
-/// Text that differs in each line is no name of a horizon; what changes from line to line may be a mark of something else.
+/// Text that differs in each line is no name of a horizon; what changes from line to line may be a mark of something
+/// else.
 void PickCollector::CheckNames()
 {
   const std::vector<int>& horizon = this->Table.Horizon;

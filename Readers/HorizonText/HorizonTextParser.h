@@ -21,8 +21,8 @@ namespace SeismicHorizons
 /// Looks at the beginning of a file, and goes back there.
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options);
 
-/// The picks of the beginning of a file, to which it goes back; none of IESX, which are only looked at. Throws InputError
-/// where they are not as its layout says.
+/// The picks of the beginning of a file, to which it goes back; none of IESX, which are only looked at. Throws
+/// InputError where they are not as its layout says.
 PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout);
 
 /// How a file is cut into pieces. They do not matter for what is read.

@@ -73,8 +73,8 @@ bool MayBeThousands(std::string_view field)
   return !IsWithComma(field) || (comma <= 4 && field.size() - comma == 4);
 }
 
-/// Whether each line has such numbers, and no decimal point, where commas do not separate fields. Throws InputError where
-/// they may be commas of thousands.
+/// Whether each line has such numbers, and no decimal point, where commas do not separate fields. Throws InputError
+/// where they may be commas of thousands.
 bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
 {
   for (const FieldSeparator separator : { FieldSeparator::Semicolon, FieldSeparator::Tab, FieldSeparator::Blanks })
@@ -182,8 +182,8 @@ bool IsLatticeSize(const TextLines& sample, double first = 0.0)
       });
 }
 
-/// Words above picks, in a comment or not, name columns where one of them is z, or where they stand right above the picks
-/// and are no words of a title that only seem to be names: "North East Frigg".
+/// Words above picks, in a comment or not, name columns where one of them is z, or where they stand right above the
+/// picks and are no words of a title that only seem to be names: "North East Frigg".
 bool MayBeNames(const TextLayout& layout)
 {
   const int x = layout.Find(ColumnRole::X);

@@ -42,8 +42,8 @@ public:
   }
 
 private:
-  /// Names with lines of text above them, or between them and the picks: titles, units, dashes. They say where picks are,
-  /// and are as many as the picks have fields; else the text is no header that is known.
+  /// Names with lines of text above them, or between them and the picks: titles, units, dashes. They say where picks
+  /// are, and are as many as the picks have fields; else the text is no header that is known.
   bool FindNamesBelowTitle()
   {
     const std::size_t pick = this->FirstPick();

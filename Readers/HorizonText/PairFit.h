@@ -27,9 +27,9 @@ struct PairFit
 /// How many of some lines tell what they all are: of a few all, of more nine of ten.
 std::size_t MostOf(std::size_t lines);
 
-/// How the columns `from` and the next one lead to `to` and the next one. Places are rounded, or off the lines by some noise,
-/// but they lie far apart: what is off counts beside their extent. Where lines are of three dimensions anything but a place
-/// has no such map.
+/// How the columns `from` and the next one lead to `to` and the next one. Places are rounded, or off the lines by some
+/// noise, but they lie far apart: what is off counts beside their extent. Where lines are of three dimensions anything
+/// but a place has no such map.
 PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to);
 
 /// Whether all lines of the sample are of one seismic line, and two columns go by equal steps along it, as places do.

@@ -128,8 +128,8 @@ private:
     ++this->Picks;
   }
 
-  /// RMS ends lines of points, and files of them, by a point whose coordinates are all 999; others do so by other numbers
-  /// that mean none.
+  /// RMS ends lines of points, and files of them, by a point whose coordinates are all 999; others do so by other
+  /// numbers that mean none.
   bool IsEndOfLine() const
   {
     if (this->X < 0 || this->Y < 0)

@@ -12,10 +12,10 @@
 
 namespace SeismicHorizons
 {
-/// Looks at the first 256 kilobytes. Where the extension (ExtensionOf) is one that picks often have, or none, columns of
-/// numbers are taken even if it is doubtful how to read them: the reader says what to do about it. Under any other name
-/// picks have to be in a format that is recognised, or to stand on a lattice below names that say what they are, or
-/// below none. Goes back to the beginning.
+/// Looks at the first 256 kilobytes. Where the extension (ExtensionOf) is one that picks often have, or none, columns
+/// of numbers are taken even if it is doubtful how to read them: the reader says what to do about it. Under any other
+/// name picks have to be in a format that is recognised, or to stand on a lattice below names that say what they are,
+/// or below none. Goes back to the beginning.
 bool ArePicks(std::istream& stream, const std::string& extension);
 }
 

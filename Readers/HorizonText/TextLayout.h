@@ -42,8 +42,8 @@ struct TextLayout
   FieldSeparator Separator = FieldSeparator::Blanks;
   std::vector<TextColumn> Columns;
   bool HasLineOfNames = false; // a line of words, which is no comment, stands right above the picks
-  /// That line, and those up to the picks, as with units; where they come again, as in files that were put together, they
-  /// are left out.
+  /// That line, and those up to the picks, as with units; where they come again, as in files that were put together,
+  /// they are left out.
   std::vector<std::string> NamesLines;
   std::string Doubt; // what users should know of columns that were guessed
   bool HasDecimalCommas = false; // in place of points

@@ -37,8 +37,8 @@ struct SEGYWindow
 SEGYWindow ReadSEGYWindow(
   const SEGYCube& cube, const CubeExtent& extent, float* values, const Monitor& monitor = Monitor());
 
-/// The size that 98 % of the samples stay below, by some traces all over the cube; zeros do not count. 0 where all are 0.
-/// Colours that end here show more than those that end at the strongest sample.
+/// The size that 98 % of the samples stay below, by some traces all over the cube; zeros do not count. 0 where all are
+/// 0. Colours that end here show more than those that end at the strongest sample.
 float FindStrongAmplitude(const SEGYCube& cube);
 }
 

@@ -175,8 +175,8 @@ public:
 #endif
 
 #ifdef SEISMICHORIZONS_HAS_CGAL
-  /// The alpha shape that has a hop of the radius along both axes for an edge; its edges that have triangles on one side
-  /// at most are counted as boundary points.
+  /// The alpha shape that has a hop of the radius along both axes for an edge; its edges that have triangles on one
+  /// side at most are counted as boundary points.
   void AlphaShape(int radius) const
   {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

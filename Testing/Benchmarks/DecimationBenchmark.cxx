@@ -9,10 +9,10 @@
 // vertical index. Outlines have the fewest points within half a voxel, or within the error. Seconds are those of the
 // processor, of all threads together, the least of several runs. Errors are vertical, in voxels, at all points of the
 // horizon that the mesh covers; inside are those with no column without a point nearer than six columns. Peers start
-// from what they need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row where
-// there is none; meshoptimizer from the mesh of all points, whose outline it keeps, and of which it leaves more vertices
-// than asked for: for a number the others get as many. Masked greedy insertion is ours on the bounding box in place of
-// the outline.
+// from what they need: vtkGreedyTerrainDecimation from the filled box, with heights of the nearest point of the row
+// where there is none; meshoptimizer from the mesh of all points, whose outline it keeps, and of which it leaves more
+// vertices than asked for: for a number the others get as many. Masked greedy insertion is ours on the bounding box in
+// place of the outline.
 
 #include "BenchmarkTools.h"
 #include "Decimation/Decimation.h"

@@ -240,7 +240,8 @@ std::vector<TornLink> TornInHole(const FaultedHorizon& horizon, const FaultGener
   return torn;
 }
 
-/// Straight down through each `spacing`th of the links that a fault tears, in no order. The one in the middle may end short.
+/// Straight down through each `spacing`th of the links that a fault tears, in no order. The one in the middle may end
+/// short.
 std::vector<FaultStick> MakeSticks(const FaultedHorizon& horizon, std::size_t spacing, bool endsShort)
 {
   constexpr double Top = -1000.0;

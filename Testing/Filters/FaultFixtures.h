@@ -29,10 +29,10 @@ inline double FaultedHeight(int i, int j)
 inline void AddLinks(vtkPolyData* horizon, const std::vector<std::array<int, 3>>& links)
 {
   vtkNew<vtkIntArray> array;
-  array->SetName("CutLinks");
+  array->SetName("FaultedLinks");
   array->SetNumberOfComponents(3);
   vtkNew<vtkDoubleArray> throws;
-  throws->SetName("CutThrow");
+  throws->SetName("FaultThrow");
   for (const std::array<int, 3>& link : links)
   {
     array->InsertNextTypedTuple(link.data());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Horizons with cut links through the stages.
+// Horizons with faulted links through the stages.
 
 #include "FaultFixtures.h"
 #include "Tools/Check.h"
@@ -57,12 +57,12 @@ void TestBoundary()
   CHECK_EQUAL(Figure(output, "NumberOfPatches"), 1.0);
   CHECK_EQUAL(Figure(output, "NumberOfHoles"), 1.0);
   CHECK_EQUAL(output->GetLines()->GetCellSize(1), 2 * (LastColumn - FirstColumn + 3) + 1);
-  CHECK(output->GetFieldData()->HasArray("CutLinks") && output->GetFieldData()->HasArray("CutThrow"));
+  CHECK(output->GetFieldData()->HasArray("FaultedLinks") && output->GetFieldData()->HasArray("FaultThrow"));
   boundary->UseCutsOff();
   boundary->Update();
   CHECK_EQUAL(Figure(output, "NumberOfHoles"), 0.0);
-  CHECK(!output->GetFieldData()->HasArray("CutLinks") && !output->GetFieldData()->HasArray("CutThrow"));
-  CHECK(vtkPolyData::SafeDownCast(boundary->GetInputDataObject(0, 0))->GetFieldData()->HasArray("CutLinks"));
+  CHECK(!output->GetFieldData()->HasArray("FaultedLinks") && !output->GetFieldData()->HasArray("FaultThrow"));
+  CHECK(vtkPolyData::SafeDownCast(boundary->GetInputDataObject(0, 0))->GetFieldData()->HasArray("FaultedLinks"));
   std::ostringstream text;
   boundary->Print(text);
   CHECK(text.str().find("UseCuts: off") != std::string::npos);
@@ -88,7 +88,7 @@ void TestStages()
     vtkPolyData* const output = Update(mesh);
     CHECK(output->GetNumberOfPolys() > 0);
     CHECK_EQUAL(CountAcross(output), 0);
-    CHECK(output->GetFieldData()->HasArray("CutLinks"));
+    CHECK(output->GetFieldData()->HasArray("FaultedLinks"));
   }
   vtkNew<vtkHorizonDecimation> decimation;
   decimation->SetInputConnection(outlines->GetOutputPort());
@@ -130,13 +130,13 @@ void TestSurface()
   CHECK(surface->GetUseCuts());
   vtkPolyData* const mesh = Update(surface);
   CHECK_EQUAL(CountAcross(mesh), 0);
-  CHECK(mesh->GetFieldData()->HasArray("CutLinks"));
+  CHECK(mesh->GetFieldData()->HasArray("FaultedLinks"));
   surface->UseCutsOff();
   surface->Update();
   CHECK(CountAcross(mesh) > 0);
   for (int port = 0; port < 2; ++port)
   {
-    CHECK(!vtkPolyData::SafeDownCast(surface->GetOutputDataObject(port))->GetFieldData()->HasArray("CutLinks"));
+    CHECK(!vtkPolyData::SafeDownCast(surface->GetOutputDataObject(port))->GetFieldData()->HasArray("FaultedLinks"));
   }
   std::ostringstream text;
   surface->Print(text);
@@ -162,7 +162,7 @@ void TestLinksOfOthers()
   const auto addDoubles = [](vtkPolyData* horizon, const std::vector<double>& values, int components = 3)
   {
     vtkNew<vtkDoubleArray> array;
-    array->SetName("CutLinks");
+    array->SetName("FaultedLinks");
     array->SetNumberOfComponents(components);
     for (const double value : values)
     {
@@ -178,13 +178,13 @@ void TestLinksOfOthers()
       std::vector<double> link = { 4.0, 4.0, 1.0, 5.0, 5.0, 0.0 };
       link[3 + component] = odd;
       addDoubles(horizon, link);
-      CheckRefused(horizon, 1, "cut link 1 (");
+      CheckRefused(horizon, 1, "faulted link 1 (");
     }
   }
   addDoubles(horizon, { 1.0, 2.0, 2.0 });
   CheckRefused(horizon, 1, "i from 0 to 31 and j from 0 to 31, and a side, 0 or 1");
   addDoubles(horizon, { 1.0, 2.0, 0.0, 1.0 }, 4);
-  CheckRefused(horizon, 1, "field data array CutLinks with 4 components, expected 3: i, j and the side");
+  CheckRefused(horizon, 1, "field data array FaultedLinks with 4 components, expected 3: i, j and the side");
   const auto countLoops = [&horizon]()
   {
     vtkNew<vtkHorizonExteriorBoundary> boundary;
@@ -211,16 +211,16 @@ void TestLinksOfOthers()
 void TestErrors()
 {
   CheckRefused(MakeFaulted(HorizonFixtures::UnitSurvey()), 2,
-    "cut links and growth by distance with a radius of 2 columns, expected clockwise growth, or a radius of 1");
+    "faulted links and growth by distance with a radius of 2 columns, expected clockwise growth, or a radius of 1");
   auto beyond = MakeFaulted(HorizonFixtures::UnitSurvey());
   AddLinks(beyond, { { 32, 0, 0 } });
-  CheckRefused(beyond, 1, "cut link 0 (32, 0, 0), expected a column of the lattice");
+  CheckRefused(beyond, 1, "faulted link 0 (32, 0, 0), expected a column of the lattice");
   vtkNew<vtkHorizonSurface> surface;
   surface->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
   surface->SetSeamRows(-1, 31);
   HorizonFixtures::Errors errors(surface);
   surface->Update();
-  CHECK(errors.FirstContains("cut links and a seam, expected one of them"));
+  CHECK(errors.FirstContains("faulted links and a seam, expected one of them"));
 }
 }
 

@@ -219,7 +219,7 @@ void TestFieldData()
   boundary->UseCutsOff();
   CHECK(!Update(boundary)->GetFieldData()->HasArray("CrackOpenEnds"));
   boundary->UseCutsOn();
-  cracked->GetFieldData()->RemoveArray("CutLinks");
+  cracked->GetFieldData()->RemoveArray("FaultedLinks");
   boundary->SetInputDataObject(cracked);
   Update(boundary);
   CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackOpenEnds"));
@@ -243,6 +243,7 @@ void TestOldFieldData()
   vtkNew<vtkPolyData> old;
   old->DeepCopy(Update(boundary));
   old->GetFieldData()->GetArray("CrackOpenEnds")->SetName("CutMouths");
+  old->GetFieldData()->GetArray("FaultedLinks")->SetName("CutLinks");
   vtkNew<vtkHorizonDecimation> decimation;
   decimation->CloseFaultsOn();
   for (vtkPolyData* const horizon : { boundary->GetPolyDataOutput(), old.Get() })
@@ -258,6 +259,7 @@ void TestOldFieldData()
   {
     boundary->SetUseCuts(areUsed);
     CHECK(!Update(boundary)->GetFieldData()->HasArray("CutMouths"));
+    CHECK_EQUAL(boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CutLinks"), int(areUsed));
     CHECK_EQUAL(boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackOpenEnds"), int(areUsed));
   }
 }

@@ -23,11 +23,11 @@ void TestGivenLines()
   filter->SetInputData(1, Line({ { 4.5, -3.0 }, { 4.5, 9.5 } }, survey, false));
   filter->DetectOff();
   filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 10);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 10);
   CHECK(!filter->GetPolyDataOutput()->GetFieldData()->HasArray("FaultNoise"));
   filter->DetectOn(); // with what is found
   filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 35);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 35);
   CHECK_EQUAL(filter->GetNumberOfFaultLines(), 2);
   // A polygon is cut all around, a composite dataset gives all it has.
   filter->DetectOff();
@@ -36,10 +36,10 @@ void TestGivenLines()
   blocks->SetBlock(2, Line({ { 20.5, 10.5 }, { 20.5, 13.5 } }, survey, false));
   filter->SetInputData(1, blocks);
   filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 8 + 3);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 8 + 3);
   filter->RemoveFaultLines();
   filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 0);
   CHECK_EQUAL(Faults(filter)->GetNumberOfPoints(), 0);
 }
 
@@ -75,13 +75,13 @@ void TestSticks()
   filter->SetLineTypeToSticks();
   filter->Update();
   CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 6);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 6);
   vtkFieldData* const data = filter->GetPolyDataOutput()->GetFieldData();
-  CHECK_EQUAL(data->GetArray("CutLinks")->GetComponent(0, 0), 4.0);
+  CHECK_EQUAL(data->GetArray("FaultedLinks")->GetComponent(0, 0), 4.0);
   sticks->GetCellData()->RemoveArray("FaultName"); // now all are of one fault
   sticks->Modified();
   filter->Update();
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 11);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 11);
 }
 
 vtkIdType Blanked(vtkHorizonFaults* filter)
@@ -109,23 +109,23 @@ void TestPolygons()
   CHECK_EQUAL(Blanked(filter), 4 * 5 + 2 + 3 * 2);
   CHECK_EQUAL(output->GetNumberOfPoints(), 30 * 25 - 28);
   CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), input->GetPointData()->GetNumberOfArrays() + 1);
-  const vtkIdType all = filter->GetNumberOfCutLinks();
+  const vtkIdType all = filter->GetNumberOfFaultedLinks();
   CHECK_EQUAL(all, 2 * (4 + 5) + 2 * (4 + 1) + 2 * (3 + 2) + 3);
   filter->SetPolygonsToCut();
   filter->Update();
   CHECK_EQUAL(output->GetNumberOfPoints(), 30 * 25);
   CHECK(!output->GetFieldData()->HasArray("BlankedPoints"));
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), all);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), all);
   filter->SetPolygonsToLeave();
   filter->Update();
   CHECK_EQUAL(output->GetNumberOfPoints(), 30 * 25);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 3);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 3);
   // Between columns: nothing is inside, both sides cut.
   filter->SetPolygonsToBlank();
   filter->SetInputData(1, Line({ { 4.2, 4.5 }, { 4.8, 4.5 }, { 4.8, 9.5 }, { 4.2, 9.5 } }, survey, true));
   filter->Update();
   CHECK_EQUAL(Blanked(filter), 0);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 5);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 5);
 }
 
 /// Two sticks in the wrong order make triangles of their fault, once for all horizons.
@@ -172,11 +172,11 @@ void TestSurfaces()
   auto* const fault = vtkStringArray::SafeDownCast(surface->GetCellData()->GetAbstractArray("FaultName"));
   CHECK(fault && fault->GetValue(3) == "F");
   CHECK_EQUAL(block(1)->GetNumberOfPolys(), 0);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 2 * 11);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 2 * 11);
   filter->ExtendSticksOn(); // by five rows to either side
   filter->Update();
   CHECK_EQUAL(block(0)->GetNumberOfPolys(), 8);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 2 * 18); // the horizon begins in row 0
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 2 * 18); // the horizon begins in row 0
 }
 
 void TestLinesBesideTheHorizon()
@@ -189,7 +189,7 @@ void TestLinesBesideTheHorizon()
   filter->Update();
   CHECK(warnings.FirstContains(
     "none of 1 fault polylines passes between columns of a horizon, expected lines in the coordinates of its points"));
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 0);
   CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 750);
 }
 
@@ -215,14 +215,14 @@ void TestEndlessLines()
     areSticks ? filter->SetLineTypeToSticks() : filter->SetLineTypeToTraces();
     filter->SetInputData(1, makeLine([](int n) { return std::array<double, 2>{ n % 2 == 0 ? -1e9 : 1e9, 40.0 + n }; }));
     filter->Update();
-    CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+    CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 0);
     filter->SetInputData(1,
       makeLine(
         [](int n) {
           return std::array<double, 2>{ 9.5 + 0.2 * std::sin(0.01 * n), 9.5 + 0.2 * std::cos(n) };
         }));
     filter->Update();
-    CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0); // within one block
+    CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 0); // within one block
   }
   filter->SetLineTypeToTraces();
   filter->SetInputData(1,

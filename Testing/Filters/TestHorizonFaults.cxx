@@ -28,9 +28,9 @@ void TestOutputs()
   vtkPolyData* const output = filter->GetPolyDataOutput();
   CHECK(output->GetPoints() == input->GetPoints());
   CHECK_EQUAL(output->GetPointData()->GetNumberOfArrays(), input->GetPointData()->GetNumberOfArrays() + 1); // Column
-  auto* const links = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutLinks"));
-  auto* const throws = vtkDoubleArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutThrow"));
-  auto* const lines = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("CutLine"));
+  auto* const links = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("FaultedLinks"));
+  auto* const throws = vtkDoubleArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("FaultThrow"));
+  auto* const lines = vtkIntArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("FaultLine"));
   if (!CHECK(links && throws && lines) || !CHECK_EQUAL(links->GetNumberOfTuples(), 25))
   {
     return;
@@ -45,7 +45,7 @@ void TestOutputs()
     CHECK_EQUAL(lines->GetValue(j), 0);
   }
   CHECK_EQUAL(filter->GetNumberOfFaultLines(), 1);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 25);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 25);
   CHECK_EQUAL(filter->GetMeasuredNoise(), 0.408);
   CHECK_EQUAL(output->GetFieldData()->GetArray("FaultNoise")->GetTuple1(0), 0.408);
   // The line goes from corner to corner, half a column beyond the rows, at half the throw. Its left is the side of the
@@ -75,7 +75,7 @@ void TestInPipeline()
   again->DetectOff();
   again->SetInputData(1, Line({ { 4.5, -3.0 }, { 4.5, 9.5 } }, survey, false));
   again->Update();
-  CHECK_EQUAL(again->GetNumberOfCutLinks(), 10);
+  CHECK_EQUAL(again->GetNumberOfFaultedLinks(), 10);
   vtkNew<vtkHorizonHoleFilling> filling;
   filling->SetInputConnection(again->GetOutputPort());
   const Errors errors(filling);
@@ -96,7 +96,7 @@ void TestSeveralHorizons()
   auto* const faults = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
   CHECK_EQUAL(vtkPolyData::SafeDownCast(faults->GetBlock(0))->GetNumberOfLines(), 2);
   CHECK_EQUAL(vtkPolyData::SafeDownCast(faults->GetBlock(1))->GetNumberOfLines(), 1);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 45);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 45);
 }
 
 void TestErrors()
@@ -126,7 +126,7 @@ void TestErrors()
   filter->SetInputData(single);
   filter->Update();
   CHECK_EQUAL(filter->GetPolyDataOutput()->GetNumberOfPoints(), 1);
-  CHECK_EQUAL(filter->GetNumberOfCutLinks(), 0);
+  CHECK_EQUAL(filter->GetNumberOfFaultedLinks(), 0);
 }
 
 /// A vertical index is 4 long: a step of 7 is one of 28. Of no throw, that of eight times the noise, here of rounding.
@@ -182,7 +182,7 @@ void TestPrintSelf()
   for (const char* const line :
     { "LineType: Sticks", "Detect: off", "SmallestThrow: 2.5", "Noise: 0.75", "ThrowUnit: World", "SmallestExtent: 11",
       "SmallestBranch: 7", "LargestGap: 3", "LargestRamp: 5", "JoinThroughHoles: off", "ExtendSticks: on",
-      "Polygons: Cut", "NumberOfCutLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
+      "Polygons: Cut", "NumberOfFaultedLinks: 0", "NumberOfFaultLines: 0", "MeasuredNoise: 0" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

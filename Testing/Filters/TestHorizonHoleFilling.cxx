@@ -201,7 +201,7 @@ vtkSmartPointer<vtkPolyData> WithFault(const std::vector<std::array<int, 3>>& li
   auto horizon = FromPicture({ "########", "########", "##....##", "##....##", "########", "########" }, 3,
     HorizonFixtures::UnitSurvey(), [](int i, int) { return i < 4 ? 10.0 : 50.0; });
   vtkNew<vtkIntArray> cuts;
-  cuts->SetName("CutLinks");
+  cuts->SetName("FaultedLinks");
   cuts->SetNumberOfComponents(3);
   for (const std::array<int, 3>& link : links)
   {
@@ -232,7 +232,7 @@ void TestCuts()
       const double* const place = output->GetPoint(point);
       CHECK(std::abs(place[2] - (place[0] < 4.0 ? 10.0 : 50.0)) < 1e-6);
     }
-    vtkDataArray* const kept = output->GetFieldData()->GetArray("CutLinks");
+    vtkDataArray* const kept = output->GetFieldData()->GetArray("FaultedLinks");
     CHECK(kept && kept->GetNumberOfTuples() == 6);
     // Without cuts the two sides are joined.
     filling->SetInputDataObject(WithFault({}));
@@ -247,15 +247,15 @@ void TestCuts()
     filling->SetInputDataObject(WithFault({ { 7, 5, 1 }, link }));
     filling->Update();
     CHECK(errors.FirstContains(
-      "cut link 1 " + text + ", expected a column of the lattice, i from 0 to 7 and j from 0 to 5"));
+      "faulted link 1 " + text + ", expected a column of the lattice, i from 0 to 7 and j from 0 to 5"));
   }
   vtkNew<vtkHorizonHoleFilling> filling;
   HorizonFixtures::Errors errors(filling);
   auto horizon = WithFault({ { 7, 5, 1 } });
-  horizon->GetFieldData()->GetArray("CutLinks")->SetNumberOfComponents(1);
+  horizon->GetFieldData()->GetArray("FaultedLinks")->SetNumberOfComponents(1);
   filling->SetInputDataObject(horizon);
   filling->Update();
-  CHECK(errors.FirstContains("field data array CutLinks with 1 components, expected 3: i, j and the side"));
+  CHECK(errors.FirstContains("field data array FaultedLinks with 1 components, expected 3: i, j and the side"));
 }
 
 /// Nothing known, or next to nothing: there is no hole, and nothing comes out that was not there.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Without libFuzzer: tries the methods on the files of a folder. So the programs are built by every compiler, and inputs
-// that once showed a fault are tested.
+// Without libFuzzer: tries the methods on the files of a folder. So the programs are built by every compiler, and
+// inputs that once showed a fault are tested.
 
 #include <cstddef>
 #include <cstdint>

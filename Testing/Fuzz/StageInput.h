@@ -78,7 +78,7 @@ public:
   Patches::Columns TakeColumns();
   /// One finite height per column.
   std::vector<double> TakeHeights(const Patches::Columns& columns);
-  /// Cut links in the box of the columns, along some lines or anywhere; mostly none.
+  /// Faulted links in the box of the columns, along some lines or anywhere; mostly none.
   std::shared_ptr<const SeismicHorizons::LinkCuts> TakeCuts(const Patches::Columns& columns);
   SeismicHorizons::BoundaryOptions TakeBoundaryOptions();
   SeismicHorizons::BoundarySimplificationOptions TakeBoundarySimplificationOptions();

@@ -27,7 +27,7 @@ TYPES = (vtkCommonCore.vtkFloatArray, vtkCommonCore.vtkDoubleArray, vtkCommonCor
          vtkCommonCore.vtkUnsignedShortArray, vtkCommonCore.vtkIdTypeArray, vtkCommonCore.vtkLongLongArray)
 # What stages read, beside what they carry on.
 READ = ("vtkGhostType", "PatchId", "Boundary", "PointCount", "SurfaceId", "VerticalIndex", "Column", "LatticeToWorld",
-        "LatticeDimensions", "FaultId", "Cut", "Quality", "HorizonPoint", "CutLinks", "VerticalDirection")
+        "LatticeDimensions", "FaultId", "Cut", "Quality", "HorizonPoint", "FaultedLinks", "VerticalDirection")
 
 
 def horizon(chance):

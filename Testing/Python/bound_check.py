@@ -124,9 +124,9 @@ def on_sides(columns, corners, sides):
     return found
 
 
-def cut_links(data):
+def faulted_links(data):
     """The links that faults cut: column and direction."""
-    cuts = data.GetFieldData().GetArray("CutLinks")
+    cuts = data.GetFieldData().GetArray("FaultedLinks")
     return set() if cuts is None else set(map(tuple, vtk_to_numpy(cuts).tolist()))
 
 
@@ -213,7 +213,7 @@ def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_win
     if outside != value(mesh, "NumberOfOutsidePoints"):
         faults.append(f"{outside} points outside, told {value(mesh, 'NumberOfOutsidePoints')}")
     if not in_windows:
-        off, columns = measure_links(horizon, corners, heights, triangles, inside, cut_links(horizon_data))
+        off, columns = measure_links(horizon, corners, heights, triangles, inside, faulted_links(horizon_data))
         if off > error + slack:
             faults.append(f"a side is {off:.4g} off between columns {columns}, asked {error}")
     slivers = int((smallest_angles(corners, triangles) < 2).sum())  # the default of SmallestAngle

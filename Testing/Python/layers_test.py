@@ -47,7 +47,7 @@ def surface_heights(mesh, places):
 
 def add_cuts(horizon, links):
     array = numpy_to_vtk(links, deep=True)
-    array.SetName("CutLinks")
+    array.SetName("FaultedLinks")
     horizon.GetFieldData().AddArray(array)
 
 

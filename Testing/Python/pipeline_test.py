@@ -132,15 +132,15 @@ def check_faults(reader, folder):
     lines = simple.OpenDataFile(str(path))
     faults = simple.HorizonFaults(Input=reader, FaultLines=lines, SmallestThrow=3.5)
     faults.UpdatePipeline()
-    both = told(faults, "NumberOfCutLinks")
+    both = told(faults, "NumberOfFaultedLinks")
     assert told(faults, "MeasuredNoise") > 0
     faults.Detect = 0
     faults.UpdatePipeline()
-    assert both >= told(faults, "NumberOfCutLinks") > 10 and told(faults, "NumberOfFaultLines") > 0
+    assert both >= told(faults, "NumberOfFaultedLinks") > 10 and told(faults, "NumberOfFaultLines") > 0
     algorithm = faults.GetClientSideObject()
     horizons, shown = (mesh_checks.blocks(algorithm.GetOutputDataObject(port)) for port in (0, 1))
     for name, horizon in horizons.items():
-        cut = horizon.GetFieldData().GetArray("CutLinks")
+        cut = horizon.GetFieldData().GetArray("FaultedLinks")
         assert all(cut.GetTuple3(n)[::2] == (20, 0) for n in range(cut.GetNumberOfTuples())), name
         assert shown[name].GetNumberOfCells() == (cut.GetNumberOfTuples() > 0), name
     closed = simple.HorizonSurface(Input=faults, CloseFaults=1)
@@ -152,7 +152,7 @@ def check_faults(reader, folder):
     simple.Delete(closed)
     faults.FaultLines = None
     faults.UpdatePipeline()
-    assert told(faults, "NumberOfCutLinks") == 0
+    assert told(faults, "NumberOfFaultedLinks") == 0
     simple.Delete(faults)
     simple.Delete(lines)
 

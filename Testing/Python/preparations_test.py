@@ -56,8 +56,8 @@ class PreparationsTest(unittest.TestCase):
             self.assertEqual(result.data["mesh"].GetNumberOfPolys() if surface else 4, 4)
             self.assertEqual(result.loops[0], 2)
             row = tables.row(result)
-            self.assertEqual((row["spikes"], row["cut links"]), ("0", "30"))
-            self.assertIn("cut links", tables.table([result])[0])
+            self.assertEqual((row["spikes"], row["faulted links"]), ("0", "30"))
+            self.assertIn("faulted links", tables.table([result])[0])
             captions = [(panel.title, panel.caption) for panel in overview.panels(result)[1:3]]
             self.assertEqual(captions, [("Despiking", "0 points removed"), ("Faults", "1 line")])
 

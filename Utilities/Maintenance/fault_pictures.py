@@ -137,8 +137,8 @@ def main():
     cut, lines = faults.GetOutputDataObject(0), faults.GetOutputDataObject(1)
     without, _ = surface(points, largest_error=LARGEST_ERROR)
     within, _ = surface(cut, largest_error=LARGEST_ERROR)
-    row = [pictures.Panel("Fault lines", "%d lines, %d cut links" % (
-               lines.GetNumberOfCells(), cut.GetFieldData().GetArray("CutLinks").GetNumberOfTuples()),
+    row = [pictures.Panel("Fault lines", "%d lines, %d faulted links" % (
+               lines.GetNumberOfCells(), cut.GetFieldData().GetArray("FaultedLinks").GetNumberOfTuples()),
                lines, pictures.FAULTS, points),
            pictures.Panel("Not cut", "%d triangles" % without.GetNumberOfPolys(), without, pictures.MESH),
            pictures.Panel("Cut", "%d triangles" % within.GetNumberOfPolys(), within, pictures.MESH)]

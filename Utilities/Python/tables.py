@@ -10,7 +10,7 @@ from .reading import short_name
 WIDTH = 98  # of a table; what is wider goes on below
 LONGEST_NAME = 32
 # Of what comes before the stages: what was found, told by an array of the mesh.
-PREPARATION_COLUMNS = {"despiked": "spikes", "torn": "cut links", "filled": "filled"}
+PREPARATION_COLUMNS = {"despiked": "spikes", "torn": "faulted links", "filled": "filled"}
 # Of meshes within an error, by the names of the field data: the vertical error that was asked for first.
 VERTICAL_COLUMNS = {"LargestError": "error", "LargestLoopError": "at outlines", "NumberOfOutsidePoints": "outside"}
 # Of the measure: distances in space, both ways.
@@ -52,9 +52,9 @@ def _short(name):
 
 
 def prepared_number(figures, name):
-    """How many spikes, cut links or filled points there are, which the mesh still tells."""
+    """How many spikes, faulted links or filled points there are, which the mesh still tells."""
     if name == "torn":
-        links = figures.GetArray("CutLinks")
+        links = figures.GetArray("FaultedLinks")
         return 0 if links is None else links.GetNumberOfTuples()
     found = figures.GetArray("NumberOfSpikes" if name == "despiked" else "NumberOfFilledPoints")
     return 0 if found is None else found.GetValue(0)

@@ -20,8 +20,8 @@ namespace SeismicHorizons
 /// every value from there on for one, so that such values are refused. It has no name, unit or coordinate system.
 void WriteIrapText(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
 
-/// IRAP classic binary: the same in single precision, which rounds coordinates and values. Nodes without value get 1e30;
-/// values from just below there on, and others that single precision does not hold, are refused.
+/// IRAP classic binary: the same in single precision, which rounds coordinates and values. Nodes without value get
+/// 1e30; values from just below there on, and others that single precision does not hold, are refused.
 void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
 
 /// How far single precision moves the first node of a lattice, along x or y.

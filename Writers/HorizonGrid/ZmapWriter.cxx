@@ -15,8 +15,8 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double FirstNull = 9.9e29; // readers compare in single precision
-// What stands for no value: the first that is well below all values. In single precision all are exact but the last, which
-// some readers, comparing the text with what they read, take for a value.
+// What stands for no value: the first that is well below all values. In single precision all are exact but the last,
+// which some readers, comparing the text with what they read, take for a value.
 constexpr std::array<double, 3> Nulls = { -99999.0, -999999.0, -9999999.0 };
 constexpr std::string_view LastNull = "1.0E+30";
 constexpr int ValuesInLine = 5;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints triangulated surfaces in formats of meshes without names (Documentation/HorizonMeshWriter.md). Coordinates have
-// all digits of double precision. All throw InputError on coordinates that are not finite.
+// Prints triangulated surfaces in formats of meshes without names (Documentation/HorizonMeshWriter.md). Coordinates
+// have all digits of double precision. All throw InputError on coordinates that are not finite.
 
 #ifndef SeismicHorizonsMeshPrinter_h
 #define SeismicHorizonsMeshPrinter_h

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What cut links (LinkCuts.h) leave of the hops between columns. A block is a unit square with a column at each corner;
-// its sides are links.
+// What faulted links (LinkCuts.h) leave of the hops between columns. A block is a unit square with a column at each
+// corner; its sides are links.
 //
-//  - No hop leads along a cut link.
+//  - No hop leads along a faulted link.
 //  - A diagonal is left when its ends are joined along sides of its block that are not cut, and not just one side is:
 //
 //        o---o       o---o       o   o       o | o       o | o        o    columns

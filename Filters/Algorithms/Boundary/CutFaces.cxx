@@ -226,7 +226,7 @@ bool CutFaces::AddHole(const std::vector<FaceStep>& steps, bool hasLoop, bool ha
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Whether a sweep of a walk passes a cut link.
+// Whether a sweep of a walk passes a faulted link.
 bool CutFaces::PassesCut(const std::vector<FaceStep>& steps) const
 {
   HopId from = steps.back().Hop == NoHop ? this->Hops.Size() - 1 : this->Hops.Opposite(steps.back().Hop);

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which faces of the graph of hops stay open because a cut link is in them, whatever the sizes of holes that get loops.
+// Which faces of the graph of hops stay open because a faulted link is in them, whatever the sizes of holes that get
+// loops.
 //
-// A cut link with a point at an end is passed by the sweep of a walk there. When that is the walk around a hole, the
-// hole holds the cut: a crack is such a hole, of the open blocks of its links. When it is the walk around the outline
-// of a component, the cut is in the hole that the component lies in. So are cut links between empty columns.
+// A faulted link with a point at an end is passed by the sweep of a walk there. When that is the walk around a hole,
+// the hole holds the cut: a crack is such a hole, of the open blocks of its links. When it is the walk around the
+// outline of a component, the cut is in the hole that the component lies in. So are faulted links between empty
+// columns.
 //
 // The cracks between the loops of a horizon with cuts. Hops across cuts (PlanarHops.h) part what the admissible hops
 // leave open there into faces. Those with no more columns inside than a square of hops are cracks; the others are gaps

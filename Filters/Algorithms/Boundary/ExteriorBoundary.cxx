@@ -521,11 +521,11 @@ void CheckCuts(const BoundaryOptions& options)
 {
   if (options.Cuts && HasSeams(options.Seams))
   {
-    throw InputError("cut links and a seam, expected one of them: a crack may continue beyond the seam");
+    throw InputError("faulted links and a seam, expected one of them: a crack may continue beyond the seam");
   }
   if (options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1)
   {
-    throw InputError("cut links and growth by distance with a radius of " + std::to_string(options.Radius) +
+    throw InputError("faulted links and growth by distance with a radius of " + std::to_string(options.Radius) +
       " columns, expected clockwise growth, or a radius of 1");
   }
 }

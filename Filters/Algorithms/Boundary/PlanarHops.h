@@ -34,9 +34,9 @@
 // First the direct ones are found, and hops that cross one of these are ruled out. The rest, a few per point, is tried
 // in order of length, and each is compared with the admissible hops that touch the same unit squares.
 //
-// With cut links, those hops are left out that these bar (CutBlocks.h), and points beside open blocks count as beside
-// gaps. Points that only a barred hop connects are in different components then. With the hops across cuts, which are
-// those that cuts alone keep from being admissible, the graph is plane, too.
+// With faulted links, those hops are left out that these bar (CutBlocks.h), and points beside open blocks count as
+// beside gaps. Points that only a barred hop connects are in different components then. With the hops across cuts,
+// which are those that cuts alone keep from being admissible, the graph is plane, too.
 
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
@@ -57,7 +57,7 @@ namespace SeismicHorizons
 {
 class HopCandidates;
 
-/// A hop from a place to a point, along a cut link or over an open block (CutBlocks.h).
+/// A hop from a place to a point, along a faulted link or over an open block (CutBlocks.h).
 struct HopAcrossCut
 {
   std::int64_t Place;

@@ -13,9 +13,9 @@
 // The mesh is at all times the constrained Delaunay triangulation of its vertices: that of Triangulation.h. Only where
 // heights are fitted for a number of points, sides are flipped once before, as the best effort does.
 //
-// The best effort goes on from there (MeshImprover.h). It removes vertices as long as the error is kept, flips sides for
-// which the mesh comes nearer to the horizon, fits heights and removes again: that takes a quarter to a half of them. For
-// a number of points it inserts four times as many as may be left, and removes the cheapest ones.
+// The best effort goes on from there (MeshImprover.h). It removes vertices as long as the error is kept, flips sides
+// for which the mesh comes nearer to the horizon, fits heights and removes again: that takes a quarter to a half of
+// them. For a number of points it inserts four times as many as may be left, and removes the cheapest ones.
 
 #ifndef SeismicHorizonsDecimation_h
 #define SeismicHorizonsDecimation_h

@@ -3,8 +3,8 @@
 //
 // The columns of triangles, four neighbours of a row at a time, as floats or doubles.
 //
-// The weights of the corners are twice the areas of the triangles with the opposite sides: whole numbers, which change by
-// the same amount from column to column.
+// The weights of the corners are twice the areas of the triangles with the opposite sides: whole numbers, which change
+// by the same amount from column to column.
 
 #ifndef SeismicHorizonsFourColumns_h
 #define SeismicHorizonsFourColumns_h
@@ -194,9 +194,9 @@ void ForEachFourOfRows(
     });
 }
 
-/// Calls visit(place, heights, b, c, isIn) for the columns of a triangle that count, four of a row at a time, until that
-/// gives false: the place of the first one, as placeOf(x, y) has it at the first column of a row; the heights of the
-/// triangle less a middle one; the weights of the second and third corner; and 1 for columns that count, else 0.
+/// Calls visit(place, heights, b, c, isIn) for the columns of a triangle that count, four of a row at a time, until
+/// that gives false: the place of the first one, as placeOf(x, y) has it at the first column of a row; the heights of
+/// the triangle less a middle one; the weights of the second and third corner; and 1 for columns that count, else 0.
 template <typename Real, typename PlaceOf, typename Visitor>
 void ForEachFourOf(
   const RaisedTriangle& triangle, double middle, const SideColumns& sides, const PlaceOf& placeOf, Visitor&& visit)

@@ -8,9 +8,9 @@
 //
 // The sum of the squares of all errors is made least; or, for a small mean error, then also that of their p-th powers
 // small, p being 1.5 and then 1: squares alone are made less by many small errors, where heights are whole numbers that
-// a mesh could have. For a small largest error p is 4, twice. Each step is one of least squares, in which a point weighs
-// as much as the (p - 2)-th power of its error so far (iteratively reweighted least squares; Lawson 1961), and goes a
-// (p - 1)-th part of the way where p is above 2.
+// a mesh could have. For a small largest error p is 4, twice. Each step is one of least squares, in which a point
+// weighs as much as the (p - 2)-th power of its error so far (iteratively reweighted least squares; Lawson 1961), and
+// goes a (p - 1)-th part of the way where p is above 2.
 
 #ifndef SeismicHorizonsHeightFit_h
 #define SeismicHorizonsHeightFit_h
@@ -43,7 +43,8 @@ std::vector<InnerHeights> FitAllHeights(
   HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor);
 
 /// Gives the mesh new heights, for which no triangle and no inner side has an error above the one given, but where all
-/// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays, in all horizons alike.
+/// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays, in all horizons
+/// alike.
 void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<InnerHeights>& heights);
 }
 

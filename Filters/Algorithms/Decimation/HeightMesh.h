@@ -53,9 +53,9 @@ public:
   /// outlive the mesh.
   HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const double* heights = nullptr);
 
-  /// Lays the mesh over another horizon, too, of the same points with other heights. Vertices then have a height of each,
-  /// at first that of its column, and errors are the largest ones of all, which are measured without powers. What has no
-  /// number of a horizon is about the first one, and so are sums.
+  /// Lays the mesh over another horizon, too, of the same points with other heights. Vertices then have a height of
+  /// each, at first that of its column, and errors are the largest ones of all, which are measured without powers. What
+  /// has no number of a horizon is about the first one, and so are sums.
   /// A horizon may have some of the points alone, marked as known, which others own: the heights of others are those of
   /// vertices there, and have no errors. The heights must outlive the mesh.
   void AddHorizon(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown = nullptr);
@@ -169,7 +169,8 @@ public:
   /// the bound and above the error so far.
   void MeasureSides(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor);
   void MeasureAllSides(double bound, const Monitor& monitor);
-  /// Gives triangles with a marked point that is no vertex an error of 1 at the one that is farthest inside, others none.
+  /// Gives triangles with a marked point that is no vertex an error of 1 at the one that is farthest inside, others
+  /// none.
   void MeasureMarked(const std::vector<TriangleId>& triangles, const std::vector<unsigned char>& marks);
   void MeasureAllMarked(const std::vector<unsigned char>& marks) { this->MeasureMarked(this->AllTriangles(), marks); }
   const HeightError& Error(TriangleId triangle) const { return this->Errors[triangle]; }

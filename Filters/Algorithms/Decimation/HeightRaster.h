@@ -62,15 +62,15 @@ struct Crossing
   double Error = 0.0; // the side's height less that of the line
 };
 
-/// Heights are kept as floats, less the middle one. They decide wherever their rounding leaves no doubt, and the heights
-/// themselves elsewhere: so that all bounds are exact.
+/// Heights are kept as floats, less the middle one. They decide wherever their rounding leaves no doubt, and the
+/// heights themselves elsewhere: so that all bounds are exact.
 class HeightRaster
 {
 public:
   /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
   /// `columns` and `heights`, which are finite, are those of all its points. Takes 8 bytes per column of the bounding
-  /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut. The heights, and
-  /// `cuts`, null for none, must outlive it.
+  /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut. The heights,
+  /// and `cuts`, null for none, must outlive it.
   template <typename ForEachPoint>
   HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const double* heights, const LinkCuts* cuts = nullptr)
     : Heights(heights)
@@ -83,8 +83,8 @@ public:
     this->SetFloats(nullptr);
   }
 
-  /// Another horizon over the points of `other`, with 4 bytes per column. Columns of points that are not marked as known,
-  /// where that is given, have no height.
+  /// Another horizon over the points of `other`, with 4 bytes per column. Columns of points that are not marked as
+  /// known, where that is given, have no height.
   HeightRaster(const HeightRaster& other, const double* heights, const std::vector<unsigned char>* isKnown)
     : Box(other.Box)
     , Width(other.Width)

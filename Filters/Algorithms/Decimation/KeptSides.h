@@ -23,8 +23,8 @@ public:
   /// Keeps a reference to the mesh, which is changed by nobody else meanwhile, and has so many vertices.
   KeptSides(PlaneMesh& mesh, std::size_t vertices);
 
-  /// Keeps the line between two vertices, piece by piece where it runs through others. False when the boundary or a side
-  /// that is kept already crosses it: pieces before the one that is crossed are kept, the others not.
+  /// Keeps the line between two vertices, piece by piece where it runs through others. False when the boundary or a
+  /// side that is kept already crosses it: pieces before the one that is crossed are kept, the others not.
   bool Keep(VertexId from, VertexId to);
 
   /// Flips other sides until all are Delaunay again.

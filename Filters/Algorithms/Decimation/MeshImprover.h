@@ -16,12 +16,13 @@
 
 namespace SeismicHorizons
 {
-/// Inserts points until the error of the options is kept, for all horizons: the effort Fast. Fitted heights keep to a rule.
+/// Inserts points until the error of the options is kept, for all horizons: the effort Fast. Fitted heights keep to a
+/// rule.
 void InsertToError(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule = HeightRule());
 
-/// Of a mesh that keeps the error of the options, at columns and at inner sides, for all its horizons, and still does so
-/// after it. Fitted heights keep to a rule; the sides and vertices that have to stay do.
+/// Of a mesh that keeps the error of the options, at columns and at inner sides, for all its horizons, and still does
+/// so after it. Fitted heights keep to a rule; the sides and vertices that have to stay do.
 void ImproveWithinError(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule = HeightRule());
 

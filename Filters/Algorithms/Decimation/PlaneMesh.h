@@ -66,8 +66,8 @@ public:
   int CornerAt(TriangleId triangle, VertexId vertex) const;
   const PlanePoint& Place(VertexId vertex) const { return this->Places[vertex]; }
 
-  /// The triangle that a place is in or on, looked for from one near by, across at most a hundred sides; NoTriangle when
-  /// it is not found or the boundary is in the way.
+  /// The triangle that a place is in or on, looked for from one near by, across at most a hundred sides; NoTriangle
+  /// when it is not found or the boundary is in the way.
   TriangleId Locate(const PlanePoint& place, TriangleId near) const;
 
   /// Inserts a vertex, with the next number, at a place in a triangle or on its sides, and gives the three or four
@@ -78,16 +78,16 @@ public:
   /// in place of the other one. The four are the corners of a convex quadrilateral.
   void Flip(TriangleId triangle, int side);
 
-  /// Flips sides opposite to a vertex that was inserted, and then those of the new triangles, until all triangles around
-  /// it are Delaunay: none has the corner of a neighbour in its circle (Lawson 1977, "Software for C1 surface
+  /// Flips sides opposite to a vertex that was inserted, and then those of the new triangles, until all triangles
+  /// around it are Delaunay: none has the corner of a neighbour in its circle (Lawson 1977, "Software for C1 surface
   /// interpolation"). `around` are the triangles around the vertex, which is their third corner; new ones are added.
   void Legalize(std::vector<TriangleId>& around);
 
   /// The triangles around a vertex inside, counter-clockwise, from one of them; nothing when the boundary is met.
   void FindRing(VertexId vertex, TriangleId first, std::vector<TriangleId>& ring) const;
 
-  /// Moves a vertex inside to the far end of a side of its ring: the second corner after it of ring[n]. The triangles on
-  /// both sides of the side, ring[n] and the next one, go: they lose their corners.
+  /// Moves a vertex inside to the far end of a side of its ring: the second corner after it of ring[n]. The triangles
+  /// on both sides of the side, ring[n] and the next one, go: they lose their corners.
   void Collapse(VertexId vertex, const std::vector<TriangleId>& ring, std::size_t n);
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoVertex; }
 

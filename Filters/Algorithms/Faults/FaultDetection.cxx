@@ -555,9 +555,9 @@ public:
   {
   }
 
-  CutLink Measure(std::int64_t link, bool isForward) const
+  FaultedLink Measure(std::int64_t link, bool isForward) const
   {
-    CutLink cut = MeasureCut(this->Heights, link, isForward);
+    FaultedLink cut = MeasureCut(this->Heights, link, isForward);
     const auto gap = std::lower_bound(this->Gaps.begin(), this->Gaps.end(), link,
       [](const GapStep& step, std::int64_t place) { return step.Middle < place; });
     if (gap != this->Gaps.end() && gap->Middle == link)

@@ -190,7 +190,7 @@ private:
     return { end.Place.X + distance * end.Direction.X, end.Place.Y + distance * end.Direction.Y };
   }
 
-  static MapPlace MiddleOf(const CutLink& cut)
+  static MapPlace MiddleOf(const FaultedLink& cut)
   {
     const PlanePoint before = cut.Place.Column;
     const PlanePoint beyond = cut.Place.Beyond();
@@ -250,7 +250,7 @@ FaultLines Join(const ColumnHeights& heights, const LineEnd& from, const LineEnd
   const double links = double(path.NumberOfLinks());
   for (std::size_t n = 0; n < path.NumberOfLinks(); ++n)
   {
-    CutLink cut = path[n];
+    FaultedLink cut = path[n];
     if (std::isnan(cut.Throw))
     {
       const double part = (double(n) + 0.5) / links;

@@ -13,9 +13,9 @@
 
 namespace SeismicHorizons
 {
-/// Appends a line from end to end for each pair, bent as their directions are. At least half of its columns are missing. Throws and heights
-/// of its links change evenly from those of one line to those of the other where columns are missing. Each end is
-/// joined once, the straightest pairs first.
+/// Appends a line from end to end for each pair, bent as their directions are. At least half of its columns are
+/// missing. Throws and heights of its links change evenly from those of one line to those of the other where columns
+/// are missing. Each end is joined once, the straightest pairs first.
 void JoinThroughHoles(const ColumnHeights& heights, FaultLines& lines);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Traces and polygons become chains of cut links (CutAlong) by a walk over the blocks of two by two columns that a line
-// crosses, each named by its least column. From a block to the next it cuts the link between them. Lines down a fault
-// pass through the horizon (FindPassages) between samples half a column apart, one above it and the next below.
+// Traces and polygons become chains of faulted links (CutAlong) by a walk over the blocks of two by two columns that a
+// line crosses, each named by its least column. From a block to the next it cuts the link between them. Lines down a
+// fault pass through the horizon (FindPassages) between samples half a column apart, one above it and the next below.
 //
 // Given lines may lie anywhere, and the time they take must not depend on where: each segment is clipped to the
 // neighbourhood of the box first. Differences of coordinates are counted with by halves, as the difference of two
@@ -294,7 +294,7 @@ void CheckNumber(const FaultLines& lines, const LinkGrid& grid)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-CutLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isForward)
+FaultedLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isForward)
 {
   assert(heights.Grid().IsInside(link));
   const double before = heights[LinkGrid::FirstColumn(link)];
@@ -332,7 +332,7 @@ void FaultLines::Close()
   {
     const auto first = this->Links.begin() + start;
     std::reverse(first, this->Links.end());
-    std::for_each(first, this->Links.end(), [](CutLink& link) { link.IsForward = !link.IsForward; });
+    std::for_each(first, this->Links.end(), [](FaultedLink& link) { link.IsForward = !link.IsForward; });
   }
   this->Ends.push_back(this->Links.size());
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fault lines as chains of cut links, and from lines that are given: traces or polygons of an interpreter, and sticks.
+// Fault lines as chains of faulted links, and from lines that are given: traces or polygons of an interpreter, and
+// sticks.
 //
 // A link is cut where a trace passes between its two columns, so that columns are parted just as the trace parts them,
 // and the cuts are a chain without breaks. A polygon that follows both cutoffs of a fault cuts along both: there is no
@@ -22,8 +23,8 @@
 
 namespace SeismicHorizons
 {
-/// A cut link as part of a fault line.
-struct CutLink
+/// A faulted link as part of a fault line.
+struct FaultedLink
 {
   LatticeLink Place;
   double Throw = 0.0; // height beyond the link minus height before it; nan where one of them is not known
@@ -35,9 +36,9 @@ struct CutLink
 };
 
 /// A cut of a link in the box, with its throw where both columns have points.
-CutLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isForward);
+FaultedLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isForward);
 
-/// Chains of cut links, each from an end to the other.
+/// Chains of faulted links, each from an end to the other.
 class FaultLines
 {
 public:
@@ -45,18 +46,18 @@ public:
   std::size_t NumberOfLinks() const { return this->Links.size(); }
   std::size_t Start(std::size_t line) const { return line == 0 ? 0 : this->Ends[line - 1]; }
   std::size_t End(std::size_t line) const { return this->Ends[line]; }
-  CutLink& operator[](std::size_t n) { return this->Links[n]; }
-  const CutLink& operator[](std::size_t n) const { return this->Links[n]; }
+  FaultedLink& operator[](std::size_t n) { return this->Links[n]; }
+  const FaultedLink& operator[](std::size_t n) const { return this->Links[n]; }
 
   /// Appends to the line that is being built.
-  void Append(const CutLink& link) { this->Links.push_back(link); }
+  void Append(const FaultedLink& link) { this->Links.push_back(link); }
   /// Appends whole lines.
   void Append(const FaultLines& other);
   /// Ends that line unless it has no link, and turns it so that its left is the higher side on the whole.
   void Close();
 
 private:
-  std::vector<CutLink> Links;
+  std::vector<FaultedLink> Links;
   std::vector<std::size_t> Ends;
 };
 
@@ -93,8 +94,8 @@ struct FaultStick
 /// Throws InputError on a place of a stick that is not finite, with the number of the stick.
 void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick);
 
-/// Where a line in columns and vertical indices passes from above the horizon to below it, or back, in its direction. Over
-/// gaps in the horizon heights continue evenly along the line.
+/// Where a line in columns and vertical indices passes from above the horizon to below it, or back, in its direction.
+/// Over gaps in the horizon heights continue evenly along the line.
 std::vector<MapPlace> FindPassages(const ColumnHeights& heights, const std::vector<SpacePoint>& line);
 }
 

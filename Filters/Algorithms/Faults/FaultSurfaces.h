@@ -60,14 +60,14 @@ private:
 /// A sheet for each fault that has at least two sticks, in the order of the first of these. Sticks are sorted along the
 /// fault by the shortest way from stick to stick, which is theirs if no shorter one is found. Where they have no name,
 /// it ends wherever two are much farther apart than most. Levels are along the mean direction of the sticks: those of
-/// all their points, to a hundredth of the sheet. A single stick that ends short between two longer ones is continued as
-/// these are. `extend` continues the sheet at either end by as much as is between the last two sticks. Throws InputError
-/// on a place that is not finite.
+/// all their points, to a hundredth of the sheet. A single stick that ends short between two longer ones is continued
+/// as these are. `extend` continues the sheet at either end by as much as is between the last two sticks. Throws
+/// InputError on a place that is not finite.
 std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, bool extend);
 
 /// The lines along which sheets, in columns and vertical indices, pass through the horizon, by places half a column
-/// apart; a line ends half a column beyond the end of the sheet or of the horizon. Over gaps in the horizon heights continue evenly down the
-/// fault.
+/// apart; a line ends half a column beyond the end of the sheet or of the horizon. Over gaps in the horizon heights
+/// continue evenly down the fault.
 std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultSheet>& sheets);
 }
 

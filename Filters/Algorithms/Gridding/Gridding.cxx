@@ -608,8 +608,8 @@ private:
   }
 
   /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse of
-  /// the products of steps, times their area, so that it is 1 for equal ones. Multigrid hardly converges where steps are
-  /// more unequal than 1 to 4: they count as such there.
+  /// the products of steps, times their area, so that it is 1 for equal ones. Multigrid hardly converges where steps
+  /// are more unequal than 1 to 4: they count as such there.
   Eigen::Matrix2d Metric(std::size_t sites) const
   {
     const double most = sites < MultigridSize ? 100.0 : 4.0;

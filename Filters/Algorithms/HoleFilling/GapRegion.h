@@ -54,7 +54,7 @@ class GapRegion
 {
 public:
   /// `gap` are the places of the gap in the index, in their order. The ring are the known columns that so many steps
-  /// from the gap lead to, each to one of eight neighbours, over no cut link and through no block with one.
+  /// from the gap lead to, each to one of eight neighbours, over no faulted link and through no block with one.
   GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
     const std::vector<std::int64_t>& gap, int ringWidth);
 

@@ -29,7 +29,8 @@ struct CommonColumns
 /// Throws InputError when two points of a horizon stand in one column.
 CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons);
 
-/// The same of columns that two neighbours of a stack have, whatever others do: NoPoint for horizons that have none there.
+/// The same of columns that two neighbours of a stack have, whatever others do: NoPoint for horizons that have none
+/// there.
 CommonColumns FindColumnsOfLayers(const std::vector<HorizonView>& horizons);
 
 /// The same of columns that any horizon has.

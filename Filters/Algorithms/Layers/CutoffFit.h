@@ -16,9 +16,10 @@
 
 namespace SeismicHorizons
 {
-/// For each horizon of a mesh the heights of its vertices beside cut links: of planes through the columns within two of
-/// them that are connected with them there. `index` and `heights` are of what the mesh lies over, by point, and `known` has 1 where
-/// they count, empty where all do. Vertices around the end of a cut, and those with too few columns, are left out.
+/// For each horizon of a mesh the heights of its vertices beside faulted links: of planes through the columns within
+/// two of them that are connected with them there. `index` and `heights` are of what the mesh lies over, by point, and
+/// `known` has 1 where they count, empty where all do. Vertices around the end of a cut, and those with too few
+/// columns, are left out.
 std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const LinkCuts& cuts);
 }

@@ -12,7 +12,8 @@
 //    - one beside a missing triangle or the outline is one point: top and base meet along the edges between such points
 //    - an edge between two vertices without thickness, of which one is one point, parts the layer: both its sides get
 //      points of their own, and top and base meet on either. So its other end is one point as well, and so on
-//    - a vertex has points of its own for each sector that such edges, missing triangles and the outline leave around it.
+//    - a vertex has points of its own for each sector that such edges, missing triangles and the outline leave around
+//      it.
 
 #ifndef SeismicHorizonsLayerBody_h
 #define SeismicHorizonsLayerBody_h

@@ -34,9 +34,9 @@ struct LayerCells
   std::vector<std::vector<PointId>> PointsOfHorizons;
 
   /// Cells have 6, 5 or 4 corners: from Ends[n - 1] on, or 0, to before Ends[n]. Their order is that of VTK where x, y
-  /// and heights are a right-handed system, heights upwards: of a wedge first the triangle whose normal points outwards,
-  /// of a pyramid first the quadrangle whose normal points to the apex, which is its last corner, of a tetrahedron first
-  /// the triangle whose normal points to the last corner.
+  /// and heights are a right-handed system, heights upwards: of a wedge first the triangle whose normal points
+  /// outwards, of a pyramid first the quadrangle whose normal points to the apex, which is its last corner, of a
+  /// tetrahedron first the triangle whose normal points to the last corner.
   RawVector<PointId> Corners;
   std::vector<std::int64_t> Ends;
   std::vector<std::int32_t> Layers; // the number of the horizon above
@@ -65,8 +65,8 @@ struct LayerVolume
 
 LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer);
 
-/// The volume of a layer above a level contact at this height, as of gas above oil: the integral of the positive part of
-/// top - contact less that of base - contact, each linear over a triangle, in closed form.
+/// The volume of a layer above a level contact at this height, as of gas above oil: the integral of the positive part
+/// of top - contact less that of base - contact, each linear over a triangle, in closed form.
 double VolumeAbove(const LayerPlan& plan, std::size_t layer, double contact);
 
 /// The integral, over a triangle, of the positive part of a linear function with these values at its corners.

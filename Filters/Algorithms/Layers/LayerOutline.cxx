@@ -22,7 +22,8 @@ namespace
 class OutlineMaker
 {
 public:
-  /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all do.
+  /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all
+  /// do.
   OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
     const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices, double error, double tolerance)
     : Columns(columns)

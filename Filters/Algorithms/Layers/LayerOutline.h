@@ -31,8 +31,8 @@ struct LayerOutlineOptions
 };
 
 /// Of points that all have a patch, with the heights of each horizon. `known` has for each of these 1 where its height
-/// counts; it is empty where all do. What horizons have in columns without a point counts where outlines pass over it; `indices`
-/// are of their columns.
+/// counts; it is empty where all do. What horizons have in columns without a point counts where outlines pass over it;
+/// `indices` are of their columns.
 LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const std::vector<HorizonView>& horizons,
   const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, const LayerOutlineOptions& options,

@@ -168,8 +168,8 @@ private:
       });
   }
 
-  /// Where that passes over gaps, in which some horizons have points, the stack is completed there, so that these count as
-  /// all others do.
+  /// Where that passes over gaps, in which some horizons have points, the stack is completed there, so that these count
+  /// as all others do.
   ExteriorBoundary FindBoundary(const Monitor& monitor)
   {
     OrderedStack& stack = this->Result.Stack;
@@ -299,8 +299,8 @@ private:
     return borders;
   }
 
-  /// What the mesh has heights of: first a level horizon, whose points are those of all. Where a horizon has no point, or
-  /// none of a layer with an area, it has no errors, and at vertices the height of the next one.
+  /// What the mesh has heights of: first a level horizon, whose points are those of all. Where a horizon has no point,
+  /// or none of a layer with an area, it has no errors, and at vertices the height of the next one.
   void Fill()
   {
     if (!this->HasRegions())
@@ -689,8 +689,8 @@ private:
     }
   }
 
-  /// A point of a horizon, or of the thickness of a layer, that an edge of an outline passes over, where the mesh does not
-  /// count it: a column that was dropped from its loop.
+  /// A point of a horizon, or of the thickness of a layer, that an edge of an outline passes over, where the mesh does
+  /// not count it: a column that was dropped from its loop.
   struct PassedPoint
   {
     std::size_t Horizon;

@@ -34,8 +34,8 @@ namespace SeismicHorizons
 {
 struct LayerOptions
 {
-  /// Where each layer has a domain of its own, outlines and borders stay as they are in plan: Radius and SmallestHoleSize
-  /// are 1 and the outline tolerance is 0, and other values are refused.
+  /// Where each layer has a domain of its own, outlines and borders stay as they are in plan: Radius and
+  /// SmallestHoleSize are 1 and the outline tolerance is 0, and other values are refused.
   LayerDomain Domain = LayerDomain::Common;
   /// The largest vertical distance of a point of any horizon from its surface, and of sides of the plan from lines
   /// between neighbouring columns that they cross, in lattice units: at least 0.
@@ -47,7 +47,8 @@ struct LayerOptions
   std::optional<std::int64_t> SmallestHoleSize;
   bool HoleBoundaries = true;
   std::int64_t MinimumPatchSize = 1;
-  /// Where faults cut any of the horizons, or null. Layers end at both cutoffs of a fault, and have a crack between them.
+  /// Where faults cut any of the horizons, or null. Layers end at both cutoffs of a fault, and have a crack between
+  /// them.
   const LinkCuts* Cuts = nullptr;
   /// Which horizon is uppermost, and what is done where they cross.
   CrossingOptions Crossings;
@@ -70,8 +71,8 @@ struct LayerPlan
   bool HeightsGrowDownwards = false;
   /// Three vertices per triangle, counter-clockwise seen from +z on the lattice.
   RawVector<PointId> Triangles;
-  /// For each layer, by triangle, 1 where it is. Empty where all layers are everywhere. Where no layer at a vertex has a
-  /// horizon, that has the height of its neighbour in the stack.
+  /// For each layer, by triangle, 1 where it is. Empty where all layers are everywhere. Where no layer at a vertex has
+  /// a horizon, that has the height of its neighbour in the stack.
   std::vector<std::vector<unsigned char>> IsIn;
   /// Triangles between the two sides of cracks, alike, in which no layer is: they show what the layers leave out there.
   RawVector<PointId> FaultTriangles;

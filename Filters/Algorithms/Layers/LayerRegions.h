@@ -5,8 +5,8 @@
 // its horizons, and halves of blocks with three.
 //
 //    o---o    o        o---o    o---o        Two layers may have three columns of a block each, but not the same three.
-//    |   |    | \      |  /     |  \|        Borders must not cross: then only the layers whose halves are cut along the
-//    o---o    o--o     o        o   o        diagonal of the first one have theirs.
+//    |   |    | \      |  /     |  \|        Borders must not cross: then only the layers whose halves are cut along
+//    the o---o    o--o     o        o   o        diagonal of the first one have theirs.
 
 #ifndef SeismicHorizonsLayerRegions_h
 #define SeismicHorizonsLayerRegions_h

@@ -33,13 +33,13 @@ struct OrderedStack
   std::size_t Completed = 0; // columns in which heights were put in
 };
 
-/// Throws InputError on fewer than two horizons, heights that are not finite, and horizons without a column in common, and
-/// as RepairCrossings does.
+/// Throws InputError on fewer than two horizons, heights that are not finite, and horizons without a column in common,
+/// and as RepairCrossings does.
 OrderedStack MakeStack(
   const std::vector<HorizonView>& horizons, LayerDomain domain, const CrossingOptions& options, const Monitor& monitor);
 
-/// Columns that some horizons have, with heights of all: those of the others are between the heights around them, and in
-/// order, so that nothing that is known moves.
+/// Columns that some horizons have, with heights of all: those of the others are between the heights around them, and
+/// in order, so that nothing that is known moves.
 struct CompletedColumns
 {
   std::vector<PlanePoint> Columns;
@@ -48,8 +48,9 @@ struct CompletedColumns
   std::vector<PointId> OnLoops; // for each a point of the loop that it is on or inside of
 };
 
-/// The columns inside loops, or on them if asked for, that some horizons have, but not the stack: gaps that outlines pass
-/// over, and holes that they close. Loops are over the points of the stack; heights go around cuts, where there are some.
+/// The columns inside loops, or on them if asked for, that some horizons have, but not the stack: gaps that outlines
+/// pass over, and holes that they close. Loops are over the points of the stack; heights go around cuts, where there
+/// are some.
 CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, PlanePoints columns, const Loops& loops,
   bool withLoops, const LinkCuts* cuts, const CrossingOptions& options);
 

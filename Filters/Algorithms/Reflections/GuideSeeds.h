@@ -22,9 +22,9 @@ struct GuideSeeds
   std::vector<std::size_t> Unused;
 };
 
-/// All picks of a guide mean reflections of one sign: that which has the stronger ones nearer to them. Throws InputError
-/// on a guide without picks, with one outside of the cube, with two in a column that are further apart than `quarter`,
-/// and when none of them is as near as `tolerance` to a reflection.
+/// All picks of a guide mean reflections of one sign: that which has the stronger ones nearer to them. Throws
+/// InputError on a guide without picks, with one outside of the cube, with two in a column that are further apart than
+/// `quarter`, and when none of them is as near as `tolerance` to a reflection.
 GuideSeeds FindGuideSeeds(
   const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, int samples, double tolerance, double quarter);
 }

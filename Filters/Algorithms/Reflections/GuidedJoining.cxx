@@ -184,7 +184,8 @@ private:
     this->Seeds.erase(std::remove_if(this->Seeds.begin(), this->Seeds.end(), isStray), this->Seeds.end());
   }
 
-  /// Each column is one further away than the nearest of those around it: first of those before it, then of those after.
+  /// Each column is one further away than the nearest of those around it: first of those before it, then of those
+  /// after.
   void MeasureDistances()
   {
     const auto [columns, rows] = this->Picks.Columns;

@@ -308,8 +308,8 @@ private:
     }
   };
 
-  /// Of the guides that took a pick, it belongs to the one that means it; else to one that has its part, and that is the
-  /// nearest.
+  /// Of the guides that took a pick, it belongs to the one that means it; else to one that has its part, and that is
+  /// the nearest.
   void ClaimPicks(const ReflectionPicks& picks, int sign, RawVector<PointId>& surfaces)
   {
     const std::size_t none = this->Surfaces.size();

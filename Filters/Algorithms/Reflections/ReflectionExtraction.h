@@ -68,9 +68,9 @@ struct GuideUse
 struct Extraction
 {
   /// Those of guides in their order. Then the others in the order asked for; of equal ones the positive, then that of
-  /// the first column. Voxels are by ascending j and then i. RealZ is the place of the pick in samples, and the vertical
-  /// index the sample nearest to it. Those of guides have the attributes Origin (PickOrigin) and GuideDistance, to the
-  /// nearest column with a pick of the guide, in columns.
+  /// the first column. Voxels are by ascending j and then i. RealZ is the place of the pick in samples, and the
+  /// vertical index the sample nearest to it. Those of guides have the attributes Origin (PickOrigin) and
+  /// GuideDistance, to the nearest column with a pick of the guide, in columns.
   std::vector<LatticeHorizon> Surfaces;
   std::vector<GuideUse> Guides;
 
@@ -88,10 +88,10 @@ struct Extraction
 /// Throws InputError when an option is out of range, those of the reflections included.
 void CheckOptions(const ExtractionOptions& options);
 
-/// With guides, reflections of all percentiles count; with limits, those within these. Gives the same on any number of threads, and in any order of the
-/// picks of a guide. Throws InputError on options out of range, when FindReflections does, and on guides without picks,
-/// with some outside of the cube, with none near a reflection, or with two of them that contradict each other in a
-/// column. Takes about 30 bytes per pick beside the result, and 90 with guides.
+/// With guides, reflections of all percentiles count; with limits, those within these. Gives the same on any number of
+/// threads, and in any order of the picks of a guide. Throws InputError on options out of range, when FindReflections
+/// does, and on guides without picks, with some outside of the cube, with none near a reflection, or with two of them
+/// that contradict each other in a column. Takes about 30 bytes per pick beside the result, and 90 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
   const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits());
 }

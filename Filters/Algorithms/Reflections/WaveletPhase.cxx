@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A trace x is turned by an angle a to x cos a + h sin a, where h is its Hilbert transform: that of all frequencies by 90
-// degrees. The fourth moments of x and h give those at any angle, so that no trace is turned to find the best one.
+// A trace x is turned by an angle a to x cos a + h sin a, where h is its Hilbert transform: that of all frequencies by
+// 90 degrees. The fourth moments of x and h give those at any angle, so that no trace is turned to find the best one.
 
 #include "WaveletPhase.h"
 

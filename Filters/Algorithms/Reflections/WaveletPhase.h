@@ -18,12 +18,12 @@ struct WaveletPhase
 };
 
 /// Of the phases that the wavelet may have, that by which traces are turned to those of largest kurtosis: a few strong
-/// peaks among much that is weak (Levy and Oldenburg 1987). Looks at 2000 traces at most, spread over the cube, and gives
-/// the same on any number of threads.
+/// peaks among much that is weak (Levy and Oldenburg 1987). Looks at 2000 traces at most, spread over the cube, and
+/// gives the same on any number of threads.
 WaveletPhase EstimatePhase(const TraceCube& cube);
 
-/// The cube with the phase of its wavelet turned by that many degrees. Missing samples stay so, and count as 0 for those
-/// around them. `cube` is copied.
+/// The cube with the phase of its wavelet turned by that many degrees. Missing samples stay so, and count as 0 for
+/// those around them. `cube` is copied.
 TraceCube TurnPhase(const TraceCube& cube, double degrees);
 }
 

@@ -454,7 +454,8 @@ private:
 
   /// A long side of an outline beside ground that takes many vertices leaves nothing but slivers between the two. Where
   /// that is, a mesh of the points near outlines tells: outlines keep the points next to its slivers, so that the best
-  /// effort, which gets rid of those inside, finds none that it has to leave. Then the same where that changed outlines.
+  /// effort, which gets rid of those inside, finds none that it has to leave. Then the same where that changed
+  /// outlines.
   void KeepBesideSlivers(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
@@ -534,7 +535,7 @@ private:
     horizon.Height = points.Select(this->Height());
     horizon.Patch = points.Select(this->Result.Boundary.Patch);
     horizon.Boundary = this->Outlines.Renumbered(points.Numbers());
-    horizon.Cuts = this->CutLinks();
+    horizon.Cuts = this->FaultedLinks();
     return MeshOf(std::move(horizon), this->FastOptions(this->Result.Parameters.MaximumError, false), monitor);
   }
 
@@ -579,12 +580,15 @@ private:
       horizon.Patch[dropped.Point] = NoPatch;
     }
     horizon.Boundary = this->Outlines;
-    horizon.Cuts = this->CutLinks();
+    horizon.Cuts = this->FaultedLinks();
     return horizon;
   }
 
   /// Someone else's.
-  std::shared_ptr<const LinkCuts> CutLinks() const { return { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; }
+  std::shared_ptr<const LinkCuts> FaultedLinks() const
+  {
+    return { std::shared_ptr<const LinkCuts>(), this->Options.Cuts };
+  }
 
   BoundedHorizon CopyHorizon() { return this->MakeHorizon(this->Height()); }
   BoundedHorizon MoveHorizon() { return this->MakeHorizon(std::move(this->Height())); }

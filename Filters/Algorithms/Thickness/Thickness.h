@@ -3,8 +3,9 @@
 //
 // The thickness of the layer between two horizons, column by column.
 //
-// The isochore is the vertical thickness. The isopach, or true thickness, is what a line across the layer measures, at a
-// right angle to the surface half-way between the two horizons: the isochore times the cosine of the dip of that surface.
+// The isochore is the vertical thickness. The isopach, or true thickness, is what a line across the layer measures, at
+// a right angle to the surface half-way between the two horizons: the isochore times the cosine of the dip of that
+// surface.
 //
 //            o .                     isochore
 //           /|   .                   |
@@ -42,8 +43,8 @@ struct LatticeScale
 
 struct Thickness
 {
-  /// Of each point of the first horizon, in the unit of z: nan in columns where the other one has no point, and negative
-  /// where the two cross: where that is the upper one which elsewhere mostly is the lower one.
+  /// Of each point of the first horizon, in the unit of z: nan in columns where the other one has no point, and
+  /// negative where the two cross: where that is the upper one which elsewhere mostly is the lower one.
   std::vector<double> Isochore;
   /// The same; nan too where the dip is not known, as there is no such column beside it along i, or along j.
   std::vector<double> Isopach;
@@ -56,8 +57,9 @@ struct Thickness
   double Volume = 0.0; // the sum over columns, each with the area of a whole bin; crossings count as 0
 };
 
-/// Of two steps to neighbours along an axis the flatter one gives the dip, so that a fault between two columns does not.
-/// Takes time linear in the points. Throws InputError when no column has points of both, or one has two of a horizon.
+/// Of two steps to neighbours along an axis the flatter one gives the dip, so that a fault between two columns does
+/// not. Takes time linear in the points. Throws InputError when no column has points of both, or one has two of a
+/// horizon.
 Thickness MeasureThickness(const ColumnSurface& first, const ColumnSurface& other, const LatticeScale& scale,
   const Monitor& monitor = Monitor());
 }

@@ -58,7 +58,7 @@ std::string CracksOf(const CrackedPatch& patch, const BoundaryOptions& options)
   return bar == std::string::npos ? std::string() : text.substr(bar + 2);
 }
 
-/// One cut link opens the two blocks beside it; a second one makes the crack longer. Sizes of holes do not count.
+/// One faulted link opens the two blocks beside it; a second one makes the crack longer. Sizes of holes do not count.
 void TestStraightCracks()
 {
   CrackedPatch patch = Full(6, 5);
@@ -165,13 +165,13 @@ void TestErrors()
   BoundaryOptions options = With(patch, 2);
   options.Growth = GrowthStrategy::Distance;
   CHECK_THROWS_WITH(FindExteriorBoundary(patch.Columns, options),
-    "cut links and growth by distance with a radius of 2 columns, expected clockwise growth, or a radius of 1");
+    "faulted links and growth by distance with a radius of 2 columns, expected clockwise growth, or a radius of 1");
   options.Radius = 1;
   CHECK_EQUAL(FindExteriorBoundary(patch.Columns, options).NumberOfPatches, 1u);
   options.HoleBoundaries = true;
   options.Seams.Lower = 0;
   CHECK_THROWS_WITH(FindExteriorBoundary(patch.Columns, options),
-    "cut links and a seam, expected one of them: a crack may continue beyond the seam");
+    "faulted links and a seam, expected one of them: a crack may continue beyond the seam");
   CHECK_EQUAL(FindExteriorBoundary({}, With(patch)).NumberOfPatches, 0u);
 }
 

@@ -168,7 +168,8 @@ void TestPointsInTheWay()
   CHECK_EQUAL(MeshChecker::CheckMesh(result, Triangulate(result).Triangles), std::string());
 }
 
-/// Edges that were simplified before and cross wide bands without points: the corner of a hole stays on its side of them.
+/// Edges that were simplified before and cross wide bands without points: the corner of a hole stays on its side of
+/// them.
 void TestLongEdgesOverEmptyBands()
 {
   const std::vector<PlanePoint> columns = { { 0, 0 }, { 15000, 1498 }, { 30000, 3000 }, { 30000, 30000 }, { 0, 30000 },

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cut links are those that were cut, wherever they lie.
+// Faulted links are those that were cut, wherever they lie.
 
 #include "Common/LinkCuts.h"
 #include "Tools/Check.h"

@@ -26,7 +26,7 @@ namespace
 constexpr std::int32_t Width = 160;
 constexpr std::int32_t Height = 120;
 constexpr double GreatestThrow = 15.0;
-constexpr double LeastThrow = 1.0; // of cut links
+constexpr double LeastThrow = 1.0; // of faulted links
 
 /// Where the fault crosses a column of the lattice, and the throw there.
 double FaultAt(std::int32_t x)

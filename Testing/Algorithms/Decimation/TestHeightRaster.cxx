@@ -126,8 +126,8 @@ void TestMeasure(Patches::Random& random)
   }
 }
 
-/// Floats decide about bounds as the heights themselves do: right at an error, beside it, and far from it, on high ground
-/// and where floats have no part of a bound.
+/// Floats decide about bounds as the heights themselves do: right at an error, beside it, and far from it, on high
+/// ground and where floats have no part of a bound.
 void TestBounds(Patches::Random& random)
 {
   for (const double lowest : { 0.0, 1e3, 1e5, 1e9 })

@@ -88,7 +88,7 @@ void CheckClosed(const Closed& closed, std::size_t triangles, const std::string&
   CHECK_EQUAL(closed.Loops, loops);
 }
 
-/// L cut links open L + 1 blocks, of two triangles each.
+/// L faulted links open L + 1 blocks, of two triangles each.
 void TestInnerCracks()
 {
   for (std::int32_t links = 1; links <= 3; ++links)

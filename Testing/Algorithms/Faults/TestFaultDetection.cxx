@@ -42,7 +42,7 @@ void FindsAStepExactly()
   CHECK_EQUAL(found.Lines.NumberOfLinks(), 25U);
   for (std::size_t n = 0; n < found.Lines.NumberOfLinks(); ++n)
   {
-    const CutLink& link = found.Lines[n];
+    const FaultedLink& link = found.Lines[n];
     CHECK_EQUAL(ToText(link.Place), "E(14," + std::to_string(link.Place.Column.Y) + ")");
     CHECK_EQUAL(link.Throw, 9.0);
     CHECK_EQUAL(link.LeftThrow(), 9.0);
@@ -157,7 +157,7 @@ void BridgesGaps()
   CHECK_EQUAL(found.Lines.NumberOfLinks(), 31U); // a step in each row, and one aside
   for (std::size_t n = 0; n < found.Lines.NumberOfLinks(); ++n)
   {
-    const CutLink& link = found.Lines[n];
+    const FaultedLink& link = found.Lines[n];
     CHECK(link.Place.Side == LinkSide::North || std::abs(link.Throw - 6.0) < 1e-9);
     CHECK(link.Place.Column.X >= 13 && link.Place.Column.X <= 18);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must be true of layers at faults, checked from the cut links and the result alone.
+// What must be true of layers at faults, checked from the faulted links and the result alone.
 
 #ifndef SeismicHorizonsFaultWallChecker_h
 #define SeismicHorizonsFaultWallChecker_h
@@ -25,8 +25,8 @@ class FaultWallChecker : public PlanChecker
 public:
   using PlanChecker::PlanChecker;
 
-  /// Also for outlines that are kept: walls are at a fault where the first block beyond them, with three columns at least,
-  /// is cut.
+  /// Also for outlines that are kept: walls are at a fault where the first block beyond them, with three columns at
+  /// least, is cut.
   std::string CheckFaultWalls() const
   {
     const ColumnNumbers numbers = this->NumberColumns();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What checkers of layers know of columns, horizons and cut links.
+// What checkers of layers know of columns, horizons and faulted links.
 
 #ifndef SeismicHorizonsLayerLattice_h
 #define SeismicHorizonsLayerLattice_h
@@ -35,8 +35,8 @@ inline std::vector<HorizonView> ViewsOf(const std::vector<Horizon>& horizons)
   return views;
 }
 
-/// The corners that cuts leave of a block, given its lower left column: 4 for all, 0 to 3 for a half without that corner
-/// (lower left, lower right, upper left, upper right), -1 for none.
+/// The corners that cuts leave of a block, given its lower left column: 4 for all, 0 to 3 for a half without that
+/// corner (lower left, lower right, upper left, upper right), -1 for none.
 inline int LeftByCuts(const LinkCuts* cuts, const Column& block)
 {
   if (!cuts)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must be true of the plan of a stack, checked with none of the code that makes it: from the horizons and the result
-// alone.
+// What must be true of the plan of a stack, checked with none of the code that makes it: from the horizons and the
+// result alone.
 
 #ifndef SeismicHorizonsPlanChecker_h
 #define SeismicHorizonsPlanChecker_h
@@ -164,8 +164,8 @@ protected:
     return missing == 0 && completed == stack.Completed ? "" : "wrong number of common columns";
   }
 
-  /// Of points of horizons in columns that the stack does not have: infinite for those inside the plan, and for those on
-  /// its outline how far they are from it.
+  /// Of points of horizons in columns that the stack does not have: infinite for those inside the plan, and for those
+  /// on its outline how far they are from it.
   std::vector<double> ErrorsOnEdges() const
   {
     const ColumnNumbers numbers = this->NumberColumns();

@@ -52,7 +52,8 @@ std::map<double, int> CountOrigins(const LatticeHorizon& surface)
   return counts;
 }
 
-/// Each guide gives its layer whole, in the order of guides, whatever that of energies; origins and distances are exact.
+/// Each guide gives its layer whole, in the order of guides, whatever that of energies; origins and distances are
+/// exact.
 void TestLayers()
 {
   const Traces traces = TwoLayers();

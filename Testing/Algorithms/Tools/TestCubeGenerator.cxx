@@ -112,8 +112,8 @@ void TestNoise()
   }
 }
 
-/// The Hilbert transform of the wavelet is odd, has its energy, and none of it in common with it; turned by 90 degrees, a
-/// reflection is 0 at its place.
+/// The Hilbert transform of the wavelet is odd, has its energy, and none of it in common with it; turned by 90 degrees,
+/// a reflection is 0 at its place.
 void TestPhase()
 {
   double own = 0.0;
