@@ -104,8 +104,7 @@ double FindTolerance(vtkPolyData* horizon, const Lattice& lattice)
   {
     return Hundredth;
   }
-  const double rounding =
-    lattice.LargestCoordinate() * std::numeric_limits<float>::epsilon(); // twice what it is at most
+  const double rounding = lattice.LargestCoordinate() * std::numeric_limits<float>::epsilon(); // twice the largest
   const double columns = rounding * lattice.ColumnsPerUnit();
   if (columns > Most)
   {

@@ -27,7 +27,7 @@ def main():
     proxies = 0
     for path in pathlib.Path(sys.argv[1]).glob("*.xml"):
         for group in ElementTree.parse(path).iter("ProxyGroup"):
-            for proxy in group.findall("SourceProxy[@class]") + group.findall("WriterProxy"):  # others are bases
+            for proxy in group.findall("SourceProxy[@class]") + group.findall("WriterProxy[@class]"):  # others are bases
                 page = pages["%s.%s.html" % (group.get("name"), proxy.get("name"))]
                 assert proxy.get("label") in page, proxy.get("name")
                 assert proxy.find("Documentation").get("long_help") in page, proxy.get("name")
