@@ -140,7 +140,7 @@ class BrowserTest(unittest.TestCase):
         """The page says so in place of the meshes, and all else is there."""
         with browser.Browser("--disable-3d-apis") as plain:
             plain.open(self.sample)
-            self.assertIn("needs JavaScript and WebGL", plain.run("return document.getElementById('meshes').innerText"))
+            self.assertIn("need JavaScript and WebGL", plain.run("return document.getElementById('meshes').innerText"))
             self.assertTrue(plain.run("return document.getElementById('viewer').hidden"))
             plain.run("document.querySelectorAll('#table thead button')[1].click()")
             self.assertEqual(plain.run("return document.querySelectorAll('[aria-sort]').length"), 1)

@@ -132,10 +132,10 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(len(ids), len(set(ids)))
         self.assertEqual([link["href"] for link in page.all("a") if link["href"][1:] not in ids], [])
         for text in ("120 \u00d7 100 columns", "18,258", "Horizon 2", "VTK 9", "--largest-error 0.75", "MaximumError",
-                     "Smallest angle", "counted downwards"):
+                     "Smallest angle", "increasing downwards"):
             self.assertIn(text, page.text())
         size = self.page.stat().st_size / 1e6
-        self.assertIn("one file of %.1f MB" % size, page.text())
+        self.assertIn("a single file of %.1f MB" % size, page.text())
         self.assertFalse((self.folder / "results" / "blobs_error.csv").exists())
 
     def test_names_are_text(self):
@@ -204,7 +204,7 @@ class ReportTest(unittest.TestCase):
         self.assertLess(self.page.stat().st_size, 12 * MEGABYTE)
         self.assertEqual(len([d for d in page.all("details") if d["class"] == "horizon"]), 200)
         self.assertEqual(len([image for image in page.all("img") if image["alt"]]), 4 * album.MOST_PICTURED)
-        self.assertIn("for the 12 horizons with most points, of 200.", page.text())
+        self.assertIn("for the 12 horizons with the most points, of 200.", page.text())
         self.assertEqual(len([row for row in page.all("th") if "data-value" in row]), 200)
         self.assertIn("filter", [attributes.get("id") for attributes in page.all("input")])
 

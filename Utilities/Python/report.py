@@ -94,7 +94,7 @@ def make(run, album, three):
         command=shlex.join(run["command"]["words"]),
         versions=", ".join("%s %s" % (name, text) for name, text in run["versions"].items() if text),
         notes=Markup("@notes@"), scripts=join(fill("script", code=Markup("\n" + code + "\n")) for code in codes))
-    note = fill("note", text="This page is one file of %.1f MB, and takes nothing from the network. It was made by "
+    note = fill("note", text="This page is a single file of %.1f MB and loads nothing from a network. Made by "
                 "SeismicHorizons %s." % (len(page.encode("utf-8")) / 1e6, run["versions"]["SeismicHorizons"]))
     # There is no other place like it: what is not ours is escaped, or base64.
     return page.replace("<footer>\n@notes@", "<footer>\n" + note, 1)
@@ -125,8 +125,8 @@ def _viewer(run, album, three):
                     "room for %d MB." % (MESH_BYTES >> 20) if any(h["triangles"] for _, h in pairs) else
                     "There is no mesh with triangles.")
     left_out = sum(1 for number, (_, h) in enumerate(pairs) if h["triangles"] and number not in having)
-    note = "At full resolution, in their coordinates. " + (
-        "%s larger than the %d MB for which there is room, and only in the files." % (
+    note = "At full resolution, in world coordinates. " + (
+        "%s omitted, as a report holds at most %d MB of meshes." % (
             "1 mesh is" if left_out == 1 else "%d meshes are" % left_out, MESH_BYTES >> 20) if left_out else "")
     by_error = any(album.entries[number].mesh.error_on for number in having)
     return fill("viewer", note=note, choices=join((_choices(run, having), _body_choices(run, album))), manifest=as_json(_manifest(run, album, having)),

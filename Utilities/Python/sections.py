@@ -28,18 +28,18 @@ COLUMNS = (
 LAYER_COLUMNS = (
     ("Volume", "to the outermost columns", lambda own: own["volume"], "{:.6g}"),
     ("Area", "seen from above", lambda own: own["area"], "{:.6g}"),
-    ("Least thickness", "vertical", lambda own: own["thickness_least"], "{:.4g}"),
+    ("Smallest thickness", "vertical", lambda own: own["thickness_least"], "{:.4g}"),
     ("Mean thickness", "vertical", lambda own: own["thickness_mean"], "{:.4g}"),
     ("Largest thickness", "vertical", lambda own: own["thickness_largest"], "{:.4g}"),
     ("Crossings", "columns where its horizons cross", lambda own: own["crossings"], "{:,}"),
     ("Deepest crossing", "of these", lambda own: own["deepest_crossing"], "{:.4g}"),
-    ("Volume at faults", "of the strip that is left out between both sides of faults", lambda own: own["volume_at_faults"],
+    ("Volume at faults", "of the strip between both sides of faults, which layers leave out", lambda own: own["volume_at_faults"],
      "{:.4g}"))
-ERROR_ROWS = (("largest (Hausdorff), at most", "largest"), ("largest found", "largest_found"), ("mean", "mean"),
-              ("root mean square", "rms"), ("median", "median"), ("90 % are below", "percentile_90"),
-              ("95 %", "percentile_95"), ("99 %", "percentile_99"), ("outlines, on the map", "outline"))
+ERROR_ROWS = (("Hausdorff distance, at most", "largest"), ("largest found", "largest_found"), ("mean", "mean"),
+              ("root mean square", "rms"), ("median", "median"), ("90th percentile", "percentile_90"),
+              ("95th percentile", "percentile_95"), ("99th percentile", "percentile_99"), ("outlines, on the map", "outline"))
 STAGE_NAMES = {"despiked": "despiking", "torn": "faults", "filled": "hole filling", "simplified": "outline"}
-PREPARED = {"despiked": "spikes removed", "torn": "links cut along faults", "filled": "points filled in"}
+PREPARED = {"despiked": "removed spikes", "torn": "faulted links", "filled": "filled points"}
 MOST_OPEN_FILES = 3
 METER = "vtkHorizonSurfaceDistance"
 FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
@@ -67,7 +67,7 @@ def tiles(run):
     before, after = (sum(h[name] for h in horizons) for name in ("points_in", "points_out"))
     shown = [("Horizons", "{:,}".format(len(horizons))), ("Points in", "{:,}".format(before)),
              ("Points out", "{:,}".format(after)),
-             ("Fewer by", "%.1f %%" % (100.0 * (before - after) / before) if before else "-"),
+             ("Reduction", "%.1f %%" % (100.0 * (before - after) / before) if before else "-"),
              ("Triangles", "{:,}".format(sum(h["triangles"] for h in horizons)))]
     closing = sum(h["fault_triangles"] for h in horizons)
     if closing:
@@ -81,19 +81,19 @@ def tiles(run):
 
 def links(has_horizons, has_meshes, has_layers):
     """To the sections that there are."""
-    shown = [("files", "What was read", True), ("horizons", "Horizons", has_horizons), ("layers", "Layers", has_layers),
+    shown = [("files", "Input", True), ("horizons", "Horizons", has_horizons), ("layers", "Layers", has_layers),
              ("meshes", "Meshes", has_meshes),
              ("details", "Horizon by horizon", has_horizons), ("parameters", "Parameters", True),
-             ("again", "To do it again", True)]
+             ("again", "Repeat this run", True)]
     return join(fill("link", id=place, text=text) for place, text, is_there in shown if is_there)
 
 
 def problems(run):
     """Errors and warnings; nothing where there are none."""
-    found = [("error", "Not done.", run["error"])] if run["error"] else []
+    found = [("error", "Failed.", run["error"])] if run["error"] else []
     for file in run["files"]:
         if file["error"]:
-            found.append(("error", "Not done." if file["status"] != "done" else "Error.", file["error"]))
+            found.append(("error", "Failed." if file["status"] != "done" else "Error.", file["error"]))
         found += [("warning", "Warning.", text) for text in file["warnings"]]
     if not found:
         return Markup()
@@ -113,13 +113,13 @@ def files(run):
 
 def _file_card(file, is_open):
     words = [file["format"], None if file["bytes"] is None else amount_text(file["bytes"], "B"),
-             count(len(file["horizons"]), "horizon") if file["status"] == "done" else "not done"]
+             count(len(file["horizons"]), "horizon") if file["status"] == "done" else "failed"]
     return fill("file", label=file["label"], open=is_open, short=", ".join(filter(None, words)), facts=facts([
         ("File", file["path"]), ("Size", None if file["bytes"] is None else _bytes(file["bytes"])),
         ("Format", file["format"]),
-        ("The reader found", fill("lines", lines="\n".join(file["description"])) if file["description"] else None),
+        ("Interpreted as", fill("lines", lines="\n".join(file["description"])) if file["description"] else None),
         ("Horizons", _horizons_read(file)), *_survey(file["survey"] or {}),
-        ("Read in", None if file["seconds_reading"] is None else "%.2f s" % file["seconds_reading"]),
+        ("Time to read", None if file["seconds_reading"] is None else "%.2f s" % file["seconds_reading"]),
         ("Results", ", ".join(file["results"][:8]) + (
             " and %d more" % (len(file["results"]) - 8) if len(file["results"]) > 8 else ""))]))
 
@@ -144,7 +144,7 @@ def _survey(survey):
               "%(first_crossline)g in steps of %(crossline_step)g" % lines),
              ("Coordinate system", survey.get("coordinate_system")),
              ("Units", _units(survey))]
-    dropped = [("dropped_duplicates", "more than one in a column"), ("dropped_nulls", "no value")]
+    dropped = [("dropped_duplicates", "duplicates in a column"), ("dropped_nulls", "no value")]
     left = ["%s (%s)" % (count(survey[key], "point"), why) for key, why in dropped if survey.get(key)]
     return pairs + [("Left out", ", ".join(left))]
 
@@ -165,7 +165,7 @@ def _units(survey):
                                       and "in %s" % survey["vertical_unit"])))
     direction = survey["vertical_direction"]
     return "x and y: %s; z: %s%s" % (survey["horizontal_unit"] or "not stated", vertical or "not stated",
-                                     ", counted %swards" % direction if direction else "")
+                                     ", increasing %swards" % direction if direction else "")
 
 
 def horizon_table(run, album):
@@ -236,8 +236,8 @@ def details(run, album):
         return Markup()
     drawn = sum(1 for entry in album.entries if entry.pictures)
     note = "No pictures were requested." if not album.with_pictures else (
-        "Pictures of the stages are there for %s." % ("all horizons" if drawn == len(pairs) else
-                                                      "the %d horizons with most points, of %d" % (drawn, len(pairs))))
+        "Stages are shown for %s." % ("all horizons" if drawn == len(pairs) else
+                                      "the %d horizons with the most points, of %d" % (drawn, len(pairs))))
     many = len(run["files"]) > 1
     return fill("details", note=note, horizons=join(
         _details(number, horizon, file["survey"] or {}, album.entries[number], file["label"] if many else None)
@@ -250,8 +250,8 @@ def _details(number, horizon, survey, entry, label):
     units = {"lattice": "lattice units", "world": _world_units(survey)}
     unit = horizon["distances"] and units[horizon["distances"]["unit"]]
     words = [label, count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"),
-             "at most %.3g off vertically" % largest if largest is not None else
-             None if distance is None else "at most %.3g off" % distance]
+             "vertical error at most %.3g" % largest if largest is not None else
+             None if distance is None else "error at most %.3g" % distance]
     return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon, unit),
                 turn=fill("turn", number=number) if entry.mesh else None,
                 pictures=_pictures(horizon["name"], entry, unit), facts=_horizon_facts(horizon, survey),
@@ -278,10 +278,10 @@ def _picture(picture, alt, last, unit):
 def _charts(horizon, unit):
     shown = []
     if horizon["distances"]:
-        shown.append(histogram("Distance of the horizon's points from the mesh", "share of the points",
+        shown.append(histogram("Distance of the horizon's points from the mesh", "fraction of the points",
                                horizon["distances"]["counts"], horizon["distances"]["farthest"], unit))
     if horizon["angles"]:
-        shown.append(histogram("Smallest angle of the triangles", "share of the triangles, seen from above",
+        shown.append(histogram("Smallest angle of the triangles", "fraction of the triangles, on the map",
                                horizon["angles"]["counts"], 60.0, "degrees"))
     return join(shown)
 
@@ -301,7 +301,7 @@ def _horizon_facts(horizon, survey):
         *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
         ("Vertical error", horizon["vertical_error"] and _vertical_text(horizon, survey)),
         ("Chosen", chosen), ("Extent", bounds and "x %.10g to %.10g, y %.10g to %.10g, z %.10g to %.10g" % tuple(bounds)),
-        ("Time", seconds), ("Written", ", ".join(horizon["results"]))])
+        ("Time", seconds), ("Files", ", ".join(horizon["results"]))])
 
 
 def _vertical_text(horizon, survey):

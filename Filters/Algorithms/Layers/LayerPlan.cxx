@@ -216,7 +216,7 @@ private:
       {
         const PlanePoint& a = this->Result.Stack.Columns[std::size_t(from)];
         const PlanePoint& b = this->Result.Stack.Columns[std::size_t(to)];
-        twice += std::int64_t(a.X) * b.Y - std::int64_t(b.X) * a.Y;
+        twice += std::int64_t(a.X) * (b.Y - a.Y) - std::int64_t(a.Y) * (b.X - a.X);
       });
     return 0.5 * std::abs(double(twice));
   }
