@@ -21,7 +21,8 @@ except ImportError:
     print("skipped: no segyio")
     sys.exit(77)
 FILES = sorted(path for path in (pathlib.Path(sys.argv[1]) / "segy").glob("*.s*gy"))
-FORMATS = (1, 2, 3, 5, 6, 8)  # all that segyio writes
+# All that segyio writes; versions 1.8 and before, as of Debian 12, write traces of 1 and 8 bytes a sample too short.
+FORMATS = (1, 2, 3, 5) if segyio.__version__ < "1.9" else (1, 2, 3, 5, 6, 8)
 
 
 def read(path):
