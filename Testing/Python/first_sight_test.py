@@ -274,6 +274,16 @@ class FirstSightTest(unittest.TestCase):
         crossings = simple.HorizonCrossings(Input=horizons[:2], MinimumThickness=1000)
         self.assertEqual(colored_by(self.show(crossings)), ("POINTS", "Moved"))
 
+    def test_thickness_at_points_and_as_a_map(self):
+        base = FOLDER / "base.xyz"
+        base.write_text("Inline Crossline X Y Z\n" + "".join(
+            "%d %d %d %d %d\n" % (row, column, 25 * column, 25 * row, 140 + 2 * row)
+            for row in range(12) for column in range(12)))
+        other = simple.HorizonTextReader(FileName=[str(base)], VerticalUnit="m")
+        thickness = simple.HorizonThickness(Input=self.picks("m", 100), OtherHorizon=other)
+        for port in (0, 1):
+            self.assertEqual(colored_by(self.show(thickness, port)), ("POINTS", "Isochore"))
+
     def test_distances(self):
         mesh = simple.HorizonSurface(Input=self.horizons)
         display = self.show(simple.HorizonSurfaceDistance(Reference=self.horizons, Mesh=mesh), 1)
