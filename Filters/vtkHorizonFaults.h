@@ -12,7 +12,8 @@
  * data, which replaces existing cuts; a link joins two neighbouring columns of the lattice:
  *  - FaultedLinks (3 int): i, j and side of each faulted link; side 0 is the link to column (i + 1, j), 1 that to (i, j
  *    + 1). Sorted by j, i and side, each once. Columns may be missing;
- *  - FaultThrow (double): height beyond the link minus height before it, in vertical indices; nan if unknown;
+ *  - FaultThrow (double): throw, whole ramps included: vertical index beyond the link minus that before it; nan if
+ *    unknown;
  *  - FaultLine (int): the fault line of the link;
  *  - FaultNoise (double): standard deviation of height differences due to noise alone, in vertical indices;
  *  - SmallestFaultThrow (double): the throw that a fault must reach somewhere, in vertical indices;

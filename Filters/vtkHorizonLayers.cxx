@@ -20,6 +20,7 @@
 #include "Marshalling/LayerOutput.h"
 #include "Surface/Surface.h"
 
+#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -184,7 +185,9 @@ void vtkHorizonLayers::Write(
   WriteLayerTable(layers, volumes, stack,
     this->MeasureAboveContact ? std::optional<double>(this->Contact) : std::nullopt,
     vtkTable::SafeDownCast(outputs[TablePort]));
-  WriteVolumeCurve(plan, stack, vtkTable::SafeDownCast(outputs[CurvePort]));
+  vtkTable* const curve = vtkTable::SafeDownCast(outputs[CurvePort]);
+  WriteVolumeCurve(plan, stack, curve);
+  this->WarnOfContact(curve);
   this->Results = TellLayers(layers, volumes, stack);
   this->WarnOfEmpty(volumes, stack);
 }
@@ -205,6 +208,23 @@ void vtkHorizonLayers::WarnOfEmpty(const std::vector<LayerVolume>& volumes, cons
     vtkWarningMacro(
       << empty.front() << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " other layers," : "")
       << " without a cell, expected horizons that are apart by more than the error over an area that both have");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonLayers::WarnOfContact(vtkTable* curve)
+{
+  vtkDataArray* const contacts = vtkDataArray::SafeDownCast(curve->GetColumnByName("Contact"));
+  if (!this->MeasureAboveContact || !contacts)
+  {
+    return;
+  }
+  const double* const range = contacts->GetRange(0);
+  if (this->Contact < range[0] || this->Contact > range[1])
+  {
+    vtkWarningMacro(<< "contact " << this->Contact << (this->Contact > range[1] ? " above" : " below")
+                    << " all layers, expected a z from " << range[0] << " to " << range[1]
+                    << ": depths and times are negative");
   }
 }
 

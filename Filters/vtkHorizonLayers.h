@@ -50,6 +50,7 @@ struct Layers;
 enum class CrossingPolicy;
 }
 class vtkDataObject;
+class vtkTable;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayers : public vtkHorizonStackStage
 {
@@ -60,8 +61,8 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point of any horizon from the layers. Three times the noise of the heights needs
-   * few cells. Unit: HeightUnit. Range: at least 0. Default: 0.75.
+   * The largest vertical distance of a point of any horizon from the layers. With three times the noise of the
+   * heights, cells are few. Unit: HeightUnit. Range: at least 0. Default: 0.75.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
@@ -209,6 +210,7 @@ private:
     const std::vector<vtkDataObject*>& outputs);
   void WarnOfEmpty(
     const std::vector<SeismicHorizons::LayerVolume>& volumes, const SeismicHorizons::HorizonStack& stack);
+  void WarnOfContact(vtkTable* curve);
   void WarnOfCrossings(const SeismicHorizons::CrossingRepair& repair,
     const std::vector<SeismicHorizons::CrossingPolicy>& policies, const SeismicHorizons::HorizonStack& stack);
 

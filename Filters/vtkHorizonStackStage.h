@@ -62,8 +62,8 @@ public:
   ///@{
   /**
    * What happens in columns where horizons cross. Mean: all move to their mean, which suits noise. UpperWins: the lower
-   * one moves, as if eroded. LowerWins: the upper one moves, as if it onlaps. Stop: an error that says where and how
-   * deep. Default: Mean.
+   * one moves, as if eroded. LowerWins: the upper one moves, as if it onlaps. Stop: an error that says in how many
+   * columns, and how deep. Default: Mean.
    */
   vtkSetClampMacro(Crossings, int, Mean, Stop);
   vtkGetMacro(Crossings, int);

@@ -5,8 +5,9 @@
  * @brief   measures the distances between a mesh and the horizon it represents, in both directions
  *
  * Input 0, the reference: a triangle mesh, or a horizon without triangles, which is meshed at full resolution inside
- * its loops, or else inside its exterior boundary of the given Radius, with holes closed. Input 1: a triangle mesh from
- * any source. In composite datasets each horizon needs a counterpart of the same name.
+ * its loops, or else inside its exterior boundary: with the radius and the open holes of a mesh by vtkHorizonSurface,
+ * else of the given Radius, with holes closed. Input 1: a triangle mesh from any source. In composite datasets each
+ * horizon needs a counterpart of the same name.
  *
  * Outputs 0 and 1: the reference as it was meshed, and the mesh, with all their arrays and new point arrays:
  *  - Distance (double): to the nearest place of the other surface, in DistanceUnit;
@@ -102,8 +103,8 @@ public:
 
   ///@{
   /**
-   * For a reference with neither triangles nor outlines: the Radius of its vtkHorizonExteriorBoundary. Unit: columns.
-   * Range: 1 to 32. Default: 1.
+   * For a reference with neither triangles nor outlines, and a mesh not by vtkHorizonSurface: the Radius of its
+   * vtkHorizonExteriorBoundary. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkSetMacro(Radius, int);
   vtkGetMacro(Radius, int);

@@ -87,17 +87,16 @@ class _Height(float):
 
     def __new__(cls, text):
         number, unit = re.fullmatch(r"\s*(.*?)\s*(%s|)\s*" % "|".join(HEIGHT_UNITS), text).groups()
-        height = super().__new__(cls, number)
-        if not 0.0 <= height < float("inf"):
-            raise ValueError(text)
+        plain = re.fullmatch(r"\+?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", number, re.I)
+        height = super().__new__(cls, number if plain else "nan")
+        if not height < float("inf"):
+            raise argparse.ArgumentTypeError("%s, expected a number of at least 0, with or without a unit (%s), such as 2ms" % (
+                text, ", ".join(HEIGHT_UNITS)))
         height.unit = unit
         return height
 
     def __str__(self):
         return "%g%s" % (self, self.unit)
-
-
-_Height.__name__ = "number >= 0, or one with a unit, as 2ms (%s):" % ", ".join(HEIGHT_UNITS)
 
 
 def _memory(text):
@@ -157,9 +156,8 @@ def make_parser():
 
 def _add_telling_options(group):
     group.add_argument("--report", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE.html",
-                       help="write a page for a browser about the whole run: what was read, figures, pictures, meshes to "
-                       "turn around, and how to do it again, all in one file; measures the error, too, but of horizons "
-                       "that are larger than memory")
+                       help="write an HTML report of the run: input, figures, pictures, interactive meshes, and the "
+                       "command that repeats it; also measures the error, except of horizons larger than memory")
     group.add_argument("--json", action="store_true",
                        help="print one JSON object with all figures in place of the tables, for programs; "
                        "Documentation/Report.md tells of its keys")
@@ -277,8 +275,8 @@ def _add_mesh_options(group):
     target.add_argument("--stages", action="store_true",
                         help="by the stages of the thesis, from exterior boundary to triangulation")
     group.add_argument("--radius", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="K",
-                       help="how far the outline may reach from one point to the next, and so how wide a gap it "
-                       "closes; lattice units (default: chosen from the points; 1 with --stages)")
+                       help="the longest step of the outline between two points, in columns: narrower gaps are "
+                       "bridged (default: chosen from the points; 1 with --stages)")
     group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=GROWTH_STRATEGIES[1],
                        help="how an outline of a radius above 1 grows")
     group.add_argument("--minimum-patch-size", type=_number_at_least(int, 1), default=1, metavar="N",

@@ -22,6 +22,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -31,17 +32,40 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr double LongestRadius = 32.0; // columns, as vtkHorizonExteriorBoundary has it
+constexpr double LargestHole = 1e15; // columns
+
 // ---- The reference as a mesh ----------------------------------------------------------------------------------------
 
+/// How the outlines of a horizon are found: as those of its mesh, where vtkHorizonSurface made that.
+BoundaryOptions OptionsAsOf(vtkPolyData* mesh, int radius)
+{
+  BoundaryOptions options;
+  options.Radius = radius;
+  const auto figure = [mesh](const char* name)
+  {
+    vtkDataArray* const array = FindNumbers(mesh->GetFieldData(), name);
+    return array && array->GetNumberOfTuples() == 1 ? array->GetComponent(0, 0) : std::nan("");
+  };
+  const double chosen = figure(FieldArray::ChosenRadius);
+  const double smallest = figure(FieldArray::ChosenSmallestHoleSize);
+  const double holes = figure(FieldArray::NumberOfHoles);
+  if (chosen >= 1.0 && chosen <= LongestRadius && smallest >= 1.0 && smallest <= LargestHole && holes >= 0.0)
+  {
+    options.Radius = int(chosen);
+    options.HoleBoundaries = holes > 0.0;
+    options.SmallestHoleSize = std::int64_t(smallest);
+  }
+  return options;
+}
+
 /// What the triangulation needs of a horizon; the boundary is found when the horizon has no loops.
-BoundedHorizon ReadHorizon(const LatticePoints& points, int radius, const Monitor& monitor)
+BoundedHorizon ReadHorizon(const LatticePoints& points, BoundaryOptions options, const Monitor& monitor)
 {
   if (points.Horizon->GetNumberOfLines() > 0)
   {
     return ReadPatchesAndBoundary(points);
   }
-  BoundaryOptions options;
-  options.Radius = radius;
   const std::optional<LinkCuts> cuts = FindCuts(points.Horizon, PlaneBox(points.Column));
   options.Cuts = cuts ? &*cuts : nullptr;
   ExteriorBoundary found = FindExteriorBoundary(points.Column, options, monitor);
@@ -53,12 +77,12 @@ BoundedHorizon ReadHorizon(const LatticePoints& points, int radius, const Monito
 }
 
 /// The horizon with all its points as a mesh.
-void MeshHorizon(vtkPolyData* input, int radius, vtkPolyData* output, const Monitor& monitor)
+void MeshHorizon(vtkPolyData* input, const BoundaryOptions& options, vtkPolyData* output, const Monitor& monitor)
 {
   output->GetFieldData()->PassData(input->GetFieldData());
   const LatticePoints points =
     input->GetNumberOfLines() > 0 ? ReadPoints(input, { output }) : ReadColumns(input, { output });
-  const BoundedHorizon horizon = ReadHorizon(points, radius, monitor.Step(0.0, 0.5));
+  const BoundedHorizon horizon = ReadHorizon(points, options, monitor.Step(0.0, 0.5));
   Triangulation mesh = Triangulate(horizon, TriangulationOptions(), monitor.Step(0.5, 1.0));
   FaceUp(points.Lattice, mesh.Triangles);
   output->SetPoints(points.Horizon->GetPoints());
@@ -226,7 +250,8 @@ void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
     pair.ReferenceOutput->ShallowCopy(pair.Reference);
     return;
   }
-  PrefixErrors("reference", [&]() { MeshHorizon(pair.Reference, radius, pair.ReferenceOutput, monitor); });
+  PrefixErrors(
+    "reference", [&]() { MeshHorizon(pair.Reference, OptionsAsOf(pair.Mesh, radius), pair.ReferenceOutput, monitor); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -15,8 +15,9 @@ namespace SeismicHorizons
 struct HorizonPair;
 
 /// Writes the reference as a mesh to its output. A reference with triangles is passed as it is. Any other is meshed
-/// with all its points: inside its loops, or where it has none, inside its exterior boundary of that radius. Throws
-/// InputError when it cannot be meshed.
+/// with all its points: inside its loops, or where it has none, inside its exterior boundary, with the radius and the
+/// holes of a mesh by vtkHorizonSurface, else of that radius, with holes closed. Throws InputError when it cannot be
+/// meshed.
 void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor);
 
 struct MeasuredPair

@@ -115,7 +115,7 @@ class FilesTest(unittest.TestCase):
         for arguments, text in (
                 (("--largest-error", "2m", dome), "2m for z in ms, expected ms or s (--vertical-unit says what z is in)"),
                 (("--despike", "1ms", SAMPLE), "in ms, and z in vertical indices, expected --vertical-step with"),
-                (("--largest-error", "2 km", dome), "invalid number >= 0, or one with a unit")):
+                (("--largest-error", "2 km", dome), "2 km, expected a number of at least 0, with or without a unit")):
             code, messages, _ = self.run_program(*arguments)
             self.assertEqual((code, len(messages)), (1, 1), messages)
             self.assertIn(text, messages[0])

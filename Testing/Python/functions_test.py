@@ -176,6 +176,17 @@ class StagesTest(unittest.TestCase):
         self.assertEqual(places(sh.surface(top, largest_error="0.002 s")).tobytes(), places(plain).tobytes())
         self.assertLessEqual(sh.distance(top, mesh, unit="World").figures["reference to mesh"]["largest"], 2.0 + 1e-9)
         self.assertGreater(sh.distance(top, mesh).percentile_95, 0.0)
+
+    def test_distance_leaves_open_what_the_mesh_does(self):
+        """The horizon as read has the holes of its mesh, over which nothing is measured, and its radius."""
+        row, column = np.mgrid[:60, :70]
+        heights = 1000.0 + 0.3 * row + 40.0 * np.exp(-((column - 40) ** 2 + (row - 30) ** 2) / 60.0)
+        heights[26:35, 36:45] = np.nan
+        for spread in (heights, np.where(row % 2 == 0, heights, np.nan)):
+            top = sh.horizon(spread)
+            mesh = sh.surface(top, largest_error=0.5)
+            self.assertEqual(sh.details(mesh).number_of_holes, 1)
+            self.assertLessEqual(sh.distance(top, mesh).largest, 0.5 + 1e-9)
         self.assertLessEqual(sh.surface(top, triangles=50).GetNumberOfPolys(), 50)
         self.assertIs(type(sh.details(mesh).largest_error), float)
 

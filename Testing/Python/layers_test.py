@@ -130,7 +130,8 @@ class LayersTest(unittest.TestCase):
                 self.check(made, horizons, 0.1)
                 self.assertEqual(list(made.figures), ["Top to Middle", "Middle to Base"])
                 np.testing.assert_allclose([own.volume for own in made.figures.values()], expected, rtol=1e-9)
-        contact = sh.layers(horizons, contact=-1e6).figures["Middle to Base"]
+        with self.assertWarnsRegex(UserWarning, "contact -1e\\+06 below all layers, expected a z from "):
+            contact = sh.layers(horizons, contact=-1e6).figures["Middle to Base"]
         self.assertAlmostEqual(contact.volume_above_contact, contact.volume, delta=1e-9 * contact.volume)
 
     def test_pinch_out(self):
@@ -156,7 +157,7 @@ class LayersTest(unittest.TestCase):
         self.assertEqual(moves["UpperWins"], {"Top": 0, "Fill": 0, "Basement": 15 * ROWS})
         self.assertEqual(moves["LowerWins"], {"Top": 10 * ROWS, "Fill": 15 * ROWS, "Basement": 0})
         self.assertEqual(moves["Mean UpperWins"], moves["UpperWins"])
-        with self.assertRaisesRegex(ValueError, "Fill and Basement cross in 450 columns, by up to 30 lattice units, expected none"):
+        with self.assertRaisesRegex(ValueError, "Fill and Basement cross in 450 columns, by up to 30 lattice units, expected none: choose Mean"):
             sh.layers(horizons, order="AsGiven", crossings_by_layer="Mean Stop")
         with self.assertWarnsRegex(UserWarning, "Fill and Basement cross by up to 30, expected no more than their noise makes"):
             sh.layers(horizons, order="AsGiven")

@@ -181,7 +181,7 @@ def _require_scale(label, supply, settings):
     """Raises HorizonError where heights have a unit, and nothing says how long a vertical index is."""
     if settings.said_unit() and reading.counts_indices(supply.origin["format"], settings.reader):
         raise HorizonError("%s: an error or threshold in %s, and z in vertical indices, expected --vertical-step with the "
-                           "length of one" % (label, settings.said_unit()))
+                           "length of one, or --z-from RealZ" % (label, settings.said_unit()))
 
 
 def _run_stages(label, supply, settings, record, names, folder, found):

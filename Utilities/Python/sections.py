@@ -335,8 +335,8 @@ def parameters(run):
         else:
             shown = "defaults"
         rows.append(fill("parameter", name=name, values=shown))
-    return fill("parameters", rows=join(rows), note="What is not named here has its default, as the page of the class in "
-                "the documentation tells. What was chosen for each horizon stands with it, above.")
+    return fill("parameters", rows=join(rows), note="Other parameters have their defaults, see the documentation. Values "
+                "that were chosen automatically are listed with each horizon.")
 
 
 def _value(value):

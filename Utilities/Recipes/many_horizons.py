@@ -4,8 +4,8 @@
 
     python3 many_horizons.py results picks/*.dat survey.vsm
 
-Runs in the Python of the system; the package seismichorizons has to be found by it. A file that cannot be read is
-told of, and the others are done.
+Runs in the Python of the system; the package seismichorizons has to be found by it. Files that cannot be
+read are listed, and the others are done.
 """
 
 import argparse

@@ -82,7 +82,7 @@ struct CrossingRepair
 using HeightStack = std::vector<std::vector<double>>;
 
 /// Throws InputError when there are fewer than two horizons, with a wrong number of policies, and where horizons cross
-/// that have to stop: "Top and Base cross in 13481 columns, by up to 2.1 lattice units, expected none".
+/// that have to stop: "Top and Base cross in 13481 columns, by up to 2.1 lattice units, expected none: ...".
 CrossingRepair RepairCrossings(
   HeightStack& heights, const CrossingOptions& options = CrossingOptions(), const Monitor& monitor = Monitor());
 
