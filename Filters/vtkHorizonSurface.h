@@ -164,8 +164,8 @@ public:
 
   ///@{
   /**
-   * Whether the tolerance of outlines on the map, in columns, is the error of the mesh. Off: OutlineTolerance.
-   * Default: on.
+   * Whether the tolerance of outlines on the map, in columns, is the error of the mesh, but at most 2 unless the target
+   * is NumberOfTriangles. Off: OutlineTolerance. Default: on.
    */
   vtkSetMacro(AutomaticOutlineTolerance, bool);
   vtkGetMacro(AutomaticOutlineTolerance, bool);

@@ -173,7 +173,8 @@ private:
   ExteriorBoundary FindBoundary(const Monitor& monitor)
   {
     OrderedStack& stack = this->Result.Stack;
-    this->Result.OutlineTolerance = this->Options.OutlineTolerance.value_or(this->Options.MaximumError);
+    this->Result.OutlineTolerance =
+      this->Options.OutlineTolerance.value_or(ToleranceOfOutlines(this->Options.MaximumError));
     this->Result.Radius = this->Options.Radius ? *this->Options.Radius : ChooseRadius(stack.Columns);
     this->Result.SmallestHoleSize = this->Options.SmallestHoleSize
       ? *this->Options.SmallestHoleSize

@@ -544,7 +544,9 @@ private:
   {
     SurfaceParameters& parameters = this->Result.Parameters;
     parameters.MaximumError = error;
-    parameters.OutlineTolerance = this->Options.OutlineTolerance.value_or(error);
+    const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
+    parameters.OutlineTolerance =
+      this->Options.OutlineTolerance.value_or(isByNumber ? error : ToleranceOfOutlines(error));
     parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(error);
     this->FindBoundary(monitor.Step(0.0, 0.5));
     if (this->Result.Kept.empty())

@@ -75,6 +75,14 @@ struct SurfacePoints
   std::vector<double> Height; // lattice units
 };
 
+/// How far outlines of a mesh within an error may be off on the map, in columns: where vertical indices are short, an
+/// error may be many of them, and outlines stay all the same.
+inline double ToleranceOfOutlines(double error)
+{
+  constexpr double Most = 2.0;
+  return error < Most ? error : Most;
+}
+
 struct Surface
 {
   SurfaceParameters Parameters;
