@@ -87,9 +87,11 @@ class _Height(float):
 
     def __new__(cls, text):
         number, unit = re.fullmatch(r"\s*(.*?)\s*(%s|)\s*" % "|".join(HEIGHT_UNITS), text).groups()
-        plain = re.fullmatch(r"\+?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", number, re.I)
-        height = super().__new__(cls, number if plain else "nan")
-        if not height < float("inf"):
+        try:
+            height = super().__new__(cls, number)
+        except ValueError:
+            height = super().__new__(cls, "nan")
+        if not 0.0 <= height < float("inf"):
             raise argparse.ArgumentTypeError("%s, expected a number of at least 0, with or without a unit (%s), such as 2ms" % (
                 text, ", ".join(HEIGHT_UNITS)))
         height.unit = unit

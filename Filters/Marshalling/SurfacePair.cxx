@@ -32,7 +32,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double LongestRadius = 32.0; // columns, as vtkHorizonExteriorBoundary has it
 constexpr double LargestHole = 1e15; // columns
 
 // ---- The reference as a mesh ----------------------------------------------------------------------------------------
@@ -50,7 +49,7 @@ BoundaryOptions OptionsAsOf(vtkPolyData* mesh, int radius)
   const double chosen = figure(FieldArray::ChosenRadius);
   const double smallest = figure(FieldArray::ChosenSmallestHoleSize);
   const double holes = figure(FieldArray::NumberOfHoles);
-  if (chosen >= 1.0 && chosen <= LongestRadius && smallest >= 1.0 && smallest <= LargestHole && holes >= 0.0)
+  if (chosen >= 1.0 && chosen <= LargestRadius && smallest >= 1.0 && smallest <= LargestHole && holes >= 0.0)
   {
     options.Radius = int(chosen);
     options.HoleBoundaries = holes > 0.0;

@@ -46,8 +46,8 @@ class Found:
             least, most = -most, -least
         is_count = reading.counts_indices(form, settings.reader)
         said = settings.said_unit()
-        unit = survey["vertical_unit"] or (said and "%s (as the error; --vertical-unit %s also stores it)" % (said, said)) or (
-            "vertical indices" if is_count else "(unit unknown)")
+        supposed = "%s (as the error; --vertical-unit %s also stores it)" % (said, said) if said else ""
+        unit = survey["vertical_unit"] or supposed or ("vertical indices" if is_count else "(unit unknown)")
         steps = sorted({abs(s["lattice"]["vertical_step"]) for s in self._surveys if s["lattice"]})
         words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")]
         if steps and not is_count:

@@ -26,7 +26,7 @@ bool IsBefore(const PlanePoint& a, const PlanePoint& b)
 /// The points of a horizon row by row.
 std::vector<PointId> SortByRows(PlanePoints columns)
 {
-  std::vector<PointId> points = std::vector<PointId>(columns.size());
+  std::vector<PointId> points(columns.size());
   std::iota(points.begin(), points.end(), 0);
   const auto isNotBefore = [](const PlanePoint& a, const PlanePoint& b) { return !IsBefore(a, b); };
   if (std::adjacent_find(columns.begin(), columns.end(), isNotBefore) == columns.end())
@@ -148,11 +148,11 @@ CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons)
       }
       return n == horizons.size();
     });
-  common.Columns = std::vector<PlanePoint>(points.size());
+  common.Columns.resize(points.size());
   ForEach(points, [&](std::size_t n) { common.Columns[n] = first[std::size_t(points[n])]; });
   for (std::size_t horizon = 0; horizon < horizons.size(); ++horizon)
   {
-    common.Points.push_back(std::vector<PointId>(points.size()));
+    common.Points.emplace_back(points.size());
     ForEach(points, [&](std::size_t n) { common.Points.back()[n] = pointOf(horizon, points[n]); });
   }
   return common;

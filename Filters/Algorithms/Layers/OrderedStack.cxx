@@ -73,7 +73,7 @@ HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColu
   HeightStack stack;
   for (std::size_t n = 0; n < horizons.size(); ++n)
   {
-    std::vector<double> heights = std::vector<double>(columns.Points[n].size());
+    std::vector<double> heights(columns.Points[n].size());
     ParallelFor(std::int64_t(heights.size()), Grain,
       [&](std::int64_t first, std::int64_t last)
       {

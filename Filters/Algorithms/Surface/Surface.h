@@ -25,6 +25,7 @@
 #include "Decimation/Decimation.h"
 #include "SeamChains.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -80,7 +81,7 @@ struct SurfacePoints
 inline double ToleranceOfOutlines(double error)
 {
   constexpr double Most = 2.0;
-  return error < Most ? error : Most;
+  return std::min(error, Most);
 }
 
 struct Surface
