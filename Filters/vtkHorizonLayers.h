@@ -106,7 +106,8 @@ public:
   ///@{
   /**
    * Where layers are. EachLayer: where both horizons of a layer have points. Common: where all horizons have points,
-   * with outlines simplified within MaximumError, and small holes closed. Default: EachLayer.
+   * with outlines simplified within MaximumError, at most 2 columns on the map, and small holes closed. Default:
+   * EachLayer.
    */
   vtkSetClampMacro(Domain, int, EachLayer, Common);
   vtkGetMacro(Domain, int);

@@ -286,7 +286,7 @@ def _add_mesh_options(group):
     group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
                        help="holes of fewer columns are closed (default: chosen; 1 with --stages)")
     group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
-                       help="how far outlines may move on the map, in columns (default: the error; 0 with --stages)")
+                       help="how far outlines may move, in columns (default: the error, up to 2 if no --triangles; 0 with --stages)")
     group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
                        help="how far outlines may move up or down (default: the error; 0.4 with --stages)")
 
