@@ -132,6 +132,9 @@ constexpr const char* RmsDistance = "RmsDistance";
 constexpr const char* DistancePercentile = "DistancePercentile"; // followed by the number
 constexpr const char* OutlineDistance = "OutlineDistance";
 constexpr const char* Grading = "Grading";
+constexpr const char* LedgerColumns = "LedgerColumns";
+constexpr const char* LedgerArea = "LedgerArea";
+constexpr const char* LedgerVolume = "LedgerVolume";
 }
 
 /// The values of the point array Boundary.

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The ledger accounts for all columns of a horizon, a mesh or a layer: each column is in exactly one of five entries.
+
+#ifndef SeismicHorizonsLedger_h
+#define SeismicHorizonsLedger_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace SeismicHorizons
+{
+/// The entries of the ledger, in the order of the components of its arrays.
+enum class LedgerEntry
+{
+  Known, // the column has a point that was read, and is in the result
+  Filled, // hole filling or gridding computed a height between known columns
+  Bridged, // triangles or cells cover the column, which has no point
+  Extrapolated, // a height was computed outside the known columns
+  LeftOut // the column has a point, which the result does not cover
+};
+
+constexpr std::size_t LedgerEntries = 5;
+constexpr std::array<const char*, LedgerEntries> LedgerNames = { "Known", "Filled", "Bridged", "Extrapolated",
+  "LeftOut" };
+
+/// Columns per entry. The area of an entry is its number of columns times the area of a bin.
+struct Ledger
+{
+  std::array<std::int64_t, LedgerEntries> Columns{};
+
+  std::int64_t& operator[](LedgerEntry entry) { return this->Columns[std::size_t(entry)]; }
+  std::int64_t operator[](LedgerEntry entry) const { return this->Columns[std::size_t(entry)]; }
+
+  /// Columns that the result has: all but those left out.
+  std::int64_t Covered() const
+  {
+    std::int64_t sum = 0;
+    for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+    {
+      sum += LedgerEntry(entry) == LedgerEntry::LeftOut ? 0 : this->Columns[entry];
+    }
+    return sum;
+  }
+};
+
+/// Part of the covered columns from which on an entry other than Known is worth a warning.
+constexpr double LedgerWarningFraction = 0.001;
+}
+
+#endif
