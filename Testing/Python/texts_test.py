@@ -93,7 +93,7 @@ BASES = """<ServerManagerConfiguration><ProxyGroup name="horizon_bases"><SourceP
 """
 PAGE = "# A page\n\n| Property | Default | Range | Unit | Meaning |\n| --- | --- | --- | --- | --- |\n| old |\n\nMore.\n"
 ROWS = """| RowWidth | 4.5 | 0.5 to 1e3 | `WidthUnit` | How far, in the array `RowCount`. |
-| Kind | ByRow | ByRow (0), Column2 (1) | - | What is done with `RowWidth`, as in [Number Two](Two.md). ByRow: rows. \
+| Kind | ByRow | ByRow (0, "By Row"), Column2 (1, "Column 2") | - | What is done with `RowWidth`, as in [Number Two](Two.md). ByRow: rows. \
 Column2: columns. See [Some kinds](#some-kinds). |
 | On | off | off, on | - | Whether it is on. See [Some kinds](Two.md#some-kinds). |
 """

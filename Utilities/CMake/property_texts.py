@@ -9,7 +9,8 @@ The first paragraph of a comment is the text; more paragraphs are for programmer
 
     Unit: columns. Range: 1 to 16. Default: 2.
 
-The range of a choice is its enumerators, those below '/// Values of ...'. 'Default: 3 in vtkA, 8 in vtkB.' is one for each
+The range of a choice is its enumerators, those below '/// Values of ...'; the page has what the panel calls them, where that
+differs, as scripts of ParaView need it. 'Default: 3 in vtkA, 8 in vtkB.' is one for each
 class. Names of properties, values and classes are written as in C++; the panel shows them with its labels, the page as code
 and links. 'See "Faults" in HorizonFaults.md.' becomes a link on the page and is left out of the panel. What a class has no
 method of its own for (inputs) keeps its text in the XML file, in the same form. The brief of a class is the short help of
@@ -198,7 +199,9 @@ class Texts:
         plain = {name for other in proxy.properties for name, _ in self.values(proxy, other)}
         values = self.values(proxy, prop)
         if values:
-            reach = ", ".join("%s (%s)" % entry for entry in values)
+            entries = {entry.get("value"): entry.get("text") for entry in prop.iter("Entry")}
+            reach = ", ".join("%s (%s%s)" % (name, value, ', "%s"' % entries[value] if entries.get(value, name) != name else "")
+                              for name, value in values)
         elif prop.find("BooleanDomain") is not None:
             reach = "off, on"
 
