@@ -15,12 +15,15 @@ namespace SeismicHorizons
 {
 namespace
 {
+bool IsOfGOCAD(std::string_view firstLine)
+{
+  return ToLower(firstLine.substr(0, 5)) == "gocad";
+}
+
 std::unique_ptr<FaultLineParser> MakeParser(std::string_view firstLine)
 {
   const std::string_view text = Trim(firstLine);
-  return StartsWith(text, "GOCAD") ? MakePLineParser()
-    : StartsWith(text, "@")        ? MakeZmapLineParser()
-                                   : MakePlainLineParser();
+  return IsOfGOCAD(text) ? MakePLineParser() : StartsWith(text, "@") ? MakeZmapLineParser() : MakePlainLineParser();
 }
 
 /// Gives lines to a parser, which is made for the first that says anything.
@@ -81,7 +84,7 @@ bool IsEndOfPart(std::string_view line)
 bool HasMark(std::string_view text)
 {
   const std::string_view first = Trim(FirstLine(text));
-  if (StartsWith(first, "GOCAD"))
+  if (IsOfGOCAD(first))
   {
     return ToLower(Trim(first.substr(5))).substr(0, 5) == "pline";
   }
@@ -128,7 +131,7 @@ bool BeginsAsFaultLines(std::istream& stream)
   }
   LineDealer dealer;
   dealer.Deal(text);
-  if (StartsWith(Trim(FirstLine(text)), "GOCAD"))
+  if (IsOfGOCAD(Trim(FirstLine(text))))
   {
     return true; // the lines may come far behind
   }

@@ -40,15 +40,16 @@ public:
     {
       return;
     }
+    this->Keyword = ToLower(words[0]); // programs write keywords in either case
     if (this->IsInBlock)
     {
       this->TakeOfBlock(Trim(line.Text));
     }
-    else if (words[0] == "GOCAD")
+    else if (this->Keyword == "gocad")
     {
       this->StartObject(words);
     }
-    else if (words[0] == "END")
+    else if (this->Keyword == "end")
     {
       this->EndLine();
       this->IsPLine = false;
@@ -90,7 +91,7 @@ private:
 
   void TakeName(std::string_view text)
   {
-    if (StartsWith(text, "name:"))
+    if (ToLower(text.substr(0, 5)) == "name:")
     {
       text.remove_prefix(5);
       this->Name = std::string(Trim(text.substr(0, text.find('}'))));
@@ -99,16 +100,15 @@ private:
 
   void TakeOfObject(const std::vector<std::string_view>& words, std::string_view text)
   {
-    const std::string_view keyword = words[0];
     if (text.find('{') != std::string_view::npos)
     {
-      if (StartsWith(keyword, "HEADER"))
+      if (StartsWith(this->Keyword, "header"))
       {
         this->TakeName(Trim(text.substr(text.find('{') + 1)));
       }
       this->IsInBlock = text.back() != '}';
     }
-    else if (keyword == "ZPOSITIVE")
+    else if (this->Keyword == "zpositive")
     {
       this->IsDepth = words.size() > 1 && ToLower(words[1]) == "depth";
     }
@@ -120,15 +120,15 @@ private:
 
   void TakeGeometry(const std::vector<std::string_view>& words)
   {
-    if (words[0] == "ILINE")
+    if (this->Keyword == "iline")
     {
       this->EndLine();
     }
-    else if (words[0] == "VRTX" || words[0] == "PVRTX")
+    else if (this->Keyword == "vrtx" || this->Keyword == "pvrtx")
     {
       this->TakeVertex(words);
     }
-    else if (words[0] == "SEG")
+    else if (this->Keyword == "seg")
     {
       this->TakeSegment(words);
     }
@@ -196,6 +196,7 @@ private:
 
   FaultLineFile File;
   std::int64_t Line = 0; // that is read
+  std::string Keyword; // its first word, in small letters
   bool IsPLine = false; // the object that is read
   bool IsInBlock = false; // between braces
   bool IsDepth = false; // z counts downwards

@@ -24,7 +24,7 @@ constexpr auto MostVertices = static_cast<std::size_t>(std::numeric_limits<Point
 /// Whether a word comes that says which coordinates of a vertex are fixed, as CNXYZ.
 bool AtFlag(const LineTokens& line)
 {
-  return line.Here()[0] == 'C' && line.Here()[1] == 'N';
+  return (line.Here()[0] == 'C' && line.Here()[1] == 'N') || (line.Here()[0] == 'c' && line.Here()[1] == 'n');
 }
 }
 

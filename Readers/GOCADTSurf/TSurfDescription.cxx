@@ -82,7 +82,7 @@ void TSurfHeader::Take(std::string_view line)
   {
     return;
   }
-  const std::string_view key = Trim(line.substr(0, colon));
+  const std::string key = ToLower(Trim(line.substr(0, colon)));
   const std::string_view value = Unquote(line.substr(colon + 1));
   if (key == "name")
   {

@@ -43,7 +43,7 @@ std::string_view TakeKeyword(LineTokens& line)
   return keyword.substr(0, brace);
 }
 
-/// Whether a word is the first of an object; programs write it in either case, and names of types, too.
+/// Whether a word is the first of an object.
 bool IsGOCAD(std::string_view keyword)
 {
   return keyword.size() == 5 && (keyword.front() == 'G' || keyword.front() == 'g') && ToLower(keyword) == "gocad";
@@ -128,6 +128,22 @@ public:
   std::int64_t NextLine() const { return this->Line; }
 
 private:
+  /// A keyword in capitals, as the format has them. Some programs write small letters.
+  std::string_view InCapitals(std::string_view keyword)
+  {
+    const auto isSmall = [](char c) { return c >= 'a' && c <= 'z'; };
+    if (std::none_of(keyword.begin(), keyword.end(), isSmall))
+    {
+      return keyword;
+    }
+    this->Capitals = keyword;
+    for (char& c : this->Capitals)
+    {
+      c = isSmall(c) ? static_cast<char>(c - 'a' + 'A') : c;
+    }
+    return this->Capitals;
+  }
+
   void ParseLine(const char* text)
   {
     LineTokens line(text);
@@ -140,7 +156,7 @@ private:
       this->ParseBlockLine(line);
       return;
     }
-    const std::string_view keyword = TakeKeyword(line);
+    const std::string_view keyword = this->InCapitals(TakeKeyword(line));
     if (IsGOCAD(keyword))
     {
       this->StartObject(line);
@@ -251,7 +267,7 @@ private:
   void ParseBlockLine(LineTokens& line)
   {
     const std::string_view text = line.Rest();
-    const std::string_view keyword = line.Next();
+    const std::string_view keyword = this->InCapitals(line.Next());
     if (keyword == this->BlockEnd)
     {
       this->BlockLine = 0;
@@ -270,6 +286,7 @@ private:
 
   const TSurfChoice Choice;
   std::int64_t Line = 1; // the line that is parsed
+  std::string Capitals; // its keyword
   std::int64_t ObjectLine = 0; // where the object began; 0 outside
   std::int64_t BlockLine = 0; // where the block began; 0 outside
   std::string BlockEnd; // the word that ends the block

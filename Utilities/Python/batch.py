@@ -158,7 +158,10 @@ def _remove_abandoned(output_folder):
 def process(path, label, stem, workspace, settings, with_pictures, record):
     """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns what
     there is to print. Raises HorizonError or OSError."""
-    supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), **settings.reader)
+    left_out = [] if settings.leave_out_invalid else None
+    supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), left_out, **settings.reader)
+    for text in left_out or []:
+        record.warn(text)
     _require_scale(label, supply, settings)
     names = _Names(stem, supply.names, settings, with_pictures)
     names.check(workspace.parent)
@@ -192,7 +195,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
         if isinstance(points, Windows):
             result = pipeline.run_windows(label, points, settings)
         else:
-            result = pipeline.run(label, name, points, settings)
+            result = pipeline.run(label, name, points, settings, supply.surfaces.get(name))
         found.add(result.data.get("points", result.data["mesh"]))
         del points
         for warning in result.warnings:

@@ -17,7 +17,7 @@ from typing import Optional
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import heights, parts, writing
+from . import heights, parts, tsurf, writing
 from .parts import SURFACE
 from .reading import read, read_first  # noqa: F401: the first step of a pipeline
 from .stage import HorizonError, apply, make, update
@@ -187,8 +187,9 @@ def _require_same_direction(result, points, settings):
                            "for both" % (result.source, result.name))
 
 
-def run(source, name, points, settings):
-    """Runs all stages on the points of a horizon. Raises HorizonError."""
+def run(source, name, points, settings, surface=None):
+    """Runs all stages on the points of a horizon. Where it was made from the triangles of a surface, the errors are from those.
+    Raises HorizonError."""
     result = Result(source, name, points)
     try:
         settings = settings.in_unit_of(points)
@@ -209,8 +210,10 @@ def run(source, name, points, settings):
             result.data["boundary"] = algorithm.GetOutputDataObject(1)
     result.loops = count_loops(result.data["boundary"])
     result.simplified = count_loops(result.data.get("simplified", result.data["mesh"]))
+    if surface is not None:
+        tsurf.account(result, surface)
     if settings.error is not None:
-        _measure(result, settings)
+        _measure(result, settings, surface or result.data["boundary"])
     return result
 
 
@@ -241,10 +244,10 @@ def count_loops(horizon):
     return lines.GetNumberOfCells(), points
 
 
-def _measure(result, settings):
-    """The reference is the horizon within its outlines, as they were before they were simplified."""
+def _measure(result, settings, reference):
+    """The reference is a surface, or the horizon within its outlines, as they were before they were simplified."""
     meter = settings.make("vtkHorizonSurfaceDistance", settings.error)
-    meter.SetInputDataObject(0, result.data["boundary"])
+    meter.SetInputDataObject(0, reference)
     meter.SetInputDataObject(1, result.data["mesh"])
     result.run_stage("error", meter)
     result.unit = settings.error.get("DistanceUnit", result.unit)

@@ -51,9 +51,10 @@ def require_text(path):
         raise HorizonError("%s: the name of the file is not in UTF-8" % ascii(str(path))) from None
 
 
-def open_file(path, **properties):
-    """What gives the horizons of a file: its reader, or the extraction from a cube. Raises HorizonError when it has no
-    such property."""
+def open_file(path, horizons=None, left_out=None, **properties):
+    """What gives the horizons of a file: its reader, or the extraction from a cube. Surfaces are looked at here: only those of
+    the `horizons` that are wanted, and with a list `left_out` the messages on those that are no horizon go there. Raises
+    HorizonError when it has no such property."""
     require_text(path)
     name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else None)
     if name is None:
@@ -64,7 +65,10 @@ def open_file(path, **properties):
     if name == tsurf.READER:
         given = [properties.pop(key, None) for key in ("Origin", "ColumnStep", "RowStep")]
         properties.pop("VerticalDirection", None)  # the file says it
-        reader = tsurf.open_file(pathlib.Path(path), *given)
+        surfaces = make(name, FileName=str(path))
+        if horizons is not None:
+            select(surfaces, horizons, path)
+        reader = tsurf.open_file(surfaces, pathlib.Path(path), left_out, *given)
     else:
         reader = geotiff.open_file(pathlib.Path(path)) if name == geotiff.SOURCE else make(name, FileName=str(path))
         properties = _with_lattice(reader, properties)
@@ -116,7 +120,7 @@ def read(path, horizons=None, **properties):
     there is nothing to read.
     """
     path = pathlib.Path(path)
-    return read_source(open_file(path, **properties), path, horizons)
+    return read_source(open_file(path, horizons, **properties), path, horizons)
 
 
 def describe(source):
@@ -136,7 +140,7 @@ def read_source(source, path, horizons=None):
         seconds += cubes.read(source, path)
         for port, files in ((1, [source.picks] if source.picks else []), (2, source.limits)):
             seconds += sum(_connect(source, port, pathlib.Path(file)) for file in files)
-    elif horizons is not None:
+    elif horizons is not None and not hasattr(source, "surfaces"):  # of which open_file has chosen
         select(source, horizons, path)
     seconds += update(source, "%s: reading" % path.name, work=None if cubes.is_extraction(source) else file_work(path))
     if cubes.is_extraction(source) and horizons is not None:

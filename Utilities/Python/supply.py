@@ -18,17 +18,19 @@ from .stage import HorizonError, update, watched
 class Supply:
     """Iterated over once, as (name, points). With `cuts_large`, what comes for a horizon that does not fit alone is Windows
     in place of points. `names` are those of all, `seconds` what reading has taken so far, `is_whole` says whether all are
-    there at once, `sizes` are the numbers of points, `origin` is what reading.describe says of the file. `horizons` and
-    properties are those of reading.read. Raises HorizonError."""
+    there at once, `sizes` are the numbers of points, `origin` is what reading.describe says of the file, `surfaces`
+    are the triangles that horizons were made from, by name. `horizons`, `left_out` and properties
+    are those of reading.open_file. Raises HorizonError."""
 
-    def __init__(self, path, horizons, budget, cuts_large=False, **properties):
+    def __init__(self, path, horizons, budget, cuts_large=False, left_out=None, **properties):
         self._path = pathlib.Path(path)
         self._budget = budget
         self._cuts_large = cuts_large
         self._reader = None
         self._found = []
         self.seconds = 0.0
-        reader = reading.open_file(self._path, **properties)
+        reader = reading.open_file(self._path, horizons, left_out, **properties)
+        self.surfaces = getattr(reader, "surfaces", {})
         if cubes.is_extraction(reader):
             cubes.require(reader, budget, self._path)
         if hasattr(reader, "SetLeastMemory") and (budget.is_given or not budget.fits_file(self._path)):

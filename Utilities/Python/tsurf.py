@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Horizons from triangle surfaces of GOCAD, which are meshed anew: their heights at the columns of a lattice, one that is
-given, or one along x and y with about 16 columns for each vertex."""
+given, or one along x and y with about 16 columns for each vertex. A surface with two heights at one place is refused, and the
+error of a mesh is measured from the triangles of the file."""
 
 import math
 import pathlib
@@ -12,16 +13,22 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from . import overlay, triangles
 from .stage import HorizonError, make, update
 
 READER = "vtkGOCADTSurfReader"
 SOURCE = "vtkHorizonFromPoints"
 COLUMNS_OF_VERTEX = 16.0  # triangles are larger than columns, and keep their shape
+# What heights and overlaps may be by rounding in the file, in the extent of the surface along z, and along x and y.
+SAME_HEIGHT = 1e-4
+SLIVER = 1e-6
+NOTABLE_PART = 0.001  # of the area, from which on a difference is a warning
 
 
-def open_file(path, origin=None, column_step=None, row_step=None):
-    """The source of the horizons of a file. Raises HorizonError where no surface has triangles."""
-    reader = make(READER, FileName=str(path))
+def open_file(reader, path, left_out=None, origin=None, column_step=None, row_step=None):
+    """The source of the horizons of a reader of a file. Its `surfaces` are the triangles of the file by name. Raises
+    HorizonError where no surface has triangles, and where one has two heights at one place or covers no column; with a list
+    `left_out` the message goes there, and the others are done."""
     update(reader, "%s: reading" % path.name)
     output = reader.GetOutputDataObject(0)
     meshes = [(output.GetMetaData(n).Get(output.NAME()), output.GetPartition(n, 0))
@@ -32,14 +39,22 @@ def open_file(path, origin=None, column_step=None, row_step=None):
     steps = np.column_stack((column_step, row_step)) if column_step and row_step else _step(meshes) * np.eye(2)
     data = meshes[0][1].GetFieldData()
     sign = 1.0 if data.GetArray("VerticalDirection").GetValue(0) > 0 else -1.0
-    found = [_sample(mesh, steps, origin, sign, path) for _, mesh in meshes]
+    found = {}
+    for name, mesh in meshes:
+        try:
+            _require_height_field(mesh, sign, "%s: %s" % (path, name))
+            found[name] = _sample(mesh, steps, origin, sign, path)
+        except HorizonError as error:
+            if left_out is None or name == meshes[-1][0] and not found:
+                raise
+            left_out.append("%s; it is left out" % error)
     points = vtkPolyData()
     points.SetPoints(vtkPoints())
-    places = np.concatenate(found) * (1.0, 1.0, sign)
+    places = np.concatenate(list(found.values())) * (1.0, 1.0, sign)
     points.GetPoints().SetData(numpy_to_vtk(places, deep=True))
     names = vtkStringArray()
     names.SetName("Name")
-    for (name, _), places_of_one in zip(meshes, found):
+    for name, places_of_one in found.items():
         for _ in range(len(places_of_one)):
             names.InsertNextValue(name)
     points.GetPointData().AddArray(names)
@@ -49,12 +64,118 @@ def open_file(path, origin=None, column_step=None, row_step=None):
     for name in ("VerticalUnit", "VerticalDomain", "HorizontalUnit", "CoordinateSystem"):
         if data.GetAbstractArray(name):
             getattr(source, "Set" + name)(data.GetAbstractArray(name).GetValue(0))
+    source.surfaces = {name: mesh for name, mesh in meshes if name in found}
     return source
+
+
+def account(result, surface):
+    """Measures how far a mesh is from the triangles of the file, vertically and both ways, which becomes its largest error; and
+    warns where that is more than at the columns of the lattice, where the areas differ, and where triangles became more."""
+    mesh = result.data["mesh"]
+    own, other = _corners(surface), _corners(mesh)
+    if not len(other):
+        return
+    own, other = (overlay.turned_left(_wide(corners, overlay.doubled_areas(corners), 0.0)) for corners in (own, other))
+    gap, place, shared = 0.0, None, 0.0
+    for pairs in overlay.pairs(own, other):
+        common = overlay.Common(own[pairs[:, 0]], other[pairs[:, 1]])
+        shared += common.areas.sum()
+        gaps = common.gaps()
+        if gaps.max() > gap:
+            gap, place = gaps.max(), common.places.reshape(-1, 2)[gaps.argmax()]
+    data = mesh.GetFieldData()
+    error = data.GetArray("LargestError")
+    if error is not None:
+        step = abs(data.GetArray("LatticeToWorld").GetComponent(0, 10))
+        of_columns = error.GetValue(0) * step
+        error.SetValue(0, gap / step)
+        if gap > 1.1 * of_columns + SLIVER * np.ptp(own[:, :, 2]):
+            unit = data.GetAbstractArray("VerticalUnit")
+            result.warnings.append(
+                "%s: error %.4g%s at x %.10g, y %.10g of the file's triangles, and %.4g at the columns of the lattice: shorter "
+                "--column-step and --row-step come closer" % (result.name, gap, " " + unit.GetValue(0) if unit is not None else "", *place,
+                                                             of_columns))
+    parts = [(0.5 * overlay.doubled_areas(corners).sum() - shared) / shared for corners in (own, other)]
+    result.warnings += ["%s: %.2g %% of the area %s" % (result.name, 100.0 * part, what) for part, what in zip(
+        parts, ("of the file's triangles is left out", "is covered beyond the file's triangles")) if part > NOTABLE_PART]
+    after, before = triangles.count_surface(mesh), surface.GetNumberOfPolys()
+    if after > before:
+        result.warnings.append("%s: %d triangles, and %d in the file: a larger --largest-error makes fewer" % (
+            result.name, after, before))
+
+
+def _corners(mesh):
+    """The places of the corners of triangles."""
+    return vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)[triangles.of_surface(mesh)]
+
+
+def _wide(corners, areas, least):
+    """Triangles that are wider than that on the map."""
+    return corners[np.abs(areas) > least * _longest(corners)]
+
+
+def _longest(corners):
+    """The longest edges on the map."""
+    edges = corners[:, overlay.END, :2] - corners[:, overlay.BEGIN, :2]
+    return np.hypot(edges[:, :, 0], edges[:, :, 1]).max(axis=1)
+
+
+def _require_height_field(mesh, sign, what):
+    """Raises HorizonError where a mesh has two heights at one place."""
+    corners = _corners(mesh)
+    found = _first_wall(corners) or _first_overlap(corners)
+    if found:
+        x, y, *heights = found
+        raise HorizonError("%s: z %.7g and %.7g at x %.10g, y %.10g, expected one z at each place: a closed body, a fold and a "
+                           "wall are no horizon" % (what, *(sign * z for z in heights), x, y))
+
+
+def _tolerances(corners):
+    """How wide an overlap is at least, and how far heights are apart."""
+    extents = np.ptp(corners.reshape(-1, 3), axis=0)
+    return SLIVER * math.hypot(*extents[:2]), SAME_HEIGHT * extents[2]
+
+
+def _first_wall(corners):
+    """x, y and both z of the first triangle that has no width on the map, but a height; None without any."""
+    width, height = _tolerances(corners)
+    thin = corners[np.abs(overlay.doubled_areas(corners)) <= width * _longest(corners)]
+    if not len(thin):
+        return None
+    # The corner between the two others, by their places along the longest edge, and the edge there.
+    edges = thin[:, overlay.END, :2] - thin[:, overlay.BEGIN, :2]
+    longest = np.hypot(edges[:, :, 0], edges[:, :, 1]).argmax(axis=1)
+    rows = np.arange(len(thin))
+    begin, end, middle = (thin[rows, (longest + step) % 3] for step in (0, 1, 2))
+    along = end[:, :2] - begin[:, :2]
+    length = (along * along).sum(axis=1)
+    part = ((middle - begin)[:, :2] * along).sum(axis=1) / np.where(length > 0.0, length, 1.0)
+    opposite = begin[:, 2] + part * (end - begin)[:, 2]
+    upright = length <= width * width
+    low, high = (np.where(upright, side, z) for side, z in ((thin[:, :, 2].min(axis=1), middle[:, 2]),
+                                                            (thin[:, :, 2].max(axis=1), opposite)))
+    walls = np.flatnonzero(np.abs(high - low) > height)
+    return (*middle[walls[0], :2], low[walls[0]], high[walls[0]]) if len(walls) else None
+
+
+def _first_overlap(corners):
+    """x, y and both z of the first two triangles that share places on the map at two heights; None without any."""
+    width, height = _tolerances(corners)
+    areas = overlay.doubled_areas(corners)
+    wide = overlay.turned_left(_wide(corners, areas, width))
+    for pairs in overlay.pairs(wide):
+        pairs = pairs[overlay.widths(*wide[pairs.T]) > width]
+        common = overlay.Common(*wide[pairs.T])
+        apart = np.flatnonzero(common.gaps().max(axis=1, initial=0.0) > height)
+        if len(apart):
+            first = apart[np.lexsort(np.sort(pairs[apart], axis=1).T[::-1])[0]]
+            return (*np.nanmean(common.places[first], axis=0), *np.nanmean(common.heights[first], axis=0))
+    return None
 
 
 def _step(meshes):
     """A step of 1, 2 or 5 times a power of ten that makes about so many columns for each vertex."""
-    area = sum((b[1] - b[0]) * (b[3] - b[2]) for b in (mesh.GetBounds() for _, mesh in meshes))
+    area = 0.5 * sum(np.abs(overlay.doubled_areas(_corners(mesh))).sum() for _, mesh in meshes)
     step = math.sqrt(area / COLUMNS_OF_VERTEX / sum(mesh.GetNumberOfPoints() for _, mesh in meshes)) or 1.0
     unit = 10.0 ** math.floor(math.log10(step))
     return min((unit * factor for factor in (1.0, 2.0, 5.0, 10.0)), key=lambda size: abs(math.log(size / step)))

@@ -92,6 +92,9 @@ void PLines()
                    "PVRTX 5 1 2 3 0.5\nPVRTX 7 4 5 6 0.5\nVRTX 8 7 8 9\nSEG 5 7\nSEG 7 8\nSEG 8 5\n"
                    "ILINE\nVRTX 9 1 1 1\nVRTX 10 2 2 2\nSEG 9 10\nEND\n"),
     "F 1: 1,2,3 4,5,6 7,8,9 1,2,3; F 1: 1,1,1 2,2,2");
+  CHECK_EQUAL(Read("gocad pline 1\nheader {\nName: F 1\n}\nzpositive depth\niline\nvrtx 1 1 2 3\npvrtx 2 4 5 6 0.5\n"
+                   "seg 1 2\nend\n"),
+    "F 1: 1,2,-3 4,5,-6");
   // Ids begin again in each object; depth turns z; other objects are passed over.
   CHECK_EQUAL(Read("GOCAD VSet 1\nHEADER {name:points}\nVRTX 1 9 9 9\nEND\nGOCAD PLine 1.0\nHEADER {name:a}\n"
                    "GOCAD_ORIGINAL_COORDINATE_SYSTEM\nZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\n"

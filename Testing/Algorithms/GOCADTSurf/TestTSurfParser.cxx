@@ -77,6 +77,32 @@ void AllOfASurfaceIsRead()
   }
 }
 
+/// Keywords and names of the header are read in either case, values as they are.
+void SmallLettersAreRead()
+{
+  std::string text = Small;
+  for (char& c : text)
+  {
+    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  }
+  for (const std::string& file : { text,
+         "Gocad TSurf 1\nHeader {\nName: my fault: east\n*Solid*Color:0.25 0.5 1\n}\n" +
+           text.substr(text.find("gocad_original")) })
+  {
+    const TSurf surface = LoadOne(file);
+    CHECK_EQUAL(surface.Name, "my fault: east");
+    CHECK((surface.Colour == std::array<double, 3>{ 0.25, 0.5, 1.0 }));
+    CHECK(surface.Positive == VerticalPositive::Depth);
+    CHECK_EQUAL(surface.Survey.CoordinateSystem, "utm 31n");
+    CHECK_EQUAL(surface.Survey.VerticalUnit, "ms");
+    CHECK((surface.Vertices == LoadOne(Small).Vertices && surface.Triangles == LoadOne(Small).Triangles));
+    CHECK_EQUAL(surface.Properties.size(), 2u);
+    CHECK(std::isnan(surface.Properties.at(0).Values.at(1)));
+    CHECK((surface.Borders == std::vector<std::array<PointId, 2>>{ { 0, 2 } }));
+  }
+  CHECK_EQUAL(List(text).Names.at(0), "my fault: east");
+}
+
 void PropertiesHaveSizesAndNulls()
 {
   const TSurf surface = LoadOne(Small);
@@ -338,6 +364,7 @@ void WorkIsMonitored()
 int TestTSurfParser(int, char*[])
 {
   AllOfASurfaceIsRead();
+  SmallLettersAreRead();
   PropertiesHaveSizesAndNulls();
   NullsAreComparedInSinglePrecision();
   PropertiesWithoutValuesAreLeftOut();
