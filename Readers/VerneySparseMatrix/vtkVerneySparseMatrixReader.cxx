@@ -11,6 +11,7 @@
 #include "Common/Monitor.h"
 #include "Common/Parameters.h"
 #include "Common/Survey/LatticeFrame.h"
+#include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
 #include "Common/TextWords.h"
 #include "Common/VTK/HorizonDataSet.h"
@@ -114,6 +115,11 @@ VoxelExtent WholeExtent(const SparseMatrixSize& size)
   return { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
 }
 
+const char* TextOf(const char* value)
+{
+  return value ? value : "";
+}
+
 vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, LatticeHorizon voxels, const LatticeFrame& frame)
 {
   if (asImage)
@@ -134,7 +140,11 @@ vtkVerneySparseMatrixReader::vtkVerneySparseMatrixReader()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader() = default;
+vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader()
+{
+  this->SetVerticalUnit(nullptr);
+  this->SetVerticalDomain(nullptr);
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
@@ -184,6 +194,8 @@ LatticeFrame vtkVerneySparseMatrixReader::MakeGivenFrame() const
   frame.Sampling.First = static_cast<int>(frame.Direction) * this->Origin[2];
   frame.Sampling.Step = this->VerticalStep;
   frame.UseRealZ = this->ZFrom == RealZ;
+  SeismicHorizons::SetVerticalUnit(frame.Survey, TextOf(this->VerticalUnit));
+  frame.Survey.VerticalDomain = *TextOf(this->VerticalDomain) ? this->VerticalDomain : frame.Survey.VerticalDomain;
   return frame;
 }
 
@@ -371,5 +383,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RowStep: " << ToText(Eigen::Vector2d(this->RowStep)) << '\n';
   os << indent << "VerticalStep: " << this->VerticalStep << '\n';
   os << indent << "VerticalDirection: " << directions[this->VerticalDirection] << '\n';
+  os << indent << "VerticalUnit: " << TextOf(this->VerticalUnit) << '\n';
+  os << indent << "VerticalDomain: " << TextOf(this->VerticalDomain) << '\n';
   os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';
 }

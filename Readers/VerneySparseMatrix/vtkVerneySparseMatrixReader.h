@@ -33,6 +33,7 @@
  *   are (ColumnStep, 0), (RowStep, 0), (0, 0, +-VerticalStep) and Origin; see VerticalDirection for the sign, and ZFrom
  *   for the last two
  * - VerticalDirection (int, 1 component): -1 for Down, 1 for Up
+ * - VerticalUnit, VerticalDomain (string): if they are given
  * - DroppedDuplicates (vtkIdType, 1 component): the voxels left out by DuplicatePolicy; of all selected horizons in a
  *   volume
  *
@@ -300,6 +301,22 @@ public:
   void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
   ///@}
 
+  ///@{
+  /**
+   * The unit of z: ms, s, m or ft, without conversion; z is that of ZFrom. Range: any text. Default: empty.
+   */
+  vtkSetStringMacro(VerticalUnit);
+  vtkGetStringMacro(VerticalUnit);
+  ///@}
+
+  ///@{
+  /**
+   * Time or depth. Empty: from the unit. Range: any text. Default: empty.
+   */
+  vtkSetStringMacro(VerticalDomain);
+  vtkGetStringMacro(VerticalDomain);
+  ///@}
+
   /// Values of DuplicatePolicy.
   enum DuplicateChoice
   {
@@ -368,6 +385,8 @@ private:
   double RowStep[2] = { 0.0, 1.0 };
   double VerticalStep = 1.0;
   int VerticalDirection = Down;
+  char* VerticalUnit = nullptr;
+  char* VerticalDomain = nullptr;
   int DuplicatePolicy = StrongestAmplitude;
 
   bool FileHasOverview = false;

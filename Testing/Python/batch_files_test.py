@@ -124,6 +124,11 @@ class FilesTest(unittest.TestCase):
         self.assertIn("1224.9 m, growing", told)
         code, messages, _ = self.run_program("--largest-error", "2ms", "--vertical-step", "4", SAMPLE)
         self.assertEqual((code, messages), (0, []))
+        code, messages, told = self.run_program("--layers", "--crossings", "LowerWins", "--vertical-step", "4",
+                                                "--vertical-unit", "ms", SAMPLE)
+        self.assertEqual((code, len(messages)), (0, 1))
+        self.assertIn("z is time", messages[0])
+        self.assertIn(" ms, growing down", told)
 
     def test_surfaces(self):
         """Triangles of GOCAD are meshed anew, with the direction of z that the file says; of a plane comes a plane."""

@@ -332,6 +332,8 @@ class LayersTest(unittest.TestCase):
             sh.layers({"Top": mesh_checks.with_text(top, "VerticalDomain", "depth"), "Base": mesh_checks.with_text(base, "VerticalDomain", "time")})
         with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):
             sh.layers({name: mesh_checks.with_text(points, "VerticalDomain", "time") for name, points in pair.items()})
+        with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):  # by what the user says
+            sh.layers(sh.read(SAMPLE, vertical_unit="ms", vertical_step=4.0), crossings="LowerWins")
         mesh = sh.surface(on_grid(100.0 + np.sin(X)), largest_error=2.0)
         with self.assertRaisesRegex(ValueError, "Top: a mesh of 2 triangles, already simplified, expected all points"):
             sh.layers({"Top": mesh, "Base": base})

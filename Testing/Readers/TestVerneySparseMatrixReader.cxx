@@ -16,6 +16,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTestUtilities.h"
 #include "vtkVerneySparseMatrixReader.h"
 
@@ -258,6 +259,33 @@ void CheckParameterRefused(Set set, const std::string& message)
   CHECK(IsEmpty(reader));
 }
 
+/// The file has no units, and the user may say them.
+void UnitsCanBeGiven()
+{
+  const std::string file = WriteFile("small.vsm", Small);
+  const auto texts = [&file](const char* unit, const char* domain)
+  {
+    vtkNew<vtkVerneySparseMatrixReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->SetVerticalUnit(unit);
+    reader->SetVerticalDomain(domain);
+    reader->Update();
+    std::string all;
+    for (const char* const name : { "VerticalUnit", "VerticalDomain" })
+    {
+      auto* const text = vtkStringArray::SafeDownCast(GetHorizon(reader, 0)->GetFieldData()->GetAbstractArray(name));
+      all += (text ? std::string(text->GetValue(0)) : "none") + ' ';
+    }
+    return all;
+  };
+  CHECK(texts(nullptr, nullptr) == "none none ");
+  CHECK(texts("", "") == "none none ");
+  CHECK(texts("ms", nullptr) == "ms time ");
+  CHECK(texts("metres", nullptr) == "m depth ");
+  CHECK(texts("stones", "depth") == "stones depth ");
+  CHECK(texts(nullptr, "time") == "none time ");
+}
+
 void WrongParametersGiveOneErrorEach()
 {
   using Reader = vtkVerneySparseMatrixReader;
@@ -291,6 +319,8 @@ void PrintListsEveryProperty()
   reader->SetVerticalStep(8.5);
   reader->SetVerticalDirectionToUp();
   reader->SetDuplicatePolicyToLowest();
+  reader->SetVerticalUnit("ms");
+  reader->SetVerticalDomain("time");
   reader->SetHorizonStatus("Horizon 12", 1);
   std::ostringstream stream;
   reader->SetOutputTypeToImages();
@@ -300,8 +330,8 @@ void PrintListsEveryProperty()
   for (const char* text : { "FileName: some.vsm", "OutputType: Images", "VolumeExtent: BoundingBox",
          "VolumeArray: Thickness", "BackgroundValue: 0", "VolumeMemoryLimit: 2048", "ZFrom: RealZ",
          "Origin: (1.5, 2.5, 3.5)", "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5",
-         "VerticalDirection: Up", "DuplicatePolicy: Lowest", "SmallestHorizonSize: 1", "ColumnRange: 0 to -1",
-         "RowRange: 0 to -1", "HorizonSelection:", "Horizon 12" })
+         "VerticalDirection: Up", "VerticalUnit: ms", "VerticalDomain: time", "DuplicatePolicy: Lowest",
+         "SmallestHorizonSize: 1", "ColumnRange: 0 to -1", "RowRange: 0 to -1", "HorizonSelection:", "Horizon 12" })
   {
     Check::True(stream.str().find(text) != std::string::npos, text, __FILE__, __LINE__);
   }
@@ -320,6 +350,7 @@ int TestVerneySparseMatrixReader(int argc, char* argv[])
   ImagesAreMaps();
   DuplicatePolicyChoosesTheVoxel();
   SheetsAreHorizons();
+  UnitsCanBeGiven();
   WrongParametersGiveOneErrorEach();
   PrintListsEveryProperty();
   SampleIsRead(TakeString(vtkTestUtilities::ExpandDataFileName(argc, argv, "blobs.vsm")));
