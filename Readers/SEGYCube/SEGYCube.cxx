@@ -152,6 +152,35 @@ void WarnOfDuplicates(SEGYCube& cube, DuplicateRule rule)
   }
 }
 
+/// A file that was cut between two traces is a cube whose last line alone is not complete.
+void WarnOfCut(SEGYCube& cube, const LineNumbers& lines)
+{
+  const std::int64_t last = cube.Header.Traces - 1;
+  const std::size_t along = cube.IsCrosslineSorted ? 1 : 0;
+  const auto length = std::int64_t(cube.Lattice.Columns[along]);
+  const std::int64_t found = length - cube.MissingTraces; // on the last line, where no other one misses any
+  if (cube.MissingTraces == 0 || cube.Lattice.Columns[1 - along] < 2 || !lines.IsUsed(last))
+  {
+    return;
+  }
+  std::array<int, 2> place = lines.Column(*cube.Lattice.Lines, last);
+  const bool isForward = place[along] == found - 1;
+  bool isCut = isForward || place[along] == length - found;
+  for (std::int64_t n = 0; n < length; ++n)
+  {
+    place[along] = int(isForward ? n : length - 1 - n);
+    isCut = isCut && (cube.Traces[cube.Column(place[0], place[1])] != NoTrace) == (n < found);
+  }
+  if (isCut)
+  {
+    const std::string line = along == 1 ? "crossline " + std::to_string(lines.Crossline(last))
+                                        : "inline " + std::to_string(lines.Inline(last));
+    cube.Warnings.push_back(std::to_string(cube.Header.Traces) + " traces, expected " +
+      std::to_string(cube.Header.Traces + cube.MissingTraces) + ": " + line + " at the end of the file has " +
+      std::to_string(found) + " of " + std::to_string(length) + "; was the file cut?");
+  }
+}
+
 void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
 {
   const LineNumbers lines(table, cube.LineFields);
@@ -161,6 +190,7 @@ void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& optio
   cube.Sampling.Step = FindInterval(cube.Header, options.VerticalStep);
   FillColumns(cube, table, lines, options.Duplicates);
   WarnOfDuplicates(cube, options.Duplicates);
+  WarnOfCut(cube, lines);
   FindSampling(cube, table, options.Delays);
 
   const bool isLine = std::min(cube.Lattice.Columns[0], cube.Lattice.Columns[1]) == 1;

@@ -8,6 +8,7 @@
 #include "Tools/Check.h"
 #include "WindowSample.h"
 
+#include <algorithm>
 #include <array>
 
 using namespace SEGYSample;
@@ -77,6 +78,44 @@ void CutFilesAreReadOnRequest()
       file.Traces.pop_back();
       CHECK_EQUAL(CountWrong(file, cube), 0);
     }
+  }
+}
+
+/// A cube that was cut between two traces has one line that ends too soon, the last of the file.
+void FilesCutBetweenTracesAreTold()
+{
+  for (const bool isTransposed : { false, true })
+  {
+    File file;
+    if (isTransposed)
+    {
+      std::stable_sort(file.Traces.begin(), file.Traces.end(),
+        [](const Trace& a, const Trace& b) { return a.Crossline < b.Crossline; });
+    }
+    const std::size_t length = isTransposed ? 3 : 4;
+    for (File cut = file; cut.Traces.size() > length + 1; cut.Traces.pop_back())
+    {
+      const std::size_t traces = cut.Traces.size();
+      const std::size_t found = traces % length;
+      const std::string line = isTransposed ? "crossline " + std::to_string(cut.Traces.back().Crossline)
+                                            : "inline " + std::to_string(cut.Traces.back().Inline);
+      const SEGYCube cube = Read(cut);
+      CHECK_EQUAL(WarningText(cube),
+        found == 0 ? std::string()
+                   : std::to_string(traces) + " traces, expected " + std::to_string(traces + length - found) + ": " +
+            line + " at the end of the file has " + std::to_string(found) + " of " + std::to_string(length) +
+            "; was the file cut?");
+    }
+  }
+  // A survey that is no rectangle may end as it does, and a line may miss its beginning.
+  for (const std::vector<std::size_t>& missing : { std::vector<std::size_t>{ 0, 11 }, { 8 }, { 9 }, { 3 } })
+  {
+    File file;
+    for (auto number = missing.rbegin(); number != missing.rend(); ++number)
+    {
+      file.Traces.erase(file.Traces.begin() + std::ptrdiff_t(*number));
+    }
+    CHECK_EQUAL(WarningText(Read(file)), std::string());
   }
 }
 
@@ -275,6 +314,7 @@ int TestSEGYOddFiles(int, char*[])
   TracesTellTheirLength();
   NumbersOfSamplesCanBeGiven();
   CutFilesAreReadOnRequest();
+  FilesCutBetweenTracesAreTold();
   RubbishForTheNumberOfTextsIsNoticed();
   RevisionsThatAreNoneAreIgnored();
   IntervalsThatDifferAreAWarning();
