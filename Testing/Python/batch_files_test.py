@@ -114,6 +114,7 @@ class FilesTest(unittest.TestCase):
         self.assertGreater(triangles[2], 2 * triangles[0])
         for arguments, text in (
                 (("--largest-error", "2m", dome), "2m for z in ms, expected ms or s (--vertical-unit says what z is in)"),
+                (("--vertical-unit", "ms", SAMPLE), "--vertical-unit ms, and z in vertical indices, expected --vertical-step with"),
                 (("--despike", "1ms", SAMPLE), "in ms, and z in vertical indices, expected --vertical-step with"),
                 (("--largest-error", "2 km", dome), "2 km, expected a number of at least 0, with or without a unit")):
             code, messages, _ = self.run_program(*arguments)

@@ -182,9 +182,10 @@ def process(path, label, stem, workspace, settings, with_pictures, record):
 
 def _require_scale(label, supply, settings):
     """Raises HorizonError where heights have a unit, and nothing says how long a vertical index is."""
-    if settings.said_unit() and reading.counts_indices(supply.origin["format"], settings.reader):
-        raise HorizonError("%s: an error or threshold in %s, and z in vertical indices, expected --vertical-step with the "
-                           "length of one, or --z-from RealZ" % (label, settings.said_unit()))
+    said, unit = settings.said_unit(), settings.reader.get("VerticalUnit")
+    if (said or unit) and reading.counts_indices(supply.origin["format"], settings.reader):
+        raise HorizonError("%s: %s, and z in vertical indices, expected --vertical-step with the length of one, or --z-from "
+                           "RealZ" % (label, "an error or threshold in %s" % said if said else "--vertical-unit %s" % unit))
 
 
 def _run_stages(label, supply, settings, record, names, folder, found):

@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import overlay, triangles
+from . import heights, overlay, triangles
 from .stage import HorizonError, make, update
 
 READER = "vtkGOCADTSurfReader"
@@ -90,14 +90,14 @@ def account(result, surface):
         of_columns = error.GetValue(0) * step
         error.SetValue(0, gap / step)
         if gap > 1.1 * of_columns + SLIVER * np.ptp(own[:, :, 2]):
-            unit = data.GetAbstractArray("VerticalUnit")
+            unit = heights.unit_of(mesh)
             result.warnings.append(
                 "%s: error %.4g%s at x %.10g, y %.10g of the file's triangles, and %.4g at the columns of the lattice: shorter "
-                "--column-step and --row-step come closer" % (result.name, gap, " " + unit.GetValue(0) if unit is not None else "", *place,
-                                                             of_columns))
-    parts = [(0.5 * overlay.doubled_areas(corners).sum() - shared) / shared for corners in (own, other)]
-    result.warnings += ["%s: %.2g %% of the area %s" % (result.name, 100.0 * part, what) for part, what in zip(
-        parts, ("of the file's triangles is left out", "is covered beyond the file's triangles")) if part > NOTABLE_PART]
+                "--column-step and --row-step come closer" % (result.name, gap, " " + unit if unit else "", *place, of_columns))
+    areas = [0.5 * overlay.doubled_areas(corners).sum() for corners in (own, other)]
+    result.warnings += ["%s: %.2g %% of the area of the file's triangles %s" % (result.name, 100.0 * part, what)
+                        for part, what in zip((np.array(areas) - shared) / areas[0], ("is left out", "is covered beyond them"))
+                        if part > NOTABLE_PART]
     after, before = triangles.count_surface(mesh), surface.GetNumberOfPolys()
     if after > before:
         result.warnings.append("%s: %d triangles, and %d in the file: a larger --largest-error makes fewer" % (
@@ -125,9 +125,9 @@ def _require_height_field(mesh, sign, what):
     corners = _corners(mesh)
     found = _first_wall(corners) or _first_overlap(corners)
     if found:
-        x, y, *heights = found
+        x, y, *both = found
         raise HorizonError("%s: z %.7g and %.7g at x %.10g, y %.10g, expected one z at each place: a closed body, a fold and a "
-                           "wall are no horizon" % (what, *(sign * z for z in heights), x, y))
+                           "wall are no horizon" % (what, *(sign * z for z in both), x, y))
 
 
 def _tolerances(corners):
