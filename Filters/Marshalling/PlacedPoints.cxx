@@ -5,6 +5,8 @@
 
 #include "Common/Errors.h"
 #include "Common/Survey/LatticeFrame.h"
+#include "Common/Survey/Units.h"
+#include "Common/TextWords.h"
 #include "Common/VTK/SurveyFields.h"
 
 #include "vtkFieldData.h"
@@ -19,8 +21,11 @@ namespace
 constexpr double LargestDeviation = 0.05;
 constexpr double LargestColumn = 1 << 28;
 
+/// Units in short, and the domain that they are of.
 SurveyDescription WithDomain(SurveyDescription survey)
 {
+  survey.HorizontalUnit = ShortUnit(survey.HorizontalUnit);
+  survey.VerticalUnit = ShortUnit(survey.VerticalUnit);
   const bool isTime = survey.VerticalUnit == "ms" || survey.VerticalUnit == "s";
   const bool isLength = survey.VerticalUnit == "m" || survey.VerticalUnit == "ft";
   if (survey.VerticalDomain.empty() && (isTime || isLength))
@@ -68,7 +73,7 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other
 {
   const auto join = [&names](const std::string& name, std::string& known, const std::string& found)
   {
-    if (!known.empty() && !found.empty() && known != found)
+    if (!known.empty() && !found.empty() && ToLower(Trim(known)) != ToLower(Trim(found)))
     {
       throw InputError(
         names.Placed + " of the " + name + " \"" + found + "\", expected \"" + known + "\" as of " + names.First);
@@ -80,7 +85,7 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other
   join("VerticalDomain", joined.VerticalDomain, own.VerticalDomain);
   join("VerticalUnit", joined.VerticalUnit, own.VerticalUnit);
   join("HorizontalUnit", joined.HorizontalUnit, own.HorizontalUnit);
-  joined.CoordinateSystem = joined.CoordinateSystem.empty() ? own.CoordinateSystem : joined.CoordinateSystem;
+  join("CoordinateSystem", joined.CoordinateSystem, own.CoordinateSystem);
   return joined;
 }
 }

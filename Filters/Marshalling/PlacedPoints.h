@@ -36,8 +36,8 @@ struct HorizonNames
 PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonNames& names);
 
 /// What the survey of several horizons is: what the first says, and the other one where that does not. A unit of time,
-/// or of length, says the domain, too. Throws InputError where both say what z is, or the unit of x and y, and it is
-/// not the same.
+/// or of length, says the domain, too, and "metres" are "m". Throws InputError where both say what z is, the unit of x
+/// and y, or the coordinate system, and it is not the same.
 SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other, const HorizonNames& names);
 }
 

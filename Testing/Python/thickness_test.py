@@ -122,7 +122,7 @@ class ThicknessTest(unittest.TestCase):
         vtk_to_numpy(holed.GetPoints().GetData())[5, 2] = 1e30  # as single precision has it
         with self.assertRaisesRegex(ValueError, "a point of the other horizon at .*, expected at most 2\\^50 vertical indices"):
             sh.thickness(top, holed)
-        for name, value, other in (("VerticalDomain", "time", "depth"), ("VerticalUnit", "ms", "s")):
+        for name, value, other in (("VerticalDomain", "time", "depth"), ("VerticalUnit", "ms", "s"), ("CoordinateSystem", "EPSG:23031", "EPSG:32631")):
             with self.assertRaisesRegex(ValueError, 'the other horizon of the %s "%s", expected "%s" as of the first one'
                                         % (name, other, value)):
                 sh.thickness(mesh_checks.with_text(top, name, value), mesh_checks.with_text(base, name, other))
