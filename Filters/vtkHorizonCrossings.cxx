@@ -42,7 +42,7 @@ int vtkHorizonCrossings::RequestData(
   {
     const auto repair = [&]()
     {
-      const HorizonStack stack = this->ReadStack(inputVector[0], subject);
+      const HorizonStack stack = this->ReadStack(inputVector[0], subject, monitor.Step(0.0, 0.4));
       monitor.Progress(0.4);
       MakeBlocks(stack.Names(), "Horizons", outputs.front());
       if (ranks.Own() > 0)

@@ -21,9 +21,11 @@
 #include "Surface/Surface.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -69,6 +71,10 @@ void vtkHorizonLayers::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Domain: " << (this->Domain == Common ? "Common" : "EachLayer") << "\n";
   os << indent << "KeepOutlines: " << TellOn(this->KeepOutlines) << "\n";
   os << indent << "UseCuts: " << TellOn(this->UseCuts) << "\n";
+  const std::array<const char*, 3> policies = { "Void", "Interpolate", "Follow" };
+  os << indent << "Missing: " << policies[std::size_t(this->Missing)] << "\n";
+  os << indent << "LargestHoleSize: " << this->LargestHoleSize << "\n";
+  os << indent << "LargestGap: " << this->LargestGap << "\n";
   os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
   os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
   os << indent << "FitHeights: " << TellOn(this->FitHeights) << "\n";
@@ -96,7 +102,7 @@ int vtkHorizonLayers::RequestData(
   {
     const auto make = [&]()
     {
-      const HorizonStack stack = this->ReadStack(inputVector[0], subject);
+      const HorizonStack stack = this->ReadStack(inputVector[0], subject, monitor.Step(0.0, 0.1));
       subject.clear();
       monitor.Progress(0.1);
       MakeBlocks(NamesOfLayers(stack), "Layers", outputs[BodiesPort]);
@@ -113,8 +119,8 @@ int vtkHorizonLayers::RequestData(
       LayerOptions options = this->MakeOptions(stack);
       const std::optional<LinkCuts> cuts = this->UseCuts ? stack.FindCuts() : std::nullopt;
       options.Cuts = cuts ? &*cuts : nullptr;
-      const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.9));
-      this->Write(layers, stack, outputs);
+      const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.7));
+      this->Write(layers, stack, outputs, monitor.Step(0.7, 1.0));
       this->WarnOfCrossings(layers.Stack.Repair, options.Crossings.Policies, stack);
     };
     ranks.Together(make);
@@ -129,6 +135,8 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
 {
   CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
   CheckAtLeast("smallest pinch", this->SmallestPinch, 1, " column");
+  CheckAtLeast("largest hole size", this->LargestHoleSize, 0, " columns");
+  CheckWithin("largest gap", this->LargestGap, 0, 255, " columns");
   if (!std::isfinite(this->Contact))
   {
     throw InputError("contact " + std::to_string(this->Contact) + ", expected a finite number");
@@ -139,14 +147,14 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
   options.BoundThickness = this->BoundThickness;
   const bool isCommon = this->Domain == Common || stack.Size() == 2;
   options.Domain = isCommon ? LayerDomain::Common : LayerDomain::EachLayer;
-  for (std::size_t n = 0; n < stack.Size() && !isCommon; ++n)
+  options.Missing = { static_cast<MissingPolicy>(this->Missing), this->LargestHoleSize, this->LargestGap };
+  for (std::size_t n = 0; n < stack.Size() && !isCommon && this->Missing == Void; ++n)
   {
     const int radius = ChooseRadius(stack[n].Placed.Columns);
     if (radius > 1)
     {
       throw InputError(stack[n].Name + " with steps of " + std::to_string(radius) +
-        " columns from point to point, expected 1 for the domain EachLayer: choose Common, or fill gaps by "
-        "Horizon Hole Filling before");
+        " columns from point to point, expected 1 for the domain EachLayer: choose Common, or Missing Interpolate");
     }
   }
   if (isCommon && this->KeepOutlines)
@@ -164,32 +172,46 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
 
 //------------------------------------------------------------------------------
 void vtkHorizonLayers::Write(
-  const Layers& layers, const HorizonStack& stack, const std::vector<vtkDataObject*>& outputs)
+  const Layers& layers, const HorizonStack& stack, const std::vector<vtkDataObject*>& outputs, const Monitor& monitor)
 {
   const LayerPlan& plan = layers.Plan;
-  const LayerCells cells = MakeLayerCells(plan);
+  const auto numberOf = double(plan.NumberOfHorizons());
+  const auto part = [numberOf](std::size_t n) { return double(n) / numberOf; };
+  const LayerCells cells = MakeLayerCells(plan, monitor.Step(0.0, 0.15));
   WriteLayerCells(cells, plan, stack, vtkUnstructuredGrid::SafeDownCast(outputs[LayersPort]));
+  std::vector<LayerVolume> volumes;
   for (std::size_t layer = 0; layer < plan.NumberOfLayers(); ++layer)
   {
-    WriteLayerBody(MakeLayerBody(plan, layer), plan, layer, stack, BlockOf(outputs[BodiesPort], layer));
+    const Monitor step = monitor.Step(0.2, 0.6).Step(part(layer), part(layer + 1));
+    vtkPolyData* const body = BlockOf(outputs[BodiesPort], layer);
+    WriteLayerBody(MakeLayerBody(plan, layer, step.Step(0.0, 0.9)), plan, layer, stack, body);
+    WriteLedger(layers.Ledgers.OfLayers[layer], stack, body->GetFieldData());
+    volumes.push_back(MeasureLayer(plan, layer));
+    step.Progress(1.0);
   }
   for (std::size_t horizon = 0; horizon < plan.NumberOfHorizons(); ++horizon)
   {
     WriteLayerHorizon(layers, cells, horizon, stack, BlockOf(outputs[HorizonsPort], horizon));
-  }
-  std::vector<LayerVolume> volumes;
-  for (std::size_t layer = 0; layer < plan.NumberOfLayers(); ++layer)
-  {
-    volumes.push_back(MeasureLayer(plan, layer));
+    monitor.Step(0.6, 0.85).Progress(part(horizon + 1));
   }
   WriteLayerTable(layers, volumes, stack,
     this->MeasureAboveContact ? std::optional<double>(this->Contact) : std::nullopt,
     vtkTable::SafeDownCast(outputs[TablePort]));
   vtkTable* const curve = vtkTable::SafeDownCast(outputs[CurvePort]);
-  WriteVolumeCurve(plan, stack, curve);
+  WriteVolumeCurve(plan, stack, curve, monitor.Step(0.85, 1.0));
   this->WarnOfContact(curve);
   this->Results = TellLayers(layers, volumes, stack);
   this->WarnOfEmpty(volumes, stack);
+  this->WarnOfMissing(layers.Ledgers, stack);
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonLayers::WarnOfMissing(const LayerLedgers& ledgers, const HorizonStack& stack)
+{
+  for (const std::string& text : TellMissing(ledgers, stack))
+  {
+    vtkWarningMacro(<< text);
+  }
 }
 
 //------------------------------------------------------------------------------

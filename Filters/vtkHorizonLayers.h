@@ -14,8 +14,10 @@
  *  - 1 Bodies: a closed surface for each layer that faces outwards. Cell data: Face (unsigned char: 0 top, 1 base, 2
  *    outline, 3 fault) and Layer;
  *  - 2 Horizons: the horizons on the plan, the uppermost first, with the arrays of their points. Field data:
- *    LargestError (lattice units), MovedColumns and FarthestMove (world units), where they crossed;
- *  - 3 Figures: a row for each layer: volume, area, thickness, crossings, cells, and what is left out at faults;
+ *    LargestError (lattice units), MovedColumns and FarthestMove (world units), where they crossed. Bodies and
+ *    horizons have a ledger, LedgerColumns and LedgerArea, bodies LedgerVolume, too;
+ *  - 3 Figures: a row for each layer: volume, area, thickness, crossings, cells, what is left out at faults and where
+ *    points are missing, and the ledger: area and volume with known, filled, bridged and extrapolated heights;
  *  - 4 Volumes: the volume of each layer above a level contact, at 101 heights.
  *
  * Volumes are in units of x and y times those of z (column VolumeUnit), with a warning if z is time. They are exact for
@@ -25,8 +27,8 @@
  * that is left out (AreaAtFaults, VolumeAtFaults). A dipping fault cuts each horizon along another line; between these
  * lines the thickness is that of two blocks.
  *
- * Errors: fewer than two horizons, points between the columns of another horizon, different domains or units of z, no
- * common column, or no clear order.
+ * Errors: fewer than two horizons, points between the columns of another horizon, different coordinate systems, domains
+ * or units, no common column, or no clear order.
  *
  * @sa vtkHorizonCrossings vtkHorizonThickness vtkHorizonSurface
  */
@@ -43,7 +45,9 @@
 namespace SeismicHorizons
 {
 class HorizonStack;
+class Monitor;
 struct CrossingRepair;
+struct LayerLedgers;
 struct LayerOptions;
 struct LayerVolume;
 struct Layers;
@@ -105,8 +109,7 @@ public:
 
   ///@{
   /**
-   * Where layers are. EachLayer: where both horizons of a layer have points. Common: where all horizons have points,
-   * with outlines simplified within MaximumError, at most 2 columns on the map, and small holes closed. Default:
+   * Where layers are. EachLayer: where both horizons of a layer are. Common: where all horizons are, with outlines simplified within MaximumError, at most 2 columns on the map, and small holes closed. Default:
    * EachLayer.
    */
   vtkSetClampMacro(Domain, int, EachLayer, Common);
@@ -132,6 +135,46 @@ public:
   vtkSetMacro(UseCuts, bool);
   vtkGetMacro(UseCuts, bool);
   vtkBooleanMacro(UseCuts, bool);
+  ///@}
+
+  /// Values of Missing.
+  enum MissingPolicies
+  {
+    Void = 0,
+    Interpolate = 1,
+    Follow = 2
+  };
+
+  ///@{
+  /**
+   * What happens where a horizon has no points. Void: both layers beside it are absent. Interpolate: its holes and gaps
+   * are closed, up to LargestHoleSize and LargestGap. Follow: in addition, a horizon that is absent between two others
+   * follows the one that it is nearer to along the border of the area, so that no rock between these is lost. Default:
+   * Follow.
+   */
+  vtkSetClampMacro(Missing, int, Void, Follow);
+  vtkGetMacro(Missing, int);
+  void SetMissingToVoid() { this->SetMissing(Void); }
+  void SetMissingToInterpolate() { this->SetMissing(Interpolate); }
+  void SetMissingToFollow() { this->SetMissing(Follow); }
+  ///@}
+
+  ///@{
+  /**
+   * Enclosed holes of up to this size are closed, by a smooth surface as in Horizon Hole Filling. Unit: columns. Range:
+   * at least 0. Default: 2500.
+   */
+  vtkSetMacro(LargestHoleSize, int);
+  vtkGetMacro(LargestHoleSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Gaps that are at most this wide along rows or columns, as at faults and between sparse lines, are closed by linear
+   * interpolation. Unit: columns. Range: 0 to 255. Default: 10.
+   */
+  vtkSetMacro(LargestGap, int);
+  vtkGetMacro(LargestGap, int);
   ///@}
 
   /// Values of Effort.
@@ -208,10 +251,11 @@ private:
 
   SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
   void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
-    const std::vector<vtkDataObject*>& outputs);
+    const std::vector<vtkDataObject*>& outputs, const SeismicHorizons::Monitor& monitor);
   void WarnOfEmpty(
     const std::vector<SeismicHorizons::LayerVolume>& volumes, const SeismicHorizons::HorizonStack& stack);
   void WarnOfContact(vtkTable* curve);
+  void WarnOfMissing(const SeismicHorizons::LayerLedgers& ledgers, const SeismicHorizons::HorizonStack& stack);
   void WarnOfCrossings(const SeismicHorizons::CrossingRepair& repair,
     const std::vector<SeismicHorizons::CrossingPolicy>& policies, const SeismicHorizons::HorizonStack& stack);
 
@@ -222,6 +266,9 @@ private:
   int Domain = EachLayer;
   bool KeepOutlines = false;
   bool UseCuts = true;
+  int Missing = Follow;
+  int LargestHoleSize = 2500;
+  int LargestGap = 10;
   int Effort = Best;
   double SmallestAngle = 10.0;
   bool FitHeights = true;

@@ -70,7 +70,7 @@ void vtkHorizonStackStage::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::string& subject)
+HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::string& subject, const Monitor& monitor)
 {
   std::vector<HorizonLeaf> leaves;
   std::vector<std::string> names;
@@ -100,6 +100,7 @@ HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::
           stack.Add(names[n], points);
         }
       });
+    monitor.Progress(0.5 * double(n + 1) / double(leaves.size()));
   }
   subject.clear();
   if (stack.Size() < 2)
@@ -108,6 +109,7 @@ HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::
       (stack.Size() == 0 ? "no horizon" : "one horizon") + std::string(" with points, expected at least 2"));
   }
   stack.PlaceTogether();
+  monitor.Progress(0.8);
   const CrossingOptions crossings = this->MakeCrossings(stack);
   if (this->Order == ByHeight)
   {

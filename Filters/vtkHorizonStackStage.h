@@ -23,6 +23,7 @@
 namespace SeismicHorizons
 {
 class HorizonStack;
+class Monitor;
 struct CrossingOptions;
 }
 
@@ -118,7 +119,8 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// The horizons of all connections, in order; `subject` is the one that is read. Throws SeismicHorizons::InputError.
-  SeismicHorizons::HorizonStack ReadStack(vtkInformationVector* inputs, std::string& subject);
+  SeismicHorizons::HorizonStack ReadStack(
+    vtkInformationVector* inputs, std::string& subject, const SeismicHorizons::Monitor& monitor);
   SeismicHorizons::CrossingOptions MakeCrossings(const SeismicHorizons::HorizonStack& stack) const;
   /// How many vertical indices a height is.
   double IndicesOf(double height, const SeismicHorizons::HorizonStack& stack) const;

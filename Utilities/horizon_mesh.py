@@ -134,8 +134,7 @@ def make_parser():
         "vertical index up or down. Heights (E, T of --despike and --cut-faults) are vertical indices, or have a unit: 2ms, "
         "0.002s, 5m, 16ft. The exit code is 0 when all is done, and 1 when a file, or the report, could not be done, or the "
         "command line is wrong; other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
-    parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path,
-                        help="files of horizons, or folders of them")
+    parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path, help="files of horizons, or folders of them")
     parser.add_argument("--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
                         help="where the results go; made when it is missing")
     parser.add_argument("--formats", nargs="+", choices=FORMATS, default=["vtp"],
@@ -191,8 +190,7 @@ def _add_reader_options(group):
     group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=NOT_GIVEN,
                        help="where vertical indices and z of the file grow to: time and depth do so downwards (default: Up "
                        "for GeoTIFF, unless it says otherwise, for others Down)")
-    group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN,
-                       help="the unit of z (default: what the file says)")
+    group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN, help="the unit of z (default: what the file says)")
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME",
                        help="that of x and y, as EPSG:23031, for formats that have one (default: what the file says)")
     group.add_argument("--elevation", dest="z_from", choices=Z_SOURCES, default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
@@ -293,11 +291,13 @@ def _add_mesh_options(group):
 
 def _add_layer_options(group):
     group.add_argument("--layers", action="store_true", default=NOT_GIVEN, help="make closed volumes between the horizons of a "
-                       "file, too, within the largest error: cells (.vtu), a body for each in formats of meshes, a table (.csv)")
+                       "file, or of files of one each, too, within the largest error: cells (.vtu), a body for each in formats of meshes, a table (.csv)")
     return (group.add_argument("--crossings", nargs="+", choices=CROSSINGS, default=NOT_GIVEN, help="what is done where horizons "
                                "cross, or a word for each layer from the uppermost on; put -- before files (default: Mean)"),
             group.add_argument("--order", choices=("ByHeight", "AsGiven"), default=NOT_GIVEN, help="which horizon is above which "
-                               "for --layers; AsGiven: as --horizons, or the file, lists them, the uppermost first"))
+                               "for --layers; AsGiven: as --horizons, the file or the files list them, the uppermost first"),
+            group.add_argument("--missing", choices=("Void", "Interpolate", "Follow"), default=NOT_GIVEN, help="where a horizon has no "
+                               "points: no layers; its holes and gaps closed; absent ones follow another one, too (default: Follow)"))
 
 
 def _add_stage_options(group):

@@ -15,6 +15,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -54,7 +55,15 @@ void CutAlong(const PlanePoint& from, const PlanePoint& to, LinkCuts& cuts)
 void HorizonStack::Add(const std::string& name, vtkPolyData* points)
 {
   RequireAllPoints(points);
-  this->Horizons.push_back({ name, ReadColumns(points, {}), {} });
+  this->Horizons.push_back({ name, ReadColumns(points, {}), {}, {} });
+  if (vtkDataArray* const filled = FindNumbers(points->GetPointData(), PointArray::Filled))
+  {
+    std::vector<unsigned char>& isFilled = this->Horizons.back().IsFilled;
+    for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+    {
+      isFilled.push_back(filled->GetComponent(point, 0) >= 0.5 ? 1 : 0);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -156,6 +165,7 @@ std::vector<HorizonView> HorizonStack::Views() const
   for (const StackedHorizon& horizon : this->Horizons)
   {
     views.push_back({ horizon.Placed.Columns, horizon.Placed.Height.data() });
+    views.back().IsFilled = horizon.IsFilled.empty() ? nullptr : horizon.IsFilled.data();
   }
   return views;
 }

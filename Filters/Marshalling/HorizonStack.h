@@ -31,6 +31,7 @@ struct StackedHorizon
   std::string Name;
   LatticePoints Points; // on its own lattice
   PlacedPoints Placed; // on that of the stack
+  std::vector<unsigned char> IsFilled; // by point, 1 for those of hole filling and gridding; empty without any
 };
 
 class HorizonStack

@@ -3,17 +3,21 @@
 
 #include "LayerFigures.h"
 
+#include "Common/DataModel.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
 #include "HeightUnit.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -50,6 +54,42 @@ private:
   vtkIdType Rows;
   vtkIdType Row = 0;
 };
+
+/// A tuple with a component for each entry of the ledger.
+template <typename Array, typename Values, typename Unit>
+void AddEntries(const char* name, const Values& values, Unit unit, vtkFieldData* data)
+{
+  auto array = NewArray<Array>(name, 1, int(LedgerEntries));
+  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+  {
+    array->SetComponentName(vtkIdType(entry), LedgerNames[entry]);
+    array->SetValue(vtkIdType(entry), typename Array::ValueType(values[entry] * unit));
+  }
+  data->AddArray(array);
+}
+
+/// "8.1 %"
+std::string Percent(double part)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << 100.0 * part << " %";
+  return text.str();
+}
+
+/// What a layer has of an entry other than known columns, where that is worth a word: "filled 8.1 %".
+std::string TellEntries(const LayerLedger& ledger)
+{
+  const auto covered = double(std::max<std::int64_t>(1, ledger.Columns.Covered()));
+  std::string text;
+  for (const LedgerEntry entry : { LedgerEntry::Filled, LedgerEntry::Bridged, LedgerEntry::Extrapolated })
+  {
+    const double part = double(ledger.Columns[entry]) / covered;
+    std::string name = LedgerNames[std::size_t(entry)];
+    name.front() = char(std::tolower(name.front()));
+    text += part > LedgerWarningFraction ? (text.empty() ? "" : ", ") + name + " " + Percent(part) : "";
+  }
+  return text;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -118,13 +158,37 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
     }
     writer.Set<vtkDoubleArray>("AreaAtFaults", area * own.FaultArea);
     writer.Set<vtkDoubleArray>("VolumeAtFaults", volume * own.FaultVolume);
+    const LayerLedger& ledger = layers.Ledgers.OfLayers[layer];
+    writer.Set<vtkDoubleArray>("AreaWithout", area * ledger.AreaWithout);
+    writer.Set<vtkDoubleArray>("VolumeWithout", volume * ledger.VolumeWithout);
+    for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+    {
+      const std::string name = LedgerNames[entry];
+      writer.Set<vtkDoubleArray>(("Area" + name).c_str(), area * double(ledger.Columns.Columns[entry]));
+      writer.Set<vtkDoubleArray>(("Volume" + name).c_str(), volume * ledger.Volumes[entry]);
+    }
   }
   table->AddColumn(
     MakeTexts("VolumeUnit", std::vector<std::string>(layers.Plan.NumberOfLayers(), UnitOfVolumes(stack))));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table)
+void WriteLedger(const Ledger& ledger, const HorizonStack& stack, vtkFieldData* data)
+{
+  const double bin = stack.CommonLattice().ColumnArea();
+  AddEntries<vtkIdTypeArray>(FieldArray::LedgerColumns, ledger.Columns, 1, data);
+  AddEntries<vtkDoubleArray>(FieldArray::LedgerArea, ledger.Columns, bin, data);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data)
+{
+  WriteLedger(ledger.Columns, stack, data);
+  AddEntries<vtkDoubleArray>(FieldArray::LedgerVolume, ledger.Volumes, VolumeOfUnit(stack), data);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table, const Monitor& monitor)
 {
   double least = std::numeric_limits<double>::infinity();
   double largest = -least;
@@ -155,7 +219,8 @@ void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable
   for (std::size_t layer = 0; layer < names.size(); ++layer)
   {
     auto volumes = NewArray<vtkDoubleArray>(names[layer].c_str(), ContactsOfCurve);
-    ParallelFor(ContactsOfCurve, 1,
+    const auto part = [&](std::size_t n) { return double(n) / double(names.size()); };
+    ParallelFor(ContactsOfCurve, 1, monitor.Step(part(layer), part(layer + 1)),
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
@@ -177,6 +242,34 @@ std::string UnitOfVolumes(const HorizonStack& stack)
   }
   return survey.HorizontalUnit == survey.VerticalUnit ? survey.HorizontalUnit + "3"
                                                       : survey.HorizontalUnit + "2 " + survey.VerticalUnit;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack)
+{
+  const std::vector<std::string> names = NamesOfLayers(stack);
+  std::vector<std::string> lines;
+  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  {
+    const LayerLedger& ledger = ledgers.OfLayers[layer];
+    const std::string entries = TellEntries(ledger);
+    if (!entries.empty())
+    {
+      lines.push_back(names[layer] + " with heights that were not read over a part of its area (" + entries +
+        "), expected points of both horizons");
+    }
+    const double leftOut = double(ledger.Columns[LedgerEntry::LeftOut]);
+    const double all = leftOut + double(ledger.Columns.Covered());
+    if (leftOut > LedgerWarningFraction * all)
+    {
+      std::ostringstream line;
+      line << names[layer] << " without " << Percent(leftOut / all) << " of its area (volume "
+           << ledger.VolumeWithout * VolumeOfUnit(stack)
+           << "), expected all between its horizons: Missing Follow, and the domain EachLayer, leave out least";
+      lines.push_back(line.str());
+    }
+  }
+  return lines;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -203,6 +296,10 @@ std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& vol
     {
       text << "  left out at faults: volume " << own.FaultVolume * VolumeOfUnit(stack) << '\n';
     }
+  }
+  for (const std::string& line : TellMissing(layers.Ledgers, stack))
+  {
+    text << line << '\n';
   }
   for (std::size_t horizon = 0; horizon < stack.Size(); ++horizon)
   {

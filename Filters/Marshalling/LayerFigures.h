@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+class vtkFieldData;
 class vtkStringArray;
 class vtkTable;
 
@@ -37,7 +38,15 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
   std::optional<double> contact, vtkTable* table);
 
 /// The volume of each layer above contacts from the top of all to the base.
-void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table);
+void WriteVolumeCurve(
+  const LayerPlan& plan, const HorizonStack& stack, vtkTable* table, const Monitor& monitor = Monitor());
+
+/// The ledger of a horizon, and of a layer, as field data.
+void WriteLedger(const Ledger& ledger, const HorizonStack& stack, vtkFieldData* data);
+void WriteLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data);
+
+/// What layers have of heights that were not read, and what they leave out, as far as it is worth a warning.
+std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack);
 
 /// The same as lines of text: of each layer volume and thickness, and of each horizon the points outside.
 std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack);

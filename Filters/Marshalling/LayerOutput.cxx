@@ -6,7 +6,6 @@
 #include "Common/ColumnIndex.h"
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
-#include "Common/PlaneGeometry.h"
 #include "Common/VTK/DataArrays.h"
 #include "HeightUnit.h"
 #include "HorizonCells.h"
@@ -26,13 +25,13 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -84,25 +83,37 @@ void Mirror(vtkIdType* corners, std::size_t size)
   std::swap(corners[size - 4], corners[size - 2]); // of a pyramid in its quadrangle, of a tetrahedron in its triangle
 }
 
-/// A point of a horizon in one of the squares of columns around one, the smallest that has some.
-PointId FindNearest(const ColumnIndex& index, const PlaneBox& box, const PlanePoint& column)
+/// The points of a horizon that are nearest to columns on the map.
+class NearestPoints
 {
-  for (std::int32_t radius = 1;; ++radius)
+public:
+  explicit NearestPoints(PlanePoints columns)
+    : Columns(columns)
   {
-    for (std::int32_t y = column.Y - radius; y <= column.Y + radius; ++y)
-    {
-      const bool isWhole = std::abs(y - column.Y) == radius;
-      for (std::int32_t x = column.X - radius; x <= column.X + radius; x += isWhole ? 1 : 2 * radius)
-      {
-        const PointId point = box.Contains({ x, y }) ? index[index.Place({ x, y })] : NoPoint;
-        if (point != NoPoint)
-        {
-          return point;
-        }
-      }
-    }
   }
-}
+
+  PointId At(const PlanePoint& column)
+  {
+    if (this->Places->GetNumberOfPoints() == 0)
+    {
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (const PlanePoint& own : this->Columns)
+      {
+        points->InsertNextPoint(own.X, own.Y, 0.0);
+      }
+      this->Places->SetPoints(points);
+      this->Locator->SetDataSet(this->Places);
+      this->Locator->BuildLocator();
+    }
+    return PointId(this->Locator->FindClosestPoint(column.X, column.Y, 0.0));
+  }
+
+private:
+  PlanePoints Columns;
+  vtkNew<vtkPolyData> Places; // empty until it is needed
+  vtkNew<vtkStaticPointLocator> Locator;
+};
 
 /// The vertices of the plan that a horizon has, with its points.
 struct HorizonVertices
@@ -110,25 +121,30 @@ struct HorizonVertices
   std::vector<PointId> Vertices; // of the plan
   std::vector<PointId> Numbers; // of these, by vertex of the plan; NoPoint for others
   vtkNew<vtkIdList> Points; // of the horizon, the nearest where it has none in the column
-  std::vector<unsigned char> IsFilled; // 1 there
+  std::vector<unsigned char> IsFilled; // 1 there and where an earlier stage filled, 2 where it follows another horizon
 };
 
-void FindVertices(
-  const LayerPlan& plan, const std::vector<PointId>& pointAt, PlanePoints columns, HorizonVertices& found)
+void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<PointId>& pointAt, PlanePoints columns,
+  HorizonVertices& found)
 {
+  const LayerPlan& plan = layers.Plan;
   const ColumnIndex index(columns);
-  const PlaneBox box(columns);
+  const ColumnIndex all(layers.Stack.Columns);
+  NearestPoints nearest(columns);
   found.Numbers.assign(plan.Columns.size(), NoPoint);
   for (std::size_t vertex = 0; vertex < pointAt.size(); ++vertex)
   {
     if (pointAt[vertex] != NoPoint)
     {
       const PlanePoint& column = plan.Columns[vertex];
-      const PointId point = box.Contains(column) ? index[index.Place(column)] : NoPoint;
+      const PointId point = index.PointAt(column);
       found.Numbers[vertex] = PointId(found.Vertices.size());
       found.Vertices.push_back(PointId(vertex));
-      found.IsFilled.push_back(point == NoPoint ? 1 : 0);
-      found.Points->InsertNextId(point == NoPoint ? FindNearest(index, box, column) : point);
+      const PointId place = all.PointAt(column);
+      const HeightOrigin origin =
+        place == NoPoint ? HeightOrigin::None : layers.Stack.Origins[horizon][std::size_t(place)];
+      found.IsFilled.push_back(Follows(origin) ? 2 : origin == HeightOrigin::Known ? 0 : 1);
+      found.Points->InsertNextId(point == NoPoint ? nearest.At(column) : point);
     }
   }
 }
@@ -183,7 +199,7 @@ void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices
   output->AddArray(columns);
   AddArray<vtkDoubleArray>(output, PointArray::VerticalIndex, own.Vertices,
     [&](PointId vertex) { return plan.Heights[horizon][std::size_t(vertex)]; });
-  if (std::find(own.IsFilled.begin(), own.IsFilled.end(), 1) != own.IsFilled.end())
+  if (std::any_of(own.IsFilled.begin(), own.IsFilled.end(), [](unsigned char value) { return value != 0; }))
   {
     AddArray<vtkUnsignedCharArray>(output, PointArray::Filled, own.IsFilled);
   }
@@ -259,7 +275,7 @@ void WriteLayerHorizon(
 {
   const LayerPlan& plan = layers.Plan;
   HorizonVertices own;
-  FindVertices(plan, cells.PointsOfHorizons[horizon], stack[horizon].Placed.Columns, own);
+  FindVertices(layers, horizon, cells.PointsOfHorizons[horizon], stack[horizon].Placed.Columns, own);
   output->SetPoints(MakePoints(own.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t n)
     {
@@ -279,6 +295,7 @@ void WriteLayerHorizon(
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.PointsOutside[horizon]));
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
+  WriteLedger(layers.Ledgers.OfHorizons[horizon], stack, figures);
   AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(moved.Columns));
   AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, height * moved.Farthest);
 }

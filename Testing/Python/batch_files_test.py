@@ -266,6 +266,23 @@ class FilesTest(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertRegex(messages[0], "error: .*none.pol")
 
+    def test_stack_of_files(self):
+        """Files of one horizon each are a stack; one alone is not."""
+        depths = {"top": 1000.0, "mid": 1050.0, "base": 1100.0}
+        grids = [self.write(name + ".xyz", ["%.3f %.3f %.3f" % (5e5 + 25 * i, 65e5 + 25 * j, z + 0.1 * i)
+                                            for j in range(12) for i in range(15)]) for name, z in depths.items()]
+        code, messages, text = self.run_program("--layers", "--formats", "vtp", "msh", "--", *grids)
+        self.assertEqual((code, messages), (0, []))
+        self.assertRegex(text, "\nstack of 3 files\n  top to mid: volume 4.8125e\\+06.*\n  mid to base: volume 4.8125e\\+06")
+        self.assertEqual([name for name in files(self.output) if "layer" in name],
+                         ["stack_layer_1.vtp", "stack_layer_2.vtp", "stack_layers.csv", "stack_layers.msh", "stack_layers.vtu"])
+        code, messages, text = self.run_program("--layers", "--json", "--order", "AsGiven", "--missing", "Void", "--", *grids[::2])
+        self.assertEqual([own["name"] for own in json.loads(text)["files"][-1]["layers"]], ["top to base"])
+        code, messages, _ = self.run_program("--layers", grids[0], SAMPLE)
+        self.assertEqual((code, messages[-1]), (1, "error: top: one horizon, expected at least 2, in the file or in files of one horizon each"))
+        code, messages, _ = self.run_program("--layers", grids[0])
+        self.assertEqual((code, messages), (1, ["error: top.xyz: one horizon with points, expected at least 2"]))
+
     def test_name_in_latin_1(self):
         """An error of that file alone, also in a report and in JSON."""
         good, report = self.copy("good.vsm"), self.folder / "report.html"

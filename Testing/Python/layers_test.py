@@ -234,7 +234,7 @@ class LayersTest(unittest.TestCase):
         self.assertAlmostEqual(made.figures["All to Window"].area, 25.0 * 12.5 * 26 * 29, delta=1e-6)
         deep = on_grid(200.0 + X)
         with self.assertRaisesRegex(ValueError, "Coarse with steps of 2 columns from point to point, expected 1 for the domain"):
-            sh.layers({"Coarse": coarse, "Fine": fine, "Deep": deep})
+            sh.layers({"Coarse": coarse, "Fine": fine, "Deep": deep}, missing="Void")
         rough = on_grid(100.0 + 3.0 * np.sin(X) * np.cos(2.0 * Y))
         for domain, third in (("EachLayer", {}), ("Common", {"Deep": deep})):
             stack = {"Rough": rough, "Coarse": on_grid(np.full((15, 20), 140.0), spacing=(50.0, 25.0)), **third}
@@ -302,9 +302,12 @@ class LayersTest(unittest.TestCase):
             made = sh.layers({"One": one, "Two": two})
             self.assertEqual(sh.details(made.cells).vertical_unit, "m")
             self.assertEqual(abs(sh.details(made.cells).lattice_to_world[2, 2]), 1.0)
-        for name, units in (("HorizontalUnit", ("ft", "m")), ("VerticalUnit", ("ms", "m"))):
-            with self.assertRaisesRegex(ValueError, 'Two of the Vertical(Domain "depth"|Unit)|Two of the HorizontalUnit "m", expected "ft" as of One'):
+        for name, units in (("HorizontalUnit", ("ft", "m")), ("VerticalUnit", ("ms", "m")), ("CoordinateSystem", ("EPSG:23031", "EPSG:32631"))):
+            with self.assertRaisesRegex(ValueError, 'Two of the Vertical(Domain "depth"|Unit)|Two of the HorizontalUnit "m", expected "ft" as of One'
+                                        '|Two of the CoordinateSystem "EPSG:32631", expected "EPSG:23031" as of One'):
                 sh.layers({"One": mesh_checks.with_text(bare, name, units[0]), "Two": mesh_checks.with_text(bare, name, units[1])})
+        for name, same in (("HorizontalUnit", ("m", "metre", "Metres")), ("VerticalUnit", ("metres", "m")), ("CoordinateSystem", ("EPSG:23031", "epsg:23031"))):
+            sh.layers({str(n): mesh_checks.with_text(on_grid(430.0 + 10.0 * n + 0 * X), name, unit) for n, unit in enumerate(same)})
         with self.assertWarnsRegex(UserWarning, "z is time"):
             sh.layers({"One": bare, "Two": mesh_checks.with_text(on_grid(440.0 + 0 * X), "VerticalUnit", "ms")})
 

@@ -27,6 +27,7 @@ from .parts import Windows
 from .stage import HorizonError
 from .supply import Supply
 
+STACK = "stack"  # what layers between files of one horizon each are called
 WORKSPACE = ".horizon_mesh-"  # what names of folders begin with that are there during a run
 SECONDS_TO_LOCK = 2.0
 LONGEST_NAME = 255  # bytes of the name of a file, on all usual systems
@@ -38,11 +39,20 @@ def run(inputs, output_folder, settings, with_pictures, record, prints=True):
     record.begin(settings)
     files = find_files(inputs, record)
     labels = make_labels(files)
+    stack = [] if settings.layers is not None and len(files) > 1 else None
     with _workspace(output_folder) as workspace:
         for path, label, stem in zip(files, labels, make_stems(labels)):
             record.begin_file(path, label)
             try:
-                lines = process(path, label, stem, workspace, settings, with_pictures, record)
+                lines = process(path, label, stem, workspace, settings, with_pictures, record, stack)
+                if prints:
+                    print_lines(lines)
+            except (HorizonError, OSError) as error:
+                record.fail_file(error)
+        if stack:
+            record.begin_file(STACK, STACK)
+            try:
+                lines = process_stack(stack, workspace, settings, record)
                 if prints:
                     print_lines(lines)
             except (HorizonError, OSError) as error:
@@ -155,9 +165,10 @@ def _remove_abandoned(output_folder):
                     shutil.rmtree(folder, ignore_errors=True)
 
 
-def process(path, label, stem, workspace, settings, with_pictures, record):
+def process(path, label, stem, workspace, settings, with_pictures, record, stack=None):
     """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns what
-    there is to print. Raises HorizonError or OSError."""
+    there is to print. Where the file has one horizon alone, and there is a stack, its layers are those of the stack, which
+    gets the stem of the file, the name of the horizon and its points. Raises HorizonError or OSError."""
     left_out = [] if settings.leave_out_invalid else None
     supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), left_out, **settings.reader)
     for text in left_out or []:
@@ -169,15 +180,42 @@ def process(path, label, stem, workspace, settings, with_pictures, record):
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
         results = _run_stages(label, supply, settings, record, names, pathlib.Path(folder), found)
         lines = _write(results, names, pathlib.Path(folder))
-        if settings.layers is not None:
-            lines += _write_layers(label, results, settings, names, pathlib.Path(folder), record)
+        if stack is not None and len(results) == 1:
+            stack.append((stem, results[0].name, writing.prepared(results[0])))
+        elif settings.layers is not None:
+            points = {result.name: writing.prepared(result) for result in results}
+            lines += _write_layers(label, points, settings, names, pathlib.Path(folder), record)
         interrupt.check()
-        written = sorted(os.listdir(folder))
-        for name in written:
-            os.replace(os.path.join(folder, name), workspace.parent / name)
+        written = _publish(folder, workspace)
     record.end_file(supply, written)
     lines = [*found.lines(supply.origin, settings), *tables.table(results), *lines, written_line(written, workspace.parent)]
     return ["%s: read in %.2f s" % (label, supply.seconds), *(("  " + line).rstrip() for line in lines)]
+
+
+def process_stack(stack, workspace, settings, record):
+    """Does the layers between files of one horizon each, as process does a file."""
+    if len(stack) == 1:
+        raise HorizonError("%s: one horizon, expected at least 2, in the file or in files of one horizon each" % stack[0][0])
+    titles = [name for _, name, _ in stack]
+    if len(set(titles)) < len(titles):
+        titles = [stem for stem, _, _ in stack]
+    names = _Names(STACK, titles, settings, False)
+    names.check(workspace.parent)
+    with tempfile.TemporaryDirectory(dir=workspace) as folder:
+        points = dict(zip(titles, (points for _, _, points in stack)))
+        lines = _write_layers(STACK, points, settings, names, pathlib.Path(folder), record)
+        interrupt.check()
+        written = _publish(folder, workspace)
+    record.end_stack(written)
+    return ["%s of %d files" % (STACK, len(stack)), *("  " + line for line in [*lines, written_line(written, workspace.parent)])]
+
+
+def _publish(folder, workspace):
+    """Moves results into place, and returns their names."""
+    written = sorted(os.listdir(folder))
+    for name in written:
+        os.replace(os.path.join(folder, name), workspace.parent / name)
+    return written
 
 
 def _require_scale(label, supply, settings):
@@ -290,9 +328,10 @@ def _write(results, names, folder):
     return lines
 
 
-def _write_layers(label, results, settings, names, folder, record):
-    """Volumes between all horizons of a file. Returns what there is to print about them. Raises HorizonError."""
-    made, warnings = volumes.of_points({result.name: writing.prepared(result) for result in results}, settings, label)
+def _write_layers(label, points, settings, names, folder, record):
+    """Volumes between horizons, given their points by names. Returns what there is to print about them. Raises
+    HorizonError."""
+    made, warnings = volumes.of_points(points, settings, label)
     writing.write_tables([made.table], folder / names.layers[0])
     for name in names.layers[1:]:
         warnings += writing.write_cells(made.cells, folder / name)

@@ -57,7 +57,7 @@ def _layers(options):
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
     error = getattr(options, "largest_error", BEST_ERROR)
     unit = {"HeightUnit": "World"} if getattr(error, "unit", "") else {}
-    return {"MaximumError": error, **unit, **crossings, **given(options, Order="order")}
+    return {"MaximumError": error, **unit, **crossings, **given(options, Order="order", Missing="missing")}
 
 
 def make_settings(options):

@@ -58,6 +58,10 @@ class Record:
         """The results are complete."""
         self.files[-1].update(status="done", seconds_reading=supply.seconds, results=list(results), **supply.origin)
 
+    def end_stack(self, results):
+        """The same for layers between files."""
+        self.files[-1].update(status="done", seconds_reading=0.0, results=list(results))
+
     def fail_file(self, error):
         """There are no results, or they cannot be told of."""
         file = self.files[-1]

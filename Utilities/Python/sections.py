@@ -34,7 +34,10 @@ LAYER_COLUMNS = (
     ("Crossings", "columns where its horizons cross", lambda own: own["crossings"], "{:,}"),
     ("Deepest crossing", "of these", lambda own: own["deepest_crossing"], "{:.4g}"),
     ("Volume at faults", "of the strip between both sides of faults, which layers leave out", lambda own: own["volume_at_faults"],
-     "{:.4g}"))
+     "{:.4g}"),
+    ("Volume without", "left out where horizons have no points", lambda own: own["volume_without"], "{:.4g}"),
+    ("Volume computed", "by columns, with heights that were not read", lambda own: sum(
+        own["volume_" + name] for name in ("filled", "bridged", "extrapolated")), "{:.4g}"))
 ERROR_ROWS = (("Hausdorff distance, at most", "largest"), ("largest found", "largest_found"), ("mean", "mean"),
               ("root mean square", "rms"), ("median", "median"), ("90th percentile", "percentile_90"),
               ("95th percentile", "percentile_95"), ("99th percentile", "percentile_99"), ("outlines, on the map", "outline"))

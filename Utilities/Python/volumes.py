@@ -29,7 +29,7 @@ class Layers(types.SimpleNamespace):
 
 
 def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_error: float | str | None = None,
-           contact: float | None = None, **keywords: Any) -> Layers:
+           contact: float | None = None, missing: str | None = None, **keywords: Any) -> Layers:
     """Closed volumes of the layers between horizons.
 
     Parameters
@@ -40,6 +40,9 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
         how far a point may be from the layers, vertically: in vertical indices, or with a unit, as "2 ms". 0.75 by default.
     contact : float, optional
         a level, as world z, above which volumes are measured too.
+    missing : {"Void", "Interpolate", "Follow"}, optional
+        what is done where a horizon has no points: layers are left out; its holes and gaps are closed; or, by default, a horizon
+        that is absent between two others follows one of these, too.
     **keywords
         properties of HorizonLayers: `crossings`, `crossings_by_layer`, `domain`, `order` and the like.
 
@@ -65,7 +68,8 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
         raise TypeError("largest_error and maximum_error, expected one of them")
     target = {} if largest_error is None else {"maximum_error": largest_error}
     level = {} if contact is None else {"measure_above_contact": True, "contact": contact}
-    _run(maker, horizons, {**target, **level, **keywords}, "layers")
+    policy = {} if missing is None else {"missing": missing}
+    _run(maker, horizons, {**target, **level, **policy, **keywords}, "layers")
     made = _collect(maker)
     made.cells = calls.wrap(made.cells)
     made.bodies = {name: calls.wrap(body) for name, body in made.bodies.items()}

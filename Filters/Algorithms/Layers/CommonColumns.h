@@ -8,6 +8,9 @@
 
 #include "Common/Types.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -17,6 +20,14 @@ struct HorizonView
 {
   PlanePoints Columns;
   const double* Heights = nullptr;
+  /// The first of the points that were put into holes and gaps, behind those that were read.
+  std::size_t FirstFilled = std::numeric_limits<std::size_t>::max();
+
+  /// By point that was read, 1 for those that an earlier stage filled; null where it filled none.
+  const unsigned char* IsFilled = nullptr;
+
+  bool Knows(PointId point) const { return point != NoPoint && std::size_t(point) < this->FirstFilled; }
+  std::size_t NumberOfKnown() const { return std::min(this->FirstFilled, this->Columns.size()); }
 };
 
 /// Columns that several horizons have, row by row from the least y, in each of them by x.

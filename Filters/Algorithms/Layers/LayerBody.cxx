@@ -24,12 +24,16 @@ public:
   {
   }
 
-  LayerBody Run()
+  LayerBody Run(const Monitor& monitor)
   {
     this->FindCells();
+    monitor.Progress(0.2);
     this->FindClosed();
+    monitor.Progress(0.4);
     this->FindSectors();
+    monitor.Progress(0.6);
     this->MakePoints();
+    monitor.Progress(0.8);
     this->FindFaultSides();
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
@@ -271,8 +275,8 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LayerBody MakeLayerBody(const LayerPlan& plan, std::size_t layer)
+LayerBody MakeLayerBody(const LayerPlan& plan, std::size_t layer, const Monitor& monitor)
 {
-  return BodyMaker(plan, layer).Run();
+  return BodyMaker(plan, layer).Run(monitor);
 }
 }

@@ -18,6 +18,7 @@
 #ifndef SeismicHorizonsLayerBody_h
 #define SeismicHorizonsLayerBody_h
 
+#include "Common/Monitor.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
 #include "LayerPlan.h"
@@ -47,7 +48,7 @@ struct LayerBody
 };
 
 /// Empty where the layer has no cell.
-LayerBody MakeLayerBody(const LayerPlan& plan, std::size_t layer);
+LayerBody MakeLayerBody(const LayerPlan& plan, std::size_t layer, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -64,11 +64,12 @@ public:
   {
   }
 
-  LayerCells Run()
+  LayerCells Run(const Monitor& monitor)
   {
     this->MakePoints();
     for (std::size_t layer = 0; layer < this->Plan.NumberOfLayers(); ++layer)
     {
+      monitor.Progress(double(layer + 1) / double(this->Plan.NumberOfHorizons()));
       for (std::size_t triangle = 0; triangle < this->Plan.NumberOfTriangles(); ++triangle)
       {
         this->AddCell(layer, triangle);
@@ -204,9 +205,9 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LayerCells MakeLayerCells(const LayerPlan& plan)
+LayerCells MakeLayerCells(const LayerPlan& plan, const Monitor& monitor)
 {
-  return CellMaker(plan).Run();
+  return CellMaker(plan).Run(monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #ifndef SeismicHorizonsLayerCells_h
 #define SeismicHorizonsLayerCells_h
 
+#include "Common/Monitor.h"
 #include "Common/RawVector.h"
 #include "Common/Types.h"
 #include "LayerPlan.h"
@@ -47,7 +48,7 @@ struct LayerCells
   std::size_t Size() const { return this->Ends.size(); }
 };
 
-LayerCells MakeLayerCells(const LayerPlan& plan);
+LayerCells MakeLayerCells(const LayerPlan& plan, const Monitor& monitor = Monitor());
 
 /// Of one layer, in columns and lattice units: an area of 1 is that between four columns.
 struct LayerVolume

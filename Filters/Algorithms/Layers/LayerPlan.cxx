@@ -78,22 +78,25 @@ class LayerMaker
 {
 public:
   LayerMaker(const std::vector<HorizonView>& horizons, const LayerOptions& options)
-    : Horizons(horizons)
+    : Given(horizons)
     , Options(options)
+    , Horizons(this->Result.Stack.Filled.Views)
   {
   }
 
   Layers Run(const Monitor& monitor)
   {
-    this->Result.Stack =
-      MakeStack(this->Horizons, this->Options.Domain, this->Options.Crossings, monitor.Step(0.0, 0.1));
+    const StackOptions ofStack = { this->Options.Domain, this->Options.Missing, this->Options.Crossings,
+      this->Options.Cuts };
+    this->Result.Stack = MakeStack(this->Given, ofStack, monitor.Step(0.0, 0.1));
+    this->AreAllRead = SeismicHorizons::AreAllRead(this->Result.Stack.Origins);
     this->Result.Plan.Heights.resize(this->Horizons.size());
     this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
     this->Result.LargestErrors.resize(this->Horizons.size());
     this->Result.LargestSideErrors.resize(this->Horizons.size());
     for (const HorizonView& horizon : this->Horizons)
     {
-      this->Result.PointsOutside.push_back(std::int64_t(horizon.Columns.size()));
+      this->Result.PointsOutside.push_back(std::int64_t(horizon.NumberOfKnown()));
     }
     this->Result.LargestThicknessErrors.resize(this->Options.BoundThickness ? this->Horizons.size() - 1 : 0);
     ExteriorBoundary boundary = this->FindBoundary(monitor.Step(0.1, 0.2));
@@ -101,7 +104,7 @@ public:
     const KeptPoints kept = DropPointsWithoutPatch(boundary);
     if (kept.empty())
     {
-      return std::move(this->Result);
+      return this->Finish(monitor.Step(0.9, 1.0));
     }
     this->TakeKept(kept);
     this->IndexHorizons();
@@ -123,12 +126,19 @@ public:
     this->Refine(mesh, lines, monitor.Step(0.4, 0.9));
     this->Result.PinchOutLines = lines.Size();
     this->Result.LinesLeftOut = lines.LeftOut();
-    this->Collect(mesh, boundary.OpenCracks, monitor.Step(0.9, 1.0));
+    this->Collect(mesh, boundary.OpenCracks, monitor.Step(0.9, 0.97));
     this->GiveBack(kept);
-    return std::move(this->Result);
+    return this->Finish(monitor.Step(0.97, 1.0));
   }
 
 private:
+  Layers Finish(const Monitor& monitor)
+  {
+    this->Result.Ledgers = MakeLayerLedgers(this->Result.Plan, this->Result.Stack, this->Given, monitor);
+    this->Result.Stack.Filled = {};
+    return std::move(this->Result);
+  }
+
   /// The points that have a patch. Where all have one, these are lent from the result, as they take most of the memory.
   void TakeKept(const KeptPoints& kept)
   {
@@ -759,11 +769,11 @@ private:
       {
         double& largest = this->LargestErrorOf(passed.Horizon);
         largest = std::max(largest, passed.Error);
-        if (passed.Own != NoPoint)
+        if (passed.Own != NoPoint && this->Horizons[passed.Horizon].Knows(passed.Own))
         {
           inside[passed.Horizon].OnEdges.push_back(passed.Own);
         }
-        else if (passed.Horizon < inside.size())
+        else if (passed.Own == NoPoint && passed.Horizon < inside.size())
         {
           inside[passed.Horizon].OfStack[std::size_t(passed.OfStack)] = 1;
         }
@@ -817,21 +827,24 @@ private:
 
   void CountAt(std::size_t point, const std::vector<PointsInside>& inside, InsideCounts& counts) const
   {
-    const bool areOwn = !this->HasRegions() && this->Result.Stack.Completed == 0;
+    const bool areOwn = !this->HasRegions() && this->Result.Stack.Completed == 0 && this->AreAllRead;
     bool isAny = false;
     for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
     {
       const bool isIn = inside[horizon].OfStack[point] != 0;
       isAny = isAny || isIn;
-      const bool isOwn = isIn && (areOwn || this->OwnColumns[horizon].PointAt(this->Columns[point]) != NoPoint);
+      const bool isOwn =
+        isIn && (areOwn || this->Horizons[horizon].Knows(this->OwnColumns[horizon].PointAt(this->Columns[point])));
       counts.OfHorizons[horizon] += isOwn ? 1 : 0;
     }
     counts.OfAny += isAny ? 1 : 0;
   }
 
-  const std::vector<HorizonView>& Horizons;
+  const std::vector<HorizonView>& Given;
   const LayerOptions& Options;
   Layers Result;
+  const std::vector<HorizonView>& Horizons; // with filled points, as far as these are allowed
+  bool AreAllRead = false; // no height of the stack is another one
   std::vector<PlanePoint> Columns; // that have a patch
   HeightStack Heights; // there, of horizons, and then of layers whose thickness is bound
   std::vector<std::vector<unsigned char>> IsIn; // by layer, there: 1 where both its horizons are

@@ -4,8 +4,9 @@
 // One triangulation in plan for a stack of horizons, with a height of each at every vertex: what lies between two
 // horizons over a triangle is then a wedge with vertical sides, and layers share their points.
 //
-//   1. The domain is the columns in which all horizons have points; or those of all layers together, whose borders the
-//      plan then has (LayerRegions.h). Neighbouring horizons that cross there are put in order (Crossings.h).
+//   1. The domain is the columns in which all horizons have heights; or those of all layers together, whose borders the
+//      plan then has (LayerRegions.h). Neighbouring horizons that cross there are put in order (Crossings.h), and where
+//      points are missing, heights may be put in (MissingHeights.h).
 //   2. The outline is that of the domain (ExteriorBoundary.h), with the fewest points for which all horizons are within
 //      the error along it (BoundarySimplification.h).
 //   3. Where two horizons become one over an area, vertices and edges are put on the line around it.
@@ -23,6 +24,7 @@
 #include "Common/RawVector.h"
 #include "Common/Types.h"
 #include "Decimation/Decimation.h"
+#include "LayerLedger.h"
 #include "OrderedStack.h"
 
 #include <cstddef>
@@ -37,6 +39,8 @@ struct LayerOptions
   /// Where each layer has a domain of its own, outlines and borders stay as they are in plan: Radius and
   /// SmallestHoleSize are 1 and the outline tolerance is 0, and other values are refused.
   LayerDomain Domain = LayerDomain::Common;
+  /// What is done where horizons have no point.
+  MissingOptions Missing;
   /// The largest vertical distance of a point of any horizon from its surface, and of sides of the plan from lines
   /// between neighbouring columns that they cross, in lattice units: at least 0.
   double MaximumError = 0.75;
@@ -115,6 +119,7 @@ struct Layers
   std::vector<double> LargestSideErrors;
   /// For each layer that of its thickness, where that is bound; else empty.
   std::vector<double> LargestThicknessErrors;
+  LayerLedgers Ledgers;
   /// Columns of the domain that lie outside the plan: for which the outline was simplified, and those of patches that
   /// are too small or have no area.
   std::int64_t ColumnsOutside = 0;

@@ -7,6 +7,7 @@
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
 #include "Common/PlaneGeometry.h"
+#include "GapHeights.h"
 
 #include <algorithm>
 #include <array>
@@ -67,8 +68,8 @@ InputError NothingInCommon(const std::vector<HorizonView>& horizons, const Cross
     " horizons have, expected horizons that lie above each other");
 }
 
-/// By horizon; nan where one has no point.
-HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColumns& columns)
+/// By horizon; nan where one has no point, or none that was read.
+HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColumns& columns, bool areFilledLeft)
 {
   HeightStack stack;
   for (std::size_t n = 0; n < horizons.size(); ++n)
@@ -78,7 +79,11 @@ HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColu
       [&](std::int64_t first, std::int64_t last)
       {
         std::transform(columns.Points[n].begin() + first, columns.Points[n].begin() + last, heights.begin() + first,
-          [&](PointId point) { return point == NoPoint ? std::nan("") : horizons[n].Heights[point]; });
+          [&](PointId point)
+          {
+            const bool isOne = areFilledLeft ? point != NoPoint : horizons[n].Knows(point);
+            return isOne ? horizons[n].Heights[point] : std::nan("");
+          });
       });
     stack.push_back(std::move(heights));
   }
@@ -188,167 +193,6 @@ void KeepColumns(CommonColumns& columns, Keep&& keep)
   }
 }
 
-/// The heights of a horizon in gaps: along lines through a column, between the nearest columns with a height, so that
-/// planes go on. What was found is used for what has none yet, and where only one side has a height, that is taken.
-class GapHeights
-{
-public:
-  GapHeights(const HorizonView& horizon, const LinkCuts* cuts, const std::vector<PlanePoint>& columns)
-    : Horizon(horizon)
-    , Cuts(cuts)
-    , Columns(columns)
-    , Known(horizon.Columns)
-    , Missing(columns)
-  {
-  }
-
-  /// Puts a height in where there is nan.
-  void Fill(std::vector<double>& heights)
-  {
-    std::vector<std::size_t> waiting;
-    for (std::size_t n = 0; n < heights.size(); ++n)
-    {
-      if (std::isnan(heights[n]))
-      {
-        waiting.push_back(n);
-      }
-    }
-    const auto fill = [&](bool areSides)
-    {
-      for (std::size_t before = waiting.size() + 1; !waiting.empty() && waiting.size() < before;)
-      {
-        before = waiting.size();
-        this->FillOnce(waiting, areSides, heights);
-      }
-    };
-    fill(true);
-    fill(false);
-    this->Cuts = nullptr; // of what is between cuts
-    fill(false);
-  }
-
-private:
-  struct Found
-  {
-    double Height = std::nan("");
-    double Distance = 0.0;
-  };
-
-  void FillOnce(std::vector<std::size_t>& waiting, bool areSides, std::vector<double>& heights) const
-  {
-    std::vector<double> found(waiting.size());
-    ParallelFor(std::int64_t(waiting.size()), GapGrain,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (auto n = std::size_t(first); n < std::size_t(last); ++n)
-        {
-          found[n] = this->HeightAt(this->Columns[waiting[n]], areSides, heights);
-        }
-      });
-    std::vector<std::size_t> left;
-    for (std::size_t n = 0; n < waiting.size(); ++n)
-    {
-      heights[waiting[n]] = found[n];
-      if (std::isnan(found[n]))
-      {
-        left.push_back(waiting[n]);
-      }
-    }
-    waiting.swap(left);
-  }
-
-  double HeightAt(const PlanePoint& column, bool areSides, const std::vector<double>& heights) const
-  {
-    double sum = 0.0;
-    double weights = 0.0;
-    const auto add = [&](double height, double distance)
-    {
-      sum += height / distance;
-      weights += 1.0 / distance;
-    };
-    for (const PlanePoint& step : { PlanePoint{ 1, 0 }, PlanePoint{ 0, 1 }, PlanePoint{ 1, 1 }, PlanePoint{ 1, -1 } })
-    {
-      const double length = step.X != 0 && step.Y != 0 ? std::sqrt(2.0) : 1.0;
-      const Found a = this->Look(column, step, heights);
-      const Found b = this->Look(column, { -step.X, -step.Y }, heights);
-      const bool areBoth = !std::isnan(a.Height) && !std::isnan(b.Height);
-      if (areBoth)
-      {
-        add((a.Height * b.Distance + b.Height * a.Distance) / (a.Distance + b.Distance),
-          length * (a.Distance + b.Distance));
-      }
-      for (const Found& one : { a, b })
-      {
-        if (!areSides && !areBoth && !std::isnan(one.Height))
-        {
-          add(one.Height, length * one.Distance);
-        }
-      }
-    }
-    return sum / weights; // nan where nothing was found
-  }
-
-  /// The nearest height in a direction.
-  Found Look(PlanePoint column, const PlanePoint& step, const std::vector<double>& heights) const
-  {
-    for (int distance = 1; distance <= Farthest && !this->IsCut(column, step); ++distance)
-    {
-      column = { column.X + step.X, column.Y + step.Y };
-      const PointId known = this->Known.PointAt(column);
-      if (known != NoPoint)
-      {
-        return { this->Horizon.Heights[known], double(distance) };
-      }
-      const PointId filled = this->Missing.PointAt(column);
-      if (filled != NoPoint && !std::isnan(heights[std::size_t(filled)]))
-      {
-        return { heights[std::size_t(filled)], double(distance) };
-      }
-    }
-    return {};
-  }
-
-  bool IsCut(const PlanePoint& column, const PlanePoint& step) const
-  {
-    return this->Cuts && this->Cuts->IsCutBeside(column, step);
-  }
-
-  static constexpr int Farthest = 256; // columns
-  static constexpr std::int64_t GapGrain = 1024; // columns that a thread takes at a time
-
-  const HorizonView& Horizon;
-  const LinkCuts* Cuts;
-  const std::vector<PlanePoint>& Columns;
-  const ColumnIndex Known;
-  const ColumnIndex Missing;
-};
-
-/// Puts heights that were not known between those of the horizons above and below.
-void PutBetween(HeightStack& heights, const CommonColumns& columns, bool growDownwards)
-{
-  const double upwards = growDownwards ? -1.0 : 1.0;
-  for (std::size_t column = 0; column < columns.Columns.size(); ++column)
-  {
-    double above = std::numeric_limits<double>::infinity();
-    for (std::size_t n = 0; n < heights.size(); ++n)
-    {
-      double height = upwards * heights[n][column];
-      if (columns.Points[n][column] == NoPoint)
-      {
-        std::size_t next = n + 1;
-        while (next < heights.size() && columns.Points[next][column] == NoPoint)
-        {
-          ++next;
-        }
-        const double below = next < heights.size() ? upwards * heights[next][column] : -above;
-        height = std::min(std::max(height, next < heights.size() ? below : height), above);
-      }
-      above = height;
-      heights[n][column] = upwards * height;
-    }
-  }
-}
-
 /// Columns in which a height is still missing, as the horizon has none far and wide, are left out.
 void DropIncomplete(CommonColumns& columns, HeightStack& heights)
 {
@@ -367,23 +211,166 @@ void DropIncomplete(CommonColumns& columns, HeightStack& heights)
   }
   KeepColumns(columns, [&](std::size_t n) { return isComplete[n] != 0; });
 }
+
+// ---- The stack -----------------------------------------------------------------------------------------------------
+/// Columns, and where the heights of horizons there come from.
+struct StackPart
+{
+  CommonColumns Columns;
+  OriginStack Origins;
+
+  /// Takes columns out that isIn(n) and those that isOther(n), and gives the latter.
+  template <typename IsIn, typename IsOther>
+  StackPart Split(IsIn&& isIn, IsOther&& isOther)
+  {
+    const std::size_t size = this->Columns.Columns.size();
+    std::vector<unsigned char> isKept(size);
+    std::vector<std::size_t> others;
+    for (std::size_t n = 0; n < size; ++n)
+    {
+      isKept[n] = isIn(n) ? 1 : 0;
+      if (isKept[n] == 0 && isOther(n))
+      {
+        others.push_back(n);
+      }
+    }
+    StackPart other;
+    const auto select = [&others](const auto& all, auto& some) {
+      std::transform(others.begin(), others.end(), std::back_inserter(some), [&all](std::size_t n) { return all[n]; });
+    };
+    select(this->Columns.Columns, other.Columns.Columns);
+    other.Columns.Points.resize(this->Origins.size());
+    other.Origins.resize(this->Origins.size());
+    for (std::size_t horizon = 0; horizon < this->Origins.size(); ++horizon)
+    {
+      select(this->Columns.Points[horizon], other.Columns.Points[horizon]);
+      select(this->Origins[horizon], other.Origins[horizon]);
+      std::size_t n = 0;
+      std::vector<HeightOrigin>& own = this->Origins[horizon];
+      own.erase(std::remove_if(own.begin(), own.end(), [&](HeightOrigin) { return isKept[n++] == 0; }), own.end());
+    }
+    KeepColumns(this->Columns, [&isKept](std::size_t n) { return isKept[n] != 0; });
+    return other;
+  }
+};
+
+/// All heights that can be had; the stack has those that the policy allows.
+class StackMaker
+{
+public:
+  StackMaker(const std::vector<HorizonView>& horizons, const StackOptions& options)
+    : Horizons(horizons)
+    , Options(options)
+  {
+  }
+
+  OrderedStack Run(const Monitor& monitor)
+  {
+    this->Result.Filled =
+      FillHorizons(this->Horizons, this->Options.Missing, this->Options.Cuts, monitor.Step(0.0, 0.6));
+    const std::vector<HorizonView>& filled = this->Result.Filled.Views;
+    StackPart chosen;
+    chosen.Columns = FindColumnsOfAny(filled);
+    chosen.Origins = FindOrigins(filled, chosen.Columns, HeightsOf(filled, chosen.Columns, true));
+    monitor.Progress(0.7);
+    const auto isIn = [&](std::size_t n)
+    { return IsIn(chosen.Origins, n, this->Options.Domain, this->Options.Missing.Policy); };
+    const auto isLeftOut = [&](std::size_t n)
+    { return IsIn(chosen.Origins, n, LayerDomain::EachLayer, MissingPolicy::Follow); };
+    const StackPart others = chosen.Split(isIn, isLeftOut);
+    if (chosen.Columns.Columns.empty())
+    {
+      throw NothingInCommon(this->Horizons, this->Options.Crossings);
+    }
+    this->Result.LeftOut.resize(this->Horizons.size() - 1);
+    CrossingOptions ofOthers = this->Options.Crossings;
+    std::replace(ofOthers.Policies.begin(), ofOthers.Policies.end(), CrossingPolicy::Stop, CrossingPolicy::Mean);
+    CrossingRepair none;
+    this->LeaveOut(others, this->Complete(others, ofOthers, none, Monitor()), MissingPolicy::Void, true);
+    this->Result.Heights = this->Complete(chosen, this->Options.Crossings, this->Result.Repair, monitor.Step(0.7, 1.0));
+    this->LeaveOut(chosen, this->Result.Heights, this->Options.Missing.Policy, false);
+    this->DropForbidden(chosen.Origins);
+    this->Result.Columns = std::move(chosen.Columns.Columns);
+    this->Result.Origins = std::move(chosen.Origins);
+    if (this->Options.Missing.Policy == MissingPolicy::Void)
+    {
+      this->Result.Filled = { {}, {}, this->Horizons };
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  static bool IsIn(const OriginStack& origins, std::size_t column, LayerDomain domain, MissingPolicy policy)
+  {
+    std::size_t together = 0; // horizons above each other up to this one
+    std::size_t most = 0;
+    for (const std::vector<HeightOrigin>& own : origins)
+    {
+      together = Allows(policy, own[column]) ? together + 1 : 0;
+      most = std::max(most, together);
+    }
+    return most >= (domain == LayerDomain::Common ? origins.size() : 2);
+  }
+
+  HeightStack Complete(
+    const StackPart& part, const CrossingOptions& options, CrossingRepair& repair, const Monitor& monitor) const
+  {
+    const std::vector<HorizonView>& filled = this->Result.Filled.Views;
+    HeightStack heights = HeightsOf(filled, part.Columns, false);
+    repair = RepairCrossings(heights, options, monitor);
+    if (!AreAllRead(part.Origins))
+    {
+      PutMissing(part.Origins, HeightsOf(filled, part.Columns, true), options, heights);
+    }
+    return heights;
+  }
+
+  /// Notes what layers would have in columns, all of them or those that the policy forbids.
+  void LeaveOut(const StackPart& part, const HeightStack& heights, MissingPolicy policy, bool areAll)
+  {
+    for (std::size_t layer = 0; layer + 1 < heights.size(); ++layer)
+    {
+      for (std::size_t n = 0; n < heights[layer].size(); ++n)
+      {
+        const HeightOrigin top = part.Origins[layer][n];
+        const HeightOrigin base = part.Origins[layer + 1][n];
+        const bool isThere = top != HeightOrigin::None && base != HeightOrigin::None;
+        if (isThere && (areAll || !Allows(policy, top) || !Allows(policy, base)))
+        {
+          this->Result.LeftOut[layer].Columns.push_back(part.Columns.Columns[n]);
+          this->Result.LeftOut[layer].Thickness.push_back(std::abs(heights[layer][n] - heights[layer + 1][n]));
+        }
+      }
+    }
+  }
+
+  void DropForbidden(OriginStack& origins)
+  {
+    for (std::size_t horizon = 0; horizon < origins.size(); ++horizon)
+    {
+      for (std::size_t n = 0; n < origins[horizon].size(); ++n)
+      {
+        HeightOrigin& origin = origins[horizon][n];
+        if (!Allows(this->Options.Missing.Policy, origin))
+        {
+          origin = HeightOrigin::None;
+          this->Result.Heights[horizon][n] = std::nan("");
+        }
+      }
+    }
+  }
+
+  const std::vector<HorizonView>& Horizons;
+  const StackOptions& Options;
+  OrderedStack Result;
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-OrderedStack MakeStack(
-  const std::vector<HorizonView>& horizons, LayerDomain domain, const CrossingOptions& options, const Monitor& monitor)
+OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const StackOptions& options, const Monitor& monitor)
 {
-  CheckHorizons(horizons, options);
-  CommonColumns common = domain == LayerDomain::Common ? FindCommonColumns(horizons) : FindColumnsOfLayers(horizons);
-  if (common.Columns.empty())
-  {
-    throw NothingInCommon(horizons, options);
-  }
-  OrderedStack stack;
-  stack.Columns.swap(common.Columns);
-  stack.Heights = HeightsOf(horizons, common);
-  stack.Repair = RepairCrossings(stack.Heights, options, monitor);
-  return stack;
+  CheckHorizons(horizons, options.Crossings);
+  return StackMaker(horizons, options).Run(monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -396,6 +383,7 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
   if (areSame)
   {
     completed.Heights.resize(horizons.size());
+    completed.Origins.resize(horizons.size());
     completed.Repair.Horizons.resize(horizons.size());
     completed.Repair.Interfaces.resize(horizons.size() - 1);
     return completed;
@@ -414,14 +402,16 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
       const PlanePoint& column = others.Columns[n];
       return index.PointAt(column) == NoPoint && loopAt(column) != NoPoint;
     });
-  completed.Heights = HeightsOf(horizons, others);
-  completed.Repair = RepairCrossings(completed.Heights, options);
+  HeightStack given = HeightsOf(horizons, others, true);
   for (std::size_t n = 0; n < horizons.size() && !others.Columns.empty(); ++n)
   {
-    GapHeights(horizons[n], cuts, others.Columns).Fill(completed.Heights[n]);
+    FillGaps(horizons[n], cuts, others.Columns, given[n]);
   }
-  DropIncomplete(others, completed.Heights);
-  PutBetween(completed.Heights, others, options.HeightsGrowDownwards);
+  DropIncomplete(others, given);
+  completed.Heights = HeightsOf(horizons, others, false);
+  completed.Repair = RepairCrossings(completed.Heights, options);
+  completed.Origins = OriginsOf(horizons, others, HeightOrigin::Bridged);
+  PutMissing(completed.Origins, given, options, completed.Heights);
   completed.Columns = std::move(others.Columns);
   for (const PlanePoint& column : completed.Columns)
   {
@@ -462,10 +452,12 @@ Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first)
 void AddColumns(const CompletedColumns& columns, OrderedStack& stack)
 {
   stack.Completed += columns.Columns.size();
+  stack.Origins.resize(stack.Heights.size());
   stack.Columns.insert(stack.Columns.end(), columns.Columns.begin(), columns.Columns.end());
   for (std::size_t n = 0; n < stack.Heights.size(); ++n)
   {
     stack.Heights[n].insert(stack.Heights[n].end(), columns.Heights[n].begin(), columns.Heights[n].end());
+    stack.Origins[n].insert(stack.Origins[n].end(), columns.Origins[n].begin(), columns.Origins[n].end());
     stack.Repair.Horizons[n].Add(columns.Repair.Horizons[n]);
   }
   for (std::size_t n = 0; n < stack.Repair.Interfaces.size(); ++n)
@@ -480,7 +472,7 @@ RepairedHorizons RepairHorizons(
 {
   CheckHorizons(horizons, options);
   const CommonColumns columns = FindColumnsOfAny(horizons);
-  HeightStack stack = HeightsOf(horizons, columns);
+  HeightStack stack = HeightsOf(horizons, columns, true);
   RepairedHorizons repaired;
   repaired.Repair = RepairCrossings(stack, options, monitor);
   for (std::size_t n = 0; n < horizons.size(); ++n)

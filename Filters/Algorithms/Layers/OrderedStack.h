@@ -11,6 +11,7 @@
 #include "Common/Types.h"
 #include "CommonColumns.h"
 #include "Crossings.h"
+#include "MissingHeights.h"
 
 #include <cstddef>
 #include <vector>
@@ -24,19 +25,36 @@ enum class LayerDomain
   EachLayer // each where both its horizons have
 };
 
-/// The horizons in the columns of layers, in order; nan where one has no point.
+/// Columns that a layer has where all holes and gaps are closed and absent horizons follow others, but not in the stack.
+struct LeftOutColumns
+{
+  std::vector<PlanePoint> Columns;
+  std::vector<double> Thickness; // it would have there, in lattice units
+};
+
+/// The horizons in the columns of layers, in order; nan where one has no height.
 struct OrderedStack
 {
   std::vector<PlanePoint> Columns;
   HeightStack Heights;
-  CrossingRepair Repair;
+  OriginStack Origins;
+  CrossingRepair Repair; // of heights that were read
   std::size_t Completed = 0; // columns in which heights were put in
+  std::vector<LeftOutColumns> LeftOut; // by layer
+  FilledHorizons Filled; // the horizons, with what was put into holes and gaps as far as the policy allows
+};
+
+struct StackOptions
+{
+  LayerDomain Domain = LayerDomain::Common;
+  MissingOptions Missing;
+  CrossingOptions Crossings;
+  const LinkCuts* Cuts = nullptr; // holes are not closed across these; may be null
 };
 
 /// Throws InputError on fewer than two horizons, heights that are not finite, and horizons without a column in common,
 /// and as RepairCrossings does.
-OrderedStack MakeStack(
-  const std::vector<HorizonView>& horizons, LayerDomain domain, const CrossingOptions& options, const Monitor& monitor);
+OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const StackOptions& options, const Monitor& monitor);
 
 /// Columns that some horizons have, with heights of all: those of the others are between the heights around them, and
 /// in order, so that nothing that is known moves.
@@ -44,6 +62,7 @@ struct CompletedColumns
 {
   std::vector<PlanePoint> Columns;
   HeightStack Heights;
+  OriginStack Origins;
   CrossingRepair Repair;
   std::vector<PointId> OnLoops; // for each a point of the loop that it is on or inside of
 };
