@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsLedger_h
 #define SeismicHorizonsLedger_h
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -44,7 +45,37 @@ struct Ledger
     }
     return sum;
   }
+
+  /// Columns with a point that was read.
+  std::int64_t Read() const { return (*this)[LedgerEntry::Known] + (*this)[LedgerEntry::LeftOut]; }
+
+  void Add(const Ledger& other)
+  {
+    for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+    {
+      this->Columns[entry] += other.Columns[entry];
+    }
+  }
+
+  /// Makes n columns the covered ones where nobody knows any more which have points: those without lose or gain first.
+  void CoverOnly(std::int64_t n)
+  {
+    (*this)[LedgerEntry::Bridged] += std::max<std::int64_t>(0, n - this->Covered());
+    for (const LedgerEntry entry :
+      { LedgerEntry::Bridged, LedgerEntry::Known, LedgerEntry::Filled, LedgerEntry::Extrapolated })
+    {
+      const std::int64_t less = std::min((*this)[entry], this->Covered() - n);
+      (*this)[entry] -= less;
+      (*this)[LedgerEntry::LeftOut] += entry == LedgerEntry::Known ? less : 0;
+    }
+  }
 };
+
+/// The entry of a point in the result by its value of the array Filled.
+constexpr LedgerEntry EntryOf(unsigned char filled)
+{
+  return filled == 0 ? LedgerEntry::Known : filled == 1 ? LedgerEntry::Filled : LedgerEntry::Extrapolated;
+}
 
 /// Part of the covered columns from which on an entry other than Known is worth a warning.
 constexpr double LedgerWarningFraction = 0.001;

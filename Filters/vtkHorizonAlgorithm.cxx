@@ -10,6 +10,7 @@
 #include "Common/VTK/VersionDifferences.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
+#include "Marshalling/LedgerOutput.h"
 #include "Marshalling/RankedHorizons.h"
 #include "Marshalling/StageReport.h"
 
@@ -109,6 +110,7 @@ int vtkHorizonAlgorithm::RequestData(
                   return;
                 }
                 this->ProcessHorizon(horizon.Input, horizon.Outputs, step);
+                WriteLedgerOfPoints(horizon.Input, horizon.Outputs.front());
               });
             report.Add(horizon.Position, horizon.Name, horizon.Input, horizon.Outputs.front());
           }

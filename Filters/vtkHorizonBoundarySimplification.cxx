@@ -8,6 +8,7 @@
 #include "Common/VTK/DataArrays.h"
 #include "Marshalling/CrackData.h"
 #include "Marshalling/HorizonData.h"
+#include "Marshalling/LedgerOutput.h"
 #include "Marshalling/ReducedHorizon.h"
 
 #include "vtkDoubleArray.h"
@@ -54,6 +55,9 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
                                       : SpacePoints(points.Column, height, 1),
       boundary, options, monitor.Step(0.2, 0.7));
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
+  const PlanePoints places = points.AreMerged ? PlanePoints(plane) : points.Column;
+  const std::int32_t subVoxels = points.AreMerged ? points.Lattice.SubVoxelsPerColumn() : 1;
+  WriteLedger(points, CoveredColumns(places, simplified.Boundary, subVoxels), output);
   // Points that an earlier simplification dropped are not here any more: with its figures these are bounds.
   vtkFieldData* const figures = output->GetFieldData();
   const auto add = [&](const char* name, double value)

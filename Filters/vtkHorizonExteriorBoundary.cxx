@@ -10,6 +10,7 @@
 #include "Marshalling/CutData.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
+#include "Marshalling/LedgerOutput.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -76,6 +77,8 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   const std::vector<BoundaryKind> marks = MarkBoundary(type, points.Column, found);
   const KeptPoints kept = DropPointsWithoutPatch(found);
   WriteBoundary(input, kept, found, kept.Select(marks), outputs.front());
+  const Loops loops = found.Boundary.RenumberedBy([&kept](PointId point) { return kept[std::size_t(point)]; });
+  WriteLedger(points, CoveredColumns(points.Column, loops, 1), outputs.front());
   if (!this->UseCuts)
   {
     RemoveCuts(outputs.front());

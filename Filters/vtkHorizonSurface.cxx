@@ -16,6 +16,7 @@
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
+#include "Marshalling/LedgerOutput.h"
 #include "Marshalling/SeamData.h"
 #include "Surface/Surface.h"
 
@@ -180,6 +181,9 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   {
     RemoveCuts(outlines);
   }
+  const auto loops =
+    surface.Boundary.Boundary.RenumberedBy([&](PointId point) { return surface.Kept[std::size_t(point)]; });
+  WriteLedger(points, CoveredColumns(points.Column, loops, 1), outlines);
   vtkPolyData* const mesh = outputs[MeshPort];
   RemoveCuts(mesh); // those of the outlines are right
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
@@ -195,6 +199,8 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineHeightDeviation, surface.OutlineHeightDeviation);
     AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(surface.NumberOutside));
     WriteDecimation(outlines, points.Lattice, surface.Mesh, mesh);
+    const SharedRows rows{ options.Seams.Lower, options.Seams.Upper };
+    WriteLedger(points, CoveredColumns(surface.Mesh.Points.Plane, surface.Mesh.Points.Boundary, 1, rows), mesh);
     if (this->GetCloseFaults())
     {
       const Reduction& vertices = surface.Mesh.Points;

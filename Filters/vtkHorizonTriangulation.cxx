@@ -10,6 +10,7 @@
 #include "Marshalling/HorizonCells.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
+#include "Marshalling/LedgerOutput.h"
 #include "Triangulation/ConvexHull.h"
 #include "Triangulation/OutsideTriangles.h"
 #include "Triangulation/Triangulation.h"
@@ -120,6 +121,14 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& 
   output->GetPointData()->PassData(input->GetPointData());
   ActivateHeight(output);
   output->SetLines(MakePolylines(horizon.Boundary));
+  if (this->ConvexHull || this->MaximumNumberOfTriangles > 0)
+  {
+    WriteLedger(points, CoveredColumns(horizon.Plane, mesh.Triangles, horizon.SubVoxelsPerColumn), output);
+  }
+  else if (!input->GetFieldData()->HasArray(FieldArray::LedgerColumns))
+  {
+    WriteLedger(points, CoveredColumns(horizon.Plane, horizon.Boundary, horizon.SubVoxelsPerColumn), output);
+  }
   const double smallestAngle = WriteTriangles(horizon.Plane, lattice, std::move(mesh.Triangles), output);
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());

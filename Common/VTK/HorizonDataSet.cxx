@@ -6,6 +6,7 @@
 #include "ColumnPoints.h"
 #include "Common/DataModel.h"
 #include "DataArrays.h"
+#include "LedgerFields.h"
 #include "SurveyFields.h"
 #include "VertexCells.h"
 
@@ -104,6 +105,7 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(LatticeHorizon horizon, const Lat
     AddValue<vtkIdTypeArray>(
       points->GetFieldData(), FieldArray::DroppedNulls, static_cast<vtkIdType>(horizon.DroppedNulls));
   }
+  WriteLedger(CountPoints(points), points->GetFieldData());
   return points;
 }
 }

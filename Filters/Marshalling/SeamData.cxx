@@ -4,9 +4,11 @@
 #include "SeamData.h"
 
 #include "Boundary/ExteriorBoundary.h"
+#include "Common/CoveredColumns.h"
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/LedgerFields.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
@@ -175,6 +177,18 @@ void WriteSum(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFiel
   AddValue<vtkIdTypeArray>(figures, name, vtkIdType(sum));
 }
 
+/// Each row that parts share is in the ledger of one of them.
+void WriteLedgerOfParts(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, vtkFieldData* figures)
+{
+  Ledger all;
+  for (vtkPolyData* const mesh : meshes)
+  {
+    all.Add(ReadLedger(mesh->GetFieldData()).value_or(Ledger()));
+  }
+  all.CoverOnly(CoveredColumns(joined.Vertices, joined.Boundary, 1).Count());
+  WriteLedger(all, figures);
+}
+
 /// The mean over the points of all parts. Those on seams are in two.
 double FindMeanError(const std::vector<vtkPolyData*>& meshes)
 {
@@ -210,6 +224,7 @@ void WriteFigures(
     }
   }
   AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, FindMeanError(meshes));
+  WriteLedgerOfParts(meshes, joined, figures);
   AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(joined.NumberOfPatches));

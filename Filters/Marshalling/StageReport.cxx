@@ -4,6 +4,8 @@
 #include "StageReport.h"
 
 #include "Common/DataModel.h"
+#include "Common/Ledger.h"
+#include "Common/VTK/LedgerFields.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/SurveyFields.h"
 #include "HeightUnit.h"
@@ -125,6 +127,40 @@ std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
   return text.str();
 }
 
+/// The ledger that the stage made, and a warning of entries that are a considerable part of it.
+std::string TellLedger(vtkPolyData* input, vtkPolyData* output)
+{
+  vtkFieldData* const figures = output->GetFieldData();
+  const auto ledger = ReadLedger(figures);
+  const char* const name = FieldArray::LedgerColumns;
+  if (!ledger || figures->GetArray(name) == input->GetFieldData()->GetArray(name))
+  {
+    return {};
+  }
+  constexpr std::array<const char*, LedgerEntries> words = { "known", "filled", "bridged", "extrapolated", "left out" };
+  vtkDataArray* const areas = figures->GetArray(FieldArray::LedgerArea);
+  std::ostringstream text = MakeStream();
+  std::ostringstream warning = MakeStream();
+  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+  {
+    if (ledger->Columns[entry] > 0)
+    {
+      text << "\n  columns " << words[entry] << ' ' << ledger->Columns[entry];
+      text << (areas ? ", area " : "");
+      if (areas)
+      {
+        text << areas->GetComponent(0, int(entry));
+      }
+    }
+    const double part = double(ledger->Columns[entry]) / double(std::max<std::int64_t>(ledger->Covered(), 1));
+    if (LedgerEntry(entry) != LedgerEntry::Known && part > LedgerWarningFraction)
+    {
+      warning << (warning.str().empty() ? "\n  warning: " : ", ") << 100.0 * part << " % " << words[entry];
+    }
+  }
+  return text.str() + warning.str();
+}
+
 /// The array of a figure that the stage made and that is to be told, or null.
 vtkDataArray* FindFigure(const Figure& figure, vtkPolyData* input, vtkPolyData* output)
 {
@@ -164,6 +200,7 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
       line << TellUnit(figure, array->GetTuple1(0), output);
     }
   }
+  line << TellLedger(input, output);
   this->Entries.back().Lines = line.str() + "\n";
 }
 

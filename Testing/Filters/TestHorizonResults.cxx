@@ -41,11 +41,16 @@ void TestTwoStages()
     "2 horizons: 132 points in, 132 out\n"
     "Top: 120 points in, 120 out\n"
     "  patches 1\n"
+    "  columns known 120, area 120\n"
     "Base: 12 points in, 12 out\n"
-    "  patches 2\n");
+    "  patches 2\n"
+    "  columns known 7, area 7\n"
+    "  columns left out 5, area 5\n"
+    "  warning: 71.43 % left out\n");
   // Figures of the stage before are not told again; those that are 0 are not either.
   const std::string results = mesh->GetResults();
-  CHECK(results.find("\nTop: 120 points in, 120 out\n  triangles 198\n  smallest angle 45 degrees\n") != std::string::npos);
+  CHECK(
+    results.find("\nTop: 120 points in, 120 out\n  triangles 198\n  smallest angle 45 degrees\n") != std::string::npos);
   CHECK(results.find("patches") == std::string::npos);
 }
 
@@ -54,7 +59,8 @@ void TestHorizonAlone()
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(FromPicture(Rectangle(3, 2), 4, UnitSurvey()));
   boundary->Update();
-  CHECK_EQUAL(std::string(boundary->GetResults()), "Horizon 4: 6 points in, 6 out\n  patches 1\n");
+  CHECK_EQUAL(
+    std::string(boundary->GetResults()), "Horizon 4: 6 points in, 6 out\n  patches 1\n  columns known 6, area 6\n");
   boundary->SetRadius(0);
   const Errors errors(boundary);
   boundary->Update();

@@ -8,9 +8,11 @@ import shutil
 import subprocess
 import sys
 import unittest
+from itertools import filterfalse
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import ledger_check
 import mesh_checks
 from seismichorizons import cubes, pipeline, reading
 from seismichorizons.stage import HorizonError
@@ -44,7 +46,7 @@ class CubeTest(unittest.TestCase):
     def test_meshes_are_those_of_reader_extraction_and_surface(self):
         folder = FOLDER / "meshes"
         done = run("--largest-error", "1", "--surfaces", "4", "--output-folder", folder, CUBE)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual((done.returncode, list(filterfalse(ledger_check.is_warning, done.stderr.splitlines()))), (0, []))
         self.assertEqual(sorted(p.name for p in folder.iterdir()), ["survey_horizon_%d.vtp" % n for n in (1, 2, 3, 4)])
         horizons, _ = pipeline.read(CUBE)
         self.assertGreaterEqual(len(horizons), SURFACES)

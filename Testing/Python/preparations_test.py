@@ -38,9 +38,9 @@ class PreparationsTest(unittest.TestCase):
             self.assertEqual(result.data["filled"].GetNumberOfPoints(), 20)
             self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
             self.assertLess(largest_error(result.figures), ROUNDING)
-            self.assertIn("filled", tables.table([result])[0].split())
-            row = tables.row(result)
-            self.assertEqual((row["filled"], "error" in row), ("1", settings.surface is not None))
+            self.assertIn("filled", " ".join(tables.table([result])).split())
+            row = tables.row(result, entries=["filled"])
+            self.assertEqual((row["filled (area)"], "error" in row), ("1 (1)", settings.surface is not None))
             self.assertLess(set(tables.ERROR_COLUMNS.values()), set(row))
             panel = overview.panels(result)[1]
             self.assertEqual((panel.title, panel.caption), ("Hole filling", "1 new point"))

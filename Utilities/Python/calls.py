@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
-from . import heights, interrupt
+from . import heights, interrupt, ledger
 from .stage import HorizonError, configure, update
 
 SEQUENTIAL = "Sequential"  # what VTK begins with
@@ -105,6 +105,8 @@ def run(algorithm, label):
         algorithm.RemoveObserver(tag)
         vtkSMPTools.SetBackend(backend)
         observer.end()
+    if algorithm.IsA("vtkHorizonSurface"):
+        told += filter(None, [ledger.warning(ledger.read(algorithm.GetOutputDataObject(0)))])
     for text in told:
         warnings.warn(text, stacklevel=3)
 
@@ -191,7 +193,8 @@ def details(data: vtkDataObject) -> Details:
     Returns
     -------
     Details
-        with numbers and texts where there is one, a numpy array or a list of texts where there are several, and
+        with numbers and texts where there is one, a numpy array or a list of texts where there are several,
+        `ledger_columns.left_out` and the like where components have names, and
         `lattice_to_world` as a 4 x 4 array.
 
     Examples
@@ -211,6 +214,8 @@ def _value(array):
         texts = [array.GetValue(number) for number in range(array.GetNumberOfValues())]
         return texts[0] if len(texts) == 1 else texts
     numbers = vtk_to_numpy(array)
+    if array.HasAComponentName() and array.GetNumberOfTuples() == 1:
+        return Details(**{snake(array.GetComponentName(n)): number.item() for n, number in enumerate(numbers[0])})
     if numbers.size == 1:
         return numbers.reshape(-1)[0].item()
     return numbers.reshape(4, 4).copy() if numbers.shape == (1, MATRIX_SIZE) else numbers.squeeze().copy()

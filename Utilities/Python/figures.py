@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 import seismichorizons
 
-from . import triangles
+from . import ledger, triangles
 from .parts import SURFACE
 from .pipeline import PREPARATIONS, STAGES, chosen_parameters
 from .tables import TWO_SIDED, prepared_number
@@ -99,6 +99,7 @@ def horizon(result):
         "prepared": {name: prepared_number(data, name) for name in PREPARATIONS if name in result.seconds},
         "vertical_error": None if vertical["largest"] is None else vertical,
         "points_outside": _count(data, "NumberOfOutsidePoints"),
+        "ledger": ledger.read(mesh),
         "error": None if result.figures is None else {unit.lower(): _errors(result.figures, row, unit)
                                                       for row, unit in enumerate(UNITS)},
         "distances": distances(result),

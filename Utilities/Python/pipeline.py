@@ -17,7 +17,7 @@ from typing import Optional
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import heights, parts, tsurf, writing
+from . import heights, ledger, parts, tsurf, writing
 from .parts import SURFACE
 from .reading import read, read_first  # noqa: F401: the first step of a pipeline
 from .stage import HorizonError, apply, make, update
@@ -156,6 +156,13 @@ class Result:
         """Gives all data back but the mesh, and what is the same for all horizons."""
         self.data = {name: self.data[name] for name in ("mesh", "fault surfaces") if name in self.data}
 
+    def warn_of_ledger(self):
+        """Of what the mesh covers without points, and of points that it does not cover."""
+        mesh = self.data["mesh"]
+        found = ledger.warning(ledger.read(mesh))
+        if found and mesh.GetNumberOfPolys():
+            self.warnings.append("%s: %s" % (self.name, found))
+
     def run_stage(self, stage, algorithm):
         try:
             self.seconds[stage] = update(algorithm, "%s: %s: %s" % (self.source, self.name, stage), self.warnings,
@@ -212,6 +219,7 @@ def run(source, name, points, settings, surface=None):
     result.simplified = count_loops(result.data.get("simplified", result.data["mesh"]))
     if surface is not None:
         tsurf.account(result, surface)
+    result.warn_of_ledger()
     if settings.error is not None:
         _measure(result, settings, surface or result.data["boundary"])
     return result
@@ -231,6 +239,7 @@ def run_windows(source, windows, settings):
         result.data = {"mesh": vtkPolyData()}
     result.seconds["mesh"] = time.monotonic() - start
     result.simplified = count_loops(result.data["mesh"])
+    result.warn_of_ledger()
     return result
 
 

@@ -3,6 +3,7 @@
 """The sections of a report, from the values of a run (see figures.py)."""
 
 from . import album as albums
+from . import ledger
 from .charts import histogram
 from .markup import Markup, data_uri, fill, join
 from .progress import amount_text
@@ -19,6 +20,8 @@ COLUMNS = (
     ("Vertical error", "the largest, of points under the mesh, in vertical indices", lambda h: _vertical(h, "largest"),
      "{:.3f}"),
     ("Outside", "points outside the outlines of the mesh", lambda h: h["points_outside"], "{:,}"),
+    ("Bridged", "columns without a point that the mesh covers", lambda h: _columns(h, "bridged"), "{:,}"),
+    ("Left out", "columns with a point that the mesh does not cover", lambda h: _columns(h, "left_out"), "{:,}"),
     ("Hausdorff distance", "no place is farther in space, both ways, in lattice units", lambda h: _error(h, "largest"),
      "{:.3f}"),
     ("Mean distance", "in space, both ways, in lattice units", lambda h: _error(h, "mean"), "{:.3f}"),
@@ -50,6 +53,10 @@ FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
 
 def _vertical(horizon, name):
     return horizon["vertical_error"] and horizon["vertical_error"][name]
+
+
+def _columns(horizon, entry):
+    return horizon["ledger"] and horizon["ledger"]["columns"][entry]
 
 
 def _error(horizon, name):
@@ -302,9 +309,16 @@ def _horizon_facts(horizon, survey):
             "" if before is None else " of {:,}".format(before))),
         (FAULT_COLUMN[0], "{:,}".format(horizon["fault_triangles"]) if horizon["fault_triangles"] else None),
         *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
+        ("Columns (area)", _ledger_text(horizon["ledger"])),
         ("Vertical error", horizon["vertical_error"] and _vertical_text(horizon, survey)),
         ("Chosen", chosen), ("Extent", bounds and "x %.10g to %.10g, y %.10g to %.10g, z %.10g to %.10g" % tuple(bounds)),
         ("Time", seconds), ("Files", ", ".join(horizon["results"]))])
+
+
+def _ledger_text(own):
+    """The entries that are not empty, one below the other."""
+    return own and join((fill("value", name=ledger.HEADS[entry], value=ledger.amount(own, entry))
+                         for entry, number in own["columns"].items() if number), "\n")
 
 
 def _vertical_text(horizon, survey):

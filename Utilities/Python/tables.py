@@ -4,13 +4,13 @@
 
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
 
-from . import triangles
+from . import ledger, triangles
 from .reading import short_name
 
 WIDTH = 98  # of a table; what is wider goes on below
 LONGEST_NAME = 32
 # Of what comes before the stages: what was found, told by an array of the mesh.
-PREPARATION_COLUMNS = {"despiked": "spikes", "torn": "faulted links", "filled": "filled"}
+PREPARATION_COLUMNS = {"despiked": "spikes", "torn": "faulted links"}
 # Of meshes within an error, by the names of the field data: the vertical error that was asked for first.
 VERTICAL_COLUMNS = {"LargestError": "error", "LargestLoopError": "at outlines", "NumberOfOutsidePoints": "outside"}
 # Of the measure: distances in space, both ways.
@@ -18,9 +18,9 @@ ERROR_COLUMNS = {"LargestDistance": "Hausdorff", "MeanDistance": "mean distance"
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
 
 
-def row(result, has_fault_triangles=False):
-    """The cells of one horizon as texts, by their heads; triangles that close faults only on request, the error
-    where it was asked for or measured."""
+def row(result, has_fault_triangles=False, entries=()):
+    """The cells of one horizon as texts, by their heads; triangles that close faults and entries of the ledger only on
+    request, the error where it was asked for or measured."""
     mesh = result.data["mesh"]
     before, after = result.number_of_points, mesh.GetNumberOfPoints()
     cells = {"horizon": _short(short_name(result.name)), "points": "%d" % before}
@@ -41,6 +41,8 @@ def row(result, has_fault_triangles=False):
     if result.figures is not None:
         cells.update({head: "%.3f" % result.figures.GetValueByName(TWO_SIDED, name).ToDouble()
                       for name, head in ERROR_COLUMNS.items()})
+    own = ledger.read(mesh) if entries else None
+    cells.update({ledger.HEADS[entry] + " (area)": ledger.amount(own, entry) for entry in entries if own})
     cells["seconds"] = "%.2f" % sum(result.seconds.values())
     return cells
 
@@ -69,7 +71,7 @@ def _number(array):
 def table(results):
     """Heads, a rule and a row for each result, as lines of text; columns for which there is no room in a table below."""
     closed = any(triangles.count_at_faults(result.data["mesh"]) for result in results)
-    rows = [row(result, closed) for result in results]
+    rows = [row(result, closed, _entries(results)) for result in results]
     heads = list(max(rows, key=len))
     columns = [[head] + [cells.get(head, "-") for cells in rows] for head in heads]
     lines, shown = [], columns[:1]
@@ -79,6 +81,15 @@ def table(results):
             shown = columns[:1]
         shown.append(column)
     return lines + align(list(zip(*shown)))
+
+
+def _entries(results):
+    """The entries of the ledger that are of interest: none where all columns are known."""
+    ledgers = filter(None, (ledger.read(result.data["mesh"]) for result in results))
+    found = {entry for own in ledgers for entry, number in own["columns"].items() if number}
+    if any("filled" in result.seconds for result in results):
+        found.add("filled")
+    return [entry for entry in ledger.ENTRIES if entry in found] if found - {"known"} else []
 
 
 def align(rows):

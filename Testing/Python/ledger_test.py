@@ -1,0 +1,165 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The ledger of all stages, by ledger_check.py, on random horizons with holes, islands, faults and spikes.
+
+Arguments: how many of each kind, Common/Ledger.h, and the first seed, 0 unless told.
+"""
+
+import pathlib
+import re
+import sys
+import unittest
+import warnings
+
+import numpy
+
+import ledger_check
+import seismichorizons as sh
+from seismichorizons import ledger
+
+RUNS, HEADER = int(sys.argv[1]), pathlib.Path(sys.argv[2])
+FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 0
+sys.argv[2:] = ["-"]
+
+from bound_test import random_horizon, rows_of, run  # noqa: E402: takes the arguments
+
+
+def make(name, **properties):
+    algorithm = getattr(sh, "vtkHorizon" + name)()
+    algorithm.AddObserver("WarningEvent", lambda *arguments: None)  # so that VTK does not print them
+    for key, value in properties.items():
+        getattr(algorithm, "Set" + key)(value)
+    return algorithm
+
+
+def random_preparations(random):
+    """Despiking, faults and hole filling, or some of them, or none."""
+    made = []
+    if random.random() < 0.4:
+        made.append(make("Despiking", Threshold=float(random.uniform(1.0, 10.0)), Action=int(random.random() < 0.3),
+                         SpurWidth=int(random.integers(0, 3))))
+    if random.random() < 0.4:
+        made.append(make("Faults", SmallestThrow=float(random.uniform(1.0, 20.0))))
+    if random.random() < 0.4:
+        made.append(make("HoleFilling", LargestHoleSize=int(random.integers(1, 30)),
+                         ExtrapolationDistance=int(random.integers(0, 3))))
+    return made
+
+
+def random_stages(random):
+    """From points to a mesh, stage by stage or in one."""
+    error = float(random.choice([0.0, 0.75, 1.0, 2.0, 5.0, 20.0]))
+    radius = int(random.integers(1, 4))
+    smallest_patch = int(random.choice([1, 1, 8]))
+    kind = random.integers(4)
+    if kind == 0:
+        made = [make("Surface", MaximumError=error, HoleBoundaries=bool(random.integers(2)), MinimumPatchSize=smallest_patch,
+                     CloseFaults=bool(random.integers(2)))]
+        if random.random() < 0.5:
+            made[0].AutomaticRadiusOff()
+            made[0].SetRadius(radius)
+        return made
+    made = [make("ExteriorBoundary", Radius=radius, BoundaryType=int(random.choice([0, 0, 1, 2])),
+                 GrowthStrategy=int(random.integers(2)), SmallestHoleSize=int(random.choice([1, 1, 10])),
+                 MinimumPatchSize=smallest_patch)]
+    for _ in range(random.integers(3)):
+        made.append(make("BoundarySimplification", Method=int(random.integers(2)), DistanceThreshold=error,
+                         OutlineTolerance=float(random.choice([0.0, 1.0, 3.0]))))
+    if kind == 1:
+        return [*made, make("Decimation", MaximumError=error)]
+    if random.random() < 0.7:
+        name = "RoughSimplification" if random.random() < 0.5 else "ElaborateSimplification"
+        made.append(make(name, CellSize=int(random.choice([2, 4, 8]))))
+    return [*made, make("Triangulation", CloseFaults=bool(random.integers(2)))]
+
+
+class LedgerTest(unittest.TestCase):
+    def prepare(self, random, where):
+        """A horizon, its columns, and the points of the last preparation."""
+        horizon = random_horizon(random)
+        read = ledger_check.columns_of(horizon)["Known"]
+        points = horizon
+        for stage in random_preparations(random):
+            points = run(stage, points)
+            self.assertEqual(ledger_check.ledger(points), ledger_check.expected_of_points(read, points),
+                             (where, stage.GetClassName()))
+        return read, points
+
+    def test_stages(self):
+        for seed in range(FIRST, FIRST + RUNS):
+            random = numpy.random.default_rng(seed)
+            read, points = self.prepare(random, seed)
+            if not points.GetNumberOfPoints():
+                continue
+            data, names = points, []
+            for stage in random_stages(random):
+                names.append(stage.GetClassName())
+                data = run(stage, data)
+                own = ledger_check.ledger(data)
+                self.assertEqual(own["Known"] + own["LeftOut"], len(read), (seed, names))
+                if not data.GetNumberOfPoints():
+                    break
+            expected = ledger_check.expected_of_mesh(read, points, data)
+            if names.count("vtkHorizonBoundarySimplification") > 1:  # the second has no points that the first dropped
+                self.assertLessEqual(abs(own["Known"] - expected["Known"]), 0.02 * len(read), (seed, names))
+                own["Bridged"] += own["Known"]
+                expected["Bridged"] += expected["Known"]
+                own["Known"] = own["LeftOut"] = expected["Known"] = expected["LeftOut"] = 0
+            self.assertEqual(own, expected, (seed, names))
+
+    def test_windows(self):
+        for seed in range(FIRST, FIRST + RUNS):
+            random = numpy.random.default_rng(seed)
+            _, points = self.prepare(random, seed)
+            read = ledger_check.columns_of(points)["Known"]  # windows are those of a reader, which leaves nothing out
+            rows = numpy.unique(numpy.rint(ledger_check.places(points)[:, 1])).astype(int).tolist()
+            if not rows or any(data.HasArray(name) for data, name in (
+                    (points.GetPointData(), "Filled"), (points.GetFieldData(), "FaultedLinks"))):
+                continue
+            cut, error = int(random.choice(rows)), float(random.choice([0.75, 2.0]))
+            join = make("SurfaceJoin", MinimumPatchSize=1)
+            for first, last, seams in ((rows[0], cut, (-1, cut)), (cut, rows[-1], (cut, -1))):
+                surface = make("Surface", MaximumError=error, AutomaticRadius=False, SeamRows=seams)
+                join.AddInputDataObject(run(surface, rows_of(points, first, last)))
+            join.Update()
+            mesh = join.GetOutputDataObject(0)
+            own, expected = ledger_check.ledger(mesh), ledger_check.expected_of_mesh(read, points, mesh)
+            self.assertEqual(own, expected, seed)
+
+    def test_part_of_a_mesh(self):
+        """Of a mesh that is not finished, and of the convex hull, the covered columns are right, and none is lost."""
+        for seed in range(FIRST, FIRST + RUNS // 4):
+            random = numpy.random.default_rng(seed)
+            points = random_horizon(random)
+            read = ledger_check.columns_of(points)["Known"]
+            outlines = run(make("ExteriorBoundary"), points)
+            for data, stage in ((points, make("Triangulation", ConvexHull=True)),
+                                (outlines, make("Triangulation", MaximumNumberOfTriangles=int(random.integers(1, 50))))):
+                mesh = run(stage, data)
+                if mesh.GetNumberOfPolys():
+                    self.assertEqual(ledger_check.ledger(mesh), ledger_check.expected_of_mesh(read, points, mesh), seed)
+
+    def test_islands(self):
+        """A row of points has no triangles: it is left out, and a warning says so."""
+        heights = numpy.full((40, 50), numpy.nan)
+        heights[:30, :40] = 100.0
+        heights[35, 5:25] = 103.0
+        heights[10:13, 10:13] = numpy.nan
+        horizon = sh.horizon(heights, spacing=(25.0, 10.0))
+        self.assertEqual(sh.details(horizon).ledger_columns.known, 1211)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            mesh = sh.surface(horizon, largest_error=3.0)
+        self.assertEqual(vars(sh.details(mesh).ledger_columns),
+                         {"known": 1191, "filled": 0, "bridged": 9, "extrapolated": 0, "left_out": 20})
+        self.assertEqual(sh.details(mesh).ledger_area.left_out, 20 * 250.0)
+        self.assertEqual([str(one.message) for one in told],
+                         ["of the covered area 0.75 % is bridged, points on another 1.7 % are left out"])
+
+    def test_fraction(self):
+        said = re.search(r"LedgerWarningFraction = ([0-9.]+);", HEADER.read_text(encoding="utf-8"))
+        self.assertEqual(ledger.WARNING_FRACTION, float(said[1]))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
