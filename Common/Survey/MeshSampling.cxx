@@ -3,9 +3,13 @@
 
 #include "MeshSampling.h"
 
+#include "Common/Errors.h"
+#include "Common/TextNumbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace SeismicHorizons
 {
@@ -78,6 +82,29 @@ public:
     return a->Z + ofB * (b->Z - a->Z) + ofC * (c->Z - a->Z);
   }
 
+  /// Whether a column is inside by more than rounding. On a side another triangle may have another height: at a fault.
+  bool HasInside(int i, int j) const
+  {
+    const SpacePoint column = { double(i), double(j), 0.0 };
+    const double inward = this->FullArea > 0.0 ? 1.0 : -1.0;
+    bool isInside = true;
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      const SpacePoint& from = *this->Corners[side];
+      const SpacePoint& to = *this->Corners[(side + 1) % 3];
+      const double length = std::hypot(to.X - from.X, to.Y - from.Y);
+      isInside = isInside && inward * Area(from, to, column) > 2.0 * Rounding * length;
+    }
+    return isInside;
+  }
+
+  /// How far heights may be apart by rounding of the column.
+  double Tolerance() const
+  {
+    const auto [least, most] = std::minmax({ this->Corners[0]->Z, this->Corners[1]->Z, this->Corners[2]->Z });
+    return 1e-3 * (most - least) + 1e-6 * std::max(std::abs(least), std::abs(most));
+  }
+
 private:
   std::array<const SpacePoint*, 3> Corners;
   double FullArea;
@@ -103,7 +130,14 @@ void SampleMesh(const std::vector<SpacePoint>& points, const std::vector<std::ar
       for (int i = run[0]; i <= run[1]; ++i)
       {
         double& height = heightAt(i, j);
-        height = std::isnan(height) ? triangle.Height(i, j) : height;
+        const double own = triangle.Height(i, j);
+        if (std::abs(height - own) > triangle.Tolerance() && triangle.HasInside(i, j))
+        {
+          throw InputError("heights " + ShortestText(height) + " and " + ShortestText(own) +
+            " (vertical indices) of a mesh in column (" + std::to_string(i) + ", " + std::to_string(j) +
+            "), expected one in each column: a closed body and a fold are no horizon");
+        }
+        height = std::isnan(height) ? own : height;
       }
     }
   }

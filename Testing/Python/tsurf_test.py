@@ -216,6 +216,22 @@ class SurfaceTest(unittest.TestCase):
         self.assertEqual(json.loads(table)["files"][0]["horizons"][0]["name"], "top")
 
 
+class GridTest(unittest.TestCase):
+    def test_closed_bodies(self):
+        """No format of one z in a column takes a body, which has two."""
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        top, base = (sh.horizon(np.full((20, 30), z) + slope * np.arange(30), spacing=(25, 25))
+                     for z, slope in ((-10.0, 0.0), (-30.0, -0.5)))
+        body, = sh.layers({"Top": top, "Base": base}).bodies.values()
+        for form in ("irap", "gri", "zmap", "dat"):
+            path = FOLDER / ("body." + form)
+            path.unlink(missing_ok=True)
+            with self.assertRaisesRegex((ValueError, OSError), r"heights \S+ and \S+ \(vertical indices\) of a mesh in column"):
+                sh.write(body, path)
+            self.assertFalse(path.exists())
+            sh.write(sh.surface(top), path)
+
+
 class OverlayTest(unittest.TestCase):
     """Random triangles, on whole numbers too, against each pair for itself."""
 

@@ -97,6 +97,45 @@ void TestFans()
     }
   }
 }
+
+/// A closed body has two heights, whether its corners are columns or not. Parts at one height are one, and so are those
+/// side by side at a fault.
+void TestSeveralHeights()
+{
+  const std::vector<SpacePoint> sides = { { 0, 0, 10 }, { 0, 2, 10 }, { 2, 0, 10 }, { 2, 2, 10 }, { 2, 0, 30 },
+    { 2, 2, 30 }, { 4, 0, 30 }, { 4, 2, 30 } };
+  const std::vector<double> atFault = Sample(sides, { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 6, 7 }, { 4, 7, 5 } }, { 5, 3 });
+  CHECK(std::equal(atFault.begin(), atFault.begin() + 5, std::vector<double>{ 10, 10, 10, 30, 30 }.begin()));
+  for (const double shift : { 0.0, 0.3 })
+  {
+    std::vector<SpacePoint> points;
+    for (const double z : { 10.0, 30.0, 10.0 })
+    {
+      for (const int corner : { 0, 1, 2, 3 })
+      {
+        points.push_back({ shift + (corner == 1 || corner == 2 ? 6.0 : 0.0), shift + (corner > 1 ? 2.0 : 0.0), z });
+      }
+    }
+    const Triangles one = { { 0, 1, 2 }, { 0, 2, 3 } };
+    for (const PointId other : { 4, 8 })
+    {
+      Triangles both = one;
+      both.insert(both.end(),
+        { { other, other + 3, other + 1 }, { other + 3, other + 2, other + 1 }, { 0, 1, other },
+          { 1, other + 1, other } });
+      if (other == 8)
+      {
+        const std::vector<double> twice = Sample(points, both, { 9, 4 });
+        const std::vector<double> once = Sample(points, one, { 9, 4 });
+        CHECK(std::equal(twice.begin(), twice.end(), once.begin(),
+          [](double a, double b) { return std::abs(a - b) < 1e-12 || (std::isnan(a) && std::isnan(b)); }));
+        continue;
+      }
+      CHECK_THROWS_WITH(Sample(points, both, { 9, 4 }),
+        "heights 10 and 30 (vertical indices) of a mesh in column (1, 1), expected one in each column");
+    }
+  }
+}
 }
 
 int TestMeshSampling(int, char*[])
@@ -104,5 +143,6 @@ int TestMeshSampling(int, char*[])
   TestSquare();
   TestCorners();
   TestFans();
+  TestSeveralHeights();
   return Check::Result();
 }
