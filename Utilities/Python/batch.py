@@ -221,9 +221,14 @@ def _publish(folder, workspace):
 def _require_scale(label, supply, settings):
     """Raises HorizonError where heights have a unit, and nothing says how long a vertical index is."""
     said, unit = settings.said_unit(), settings.reader.get("VerticalUnit")
-    if (said or unit) and reading.counts_indices(supply.origin["format"], settings.reader):
-        raise HorizonError("%s: %s, and z in vertical indices, expected --vertical-step with the length of one, or --z-from "
-                           "RealZ" % (label, "an error or threshold in %s" % said if said else "--vertical-unit %s" % unit))
+    if not reading.counts_indices(supply.origin["format"], settings.reader):
+        return
+    if said:
+        raise HorizonError("%s: an error or threshold in %s, and z in vertical indices, expected --vertical-step with the "
+                           "length of one, or --z-from RealZ" % (label, said))
+    if unit:
+        raise HorizonError("%s: --vertical-unit %s, and z in vertical indices, expected --vertical-step with the length of "
+                           "one, or --z-from RealZ" % (label, unit))
 
 
 def _run_stages(label, supply, settings, record, names, folder, found):
