@@ -14,10 +14,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A box may have so many columns per point, or so many in all, before rows and files are left out of the raster.
-constexpr std::int64_t EnoughColumnsPerPoint = 16;
-constexpr std::int64_t EnoughColumns = 1 << 20;
-
 PlaneBox FindBox(PlanePoints columns)
 {
   if (columns.empty())
@@ -25,11 +21,6 @@ PlaneBox FindBox(PlanePoints columns)
     throw InputError("no points, expected a horizon");
   }
   return PlaneBox(columns);
-}
-
-bool AreScattered(PlanePoints columns, const LinkGrid& box)
-{
-  return box.NumberOfColumns() > std::max(EnoughColumns, EnoughColumnsPerPoint * std::int64_t(columns.size()));
 }
 
 /// The coordinates along an axis that the raster keeps, from the least one: those of points, and between them up to
@@ -84,7 +75,7 @@ ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& hei
   , Places(this->Box)
 {
   assert(height.size() == columns.size());
-  if (AreScattered(columns, this->Box))
+  if (AreScattered(columns))
   {
     this->FilesKept = FindKept(columns, &PlanePoint::X, this->Box.Origin().X);
     this->RowsKept = FindKept(columns, &PlanePoint::Y, this->Box.Origin().Y);
