@@ -22,7 +22,8 @@ FileStamp MakeFileStamp(const std::string& name)
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status))
   {
-    throw FileError(FileProblem::NotFound, "no such file");
+    const bool isLink = std::filesystem::is_symlink(path, ignored);
+    throw FileError(FileProblem::NotFound, isLink ? "a link to a file that does not exist" : "no such file");
   }
   if (!std::filesystem::is_regular_file(status))
   {

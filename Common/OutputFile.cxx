@@ -42,11 +42,18 @@ void WriteStream(const fs::path& path, const std::function<void(std::ostream&)>&
   }
 }
 
-/// The path with something behind it that no other file has.
-fs::path MakeTemporaryPath(fs::path path)
+/// A path in the same folder that no other file has. It is short, as names may have 255 bytes at most.
+fs::path MakeTemporaryPath(const fs::path& path)
 {
-  path += "." + std::to_string(std::random_device()()) + ".part";
-  return path;
+  std::random_device random;
+  std::error_code error;
+  fs::path temporary;
+  do
+  {
+    const std::string number = std::to_string(random()) + std::to_string(random());
+    temporary = path.parent_path() / ("." + number + ".part");
+  } while (fs::exists(fs::symlink_status(temporary, error)));
+  return temporary;
 }
 
 /// Gives the file that was written the name of the other one, and the permissions of a file that was there.
@@ -79,7 +86,18 @@ OutputFile::OutputFile(const std::string& name, const std::function<void(std::os
   {
     throw FileError(FileProblem::CannotOpen, "folder \"" + this->Path.parent_path().u8string() + "\" does not exist");
   }
-  if (fs::exists(this->Path, ignored) && !fs::is_regular_file(this->Path, ignored))
+  constexpr std::size_t longest = 255; // bytes of a name, on all usual systems
+  if (const std::size_t length = this->Path.filename().u8string().size(); length > longest)
+  {
+    throw FileError(FileProblem::CannotOpen,
+      "a name of " + std::to_string(length) + " bytes, expected at most " + std::to_string(longest));
+  }
+  const fs::file_status status = fs::status(this->Path, ignored);
+  if (fs::is_fifo(status) || fs::is_socket(status))
+  {
+    throw FileError(FileProblem::CannotOpen, "a pipe or socket, expected a file"); // opening one may wait for ever
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status))
   {
     WriteStream(this->Path, write);
     return;

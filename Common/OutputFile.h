@@ -14,8 +14,8 @@
 namespace SeismicHorizons
 {
 /// A file that is written under a name of its own in the same folder, and gets the right one by Keep(). Without that,
-/// nothing is left of it, and a file of that name stays as it was. What is no regular file, as a device, is written to
-/// directly. Throws InputError when the file cannot be written.
+/// nothing is left of it, and a file of that name stays as it was. A device is written to directly. Throws InputError
+/// when the file cannot be written.
 class OutputFile
 {
 public:

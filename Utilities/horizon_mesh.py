@@ -28,8 +28,7 @@ import sys  # noqa: E402
 IS_COMMAND = __name__ in ("__main__", "seismichorizons.horizon_mesh")
 PROGRAM = pathlib.Path(sys.argv[0]).stem if IS_COMMAND else "horizon_mesh"
 Z_SOURCES, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
-REPRESENTATIVES = ("Barycentre", "NearestPoint")
-GROWTH_STRATEGIES = ("Distance", "Clockwise")
+REPRESENTATIVES, GROWTH_STRATEGIES = ("Barycentre", "NearestPoint"), ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
 HEIGHT_UNITS = ("ms", "s", "m", "ft")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", "msh", "inp", "disv")
@@ -138,7 +137,7 @@ def make_parser():
     parser.add_argument("--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
                         help="where the results go; made when it is missing")
     parser.add_argument("--formats", nargs="+", choices=FORMATS, default=["vtp"],
-                        help="what results are written as: meshes for VTK, GOCAD TSurf, STL, PLY (single precision), OBJ "
+                        help="what results are written as: meshes for VTK, GOCAD TSurf, STL, PLY, OBJ "
                         "and DXF; grids of the meshes, IRAP text and binary, ZMAP+ and GeoTIFF; points of the horizons "
                         "as picks (dat) and sparse voxels (vsm); with --layers cells for Gmsh (msh), Abaqus (inp) and MODFLOW "
                         "(disv); put -- between them and files that follow")
@@ -347,17 +346,18 @@ def _run(options):
     """All files, then what is told of them. Returns the exit code."""
     from seismichorizons import batch, interrupt, record, report
     from seismichorizons.options import make_settings
-    from seismichorizons.stage import HorizonError
+    from seismichorizons.stage import HorizonError, heard_by
 
     page = getattr(options, "report", None)
     with_pictures = not options.no_pictures and batch.has_display()
-    if not with_pictures and not options.no_pictures:
-        tell("warning", "no pictures, as there is no X server (xvfb-run starts one)")
     run = record.Record(tell, bool(page or options.json), report.make_album(with_pictures) if page else None)
+    if not with_pictures and not options.no_pictures:
+        run.warn("no pictures, as there is no X server (xvfb-run starts one)")
     try:
         if page:
             report.check(page)
-        batch.run(options.inputs, options.output_folder, make_settings(options), with_pictures, run, not options.json)
+        with heard_by(run.warn):
+            batch.run(options.inputs, options.output_folder, make_settings(options), with_pictures, run, not options.json)
         interrupt.check()
         if page:
             report.write(run.as_values(), page, run.album)

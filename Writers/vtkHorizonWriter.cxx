@@ -5,6 +5,7 @@
 
 #include "Common/FileErrors.h"
 #include "Common/OutputFile.h"
+#include "Common/TextWords.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
@@ -20,6 +21,7 @@
 #include <cctype>
 #include <filesystem>
 #include <list>
+#include <unordered_set>
 
 using namespace SeismicHorizons;
 
@@ -44,21 +46,39 @@ std::string MakeFileName(std::string text)
   return text;
 }
 
-/// A file for each horizon beside the given one. Names that are the same get a number.
+/// The beginning of a text in UTF-8, of whole characters and at most so many bytes.
+std::string Shorten(const std::string& text, std::size_t most)
+{
+  std::size_t size = std::min(text.size(), most);
+  while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U)
+  {
+    --size;
+  }
+  return text.substr(0, size);
+}
+
+/// A file for each horizon beside the given one. Names that differ in case alone are one on some systems: they get a
+/// number, as equal ones do. Too long ones are shortened.
 template <typename Horizons>
 std::vector<std::string> NameFiles(const std::string& file, const Horizons& horizons)
 {
   const std::filesystem::path path = std::filesystem::u8path(file);
+  constexpr std::size_t longest = 255; // bytes of a name, on all usual systems
+  constexpr std::size_t numberSize = 12;
+  const std::string stem = path.stem().u8string() + '_';
+  const std::string extension = path.extension().u8string();
+  const std::size_t taken = std::min(longest - 1, stem.size() + extension.size() + numberSize);
   std::vector<std::string> names;
+  std::unordered_set<std::string> small;
   for (const auto& horizon : horizons)
   {
-    names.push_back(MakeFileName(horizon.Name));
-  }
-  names = MakeDistinct(names);
-  for (std::string& name : names)
-  {
-    const std::string stem = path.stem().u8string() + '_' + name + path.extension().u8string();
-    name = (path.parent_path() / std::filesystem::u8path(stem)).u8string();
+    const std::string first = Shorten(MakeFileName(horizon.Name), longest - taken);
+    std::string name = first;
+    for (int number = 2; !small.insert(ToLower(name)).second; ++number)
+    {
+      name = first + " (" + std::to_string(number) + ')';
+    }
+    names.push_back((path.parent_path() / std::filesystem::u8path(stem + name + extension)).u8string());
   }
   return names;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -41,7 +42,10 @@ std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_
       greatest = value == null ? greatest : std::max(greatest, value);
     }
     const double range = greatest - least;
-    if (count > (isUsual ? 0 : 1) && range >= 0.0 && (null < least - range || null > greatest + range))
+    const double gap = std::max(least - null, null - greatest);
+    // A level platform of a horizon is far from the rest, but not as far as all of it is from 0.
+    const double leastGap = isUsual ? 0.0 : 0.5 * std::max(std::abs(least), std::abs(greatest));
+    if (count > (isUsual ? 0 : 1) && range >= 0.0 && gap > range && gap > leastGap)
     {
       std::ostringstream text;
       text.precision(12);

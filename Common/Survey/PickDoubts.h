@@ -15,7 +15,8 @@
 namespace SeismicHorizons
 {
 /// A warning of a usual number for no value, such as -999, or one that several picks have, as z farther from all others
-/// of some picks than these are from each other; of picks that are not gridded yet, which are by their numbers.
+/// of some picks than these are from each other; one that is not usual is at least half as far from them as 0 is. `picks`
+/// are numbers of picks that are not gridded yet.
 std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_t>& picks);
 
 /// Warnings: those that the horizons have already, and of more than a hundredth of picks in columns that have another

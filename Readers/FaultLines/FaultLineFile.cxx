@@ -5,6 +5,7 @@
 
 #include "Common/InputFile.h"
 #include "Common/LineBuffer.h"
+#include "Common/OtherFormats.h"
 #include "FaultLineFormats.h"
 
 #include <algorithm>
@@ -143,6 +144,12 @@ bool BeginsAsFaultLines(std::istream& stream)
 //----------------------------------------------------------------------------------------------------------------------
 FaultLineFile ReadFaultLines(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
 {
+  constexpr std::size_t lookedAt = 8192; // bytes
+  const std::string beginning = PeekText(stream, lookedAt);
+  if (!StartsWith(beginning, "GOCAD")) // lines may follow other objects
+  {
+    RefuseOtherFormats(beginning, "fault lines as text");
+  }
   LineBuffer lines(stream, bufferSize);
   LineDealer dealer;
   while (!lines.AtEnd())

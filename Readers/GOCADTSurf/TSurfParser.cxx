@@ -8,6 +8,7 @@
 #include "Common/InputFile.h"
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
+#include "Common/OtherFormats.h"
 #include "LineTokens.h"
 #include "TSurfBuilder.h"
 
@@ -348,6 +349,10 @@ ObjectParser ParseObjects(
     }
     parser.ParseLines(lines.First(), lines.Last());
     monitor.Progress(lines.PartRead());
+  }
+  if (parser.List.Names.empty() && !StartsWith("tsurf", FirstTypeOfGOCAD(head).value_or(""))) // which may be cut off
+  {
+    RefuseOtherFormats(head, "a surface of GOCAD (TSurf)");
   }
   parser.Finish();
   return parser;

@@ -5,6 +5,7 @@
 
 #include "Common/LineBuffer.h"
 #include "Common/LineErrors.h"
+#include "Common/OtherFormats.h"
 #include "Common/Parallel.h"
 #include "Common/TextEncoding.h"
 #include "Common/TextWords.h"
@@ -148,7 +149,8 @@ void PickCollector::Add(const PickBlock& block)
     throw ErrorAt(this->Lines + block.ErrorLine + 1,
       block.Error + (isFirst ? "; HeaderLines skips lines above the picks, NullValues lists words for no value" : ""));
   }
-  const bool isBetween = this->Picks > 0 || block.CommentLine > block.FirstLine;
+  // Where each pick has the name of its horizon, headers between horizons name nothing else.
+  const bool isBetween = !this->Layout.HasNames() && (this->Picks > 0 || block.CommentLine > block.FirstLine);
   if (block.CommentLine >= 0 && isBetween && !std::exchange(this->HasComment, true))
   {
     this->Table.Doubts.push_back("comments between picks, the first in line " +
@@ -309,6 +311,7 @@ std::string ReadBeginning(std::istream& stream)
   const bool isWhole = stream.eof();
   stream.clear();
   stream.seekg(0);
+  RefuseOtherFormats(text, "points of horizons, a grid, a surface or a cube");
   if (IsUtf16(text))
   {
     throw InputError("text in UTF-16, expected UTF-8 or ASCII: convert the file");

@@ -261,7 +261,7 @@ class BatchTest(unittest.TestCase):
                 shutil.rmtree(self.output, ignore_errors=True)
                 message = self.refused(SAMPLE, *arguments, output=self.output / "below",
                                     prepare=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
-                self.assertIn(name + " cannot be written: File too large", message)
+                self.assertIn(name + " cannot be written: ", message)
                 self.assertFalse(self.output.exists())
 
     def test_full_output(self):
@@ -342,9 +342,9 @@ class BatchTest(unittest.TestCase):
             "%d %d 7 %d\n" % (i, j, i + j) for j in range(5) for i in range(5)))
         self.succeed("--no-pictures", "--stages", "--skip-rough", "--columns", "X Y - Z", picks)
         self.assertEqual(files(self.output), ["odd.vtp"])
-        self.assertIn("its format does not support ZFrom", self.refused(picks, "--z-from", "RealZ"))
-        self.assertIn("its format does not support Columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
-        self.assertIn("Origin with a z of 3", self.refused(picks, "--origin", "0", "0", "3"))
+        self.assertIn("its format does not support --z-from", self.refused(picks, "--z-from", "RealZ"))
+        self.assertIn("its format does not support --columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
+        self.assertIn("--origin with a z of 3", self.refused(picks, "--origin", "0", "0", "3"))
         noise = self.write_picks("noise.txt", "a b\n")
         self.assertIn("noise.txt: ", self.refused(noise))
 

@@ -198,9 +198,6 @@ class StagesTest(unittest.TestCase):
             self.assertGreater((FOLDER / ("top." + form)).stat().st_size, 100)
         (name, found), = sh.read(FOLDER / "top.ts").items()
         self.assertEqual((name, found.GetNumberOfPolys()), ("top", mesh.GetNumberOfPolys()))
-        with mock.patch.object(functions.writing, "write_file", side_effect=calls.HorizonError("top.vtp cannot be written: full")):
-            with self.assertRaisesRegex(OSError, "full"):
-                sh.write(mesh, FOLDER / "top.vtp")
 
     def test_pyvista(self):
         """Results are PyVista's once that is imported, and not before."""

@@ -91,7 +91,7 @@ def check_geotiff():
     picks = np.array([(*turn @ (25.0 * i, 50.0 * j) + (460000.0, 5930000.0), 1500.0 + 3.0 * i + 2.0 * j) for i, j in columns])
     (FOLDER / "turned.xyz").write_text("".join("%.3f %.3f %.3f\n" % tuple(pick) for pick in picks), encoding="ascii")
     (name, horizon), = reading.read(FOLDER / "turned.xyz", CoordinateSystem="EPSG:23031")[0]
-    assert writing.write_mesh(horizon, FOLDER / "turned.tif", name) == []
+    assert writing.write_data(horizon, FOLDER / "turned.tif", name) == []
     there = "".join("%.6f %.6f\n" % tuple(pick[:2]) for pick in picks)
     asked = subprocess.run(["gdallocationinfo", "-valonly", "-geoloc", str(FOLDER / "turned.tif")], input=there,
                            capture_output=True, text=True, timeout=60, check=True)

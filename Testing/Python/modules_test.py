@@ -270,8 +270,7 @@ class ResultTest(unittest.TestCase):
         image = vtkImageData()
         image.SetDimensions(2, 2, 1)
         image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
-        for write_result, data in ((writing.write_vtp, self.result.data["mesh"]),
-                                   (writing.write_tables, [self.result.figures]), (pictures.write, image)):
+        for write_result, data in ((writing.write_tables, [self.result.figures]), (pictures.write, image)):
             with self.assertRaises(HorizonError) as raised:
                 write_result(data, pathlib.Path("/dev/full"))
             self.assertEqual(str(raised.exception), "full cannot be written: No space left on device")
@@ -341,10 +340,8 @@ class BatchTest(unittest.TestCase):
             self.assertEqual([str(label) for label in made], labels)
         made = batch.make_labels([pathlib.Path(path) for path in ("a/x.vsm", "a/x.txt", "b/x.dat", "x.dat.gz", "y.dat")])
         self.assertEqual(batch.make_stems(made), ["x_vsm", "x_txt", "x_dat", "x_dat_gz", "y"])
-        for paths, text in ((["x.vsm", "./x.vsm"], "x.vsm is given twice"),
-                            (["/x_vsm.dat", "/x.vsm", "/x.dat"], "would write the same results")):
-            with self.assertRaisesRegex(HorizonError, text):
-                batch.make_labels([pathlib.Path(path) for path in paths])
+        with self.assertRaisesRegex(HorizonError, "x.vsm is given twice"):
+            batch.make_labels([pathlib.Path(path) for path in ("x.vsm", "./x.vsm")])
 
     def test_all_files_are_done(self):
         (self.folder / "bad.vsm").write_bytes(b"5 4\n")
@@ -365,7 +362,7 @@ class BatchTest(unittest.TestCase):
     def test_all_results_or_none(self):
         """A horizon that cannot be done takes the others of its file with it."""
         self.output.mkdir()
-        really_write = writing.write_mesh
+        really_write = writing.write_data
 
         def fail_at_the_second(mesh, path, name):
             if path.stem.endswith("2"):
@@ -375,7 +372,7 @@ class BatchTest(unittest.TestCase):
             return []
 
         path = write("two.vsm", b"5 4 9\n" + b"3 1 1 0.5 4.0 6 2 1 0.5 8.0\n" * 20)
-        with mock.patch.object(writing, "write_mesh", fail_at_the_second):
+        with mock.patch.object(writing, "write_data", fail_at_the_second):
             self.assertEqual(self.run_batch([path])[:2], (1, ["error: disk full"]))
         self.assertEqual(list(self.output.iterdir()), [])
 
@@ -383,14 +380,14 @@ class BatchTest(unittest.TestCase):
         """None of them appear, and the folders made for them go."""
         listen(self)
         self.output = self.output / "below"
-        really_write = writing.write_mesh
+        really_write = writing.write_data
 
-        def write_mesh(mesh, path, name):
+        def write_data(mesh, path, name):
             really_write(mesh, path, name)
             os.kill(os.getpid(), signal.SIGINT)
             return []
 
-        with mock.patch.object(writing, "write_mesh", write_mesh), self.assertRaises(SystemExit) as raised:
+        with mock.patch.object(writing, "write_data", write_data), self.assertRaises(SystemExit) as raised:
             self.run_batch([write("plane.vsm", PLANE)])
         self.assertEqual(raised.exception.code, 130)
         self.assertFalse(self.output.parent.exists())

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-from seismichorizons.writing import write_vtp
+from seismichorizons.writing import write_data
 
 import image_compare
 import mesh_checks
@@ -45,7 +45,7 @@ def make_build_tree(folder):
 def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     sample, mesh = DATA / "blobs.vsm", FOLDER / "mesh.vtp"
-    write_vtp(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"], mesh)
+    write_data(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"], mesh, "Horizon 2")
     done, picture = draw("one.png", "--horizon", 2, sample, mesh)
     assert done.returncode == 0 and "ERR|" not in done.stderr, done.stderr
     assert picture.shape[:2] == (780, 900) and colors(picture) > 500, (picture.shape, colors(picture))

@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of horizons, one after the other: each into a mesh for every horizon, a picture and a table."""
 
-import collections
 import contextlib
 import ctypes
 import ctypes.util
+import functools
 import os
 import pathlib
-import re
 import shutil
 import sys
 import tempfile
@@ -19,18 +18,18 @@ try:
 except ImportError:  # on Windows
     fcntl = None
 
-from . import figures, interrupt, pipeline, reading, tables, volumes, writing
+from . import interrupt, naming, pipeline, reading, tables, volumes, writing
 from .found import Found
 from .found import written as written_line
 from .memory import Budget
+from .naming import make_labels, make_stems
 from .parts import Windows
-from .stage import HorizonError
+from .stage import HorizonError, heard_by
 from .supply import Supply
 
 STACK = "stack"  # what layers between files of one horizon each are called
 WORKSPACE = ".horizon_mesh-"  # what names of folders begin with that are there during a run
 SECONDS_TO_LOCK = 2.0
-LONGEST_NAME = 255  # bytes of the name of a file, on all usual systems
 
 
 def run(inputs, output_folder, settings, with_pictures, record, prints=True):
@@ -40,11 +39,14 @@ def run(inputs, output_folder, settings, with_pictures, record, prints=True):
     files = find_files(inputs, record)
     labels = make_labels(files)
     stack = [] if settings.layers is not None and len(files) > 1 else None
+    stems = naming.distinct(naming.shorten(stem, naming.LONGEST_STEM) for stem in make_stems(labels))
+    taken = naming.Taken([*files, *settings.other_files])
     with _workspace(output_folder) as workspace:
-        for path, label, stem in zip(files, labels, make_stems(labels)):
+        for path, label, stem in zip(files, labels, stems):
             record.begin_file(path, label)
             try:
-                lines = process(path, label, stem, workspace, settings, with_pictures, record, stack)
+                with heard_by(functools.partial(record.warn_of_file, path, label)):
+                    lines = process(path, label, stem, workspace, settings, with_pictures, record, taken, stack)
                 if prints:
                     print_lines(lines)
             except (HorizonError, OSError) as error:
@@ -52,7 +54,8 @@ def run(inputs, output_folder, settings, with_pictures, record, prints=True):
         if stack:
             record.begin_file(STACK, STACK)
             try:
-                lines = process_stack(stack, workspace, settings, record)
+                with heard_by(functools.partial(record.warn_of_file, STACK, STACK)):
+                    lines = process_stack(stack, workspace, settings, record, taken)
                 if prints:
                     print_lines(lines)
             except (HorizonError, OSError) as error:
@@ -73,45 +76,6 @@ def find_files(inputs, record):
         else:
             files.append(path)
     return files
-
-
-def make_labels(files):
-    """What files are called: by their names, with as many of their folders in front as it takes to tell them and their
-    results apart (`a/x.vsm`). Raises HorizonError where nothing does."""
-    # Links are not followed: users know files by the names that they gave.
-    places = [pathlib.PurePath(os.path.abspath(path)).parts[1:] for path in files]
-    lengths = [1] * len(files)
-    labels = None
-    while True:
-        before, labels = labels, [pathlib.PurePath(*place[-length:]) for place, length in zip(places, lengths)]
-        users = collections.defaultdict(list)
-        for number, stem in enumerate(make_stems(labels)):
-            users[stem].append(number)
-        twins = [numbers for numbers in users.values() if len(numbers) > 1]
-        if not twins:
-            return labels
-        if labels == before:
-            one, other = twins[0][:2]
-            if places[one] == places[other]:
-                raise HorizonError("%s is given twice" % figures.plain(files[one]))
-            raise HorizonError("%s and %s would write the same results" % (files[one], files[other]))
-        for number in sum(twins, []):
-            lengths[number] += 1
-
-
-def make_stems(labels):
-    """What the names of results start with: `a_x` for `a/x.vsm` and for `a/x.vsm.gz`; `x_dat` and `x_map` for files that
-    differ in nothing else."""
-    short = [_without_extension(label) for label in labels]
-    users = collections.Counter(short)
-    return ["_".join(stem.parts) + (label.name[len(stem.name):].replace(".", "_") if users[stem] > 1 else "")
-            for label, stem in zip(labels, short)]
-
-
-def _without_extension(label):
-    if label.suffix.lower() == ".gz":
-        label = label.with_suffix("")
-    return label.with_suffix("")
 
 
 @contextlib.contextmanager
@@ -165,7 +129,7 @@ def _remove_abandoned(output_folder):
                     shutil.rmtree(folder, ignore_errors=True)
 
 
-def process(path, label, stem, workspace, settings, with_pictures, record, stack=None):
+def process(path, label, stem, workspace, settings, with_pictures, record, taken, stack=None):
     """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns what
     there is to print. Where the file has one horizon alone, and there is a stack, its layers are those of the stack, which
     gets the stem of the file, the name of the horizon and its points. Raises HorizonError or OSError."""
@@ -174,8 +138,8 @@ def process(path, label, stem, workspace, settings, with_pictures, record, stack
     for text in left_out or []:
         record.warn(text)
     _require_scale(label, supply, settings)
-    names = _Names(stem, supply.names, settings, with_pictures)
-    names.check(workspace.parent)
+    names = naming.Names(stem, supply.names, settings, with_pictures)
+    taken.require(workspace.parent, names.all(), label)
     found = Found()
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
         results = _run_stages(label, supply, settings, record, names, pathlib.Path(folder), found)
@@ -192,15 +156,15 @@ def process(path, label, stem, workspace, settings, with_pictures, record, stack
     return ["%s: read in %.2f s" % (label, supply.seconds), *(("  " + line).rstrip() for line in lines)]
 
 
-def process_stack(stack, workspace, settings, record):
+def process_stack(stack, workspace, settings, record, taken):
     """Does the layers between files of one horizon each, as process does a file."""
     if len(stack) == 1:
         raise HorizonError("%s: one horizon, expected at least 2, in the file or in files of one horizon each" % stack[0][0])
     titles = [name for _, name, _ in stack]
     if len(set(titles)) < len(titles):
         titles = [stem for stem, _, _ in stack]
-    names = _Names(STACK, titles, settings, False)
-    names.check(workspace.parent)
+    names = naming.Names(STACK, titles, settings, False)
+    taken.require(workspace.parent, [*names.layers, *names.bodies], STACK)
     with tempfile.TemporaryDirectory(dir=workspace) as folder:
         points = dict(zip(titles, (points for _, _, points in stack)))
         lines = _write_layers(STACK, points, settings, names, pathlib.Path(folder), record)
@@ -262,54 +226,6 @@ def _run_stages(label, supply, settings, record, names, folder, found):
     return results
 
 
-class _Names:
-    """The names of the files of results."""
-
-    def __init__(self, stem, names, settings, with_pictures):
-        self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats
-                              if form not in writing.LAYER_FORMATS]
-                       for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
-        self.figures = ["%s_error.csv" % stem] if settings.error is not None and not settings.error_if_whole else []
-        self.pictures = ["%s.png" % stem] if with_pictures else []
-        self._stem = stem
-        self.layers = ["%s_layers.%s" % (stem, form) for form in ("csv", "vtu", *(
-            form for form in settings.formats if form in writing.LAYER_FORMATS))] if settings.layers is not None else []
-        self.body_formats = [form for form in settings.formats if form in writing.MESH_FORMATS] if self.layers else []
-        self._bodies = [self.body(number, form) for number in range(len(names) - 1) for form in self.body_formats]
-        has_surfaces = settings.torn is not None and settings.torn.get("LineType") == "Sticks"
-        self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
-                       if form in writing.MESH_FORMATS] if has_surfaces else []
-
-    def body(self, number, form):
-        """That of the body of a layer."""
-        return "%s_layer_%d.%s" % (self._stem, number + 1, form)
-
-    def check(self, folder):
-        """Files there will be replaced, folders cannot be. Raises HorizonError."""
-        for name in [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *self.layers,
-                     *self._bodies]:
-            if len(os.fsencode(name)) > LONGEST_NAME:
-                raise HorizonError("%s... cannot be written: a name of %d bytes, expected at most %d" % (
-                    name[:40], len(os.fsencode(name)), LONGEST_NAME))
-            if (folder / name).is_dir():
-                raise HorizonError("%s cannot be written: it is a folder" % (folder / name))
-
-
-def _mesh_stems(stem, names):
-    """What the files of each horizon are called: `x_horizon_7` for Horizon 7 of x.vsm, `x_Top` for Top. A horizon
-    that has the name of its file is called as that. Raises HorizonError where two would be called the same."""
-    stems = []
-    for name in names:
-        short = reading.short_name(name)
-        text = re.sub(r"[^\w.+-]+", "_", "horizon_" + short if short != name else name)
-        stems.append(stem if text == stem else "%s_%s" % (stem, text))
-    twins = [n for n, text in enumerate(stems) if text in stems[:n]]
-    if twins:
-        second = twins[0]
-        raise HorizonError("%s and %s would write the same results" % (names[stems.index(stems[second])], names[second]))
-    return stems
-
-
 def _write_mesh(result, names, folder, record):
     for name in names.meshes[result.name]:
         for warning in writing.write(result, folder / name):
@@ -320,7 +236,7 @@ def _write(results, names, folder):
     """Returns what there is to print about it."""
     lines = []
     for name in names.faults:
-        writing.write_mesh(results[0].data["fault surfaces"], folder / name, "Faults")
+        writing.write_data(results[0].data["fault surfaces"], folder / name, "Faults")
     for name in names.figures:
         writing.write_tables([result.figures for result in results], folder / name)
     for name in names.pictures:
@@ -342,7 +258,7 @@ def _write_layers(label, points, settings, names, folder, record):
         warnings += writing.write_cells(made.cells, folder / name)
     for number, (name, body) in enumerate(made.bodies.items()):
         for form in names.body_formats:
-            for warning in writing.write_mesh(body, folder / names.body(number, form), name):
+            for warning in writing.write_data(body, folder / names.body(number, form), name):
                 record.warn("%s: %s" % (names.body(number, form), warning))
     for warning in warnings:
         record.warn("%s: %s" % (label, warning))

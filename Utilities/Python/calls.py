@@ -16,8 +16,9 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
-from . import heights, interrupt, ledger
-from .stage import HorizonError, configure, update
+from . import heights, interrupt, ledger, wording
+from .stage import HorizonError, configure, heard_by, update
+from .stage import warn as warn_in_python
 
 SEQUENTIAL = "Sequential"  # what VTK begins with
 QUIET_SECONDS = 1.0  # before a bar appears
@@ -108,15 +109,21 @@ def run(algorithm, label):
     if algorithm.IsA("vtkHorizonSurface"):
         told += filter(None, [ledger.warning(ledger.read(algorithm.GetOutputDataObject(0)))])
     for text in told:
-        warnings.warn(text, stacklevel=3)
+        warn(text, algorithm)
+
+
+def warn(text, algorithm=None):
+    """A warning with keywords in place of options and of properties."""
+    warn_in_python(_with_keywords(text, algorithm))
 
 
 @contextlib.contextmanager
 def python_errors(algorithm=None):
     """What modules of the package raise within the block is a ValueError, or an OSError where a file cannot be written;
-    it names keywords in place of options."""
+    it names keywords in place of options, and so do warnings."""
     try:
-        yield
+        with heard_by(warn):
+            yield
     except HorizonError as error:
         kind = OSError if NOT_WRITTEN in str(error) else ValueError
         raise kind(_with_keywords(str(error), algorithm)) from None
@@ -124,9 +131,9 @@ def python_errors(algorithm=None):
 
 def _with_keywords(text, algorithm):
     """A message with keywords in place of options and of properties."""
-    text = re.sub(r"--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_"), text)
-    for keyword, name in ({} if algorithm is None else properties(algorithm)).items():
-        text = re.sub(r"\b%s\b" % name, keyword, text)
+    names = {} if algorithm is None else {name: keyword for keyword, name in properties(algorithm).items()}
+    text = wording.rename(text, names, wording.as_keyword)
+    text = re.sub(r"--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_") + "=", text)
     return text + (LATTICE_CURE if LATTICE_WORDS in text else "")
 
 

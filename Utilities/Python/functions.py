@@ -15,7 +15,6 @@ from __future__ import annotations
 import os
 import pathlib
 import types
-import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -299,25 +298,24 @@ def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -
     path = pathlib.Path(path)
     form = path.suffix[1:]
     is_of_cells = isinstance(data, vtkUnstructuredGrid)
-    forms = [name for name in (*writing.FORMATS, "vtu") if (name in (*writing.LAYER_FORMATS, "vtu")) == is_of_cells]
+    forms = (*writing.LAYER_FORMATS, "vtu") if is_of_cells else tuple(writing.WRITERS)
     if form not in forms:
         raise ValueError("%s: the extension %s, expected one of .%s" % (path, path.suffix or "is missing", ", .".join(forms)))
     if not is_of_cells and form not in writing.POINT_FORMATS and form != "vtp" and not data.GetNumberOfPolys():
         raise ValueError("%s: a horizon without triangles, expected a mesh: surface(horizon) makes one" % path)
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: folder \"%s\" does not exist" % (path, path.absolute().parent))
-    make_file = writing.write_points if form in writing.POINT_FORMATS else writing.write_mesh
     with calls.python_errors():
-        told = writing.write_cells(data, path) if is_of_cells else make_file(data, path, name or path.stem)
+        told = writing.write_cells(data, path) if is_of_cells else writing.write_data(data, path, name or path.stem)
     for text in told:
-        warnings.warn(text, stacklevel=2)
+        calls.warn(text)
 
 
 def _existing(path):
     """A file. Raises FileNotFoundError and ValueError."""
     path = pathlib.Path(path)
     reading.require_text(path)
-    if not os.path.exists(path):
+    if not os.path.lexists(path):
         raise FileNotFoundError("%s: no such file" % path)
     return path
 

@@ -3,12 +3,15 @@
 """Horizons from and to GeoTIFF, by GDAL where it is installed: a value in the middle of each cell, on a lattice that may
 be turned."""
 
+import uuid
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .stage import HorizonError, make, update
+from .sampling import sample
+from .stage import HorizonError, make
 
 SOURCE = "vtkHorizonFromPoints"
 BEGINNINGS = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
@@ -26,15 +29,6 @@ def _load(path):
     gdal.UseExceptions()
     osr.UseExceptions()
     return gdal, osr
-
-
-def is_one(path):
-    """Whether a file begins as TIFF does."""
-    try:
-        with open(path, "rb") as file:
-            return file.read(4) in BEGINNINGS
-    except OSError:
-        return False
 
 
 def open_file(path):
@@ -69,26 +63,20 @@ def open_file(path):
     return source
 
 
-def write(mesh, path):
-    """Writes the heights of a mesh, on the columns that it covers, as in the file that its horizon comes from. Returns
-    warnings. Raises HorizonError."""
+def make_content(mesh, path):
+    """The bytes of a file of the heights of a mesh, on the columns that it covers, as in the file that its horizon comes
+    from, and warnings. Raises HorizonError."""
     gdal, osr = _load(path)
-    grid = path.with_suffix(".irap")
-    writer = make("vtkHorizonGridWriter", FileName=str(grid))
-    writer.SetInputDataObject(0, mesh)
-    update(writer, "%s: sampling" % path.name)
-    reader = make("vtkHorizonGridReader", FileName=str(grid), VerticalDirection="Up")
-    update(reader)
-    grid.unlink()
-    points = reader.GetOutputDataObject(0).GetPartition(0, 0)
+    points = sample(mesh, "Up", path.name)
     data = points.GetFieldData()
     step_x, row_x, _, x, step_y, row_y, _, y = vtk_to_numpy(data.GetArray("LatticeToWorld")).ravel()[:8]
     columns, rows = (int(n) for n in vtk_to_numpy(data.GetArray("LatticeDimensions")).ravel()[:2])
     values = np.full((rows, columns), NULL)
     column = vtk_to_numpy(points.GetPointData().GetArray("Column"))
     values[column[:, 1], column[:, 0]] = vtk_to_numpy(points.GetPoints().GetData())[:, 2]
+    place = "/vsimem/%s.tif" % uuid.uuid4().hex
     try:
-        file = gdal.GetDriverByName("GTiff").Create(str(path), columns, rows, 1, gdal.GDT_Float64, ["COMPRESS=DEFLATE"])
+        file = gdal.GetDriverByName("GTiff").Create(place, columns, rows, 1, gdal.GDT_Float64, ["COMPRESS=DEFLATE"])
         # The lattice has the middle of its first cell, a transform its corner.
         file.SetGeoTransform((x - (step_x + row_x) / 2.0, step_x, row_x, y - (step_y + row_y) / 2.0, step_y, row_y))
         file.GetRasterBand(1).SetNoDataValue(NULL)
@@ -97,9 +85,14 @@ def write(mesh, path):
         warnings = _set_system(file, mesh, osr)
         file.FlushCache()
         del file
+        stream = gdal.VSIFOpenL(place, "rb")
+        content = bytes(gdal.VSIFReadL(1, gdal.VSIStatL(place).size, stream))
+        gdal.VSIFCloseL(stream)
     except RuntimeError as error:
         raise HorizonError("%s cannot be written: %s" % (path.name, error)) from None
-    return warnings
+    finally:
+        gdal.Unlink(place)
+    return content, warnings
 
 
 def _counts_down(mesh):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the options of the program horizon_mesh.py mean for the reader and for each stage."""
 
+from . import wording
 from .pipeline import CHOSEN, Settings, fault_settings, surface_properties
 
 BEST_ERROR = 0.75  # of a vertical index: what suits horizons of whole voxels
@@ -15,7 +16,16 @@ OF_READERS = {
     "AmplitudePercentile": "amplitude_percentile", "Picks": "picks", "Limits": "limits", "LimitSide": "limit_side",
     "Gridding": "gridding", "GriddingRadius": "gridding_radius",
     "GriddingSmoothing": "gridding_smoothing"}
+# What messages of classes name, in the words of the command.
+NAMES = {**{name: "--" + option.replace("_", "-") for name, option in OF_READERS.items()},
+         "LatticeSource OriginAndSteps": "--origin, --column-step and --row-step", "LatticeSource CornerPoints": "--corners",
+         "Order AsGiven": "--order AsGiven", "MinimumPatchSize": "--minimum-patch-size"}
 CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
+
+
+def with_options(text):
+    """A message with options in place of properties."""
+    return wording.rename(text, NAMES, wording.as_option)
 
 
 def given(options, **names):
@@ -65,6 +75,8 @@ def make_settings(options):
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
     settings.memory = options.memory
+    settings.other_files = [*getattr(options, "limits", []), *given(
+        options, picks="picks", traces="fault_lines", sticks="fault_sticks").values()]
     settings.reader = _reader(options)
     if hasattr(options, "despike"):
         settings.despiked = {"Threshold": options.despike, "ThresholdUnit": _unit(options.despike)}

@@ -47,7 +47,7 @@ class Settings:
     `layers` are those of volumes between all horizons of a file.
     `horizons` are the IDs or names of those to read, None for all. A horizon that cannot be
     processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
-    meshes are written in (writing.FORMATS). `memory` are the bytes that may be used, None for most of what the machine has
+    meshes are written in (writing.FORMATS). `other_files` are read besides inputs. `memory` are the bytes that may be used, None for most of what the machine has
     left; horizons are read as many at a time as fit. Heights may have units (heights.Height). With `error_if_whole` the error of a horizon that is larger than memory,
     which cannot be measured, is not asked for."""
 
@@ -68,6 +68,7 @@ class Settings:
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
     formats: tuple = ("vtp",)
+    other_files: tuple = ()
     memory: Optional[int] = None
 
     def make_stages(self):

@@ -13,8 +13,6 @@ from . import cubes, geotiff, tsurf
 from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
 
-LOOKED_AT = 4096  # bytes of the beginning of a file that no reader knows
-BINARY = set(range(1, 9)) | set(range(14, 26))  # bytes that no text has, UTF-16 included
 SPARSE = "sparse voxels"
 # With what they read, in the order they are asked.
 READERS = {
@@ -35,11 +33,13 @@ def counts_indices(form, properties):
 
 def find_reader(path):
     """The name of the class that reads a file, by what is in it. None when there is none."""
-    if geotiff.is_one(path):
-        return geotiff.SOURCE
+    if not os.path.isfile(path):  # opening a pipe may wait for ever
+        return None
     beginning = _beginning(path)
-    if beginning.startswith(b"%PDF") or beginning.upper().startswith(b"GOCAD PLINE"):
-        return None  # which have lines of numbers, or of what begins as surfaces do
+    if beginning.startswith(geotiff.BEGINNINGS):
+        return geotiff.SOURCE
+    if beginning.upper().startswith(b"GOCAD PLINE"):
+        return None  # which begins as surfaces do
     return next((name for name in READERS if name != geotiff.SOURCE and make(name).CanReadFile(os.fsencode(path))), None)
 
 
@@ -56,10 +56,7 @@ def open_file(path, horizons=None, left_out=None, **properties):
     the `horizons` that are wanted, and with a list `left_out` the messages on those that are no horizon go there. Raises
     HorizonError when it has no such property."""
     require_text(path)
-    name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else None)
-    if name is None:
-        _require_points(path)
-        name = LAST_READER
+    name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else LAST_READER)
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)
     if name == tsurf.READER:
@@ -84,19 +81,9 @@ def _beginning(path):
     """The first bytes of a file; none where it cannot be read, which its reader tells."""
     try:
         with open(path, "rb") as file:
-            return file.read(LOOKED_AT)
+            return file.read(16)
     except OSError:
         return b""
-
-
-def _require_points(path):
-    """Raises HorizonError on what surely has none, and on surfaces, in which the text reader would miss columns."""
-    beginning = _beginning(path)
-    if beginning.startswith(b"GOCAD"):
-        raise HorizonError("%s: lines of GOCAD, expected points of horizons, a grid, a surface or a cube; --fault-lines and "
-                           "--fault-sticks take lines" % path)
-    if beginning.startswith(b"%PDF") or BINARY & set(beginning) and not beginning.startswith(b"\x1f\x8b"):
-        raise HorizonError("%s: unknown format, expected points of horizons, a grid or a cube" % path)
 
 
 def _with_lattice(reader, properties):

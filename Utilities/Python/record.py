@@ -8,6 +8,7 @@ import os
 import time
 
 from . import figures
+from .options import with_options
 
 
 class Record:
@@ -23,6 +24,7 @@ class Record:
         self._running = {}
         self.album = album
         self.files = []
+        self.warnings = []
         self.error = None
 
     def begin(self, settings):
@@ -65,21 +67,29 @@ class Record:
     def fail_file(self, error):
         """There are no results, or they cannot be told of."""
         file = self.files[-1]
-        file["error"] = str(error)
+        file["error"] = with_options(str(error))
         if file["status"] != "done":
             file["horizons"] = []
         if self.album:
             self.album.cut(sum(len(file["horizons"]) for file in self.files))
-        self._tell("error", error)
+        self._tell("error", file["error"])
 
     def warn(self, text):
-        self.files[-1]["warnings"].append(str(text))
-        self._tell("warning", text)
+        """Of the file that was begun last, or of the run before the first one. The same warning comes once."""
+        text = with_options(text)
+        warnings = self.files[-1]["warnings"] if self.files else self.warnings
+        if text not in warnings:
+            warnings.append(text)
+            self._tell("warning", text)
+
+    def warn_of_file(self, path, label, text):
+        """A warning that names a file by its path, or none."""
+        self.warn("%s: %s" % (label, text.replace("%s: " % path, "", 1)))
 
     def fail(self, error):
         """The whole run cannot be done."""
-        self.error = str(error)
-        self._tell("error", error)
+        self.error = with_options(str(error))
+        self._tell("error", self.error)
 
     def is_done(self):
         return self.error is None and all(file["error"] is None for file in self.files)
@@ -88,6 +98,7 @@ class Record:
         """All of it, for JSON and for a report."""
         return figures.without_nan({
             "version": 1, "program": "horizon_mesh", "done": self.is_done(), "error": self.error,
+            "warnings": self.warnings,
             "started": self._started.isoformat(timespec="seconds"), "seconds": time.monotonic() - self._start,
             "versions": figures.versions(), "command": figures.command(), "parameters": self._given,
             "running": self._running, "files": self.files})

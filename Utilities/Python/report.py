@@ -10,7 +10,6 @@
 import os
 import pathlib
 import shlex
-import tempfile
 
 from . import sections
 from .album import MESH_BYTES, Album
@@ -18,6 +17,7 @@ from .markup import Markup, as_json, data_uri, fill, join, read, script_hash, sc
 from .progress import duration_text
 from .stage import HorizonError
 from .styles import FAULT_COLOR, FAULT_COLOR_BY_DISTANCE, LOW_TO_HIGH, NEAR_TO_FAR, rgb
+from .writing import require_writable, write_file
 
 # Where Debian's package libjs-three puts three.js, and where SEISMICHORIZONS_THREE says that it is.
 THREE_FILES = ("/usr/share/javascript/three/three.min.js", "/usr/share/nodejs/three/build/three.min.js")
@@ -33,33 +33,14 @@ def make_album(with_pictures):
 
 def check(path):
     """Raises HorizonError where no report can be written."""
-    if path.is_dir():
-        raise HorizonError("%s cannot be written: it is a folder" % path)
+    require_writable(path)
     if not os.access(path.parent, os.W_OK):
         raise HorizonError("%s cannot be written: %s is not a writable folder" % (path, path.parent))
 
 
 def write(run, path, album):
     """Writes the page of a run (Record.as_values) and its album. It appears when it is complete. Raises HorizonError."""
-    content = make(run, album, find_three()).encode("utf-8")
-    try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".report-", delete=False) as file:
-            try:
-                file.write(content)
-                file.flush()
-                os.chmod(file.name, 0o666 & ~_umask())
-                os.replace(file.name, path)
-            except BaseException:
-                os.unlink(file.name)
-                raise
-    except OSError as error:
-        raise HorizonError("%s cannot be written: %s" % (path, error.strerror)) from None
-
-
-def _umask():
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+    write_file(make(run, album, find_three()).encode("utf-8"), path)
 
 
 def find_three():

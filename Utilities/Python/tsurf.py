@@ -5,8 +5,6 @@ given, or one along x and y with about 16 columns for each vertex. A surface wit
 error of a mesh is measured from the triangles of the file."""
 
 import math
-import pathlib
-import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -14,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkIntArray, vtkDoubleArray, vtkPoints, vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import heights, overlay, triangles
+from .sampling import sample
 from .stage import HorizonError, make, update
 
 READER = "vtkGOCADTSurfReader"
@@ -201,15 +200,8 @@ def _sample(mesh, steps, origin, sign, path):
         array.SetNumberOfComponents(len(values))
         array.InsertNextTuple([float(value) for value in values])
         sampled.GetFieldData().AddArray(array)
-    with tempfile.TemporaryDirectory() as folder:
-        grid = pathlib.Path(folder) / "sampled.irap"
-        writer = make("vtkHorizonGridWriter", FileName=str(grid))
-        writer.SetInputDataObject(0, sampled)
-        update(writer, "%s: sampling" % path.name)
-        reader = make("vtkHorizonGridReader", FileName=str(grid), VerticalDirection="Up" if sign > 0.0 else "Down")
-        update(reader)
-        points = reader.GetOutputDataObject(0).GetPartition(0, 0)
-        if points is None or not points.GetNumberOfPoints():
-            raise HorizonError("%s: no column under its triangles, expected some: give shorter --column-step and --row-step, or "
-                               "is it a steep fault?" % path)
-        return vtk_to_numpy(points.GetPoints().GetData()).copy()
+    points = sample(sampled, "Up" if sign > 0.0 else "Down", path.name)
+    if points is None or not points.GetNumberOfPoints():
+        raise HorizonError("%s: no column under its triangles, expected some: give shorter --column-step and --row-step, or "
+                           "is it a steep fault?" % path)
+    return vtk_to_numpy(points.GetPoints().GetData())

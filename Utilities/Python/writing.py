@@ -1,40 +1,38 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results as files: meshes, and the figures of the error.
+"""Results as files: meshes, points, cells of layers, and tables of figures.
 
-Most are made in memory, and written by Python: where a disk is full, VTK's writers of XML go on, and may crash.
+Each format has one writer, that of the window, too. A file is written under another name, checked, and renamed: where
+that fails, what was there is as it was.
 """
 
 import csv
 import io
-import math
+import os
+import pathlib
+import tempfile
 
-from vtkmodules.util import numpy_support
-from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
-from vtkmodules.vtkCommonMisc import vtkErrorCode
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
 
 from . import geotiff
-from .stage import HorizonError, make, update
+from .stage import HorizonError, make, update_writer
 
-
-# How far coordinates of a mesh may be off in single precision, as a part of a column step, without a word.
-LARGEST_ROUNDING = 0.01
-MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
-GRID_FORMATS = ("irap", "gri", "zmap", "tif")  # of meshes, by the columns that they cover
+MESH_WRITER, GRID_WRITER = "vtkHorizonMeshWriter", "vtkHorizonGridWriter"
+MESH_FORMATS = {"vtp": MESH_WRITER, "ts": "vtkGOCADTSurfWriter", "stl": MESH_WRITER, "ply": MESH_WRITER,
+                "obj": MESH_WRITER, "dxf": "vtkHorizonDXFWriter"}
+# Of meshes, by the columns that they cover; GeoTIFF is written by GDAL.
+GRID_FORMATS = {"irap": GRID_WRITER, "gri": GRID_WRITER, "zmap": GRID_WRITER, "tif": None}
 POINT_FORMATS = {"dat": "vtkHorizonTextWriter", "vsm": "vtkVerneySparseMatrixWriter"}
 LAYER_FORMATS = ("msh", "inp", "disv")  # of cells of layers, which .vtu has as well
 FORMATS = (*MESH_FORMATS, *GRID_FORMATS, *POINT_FORMATS, *LAYER_FORMATS)
+WRITERS = {**MESH_FORMATS, **GRID_FORMATS, **POINT_FORMATS}
+FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r")  # with which a cell is a formula in spreadsheets
 
 
 def write(result, path):
     """Writes a result (pipeline.Result) in the format of the extension of its file: its mesh, or the points that the mesh
     was made of. Returns warnings. Raises HorizonError."""
-    form = path.suffix[1:]
-    if form not in POINT_FORMATS:
-        return write_mesh(result.data["mesh"], path, result.name)
-    write_points(prepared(result), path, result.name)
-    return []
+    return write_data(prepared(result) if path.suffix[1:] in POINT_FORMATS else result.data["mesh"], path, result.name)
 
 
 def prepared(result):
@@ -42,23 +40,23 @@ def prepared(result):
     return next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
 
 
-def write_points(points, path, name):
-    """Writes the points of a horizon in the format of the extension of its file, and returns warnings. Raises
-    HorizonError."""
-    return _run(make(POINT_FORMATS[path.suffix[1:]]), _named(points, name), path)
-
-
-def write_mesh(mesh, path, name):
-    """Writes a mesh in the format of the extension of its file, and returns warnings. Raises HorizonError."""
+def write_data(data, path, name):
+    """Writes a mesh or the points of a horizon, under a name, in the format of the extension of a file. Returns warnings.
+    Raises HorizonError."""
     form = path.suffix[1:]
-    if form == "vtp":
-        write_vtp(mesh, path)
-        return []
     if form == "tif":
-        return geotiff.write(mesh, path)
-    writer, data = _make_writer(form, name, mesh)
-    warnings = _run(writer, data, path)
-    return _rounding_warnings(mesh) if form == "ply" else warnings
+        content, warnings = geotiff.make_content(data, path)
+        write_file(content, path)
+        return warnings
+    named = vtkPartitionedDataSetCollection()
+    named.SetPartition(0, 0, data)
+    named.GetMetaData(0).Set(named.NAME(), name)
+    return _run(make(WRITERS[form]), named, path)
+
+
+def write_cells(grid, path):
+    """Writes cells of layers in the format of the extension of a file, and returns warnings. Raises HorizonError."""
+    return _run(make("vtkHorizonLayersWriter"), grid, path)
 
 
 def _run(writer, data, path):
@@ -66,74 +64,8 @@ def _run(writer, data, path):
     warnings = []
     writer.SetInputDataObject(0, data)
     writer.SetFileName(str(path))
-    try:
-        update(writer, "%s: writing" % path.name, warnings)
-    except HorizonError as error:  # names the file where it lies until it is complete
-        raise HorizonError(str(error).replace(str(path), path.name)) from None
-    if writer.GetErrorCode():
-        reason = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
-        raise HorizonError("%s cannot be written: %s" % (path.name, reason))
+    update_writer(writer, path.name, warnings)
     return [text.replace("%s: " % path, "") for text in warnings]
-
-
-def write_vtp(mesh, path):
-    """Writes a mesh as a file of VTK. Raises HorizonError."""
-    _write_xml(vtkXMLPolyDataWriter(), mesh, path)
-
-
-def _write_xml(writer, mesh, path):
-    writer.WriteToOutputStringOn()
-    writer.SetInputDataObject(0, mesh)
-    # Not the default, which appends raw bytes: readers of VTK up to 9.2 stumble over them with a recent Expat library.
-    writer.SetDataModeToBinary()
-    update(writer, "%s: writing" % path.name)
-    write_file(writer.GetOutputString().encode(), path)
-
-
-def _make_writer(form, name, mesh):
-    """A writer of a format, and its input. Raises HorizonError."""
-    own = {"ts": "vtkGOCADTSurfWriter", "dxf": "vtkHorizonDXFWriter"}
-    if form in own or form in GRID_FORMATS:
-        return make(own.get(form, "vtkHorizonGridWriter")), _named(mesh, name)
-    # Loads libraries that are not needed otherwise.
-    from vtkmodules import vtkIOGeometry, vtkIOPLY
-
-    writer = {"stl": vtkIOGeometry.vtkSTLWriter, "obj": vtkIOGeometry.vtkOBJWriter, "ply": vtkIOPLY.vtkPLYWriter}[form]()
-    if form == "ply":
-        writer.SetFileTypeToBinary()
-    triangles = vtkPolyData()
-    triangles.SetPoints(mesh.GetPoints())
-    triangles.SetPolys(mesh.GetPolys())
-    return writer, triangles
-
-
-def _named(mesh, name):
-    """A collection of one mesh, which has a name."""
-    collection = vtkPartitionedDataSetCollection()
-    collection.SetPartition(0, 0, mesh)
-    collection.GetMetaData(0).Set(collection.NAME(), name)
-    return collection
-
-
-def _rounding_warnings(mesh):
-    """VTK writes .ply in single precision, which is not enough for the coordinates of most surveys."""
-    places = numpy_support.vtk_to_numpy(mesh.GetPoints().GetData())
-    off = float(abs(places - places.astype("float32")).max(initial=0.0))
-    matrix = mesh.GetFieldData().GetArray("LatticeToWorld")
-    # Surfaces of faults have no columns: metres count.
-    step = 1.0 if matrix is None else min(
-        math.hypot(matrix.GetComponent(0, column), matrix.GetComponent(0, 4 + column)) for column in (0, 1))
-    if off <= LARGEST_ROUNDING * step:
-        return []
-    return ["coordinates are rounded to single precision, by up to %.2g; other formats keep them" % off]
-
-
-def write_cells(grid, path):
-    """Writes cells of layers in the format of the extension of a file, and returns warnings. Raises HorizonError."""
-    if path.suffix[1:] in LAYER_FORMATS:
-        return _run(make("vtkHorizonLayersWriter"), grid, path)
-    _write_xml(vtkXMLUnstructuredGridWriter(), grid, path)
-    return []
 
 
 def write_tables(tables, path):
@@ -145,14 +77,49 @@ def write_tables(tables, path):
         if number == 0:
             writer.writerow([table.GetColumnName(column) for column in columns])
         for row in range(table.GetNumberOfRows()):
-            values = [table.GetValue(row, column) for column in columns]
-            writer.writerow([repr(v.ToDouble()) if v.IsDouble() else v.ToString() for v in values])
+            writer.writerow([_cell(table.GetValue(row, column)) for column in columns])
     write_file(text.getvalue().encode(), path)
 
 
+def _cell(value):
+    """The text of a value. One that a spreadsheet would take for a formula is quoted, as spreadsheets do."""
+    if value.IsDouble():
+        return repr(value.ToDouble())
+    text = value.ToString()
+    return "'" + text if value.IsString() and text.startswith(FORMULA_SIGNS) else text
+
+
 def write_file(content, path):
-    """Writes bytes. Raises HorizonError."""
+    """Writes bytes under a name that nobody has, and renames the file when it is complete. A device is written to
+    directly. Raises HorizonError."""
+    require_writable(path)
+    path = pathlib.Path(os.path.realpath(path))
     try:
-        path.write_bytes(content)
+        if path.exists() and not path.is_file():
+            path.write_bytes(content)
+            return
+        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".", suffix=".part", delete=False) as file:
+            try:
+                file.write(content)
+                file.close()
+                os.chmod(file.name, path.stat().st_mode if path.exists() else 0o666 & ~_umask())
+                os.replace(file.name, path)
+            except BaseException:
+                os.unlink(file.name)
+                raise
     except OSError as error:
         raise HorizonError("%s cannot be written: %s" % (path.name, error.strerror)) from None
+
+
+def require_writable(path):
+    """Raises HorizonError where a file would take the place of a folder, or opening it may wait for ever."""
+    if path.is_dir():
+        raise HorizonError("%s cannot be written: it is a folder" % path)
+    if path.is_fifo() or path.is_socket():
+        raise HorizonError("%s cannot be written: a pipe or socket, expected a file" % path)
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -14,7 +14,7 @@ import sys
 
 from seismichorizons import parts
 from seismichorizons.stage import HorizonError, make, update, watched
-from seismichorizons.writing import write_vtp
+from seismichorizons.writing import write_data
 from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
@@ -102,7 +102,7 @@ def join(meshes, path):
             stage.AddInputDataObject(part)
         update(stage)
         mesh = stage.GetOutputDataObject(0)
-    write_vtp(mesh, path)
+    write_data(mesh, path, path.stem)
     print("%d windows, %d points, %d triangles" % (len(meshes), mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()))
 
 

@@ -13,6 +13,7 @@
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/SurveyFields.h"
 #include "LayersPrinter.h"
+#include "XMLPrinter.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -25,6 +26,7 @@
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridWriter.h"
 
 #include <string>
 
@@ -183,13 +185,18 @@ void vtkHorizonLayersWriter::WriteData()
       return; // the first one has them
     }
     const std::string format = ExtensionOf(file);
+    if (format == "vtu") // of any cells
+    {
+      WriteOutputFile(file, [&](std::ostream& stream) { PrintXML<vtkXMLUnstructuredGridWriter>(grid, stream); });
+      return;
+    }
     const auto print = format == "msh" ? PrintGmsh
       : format == "inp"                ? PrintAbaqus
       : format == "disv"               ? PrintDISV
                                        : nullptr;
     if (!print)
     {
-      throw InputError("extension \"" + format + "\", expected msh, inp or disv");
+      throw InputError("extension \"" + format + "\", expected vtu, msh, inp or disv");
     }
     VolumeCells cells = ReadLayers(grid, monitor.Step(0.0, 0.2));
     if (format == "disv")

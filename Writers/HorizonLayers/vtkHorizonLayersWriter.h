@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonLayersWriter
- * @brief   writes layers for simulators and meshers (Gmsh .msh, Abaqus .inp, MODFLOW 6 .disv)
+ * @brief   writes layers for simulators and meshers (Gmsh .msh, Abaqus .inp, MODFLOW 6 .disv, VTK .vtu)
  *
  * The input is the cells of vtkHorizonLayers. The extension selects the format, each with its own order of corners;
- * coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). ParaView itself writes .vtu,
- * with all arrays. A file appears complete or not at all.
+ * coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). .vtu has any cells, with all
+ * arrays. A file appears complete or not at all.
  *
  * Write() returns 1 if the file was written, else 0. Each failure gives one error that starts with the name of the
  * file, and GetErrorCode() is one of vtkErrorCode. If several processes call it, the one that has cells writes.

@@ -8,27 +8,13 @@
 #include "Common/Monitor.h"
 #include "GOCADTSurf/HorizonTSurf.h"
 #include "MeshPrinter.h"
+#include "XMLPrinter.h"
 
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataWriter.h"
 
 using namespace SeismicHorizons;
-
-namespace
-{
-/// Not with appended bytes, the default: readers of VTK up to 9.2 stumble over them with a recent Expat library.
-void PrintVTP(vtkPolyData* horizon, std::ostream& stream)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputDataObject(horizon);
-  writer->SetDataModeToBinary();
-  writer->WriteToOutputStringOn();
-  writer->Write();
-  stream << writer->GetOutputString();
-}
-}
 
 vtkStandardNewMacro(vtkHorizonMeshWriter);
 
@@ -40,7 +26,7 @@ void vtkHorizonMeshWriter::PrintHorizons(
   const NamedHorizon& horizon = horizons.front();
   if (format == "vtp")
   {
-    PrintVTP(horizon.Data, stream);
+    PrintXML<vtkXMLPolyDataWriter>(horizon.Data, stream);
     return;
   }
   const auto print = format == "stl" ? PrintSTL : format == "ply" ? PrintPLY : format == "obj" ? PrintOBJ : nullptr;

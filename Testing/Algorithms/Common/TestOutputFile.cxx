@@ -12,6 +12,10 @@
 #include <iterator>
 #include <string>
 
+#ifndef _WIN32
+#include <sys/stat.h>
+#endif
+
 using namespace SeismicHorizons;
 
 namespace
@@ -81,9 +85,29 @@ void WrongPlacesAreRefused()
   CHECK_THROWS_WITH(Write(Folder, "x"), "a directory, expected a file");
   CHECK_THROWS_WITH(
     Write(Folder / "none" / "x.ts", "x"), "folder \"" + (Folder / "none").u8string() + "\" does not exist");
-  CHECK_THROWS_WITH(
-    Write(Folder / std::string(300, 'x'), "x"), "the file cannot be written, expected write permission");
+  CHECK_THROWS_WITH(Write(Folder / std::string(300, 'x'), "x"), "a name of 300 bytes, expected at most 255");
 }
+
+/// A file with a name as long as may be is written all the same, and neighbours stay, whatever they are called.
+void NamesAreFree()
+{
+  const std::string name(255, 'x');
+  Write(Folder / (name.substr(5) + ".part"), "neighbour");
+  Write(Folder / name, "long");
+  CHECK_EQUAL(Read(Folder / name), "long");
+  CHECK_EQUAL(Read(Folder / (name.substr(5) + ".part")), "neighbour");
+}
+
+#ifndef _WIN32
+/// Opening one would wait for a reader.
+void PipesAreRefused()
+{
+  const fs::path pipe = Folder / "pipe.ts";
+  CHECK_EQUAL(mkfifo(pipe.c_str(), 0600), 0);
+  CHECK_THROWS_WITH(Write(pipe, "x"), "a pipe or socket, expected a file");
+  CHECK(fs::is_fifo(pipe));
+}
+#endif
 
 /// A device is written to directly, and never replaced.
 void FullDisksAreNoticed()
@@ -105,6 +129,10 @@ int TestOutputFile(int, char*[])
   LinksStay();
   PermissionsStay();
   WrongPlacesAreRefused();
+  NamesAreFree();
+#ifndef _WIN32
+  PipesAreRefused();
+#endif
   FullDisksAreNoticed();
   return Check::Result();
 }

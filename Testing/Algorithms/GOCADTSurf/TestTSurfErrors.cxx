@@ -31,9 +31,10 @@ void OtherFilesAreRefused()
   CheckRefused("\n-996 10 20\n", "line 2: \"-996 10 20\", expected \"GOCAD TSurf 1\"");
   CheckRefused(std::string(100000, '\x47'), "line 1: \"" + std::string(32, 'G') + "...\", expected \"GOCAD TSurf 1\"");
   CheckRefused(std::string(100, '\0'), "line 1: \"" + std::string(32, '?') + "...\", expected \"GOCAD TSurf 1\"");
-  CheckRefused(
-    "GOCAD VSet 1\nEND\nGOCAD PLine 1\nEND\n", "line 5: 2 GOCAD objects of other types, expected \"GOCAD TSurf 1\"");
-  CHECK_THROWS_WITH(List("GOCAD VSet 1\nEND\n"), "1 GOCAD objects of other types");
+  CheckRefused("GOCAD VSet 1\nEND\nGOCAD PLine 1\nEND\n",
+    "points of GOCAD (VSet), expected a surface of GOCAD (TSurf): keep x, y");
+  CHECK_THROWS_WITH(List("GOCAD Well 1\nEND\n"), "an object of GOCAD, expected a surface of GOCAD (TSurf): export");
+  CHECK_THROWS_WITH(List("# GOCAD\nGOCAD VSet 1\nEND\n"), "1 GOCAD objects of other types");
 }
 
 void ObjectsEnd()

@@ -29,6 +29,9 @@ void TestLayoutMessages()
   CHECK_THROWS_WITH(Read("EOB\n"), "no picks after 0 lines, expected");
   CHECK_THROWS_WITH(Read(std::string("1 2 3\n\0\n", 8)), "byte 6 is 0, so this is no text; expected lines of numbers");
   CHECK_THROWS_WITH(
+    Read("  0\nSECTION\n"), "a drawing (DXF), expected points of horizons, a grid, a surface or a cube");
+  CHECK_THROWS_WITH(Read("o top\nv 1 2 3\nv 2 2 3\nf 1 2 3\n"), "a triangle mesh (OBJ), expected points of horizons");
+  CHECK_THROWS_WITH(
     Read(std::string("1\0 \0002\0 \0003\0\n\0", 12)), "text in UTF-16, expected UTF-8 or ASCII: convert the file");
   CHECK_THROWS_WITH(Read(std::string("\0001\0 \0002\0 \0003\0\n", 12)), "text in UTF-16, expected UTF-8 or ASCII");
   CHECK_THROWS_WITH(Read("1 2\n"), "columns Inline, Crossline, expected Z, and X and Y or Inline and Crossline");

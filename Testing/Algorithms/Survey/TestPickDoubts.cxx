@@ -140,6 +140,22 @@ void TestUsualNulls()
   CHECK(DoubtsOf(picks).empty()); // a spike
 }
 
+/// Level parts of a horizon are as far from each other as they like, but not as from a number for no value.
+void TestLevelPlatforms()
+{
+  PickTable picks = Dip();
+  for (std::size_t n = 0; n < picks.Size(); ++n)
+  {
+    picks.Z[n] = n < 100 ? 1200.0 : 1500.0;
+  }
+  CHECK(DoubtsOf(picks).empty());
+  for (std::size_t n = 0; n < 100; ++n)
+  {
+    picks.Z[n] = -12345.0;
+  }
+  CHECK(IsOne(DoubtsOf(picks), "100 of 400 picks with z -12345, far from all others, 1500 to 1500"));
+}
+
 void TestDuplicates()
 {
   PickTable picks = Dip();
@@ -170,6 +186,7 @@ int TestPickDoubts(int, char*[])
   TestFarPicks();
   TestBetweenLines();
   TestUsualNulls();
+  TestLevelPlatforms();
   TestDuplicates();
   TestRounding();
   return Check::Result();
