@@ -73,18 +73,23 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
     if values.ndim != 2:
         raise ValueError("z of shape %s, expected (rows, columns); horizon_from_points makes horizons of n x 3 points"
                          % (values.shape,))
+    return _on_lattice(values, np.asarray(origin, dtype=float)[:2], column_step, row_step, nodata, keywords)
+
+
+def _on_lattice(values, origin, column_step, row_step, nodata, keywords):
+    """The horizon of an array with its place."""
     heights = np.ma.filled(np.ma.masked_invalid(values.astype(float)), np.nan)
     heights[np.isin(heights, [] if nodata is None else nodata)] = np.nan
     rows, columns = np.isfinite(heights).nonzero()
     if not rows.size:
         raise ValueError("z without a single value, expected some that are not nan, masked or nodata")
-    places = np.asarray(origin, dtype=float)[:2] + np.outer(columns, column_step) + np.outer(rows, row_step)
-    lattice = {"lattice_source": "OriginAndSteps", "origin": tuple(origin[:2]), "column_step": tuple(column_step),
+    places = origin + np.outer(columns, column_step) + np.outer(rows, row_step)
+    lattice = {"lattice_source": "OriginAndSteps", "origin": tuple(origin), "column_step": tuple(column_step),
                "row_step": tuple(row_step)}
     made = horizon_from_points(np.column_stack((places, heights[rows, columns])), **{**lattice, **keywords})
     if not lattice.keys() & keywords.keys():
         for data in made.values() if isinstance(made, dict) else [made]:
-            _widen(data, values.shape, np.asarray(origin, dtype=float)[:2])
+            _widen(data, values.shape, origin)
     return made
 
 
