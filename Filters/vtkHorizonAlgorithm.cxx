@@ -3,6 +3,7 @@
 
 #include "vtkHorizonAlgorithm.h"
 
+#include "Common/Errors.h"
 #include "Common/Monitor.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
@@ -11,6 +12,7 @@
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/LedgerOutput.h"
+#include "Marshalling/PlacedPoints.h"
 #include "Marshalling/RankedHorizons.h"
 #include "Marshalling/StageReport.h"
 
@@ -37,6 +39,12 @@ vtkPolyData* vtkHorizonAlgorithm::GetPolyDataOutput()
 
 //------------------------------------------------------------------------------
 void vtkHorizonAlgorithm::ProcessOutputs(const std::vector<vtkDataObject*>&) {}
+
+//------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::ShareHorizons(
+  const std::vector<HorizonLeaf>&, const std::vector<RankedHorizon>&, const Ranks&)
+{
+}
 
 //------------------------------------------------------------------------------
 int vtkHorizonAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -85,7 +93,7 @@ int vtkHorizonAlgorithm::RequestData(
     std::vector<HorizonLeaf> horizons;
     const auto end = outputs.begin() + this->GetNumberOfHorizonPorts();
     ranks.Together([&]() { horizons = ListHorizons(input, { outputs.begin(), end }); });
-    ListOnRanks(horizons, ranks); // throws when one is on several
+    this->ShareHorizons(horizons, ListOnRanks(horizons, ranks), ranks); // throws when one is on several ranks
     ranks.Together(
       [&]()
       {
@@ -102,6 +110,12 @@ int vtkHorizonAlgorithm::RequestData(
               [&]()
               {
                 CheckArraySizes(horizon.Input);
+                if (IsMesh(horizon.Input) && !this->TakesMeshes())
+                {
+                  throw InputError("a mesh of " +
+                    std::to_string(horizon.Input->GetNumberOfPolys() + horizon.Input->GetNumberOfStrips()) +
+                    " triangles, expected the points of a horizon, as they are before it is meshed");
+                }
                 if (CountVisiblePoints(horizon.Input) == 0)
                 {
                   vtkWarningMacro(<< (subject.empty() ? "" : subject + ": ") << "all "
@@ -123,5 +137,6 @@ int vtkHorizonAlgorithm::RequestData(
   this->Results.clear();
   const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
   this->Results = IsAborted(this) ? "stopped before the end: nothing was made\n" : done ? report.Text() : std::string();
+  this->Results = done && this->Results.empty() ? "no points in the input: nothing was made\n" : this->Results;
   return done;
 }

@@ -8,7 +8,7 @@
  * horizon, or a composite dataset of horizons (any vtkDataObjectTree), and gives the same kind of dataset with the same
  * structure and names. A subclass only processes one horizon.
  *
- * A horizon without points gives an empty one. If a horizon cannot be processed, one error names it, and reports what
+ * A horizon without points gives an empty one. A mesh is refused by stages of points. If a horizon cannot be processed, one error names it, and reports what
  * was found and what was expected. The whole output is then empty, even if other horizons were processed before;
  * likewise if the user stops it. With InvalidHorizons set to LeaveOut, only that horizon is empty, with a warning.
  * Progress goes from 0 to 1 over all horizons.
@@ -34,6 +34,9 @@
 namespace SeismicHorizons
 {
 class Monitor;
+class Ranks;
+struct HorizonLeaf;
+struct RankedHorizon;
 }
 class vtkPolyData;
 
@@ -65,6 +68,14 @@ protected:
   /// Turns one horizon that has points into the outputs, which are empty but for the field data of the input. Throws
   /// SeismicHorizons::InputError on input that breaks the contract of the stage.
   virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
+
+  /// Whether horizons may be meshes; else one with triangles is refused. No by default.
+  virtual bool TakesMeshes() { return false; }
+
+  /// Called before horizons are processed, with those of this rank and of all: a stage that looks at several can share
+  /// them here. Collective. Does nothing by default.
+  virtual void ShareHorizons(const std::vector<SeismicHorizons::HorizonLeaf>& own,
+    const std::vector<SeismicHorizons::RankedHorizon>& all, const SeismicHorizons::Ranks& ranks);
 
   /// How many of the outputs have horizons, from the first on. All of them by default.
   virtual int GetNumberOfHorizonPorts() { return this->GetNumberOfOutputPorts(); }

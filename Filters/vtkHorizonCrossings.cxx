@@ -9,6 +9,7 @@
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/VersionDifferences.h"
 #include "Layers/OrderedStack.h"
+#include "Marshalling/HeightUnit.h"
 #include "Marshalling/HorizonStack.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/StackOutput.h"
@@ -32,6 +33,25 @@ int vtkHorizonCrossings::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+// By z as it was given: horizons that become one have the same number then, and what does not move keeps its own.
+RepairedHorizons vtkHorizonCrossings::Repair(const HorizonStack& stack, const Monitor& monitor)
+{
+  const HeightStack heights = stack.WorldHeights();
+  std::vector<HorizonView> views = stack.Views();
+  for (std::size_t n = 0; n < views.size(); ++n)
+  {
+    views[n].Heights = heights[n].data();
+  }
+  const std::string& unit = stack.GetSurvey().VerticalUnit;
+  CrossingOptions options = this->MakeCrossings(stack);
+  options.HeightsGrowDownwards = false;
+  options.Unit = unit.empty() ? "in z" : unit;
+  options.MinimumThickness =
+    this->GetMinimumThickness() * (this->GetHeightUnit() == World ? 1.0 : WorldPerIndex(stack.CommonLattice()));
+  return RepairHorizons(views, options, monitor);
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonCrossings::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -49,11 +69,11 @@ int vtkHorizonCrossings::RequestData(
       {
         return;
       }
-      const RepairedHorizons repaired =
-        RepairHorizons(stack.Views(), this->MakeCrossings(stack), monitor.Step(0.4, 0.8));
+      const RepairedHorizons repaired = this->Repair(stack, monitor.Step(0.4, 0.8));
       for (std::size_t horizon = 0; horizon < stack.Size(); ++horizon)
       {
         WriteRepaired(repaired, horizon, stack, BlockOf(outputs.front(), horizon));
+        monitor.Progress(0.8 + 0.15 * double(horizon + 1) / double(stack.Size()));
       }
       this->Results = TellRepair(repaired.Repair, stack);
     };

@@ -5,8 +5,9 @@
  * @brief   puts horizons that cross in order, column by column
  *
  * Input: as of vtkHorizonStackStage. Output: the same horizons, the uppermost first, with all points and all arrays but
- * RealZ; where horizons cross, points are moved up or down. Point data: Moved (double), how far a point was moved
- * upwards, in the unit of z. Field data: MovedColumns (vtkIdType) and FarthestMove (double).
+ * RealZ; where horizons cross, points are moved up or down. Horizons that become one get the same z, to the bit, and
+ * points that stay keep theirs. Point data: Moved (double), how far a point was moved upwards, in the unit of z. Field
+ * data: MovedColumns (vtkIdType) and FarthestMove (double).
  *
  * The repair is exact in each column: the heights in order that are nearest to the given ones, by squares, or a running
  * minimum or maximum where one of two horizons wins. Errors: those of vtkHorizonLayers.
@@ -21,6 +22,12 @@
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <string> // for the results
+
+namespace SeismicHorizons
+{
+class Monitor;
+struct RepairedHorizons;
+}
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonCrossings : public vtkHorizonStackStage
 {
@@ -46,6 +53,9 @@ protected:
 private:
   vtkHorizonCrossings(const vtkHorizonCrossings&) = delete;
   void operator=(const vtkHorizonCrossings&) = delete;
+
+  SeismicHorizons::RepairedHorizons Repair(
+    const SeismicHorizons::HorizonStack& stack, const SeismicHorizons::Monitor& monitor);
 
   std::string Results;
 };

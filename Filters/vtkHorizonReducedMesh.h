@@ -133,6 +133,8 @@ protected:
   vtkHorizonReducedMesh() = default;
   ~vtkHorizonReducedMesh() override = default;
 
+  bool TakesMeshes() override { return true; }
+
   SeismicHorizons::DecimationQuality MakeQuality() const;
   /// MaximumError in lattice units, for a horizon with these places, in sub-voxels, and heights.
   double FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,

@@ -11,13 +11,17 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
+#include "Common/VTK/LedgerFields.h"
 #include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/Ranks.h"
 #include "Common/VTK/SurveyFields.h"
+#include "Common/VTK/VertexCells.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
 #include "Marshalling/LatticePoints.h"
 #include "Marshalling/PlacedPoints.h"
+#include "Marshalling/RankedHorizons.h"
 #include "Thickness/Thickness.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -31,11 +35,14 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -47,23 +54,76 @@ constexpr int OtherPort = 1; // of the input
 constexpr int MapPort = 1; // of the output
 constexpr std::int64_t Few = 20; // one column of so many may be a crossing without a warning
 
-/// Of what has points, the one that is not the horizon itself, on the lattice of that; with the survey of both.
-PlacedPoints ReadOther(vtkDataObject* others, vtkPolyData* horizon, const Lattice& lattice, SurveyDescription& survey)
+const HorizonNames OfOther = { "the other horizon", "the first one" };
+const HorizonNames OfFirst = { "the first horizon", "the other one" };
+
+/// Of what has points, the one that is not the horizon itself.
+vtkPolyData* FindOther(const std::vector<vtkSmartPointer<vtkPolyData>>& others, vtkPolyData* horizon)
 {
-  std::vector<HorizonLeaf> leaves = ListHorizons(others, {});
-  leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
-                 [&](const HorizonLeaf& leaf)
-                 { return leaf.Input->GetNumberOfPoints() == 0 || leaf.Input->GetPoints() == horizon->GetPoints(); }),
-    leaves.end());
-  if (leaves.size() != 1)
+  std::vector<vtkPolyData*> found;
+  for (vtkPolyData* const other : others)
   {
-    throw InputError(std::to_string(leaves.size()) +
+    if (other->GetNumberOfPoints() > 0 && other->GetPoints() != horizon->GetPoints())
+    {
+      found.push_back(other);
+    }
+  }
+  if (found.size() != 1)
+  {
+    throw InputError(std::to_string(found.size()) +
       " other horizons with points, expected one as the input Other, for instance by Extract Block");
   }
-  vtkPolyData* const other = leaves.front().Input;
-  CheckArraySizes(other);
-  survey = JoinSurveys(ReadSurveyFields(horizon->GetFieldData()), other, { "the other horizon", "the first one" });
-  return PlaceOn(lattice, WithoutHiddenPoints(other), { "the other horizon", "the first one" });
+  CheckArraySizes(found.front());
+  return found.front();
+}
+
+/// Whose lattice counts: of points that with the smaller bins, and else that of the first horizon.
+vtkPolyData* WithLattice(vtkPolyData* horizon, vtkPolyData* other)
+{
+  constexpr double smaller = 1.0 - 1e-6; // by more than rounding
+  const bool hasLattice = other->GetFieldData()->HasArray(FieldArray::LatticeToWorld);
+  const bool isOther = hasLattice && !IsMesh(other) &&
+    (IsMesh(horizon) || ReadLattice(other).ColumnArea() < smaller * ReadLattice(horizon).ColumnArea());
+  return isOther ? other : horizon;
+}
+
+PlacedPoints Place(vtkPolyData* horizon, const Lattice& lattice, const HorizonNames& names, const Monitor& monitor)
+{
+  return IsMesh(horizon) ? SampleOn(lattice, horizon, names, monitor)
+                         : PlaceOn(lattice, WithoutHiddenPoints(horizon), names);
+}
+
+/// Points of a mesh in columns of a lattice, which may be that of another horizon.
+void WriteSampled(const PlacedPoints& sampled, const KeptPoints& kept, vtkPolyData* withLattice, vtkPolyData* output)
+{
+  const Lattice lattice = ReadLattice(withLattice);
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  for (std::size_t n = 0; n < kept.size(); ++n)
+  {
+    const auto point = std::size_t(kept[n]);
+    const PlanePoint& column = sampled.Columns[point];
+    const Eigen::Vector3d world = lattice.ToWorld({ double(column.X), double(column.Y), sampled.Height[point] });
+    places->InsertNextPoint(world.data());
+  }
+  for (const char* const name : { FieldArray::LatticeDimensions, FieldArray::LatticeToWorld })
+  {
+    output->GetFieldData()->AddArray(withLattice->GetFieldData()->GetArray(name));
+  }
+  output->SetPoints(places);
+  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
+  output->GetPointData()->PassData(ReadColumns(output, {}, KeptHeights::None).Horizon->GetPointData());
+}
+
+/// Which points have a thickness.
+KeptPoints KeepKnown(const std::vector<double>& thickness)
+{
+  KeptPoints kept(thickness.size());
+  for (std::size_t point = 0; point < thickness.size(); ++point)
+  {
+    kept.AppendRun(PointId(point), std::isnan(thickness[point]) ? 0 : 1);
+  }
+  return kept;
 }
 
 LatticeScale ScaleOf(const Lattice& lattice)
@@ -76,7 +136,39 @@ LatticeScale ScaleOf(const Lattice& lattice)
   return scale;
 }
 
-/// The map of a horizon with thickness. Throws InputError where steps are not perpendicular.
+/// `bin` is the area of a column of the output.
+void WriteFigures(const Thickness& found, double bin, vtkFieldData* figures)
+{
+  AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreLeast, found.Least);
+  AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreMean, found.Mean);
+  AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreLargest, found.Largest);
+  AddValue<vtkIdTypeArray>(figures, FieldArray::IsochoreCrossings, vtkIdType(found.Crossings));
+  const auto each = std::int64_t(std::lround(found.Area / bin)); // columns that one stands for
+  Ledger ledger;
+  ledger[LedgerEntry::Known] = each * found.Columns;
+  ledger[LedgerEntry::LeftOut] = each * found.LeftOut;
+  WriteLedger(ledger, figures);
+}
+
+/// What a warning says; empty where all is as expected.
+std::string TellDoubts(const Thickness& found)
+{
+  std::ostringstream text;
+  if (Few * found.Crossings > found.Columns)
+  {
+    text << "the horizons cross in " << found.Crossings << " of " << found.Columns
+         << " columns, expected few: their thickness is negative there";
+  }
+  if (double(found.LeftOut) > LedgerWarningFraction * double(found.Columns))
+  {
+    text << (text.str().empty() ? "" : "; ") << "one horizon alone is in " << found.LeftOut << " of "
+         << found.Columns + found.LeftOut << " columns, an area of " << double(found.LeftOut) * found.Area
+         << ", expected both: these columns are left out";
+  }
+  return text.str();
+}
+
+/// The map of a horizon with thickness. Throws InputError where steps are not perpendicular, and where it is too large.
 void MakeMap(vtkPolyData* horizon, vtkImageData* map)
 {
   map->GetFieldData()->PassData(horizon->GetFieldData());
@@ -130,48 +222,80 @@ int vtkHorizonThickness::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
+// Without another input the two horizons of this one are measured to each other, which may be on different ranks.
+void vtkHorizonThickness::ShareHorizons(
+  const std::vector<HorizonLeaf>& own, const std::vector<RankedHorizon>& all, const Ranks& ranks)
+{
+  this->Others.clear();
+  vtkDataObject* const given = this->GetInputDataObject(OtherPort, 0);
+  if (given || ranks.Size() == 1)
+  {
+    for (const HorizonLeaf& leaf : given ? ListHorizons(given, {}) : own)
+    {
+      this->Others.push_back(leaf.Input);
+    }
+    return;
+  }
+  std::vector<RankedHorizon> shared;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(shared),
+    [](const RankedHorizon& horizon) { return horizon.Points > 0; });
+  if (shared.size() > 2)
+  {
+    ranks.Refuse(std::to_string(shared.size()) + " horizons with points, expected two, or one as the input Other");
+  }
+  this->Others = ShareOnRanks(shared, own, ranks);
+}
+
+//------------------------------------------------------------------------------
 void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
-  const LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
-  vtkDataObject* const given = this->GetInputDataObject(OtherPort, 0);
-  SurveyDescription survey;
-  const PlacedPoints other = ReadOther(given ? given : this->GetInputDataObject(0, 0), horizon, points.Lattice, survey);
-  monitor.Progress(0.4);
-  const Thickness found = MeasureThickness(
-    { points.Column, points.Height }, { other.Columns, other.Height }, ScaleOf(points.Lattice), monitor.Step(0.4, 0.9));
-  KeptPoints kept(found.Isochore.size());
-  for (std::size_t point = 0; point < found.Isochore.size(); ++point)
-  {
-    kept.AppendRun(PointId(point), std::isnan(found.Isochore[point]) ? 0 : 1);
-  }
   vtkPolyData* const output = outputs.front();
-  CopyPoints(points.Horizon, kept, output);
+  vtkPolyData* const other = FindOther(this->Others, horizon);
+  vtkPolyData* const withLattice = WithLattice(horizon, other);
+  const SurveyDescription survey = JoinSurveys(ReadSurveyFields(horizon->GetFieldData()), other, OfOther);
+  const Lattice lattice = ReadLattice(withLattice);
+  monitor.Progress(0.0);
+  const vtkSmartPointer<vtkPolyData> points =
+    IsMesh(horizon) ? horizon : ReadColumns(WithoutHiddenPoints(horizon), outputs, KeptHeights::None).Horizon.Get();
+  monitor.Progress(0.1);
+  const PlacedPoints first = Place(points, lattice, OfFirst, monitor.Step(0.1, 0.3));
+  monitor.Progress(0.3);
+  const PlacedPoints second = Place(other, lattice, OfOther, monitor.Step(0.3, 0.5));
+  const Thickness found = MeasureThickness({ first.Columns, first.Height.data() },
+    { second.Columns, second.Height.data() }, ScaleOf(lattice), monitor.Step(0.5, 0.9));
+  const KeptPoints kept = KeepKnown(found.Isochore);
+  if (IsMesh(horizon))
+  {
+    WriteSampled(first, kept, withLattice, output);
+  }
+  else
+  {
+    CopyPoints(points, kept, output);
+  }
+  monitor.Progress(0.95);
   vtkPointData* const data = output->GetPointData();
   data->RemoveArray(PointArray::PatchId);
   data->RemoveArray(PointArray::Boundary);
   AddArray<vtkDoubleArray>(data, PointArray::Isochore, kept.Select(found.Isochore));
-  vtkFieldData* const figures = output->GetFieldData();
   if (HasLengths(survey))
   {
     AddArray<vtkDoubleArray>(data, PointArray::Isopach, kept.Select(found.Isopach));
-    AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreVolume, found.Volume);
+    AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::IsochoreVolume, found.Volume);
   }
   data->SetActiveScalars(PointArray::Isochore);
-  AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreLeast, found.Least);
-  AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreMean, found.Mean);
-  AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreLargest, found.Largest);
-  AddValue<vtkIdTypeArray>(figures, FieldArray::IsochoreCrossings, vtkIdType(found.Crossings));
-  if (Few * found.Crossings > found.Columns)
+  WriteFigures(found, ReadLattice(output).ColumnArea(), output->GetFieldData());
+  const std::string warning = TellDoubts(found);
+  if (!warning.empty())
   {
     const std::string name = NameBySurfaceId(horizon);
-    vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << "the horizons cross in " << found.Crossings << " of "
-                    << found.Columns << " columns, expected few: their thickness is negative there");
+    vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << warning);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkHorizonThickness::ProcessOutputs(const std::vector<vtkDataObject*>& outputs)
 {
+  this->Others.clear();
   const auto make = [this](vtkDataObject* points, vtkImageData* map)
   { RunPart(this, true, "the map", { map }, [&]() { MakeMap(vtkPolyData::SafeDownCast(points), map); }); };
   auto* const tree = vtkDataObjectTree::SafeDownCast(outputs.front());

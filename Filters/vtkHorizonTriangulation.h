@@ -129,6 +129,8 @@ protected:
   vtkHorizonTriangulation();
   ~vtkHorizonTriangulation() override = default;
 
+  bool TakesMeshes() override { return true; }
+
   void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:

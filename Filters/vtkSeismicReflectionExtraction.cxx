@@ -127,9 +127,14 @@ vtkDataArray* vtkSeismicReflectionExtraction::FindAmplitudes(vtkImageData* cube)
     throw InputError("amplitudes of cells, expected a point array: apply Cell Data To Point Data");
   }
   vtkPointData* const data = cube->GetPointData();
-  vtkDataArray* const array = name ? data->GetArray(name)
-    : data->GetScalars()           ? data->GetScalars()
-                                   : data->GetArray(PointArray::Amplitude);
+  vtkDataArray* const own = data->GetScalars() ? data->GetScalars() : data->GetArray(PointArray::Amplitude);
+  vtkDataArray* const array = name ? data->GetArray(name) : own;
+  if (!array && own && own->GetName())
+  {
+    // Scripts of ParaView name an array of the active source where they are given none.
+    vtkWarningMacro(<< "no point array " << name << " in the image: amplitudes are those of " << own->GetName());
+    return own;
+  }
   if (!array)
   {
     throw InputError(name ? "no point array " + std::string(name) + " of numbers, expected one with amplitudes"

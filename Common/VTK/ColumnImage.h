@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsColumnImage_h
 #define SeismicHorizonsColumnImage_h
 
+#include "Common/Errors.h"
 #include "Common/PlaneGeometry.h"
 #include "Common/Types.h"
 #include "DataArrays.h"
@@ -15,7 +16,10 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -24,11 +28,13 @@ namespace SeismicHorizons
 class ColumnPixels
 {
 public:
-  /// Gives the image the extent of the box of some columns, at least one, and blanks all other pixels.
+  /// Gives the image the extent of the box of some columns, at least one, and blanks all other pixels. Throws
+  /// InputError where the box is nearly empty, as between parts that are far apart, and large.
   ColumnPixels(PlanePoints columns, vtkImageData* image)
     : Image(image)
   {
     const PlaneBox box(columns);
+    RequireDense(box, columns.size());
     image->SetExtent(box.Least.X, box.Greatest.X, box.Least.Y, box.Greatest.Y, 0, 0);
     const vtkIdType width = vtkIdType(box.Greatest.X) - box.Least.X + 1;
     this->Pixels.reserve(columns.size());
@@ -54,6 +60,21 @@ public:
   }
 
 private:
+  static void RequireDense(const PlaneBox& box, std::size_t columns)
+  {
+    constexpr double enough = 1 << 24; // pixels
+    constexpr double enoughPerColumn = 64;
+    const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
+    const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
+    if (double(width) * double(height) > std::max(enough, enoughPerColumn * double(columns)))
+    {
+      throw InputError("an image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels for " +
+        std::to_string(columns) +
+        " columns, expected at most 64 for each, or 2^24: take one part after the other, as " +
+        "by Clip or a window of the reader");
+    }
+  }
+
   vtkImageData* Image;
   std::vector<vtkIdType> Pixels;
 };

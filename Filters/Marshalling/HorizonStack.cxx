@@ -171,6 +171,22 @@ std::vector<HorizonView> HorizonStack::Views() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+HeightStack HorizonStack::WorldHeights() const
+{
+  HeightStack heights;
+  for (const StackedHorizon& horizon : this->Horizons)
+  {
+    vtkPolyData* const points = horizon.Points.Horizon;
+    heights.emplace_back(std::size_t(points->GetNumberOfPoints()));
+    for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+    {
+      heights.back()[std::size_t(point)] = points->GetPoint(point)[2];
+    }
+  }
+  return heights;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::optional<LinkCuts> HorizonStack::FindCuts() const
 {
   std::optional<LinkCuts> cuts;

@@ -11,6 +11,7 @@
 #include "Common/PlaneGeometry.h"
 #include "LatticePoints.h"
 #include "Layers/CommonColumns.h"
+#include "Layers/Crossings.h"
 #include "PlacedPoints.h"
 
 #include "vtkSmartPointer.h"
@@ -59,6 +60,8 @@ public:
   void Reorder(const std::vector<std::size_t>& order);
   /// Into its own memory.
   std::vector<HorizonView> Views() const;
+  /// By horizon and point: z of the world, as it was given.
+  HeightStack WorldHeights() const;
 
   /// The links that faults of any horizon cut. Where steps of its lattice are several of the stack, all in between are.
   std::optional<LinkCuts> FindCuts() const;

@@ -4,15 +4,22 @@
 #include "PlacedPoints.h"
 
 #include "Common/Errors.h"
+#include "Common/Survey/ColumnTiles.h"
 #include "Common/Survey/LatticeFrame.h"
+#include "Common/Survey/MeshSampling.h"
 #include "Common/Survey/Units.h"
 #include "Common/TextWords.h"
 #include "Common/VTK/SurveyFields.h"
+#include "HorizonPoints.h"
+#include "SurfacePair.h"
 
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 namespace SeismicHorizons
 {
@@ -34,37 +41,147 @@ SurveyDescription WithDomain(SurveyDescription survey)
   }
   return survey;
 }
+
+/// Where a point is on a lattice.
+Eigen::Vector3d PlaceOf(vtkIdType point, vtkPolyData* points, const Lattice& lattice, const HorizonNames& names)
+{
+  const Eigen::Vector3d world(points->GetPoint(point));
+  const char* const expected = !world.allFinite() ? "finite numbers" : "at most 2^50 vertical indices up or down";
+  const Eigen::Vector3d place = lattice.ToLattice(world);
+  if (!world.allFinite() || !(std::abs(place.z()) <= LargestHeight))
+  {
+    throw InputError("a point of " + names.Placed + " at " + ToText(world) + ", expected " + expected);
+  }
+  return place;
+}
+
+/// The nearest column, if there is one within a distance.
+std::optional<PlanePoint> ColumnOf(const Eigen::Vector3d& place, double nearness)
+{
+  const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
+  const bool isThere =
+    (place.head<2>() - column).cwiseAbs().maxCoeff() <= nearness && column.cwiseAbs().maxCoeff() < LargestColumn;
+  return isThere ? std::optional<PlanePoint>({ std::int32_t(column.x()), std::int32_t(column.y()) }) : std::nullopt;
+}
+
+/// The points of a mesh in lattice units, from the least column on, which it takes off.
+std::vector<SpacePoint> ReadPlaces(
+  const Lattice& lattice, vtkPolyData* mesh, const HorizonNames& names, Eigen::Array2d& least, Eigen::Array2d& most)
+{
+  std::vector<SpacePoint> places;
+  least.setConstant(LargestColumn);
+  most.setConstant(-LargestColumn);
+  for (vtkIdType n = 0; n < mesh->GetNumberOfPoints(); ++n)
+  {
+    const Eigen::Vector3d place = PlaceOf(n, mesh, lattice, names);
+    places.push_back({ place.x(), place.y(), place.z() });
+    least = least.min(place.head<2>().array().floor());
+    most = most.max(place.head<2>().array().ceil());
+  }
+  if (least.abs().maxCoeff() >= LargestColumn || most.abs().maxCoeff() >= LargestColumn)
+  {
+    throw InputError(names.Placed + " reaches over " + std::to_string(std::int64_t((most - least).maxCoeff())) +
+      " columns, expected less than 2^28");
+  }
+  for (SpacePoint& place : places)
+  {
+    place.X -= least.x();
+    place.Y -= least.y();
+  }
+  return places;
+}
+
+/// Throws InputError where triangles cover more columns than memory is made for.
+void RequireColumns(const std::vector<SpacePoint>& places, const std::vector<std::array<PointId, 3>>& triangles,
+  const HorizonNames& names)
+{
+  constexpr double most = double(1 << 30);
+  double area = 0.0;
+  for (const auto& [a, b, c] : triangles)
+  {
+    area += 0.5 *
+      std::abs((places[b].X - places[a].X) * (places[c].Y - places[a].Y) -
+        (places[b].Y - places[a].Y) * (places[c].X - places[a].X));
+  }
+  if (area > most)
+  {
+    throw InputError("triangles of " + names.Placed + " over " + std::to_string(std::int64_t(area)) + " columns of " +
+      names.First + ", expected at most 2^30");
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonNames& names)
 {
-  const std::string point = "a point of " + names.Placed + " at ";
   PlacedPoints placed;
   placed.Columns.reserve(std::size_t(points->GetNumberOfPoints()));
   placed.Height.reserve(placed.Columns.capacity());
   for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
   {
-    const Eigen::Vector3d world(points->GetPoint(n));
-    if (!world.allFinite())
+    const Eigen::Vector3d place = PlaceOf(n, points, lattice, names);
+    const std::optional<PlanePoint> column = ColumnOf(place, LargestDeviation);
+    if (!column)
     {
-      throw InputError(point + ToText(world) + ", expected finite numbers");
-    }
-    const Eigen::Vector3d place = lattice.ToLattice(world);
-    if (!(std::abs(place.z()) <= LargestHeight))
-    {
-      throw InputError(point + ToText(world) + ", expected at most 2^50 vertical indices up or down");
-    }
-    const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
-    if (!((place.head<2>() - column).cwiseAbs().maxCoeff() <= LargestDeviation) ||
-      !(column.cwiseAbs().maxCoeff() < LargestColumn))
-    {
-      throw InputError(point + ToText(world) + ", which is not on a column of " + names.First +
+      throw InputError("a point of " + names.Placed + " at " + ToText(Eigen::Vector3d(points->GetPoint(n))) +
+        ", which is not on a column of " + names.First +
         ", expected points on one lattice: Horizon From Points grids them there");
     }
-    placed.Columns.push_back({ static_cast<std::int32_t>(column.x()), static_cast<std::int32_t>(column.y()) });
+    placed.Columns.push_back(*column);
     placed.Height.push_back(place.z());
   }
+  return placed;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsMesh(vtkPolyData* horizon)
+{
+  return horizon->GetNumberOfPolys() + horizon->GetNumberOfStrips() > 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNames& names, const Monitor& monitor)
+{
+  constexpr double rounding = 1e-6; // columns: of world coordinates
+  if (const vtkIdType hidden = mesh->GetNumberOfPoints() - CountVisiblePoints(mesh))
+  {
+    throw InputError(std::to_string(hidden) + " points of " + names.Placed +
+      ", a mesh, are hidden by the array vtkGhostType, expected none");
+  }
+  Eigen::Array2d least;
+  Eigen::Array2d most;
+  const std::vector<SpacePoint> places = ReadPlaces(lattice, mesh, names, least, most);
+  const std::vector<std::array<PointId, 3>> triangles = ReadOpenTriangles(mesh);
+  RequireColumns(places, triangles, names);
+  ColumnTiles tiles;
+  std::vector<double> heights;
+  const auto heightAt = [&](int i, int j) -> double&
+  {
+    const std::size_t place = tiles.Place(i, j);
+    heights.resize(tiles.Size(), std::nan(""));
+    return heights[place];
+  };
+  const Eigen::Array2d size = most - least + 1.0;
+  SampleMesh(places, triangles, { int(size.x()), int(size.y()) }, heightAt, monitor);
+  for (const SpacePoint& place : places)
+  {
+    const std::optional<PlanePoint> column = ColumnOf({ place.X, place.Y, 0.0 }, rounding);
+    double* const height = column ? &heightAt(column->X, column->Y) : nullptr;
+    if (height && std::isnan(*height))
+    {
+      *height = place.Z;
+    }
+  }
+  PlacedPoints placed;
+  tiles.ForEachPlace(
+    [&](int i, int j, std::size_t place)
+    {
+      if (!std::isnan(heights[place]))
+      {
+        placed.Columns.push_back({ i + std::int32_t(least.x()), j + std::int32_t(least.y()) });
+        placed.Height.push_back(heights[place]);
+      }
+    });
   return placed;
 }
 

@@ -3,6 +3,7 @@
 
 #include "RankedHorizons.h"
 
+#include "Common/Errors.h"
 #include "Common/VTK/Ranks.h"
 
 #include "vtkPolyData.h"
@@ -95,5 +96,39 @@ std::vector<RankedHorizon> ListOnRanks(const std::vector<HorizonLeaf>& leaves, c
       [](const RankedHorizon& a, const RankedHorizon& b) { return a.Position < b.Position; });
   }
   return horizons;
+}
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkPolyData>> ShareOnRanks(
+  const std::vector<RankedHorizon>& shared, const std::vector<HorizonLeaf>& leaves, const Ranks& ranks)
+{
+  ranks.Together(
+    [&]()
+    {
+      for (const RankedHorizon& horizon : shared) // VTK reads their arrays
+      {
+        if (horizon.Rank == ranks.Own())
+        {
+          PrefixErrors(horizon.Name, [&]() { CheckArraySizes(leaves[horizon.Leaf].Input); });
+        }
+      }
+    });
+  std::vector<vtkSmartPointer<vtkPolyData>> all;
+  for (const RankedHorizon& horizon : shared)
+  {
+    const bool isOwn = horizon.Rank == ranks.Own();
+    all.push_back(isOwn ? leaves[horizon.Leaf].Input : vtkSmartPointer<vtkPolyData>::New());
+    for (int rank = 0; isOwn && rank < ranks.Size(); ++rank)
+    {
+      if (rank != ranks.Own())
+      {
+        ranks.Send(all.back(), rank);
+      }
+    }
+    if (!isOwn)
+    {
+      ranks.Receive(all.back(), horizon.Rank);
+    }
+  }
+  return all;
 }
 }

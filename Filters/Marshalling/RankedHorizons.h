@@ -31,6 +31,10 @@ struct RankedHorizon
 /// that has points on one rank does not count on those where it is empty. Throws InputError when one has points on
 /// several. Collective.
 std::vector<RankedHorizon> ListOnRanks(const std::vector<HorizonLeaf>& leaves, const Ranks& ranks);
+
+/// Some of them, `shared`, on every rank: its own `leaves`, and copies of those of others. Collective.
+std::vector<vtkSmartPointer<vtkPolyData>> ShareOnRanks(
+  const std::vector<RankedHorizon>& shared, const std::vector<HorizonLeaf>& leaves, const Ranks& ranks);
 }
 
 #endif

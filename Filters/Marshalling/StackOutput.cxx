@@ -5,7 +5,6 @@
 
 #include "Common/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "HeightUnit.h"
 #include "HorizonPoints.h"
 
 #include "vtkDoubleArray.h"
@@ -36,12 +35,8 @@ void WriteRepaired(
   {
     const auto number = vtkIdType(point);
     Eigen::Vector3d world(given.Points.Horizon->GetPoint(number));
-    if (heights[point] != given.Placed.Height[point])
-    {
-      const double z = stack.CommonLattice().ToWorld({ 0.0, 0.0, heights[point] }).z();
-      moved[point] = z - world.z();
-      world.z() = z;
-    }
+    moved[point] = heights[point] - world.z();
+    world.z() = heights[point];
     points->SetPoint(number, world.data());
     indices[point] = given.Points.Lattice.ToLattice(world).z();
   }
@@ -54,13 +49,12 @@ void WriteRepaired(
   const MovedHorizon& own = repaired.Repair.Horizons[horizon];
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(own.Columns));
-  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, WorldPerIndex(stack.CommonLattice()) * own.Farthest);
+  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, own.Farthest);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::string TellRepair(const CrossingRepair& repair, const HorizonStack& stack)
 {
-  const double height = WorldPerIndex(stack.CommonLattice());
   std::ostringstream text;
   for (std::size_t n = 0; n < repair.Interfaces.size(); ++n)
   {
@@ -68,7 +62,7 @@ std::string TellRepair(const CrossingRepair& repair, const HorizonStack& stack)
     text << stack[n].Name << " and " << stack[n + 1].Name << "\n  crossed in " << crossed.Columns << " columns";
     if (crossed.Columns > 0)
     {
-      text << ", by up to " << height * crossed.Deepest;
+      text << ", by up to " << crossed.Deepest;
     }
     text << '\n';
   }
@@ -78,7 +72,7 @@ std::string TellRepair(const CrossingRepair& repair, const HorizonStack& stack)
     text << stack[n].Name << ": " << moved.Columns << " of " << stack[n].Placed.Columns.size() << " points moved";
     if (moved.Columns > 0)
     {
-      text << ", by up to " << height * moved.Farthest;
+      text << ", by up to " << moved.Farthest;
     }
     text << '\n';
   }

@@ -16,7 +16,7 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// The points of a horizon where its repaired heights are.
+/// The points of a horizon where its repaired heights are, which are z of the world.
 void WriteRepaired(
   const RepairedHorizons& repaired, std::size_t horizon, const HorizonStack& stack, vtkPolyData* output);
 

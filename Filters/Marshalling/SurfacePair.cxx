@@ -11,6 +11,7 @@
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPairs.h"
+#include "PlacedPoints.h"
 #include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
@@ -124,28 +125,6 @@ std::vector<unsigned char> ReadFilled(vtkPolyData* data)
   return marks;
 }
 
-/// The triangles of a mesh but for those that close faults, which are no part of a surface.
-std::vector<Corners> ReadOpenTriangles(vtkPolyData* mesh)
-{
-  std::vector<Corners> triangles = ReadTriangles(mesh);
-  vtkDataArray* const faults = FindNumbers(mesh->GetCellData(), CellArray::Fault);
-  if (!faults)
-  {
-    return triangles;
-  }
-  RequireTuples(faults, mesh->GetNumberOfCells(), "cells");
-  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  std::vector<Corners> open;
-  for (std::size_t n = 0; n < triangles.size(); ++n)
-  {
-    if (faults->GetComponent(first + vtkIdType(n), 0) == 0.0)
-    {
-      open.push_back(triangles[n]);
-    }
-  }
-  return open;
-}
-
 /// A mesh in world coordinates.
 TriangleSurface ReadSurface(vtkPolyData* data, bool withFilledPoints)
 {
@@ -241,10 +220,31 @@ void TakeWorld(SurfaceDistance& inWorld, bool inWorldUnits, MeasuredPair& measur
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
+{
+  std::vector<Corners> triangles = ReadTriangles(mesh);
+  vtkDataArray* const faults = FindNumbers(mesh->GetCellData(), CellArray::Fault);
+  if (!faults)
+  {
+    return triangles;
+  }
+  RequireTuples(faults, mesh->GetNumberOfCells(), "cells");
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  std::vector<Corners> open;
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    if (faults->GetComponent(first + vtkIdType(n), 0) == 0.0)
+    {
+      open.push_back(triangles[n]);
+    }
+  }
+  return open;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor)
 {
-  const bool hasTriangles = pair.Reference->GetNumberOfPolys() + pair.Reference->GetNumberOfStrips() > 0;
-  if (hasTriangles || pair.Reference->GetNumberOfPoints() == 0)
+  if (IsMesh(pair.Reference) || pair.Reference->GetNumberOfPoints() == 0)
   {
     pair.ReferenceOutput->ShallowCopy(pair.Reference);
     return;

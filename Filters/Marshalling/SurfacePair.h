@@ -10,9 +10,18 @@
 #include "DistanceReport.h"
 #include "SurfaceDistance/SurfaceDistance.h"
 
+#include <array>
+#include <vector>
+
+class vtkPolyData;
+
 namespace SeismicHorizons
 {
 struct HorizonPair;
+
+/// The triangles of a mesh but for those that close faults, which are no part of a surface. Throws InputError on other
+/// cells.
+std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh);
 
 /// Writes the reference as a mesh to its output. A reference with triangles is passed as it is. Any other is meshed
 /// with all its points: inside its loops, or where it has none, inside its exterior boundary, with the radius and the

@@ -19,7 +19,8 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-vtkSmartPointer<vtkPolyData> Mesh()
+/// The outlines of a horizon, or for distances its mesh.
+vtkSmartPointer<vtkPolyData> InputOf(vtkAlgorithm* stage)
 {
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   vtkNew<vtkHorizonTriangulation> mesh;
@@ -27,10 +28,10 @@ vtkSmartPointer<vtkPolyData> Mesh()
     HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(9, 9), 3, HorizonFixtures::UnitSurvey()));
   mesh->SetInputConnection(boundary->GetOutputPort());
   mesh->Update();
-  return mesh->GetPolyDataOutput();
+  return stage->IsA("vtkHorizonSurfaceDistance") ? mesh->GetPolyDataOutput() : boundary->GetPolyDataOutput();
 }
 
-/// Runs a stage of that class on a mesh after set(stage, value).
+/// Runs a stage of that class after set(stage, value).
 template <typename Stage, typename Value>
 void CheckRefused(void (Stage::*set)(Value), double value, const std::string& message)
 {
@@ -38,7 +39,7 @@ void CheckRefused(void (Stage::*set)(Value), double value, const std::string& me
   (stage->*set)(static_cast<Value>(value));
   for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
   {
-    stage->SetInputDataObject(port, Mesh());
+    stage->SetInputDataObject(port, InputOf(stage));
   }
   HorizonFixtures::Errors errors(stage);
   stage->Update();

@@ -295,9 +295,16 @@ void TestWrongArrays()
   auto bare = Image::New();
   bare->SetDimensions(Size);
   CheckRefused(MakeFilter(bare), "no active scalars and no array Amplitude at the points of the image");
-  Filter named = MakeFilter(MakeCube<vtkFloatArray>());
+  Filter named = MakeFilter(bare);
   named->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "none");
   CheckRefused(named, "no point array none of numbers, expected one with amplitudes");
+  // That of another source, which scripts of ParaView name, is not there: the cube has its own.
+  Filter other = MakeFilter(MakeCube<vtkFloatArray>());
+  other->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "VerticalIndex");
+  Errors warnings(other, vtkCommand::WarningEvent);
+  other->Update();
+  CHECK(warnings.FirstContains("no point array VerticalIndex in the image: amplitudes are those of Amplitude"));
+  CHECK_EQUAL(Horizon(other)->GetNumberOfPoints(), 30);
   Filter cells = MakeFilter(MakeCube<vtkFloatArray>());
   cells->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Amplitude");
   CheckRefused(cells, "amplitudes of cells, expected a point array");

@@ -63,6 +63,44 @@ class SourcesTest(unittest.TestCase):
         up = sh.horizon(dome(), vertical_direction="Up")
         self.assertGreater(places(up)[:, 2].min(), 0.0)
 
+    def test_margins(self):
+        """The lattice is that of the array, whatever is empty along its sides."""
+        z = dome()
+        z[:7], z[-5:], z[:, :3], z[:, -9:] = np.nan, np.nan, np.nan, np.nan
+        top = sh.horizon(z, origin=(100.0, 200.0), spacing=(25.0, 50.0), vertical_step=1.0)
+        self.assertEqual(sh.details(top).lattice_dimensions[:2].tolist(), [COLUMNS, ROWS])
+        np.testing.assert_allclose(sh.details(top).lattice_to_world[:2, 3], (100.0, 200.0), atol=1e-9)
+        self.assertEqual(sh.surface(top, largest_error=1.0).GetNumberOfLines(), 1)
+        column = vtk_to_numpy(top.GetPointData().GetArray("Column"))
+        np.testing.assert_allclose(places(top)[:, :2], column * (25.0, 50.0) + (100.0, 200.0))
+        whole = sh.hole_filling(top, extrapolation_distance=100)
+        self.assertEqual(whole.GetNumberOfPoints(), ROWS * COLUMNS)
+
+    def test_sheets(self):
+        """Both sides of a reverse fault, by names."""
+        j, i = np.mgrid[0:40, 0:60]
+        points = np.vstack([np.column_stack((i[:, part].ravel(), j[:, part].ravel(), np.full(1400, z)))
+                            for part, z in ((slice(0, 35), 100.0), (slice(25, 60), 130.0))])
+        for name, names in ((None, ["Horizon 1", "Horizon 1 (2)"]), ("Top", ["Top", "Top (2)"])):
+            found = sh.horizon_from_points(points, name, duplicate_policy="Sheets")
+            self.assertEqual(list(found), names)
+            self.assertEqual(sum(data.GetNumberOfPoints() for data in found.values()), 2800)
+        with self.assertWarnsRegex(UserWarning, "."):
+            self.assertEqual(sh.horizon_from_points(points).GetNumberOfPoints(), 2400)
+
+    def test_meshes_and_nothing(self):
+        """Stages of points refuse meshes by name, and all functions what is empty."""
+        mesh = sh.surface(sh.horizon(dome(), vertical_step=1.0), largest_error=1.0)
+        for name in ("despiking", "hole_filling", "faults", "exterior_boundary", "boundary_simplification",
+                     "rough_simplification", "elaborate_simplification"):
+            with self.assertRaisesRegex(ValueError, "a mesh of %d triangles, expected the points of a horizon" % mesh.GetNumberOfPolys()):
+                getattr(sh, name)(mesh)
+        empty = vtkPolyData()
+        calls_ = [lambda function=function: function(empty) for function in (*(getattr(sh, name) for name in stages.STAGES), sh.surface)]
+        for call in (*calls_, lambda: sh.distance(empty, mesh), lambda: sh.layers([mesh, empty]), lambda: sh.crossings({"A": empty})):
+            with self.assertRaisesRegex(ValueError, "without points, expected some"):
+                call()
+
     def test_masked(self):
         z = np.ma.masked_array(dome(), mask=np.arange(ROWS * COLUMNS).reshape(ROWS, COLUMNS) % 2 == 0)
         self.assertEqual(sh.horizon(z).GetNumberOfPoints(), ROWS * COLUMNS // 2)

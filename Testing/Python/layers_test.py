@@ -197,6 +197,29 @@ class LayersTest(unittest.TestCase):
                 np.testing.assert_allclose(heights[known], expected[known], atol=1e-9)
             self.assertTrue(np.all(np.diff(np.nan_to_num(heights, nan=-1e9), axis=0) <= 1e-9))
 
+    def test_one_number(self):
+        """Horizons that become one have one z to the bit, whatever the step; in order, nothing moves any more."""
+        for step, policy in ((0.1, "UpperWins"), (0.01, "LowerWins"), (0.3, "LowerWins"), (1.0, "Mean"), (0.1, "Mean")):
+            noise = np.random.default_rng(1).normal(0.0, 1.0, (3, *X.shape))
+            stack = {name: sh.horizon((1500.0 + 10.0 * np.sin(0.1 * X) + 0.8 * n + noise[n]).round(1), spacing=(25, 25),
+                                      vertical_unit="m", vertical_step=step) for n, name in enumerate("ABC")}
+            with self.subTest(step=step, policy=policy):
+                made = sh.crossings(stack, order="AsGiven", crossings=policy)
+                self.assertGreater(sum(sh.details(points).moved_columns for points in made.values()), 100)
+                heights = np.array([mesh_checks.coordinates(points)[:, 2] for points in made.values()])
+                self.assertTrue(np.all(np.diff(heights, axis=0) <= 0.0))
+                for name, points in made.items():
+                    still = mesh_checks.array(points, "Moved") == 0.0
+                    np.testing.assert_array_equal(mesh_checks.coordinates(points)[still], mesh_checks.coordinates(stack[name])[still])
+                for pair in ("AB", "BC", "AC"):
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("ignore")
+                        self.assertEqual(sh.details(sh.thickness(*(made[name] for name in pair))).isochore_crossings, 0)
+                for points in sh.crossings(made, order="AsGiven", crossings=policy).values():
+                    self.assertEqual((sh.details(points).moved_columns, sh.details(points).farthest_move), (0, 0.0))
+        with self.assertRaisesRegex(ValueError, r"A and B cross in \d+ columns, by up to [0-9.]+ m, expected none"):
+            sh.crossings(stack, order="AsGiven", crossings="Stop")
+
     def test_faults(self):
         """Thrown down along a line that ends inside, in the lower horizon alone: a wall on both sides, in all layers."""
         lower = 150.0 + np.where((X > 19.5) & (Y < 20.5), 12.0, 0.0)

@@ -5,6 +5,7 @@
 import pathlib
 import sys
 import unittest
+import warnings
 
 import mesh_checks
 import numpy as np
@@ -55,6 +56,65 @@ class ThicknessTest(unittest.TestCase):
         self.check(top, moved(base, (0.0, 0.0, 0.0), slice(0, None, 2)), False)
         np.testing.assert_allclose(vtk_to_numpy(sh.thickness(top, moved(top, (0.0, 0.0, -7.5))).GetPointData().GetArray("Isochore")),
                                    7.5)
+
+    def test_lines(self):
+        """A column of a horizon on every second line stands for two; those of another number are left out, and told."""
+        j, i = np.mgrid[0:40, 0:60]
+        z = 1000.0 + 10.0 * np.sin(i / 9.0) * np.cos(j / 8.0)
+        known = {"vertical_step": 1.0, "vertical_unit": "m", "horizontal_unit": "m"}
+        top = sh.horizon(z, spacing=(25.0, 12.5), **known)
+        area = 25.0 * 12.5
+        for rows, columns in ((1, 2), (2, 1), (2, 3)):
+            own = sh.horizon(z[::rows, ::columns] + 50.0, spacing=(25.0 * columns, 12.5 * rows), **known)
+            holed = np.full(z.shape, np.nan)
+            holed[::rows, ::columns] = z[::rows, ::columns] + 50.0
+            for other in (own, sh.horizon(holed, spacing=(25.0, 12.5), **known)):
+                for first, second in ((top, other), (other, top)):
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("error")
+                        found = sh.details(sh.thickness(first, second))
+                    self.assertAlmostEqual(found.isochore_volume, 50.0 * z.size * area, delta=1e-3)
+                    np.testing.assert_allclose(found.ledger_area, [z.size * area, 0, 0, 0, 0])
+                    bin_ = abs(np.linalg.det(found.lattice_to_world[:2, :2]))
+                    np.testing.assert_allclose(found.ledger_columns * bin_, found.ledger_area)
+        holed = z + 50.0
+        holed[5:9, 10:20] = np.nan
+        with self.assertWarnsRegex(UserWarning, "one horizon alone is in 40 of 2400 columns, an area of 12500, expected both"):
+            found = sh.details(sh.thickness(top, sh.horizon(holed, spacing=(25.0, 12.5), **known)))
+        self.assertEqual(found.ledger_columns.tolist(), [2360, 0, 0, 0, 40])
+
+    def test_meshes(self):
+        """To a mesh, and of one, is measured where its triangles are, not at its vertices."""
+        j, i = np.mgrid[0:60, 0:80]
+        z = 1000.0 + 10.0 * np.sin(i / 9.0) * np.cos(j / 8.0)
+        top, base = (sh.horizon(z + depth, spacing=(30, 30), vertical_step=1.0, vertical_unit="m") for depth in (0.0, 50.0))
+        true = sh.details(sh.thickness(top, base))
+        meshes = [sh.surface(points, largest_error=0.5) for points in (top, base)]
+        self.assertLess(meshes[1].GetNumberOfPoints(), 0.2 * base.GetNumberOfPoints())
+        for first, second in ((top, meshes[1]), (meshes[0], base), meshes):
+            points = sh.thickness(first, second)
+            found = sh.details(points)
+            self.assertEqual(points.GetNumberOfPoints(), z.size)
+            self.assertEqual(found.ledger_columns.tolist(), true.ledger_columns.tolist())
+            np.testing.assert_allclose(found.isochore_volume, true.isochore_volume, rtol=0.01)
+            self.assertLess(abs(vtk_to_numpy(points.GetPointData().GetArray("Isochore")) - 50.0).max(), 1.0 + 1e-9)
+            self.assertEqual(sh.exterior_boundary(points).GetNumberOfLines(), 1)  # a horizon as any other
+        flat = sh.vtkHorizonThickness()
+        flat.SetInputDataObject(0, meshes[0])
+        flat.SetInputDataObject(1, meshes[1])
+        flat.Update()
+        self.assertEqual(flat.GetMap().GetDimensions(), (80, 60, 1))
+
+    def test_apart(self):
+        """Two parts far apart have no map."""
+        square = np.argwhere(np.ones((12, 12)))
+        near = sh.horizon(np.full((24, 12), 100.0), vertical_step=1.0)
+        vtk_to_numpy(near.GetFieldData().GetArray("LatticeDimensions"))[..., :2] = 20012
+        vtk_to_numpy(near.GetPoints().GetData())[:, :2] = np.vstack((square, square + 20000))
+        top, base = (moved(near, (0.0, 0.0, depth)) for depth in (0.0, 9.0))
+        top.GetFieldData().PassData(near.GetFieldData())
+        with self.assertWarnsRegex(UserWarning, "the map is left out: an image of 20012 x 20012 pixels for 288 columns, expected at most 64"):
+            self.assertEqual(sh.thickness(top, base).GetNumberOfPoints(), 288)
 
     def test_map(self):
         """An image of the same, in its place; none of a lattice that is sheared."""

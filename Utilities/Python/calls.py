@@ -178,6 +178,13 @@ def wrap(data):
     return data if pyvista is None or data is None else pyvista.wrap(data)
 
 
+def require_points(data, what):
+    """Raises TypeError where something is no dataset of VTK, and ValueError where it has no points."""
+    require_data(data, what)
+    if not data.GetNumberOfElements(vtkDataObject.POINT):
+        raise ValueError("%s without points, expected some" % what)
+
+
 def require_data(data, what):
     """Raises TypeError where something is no dataset of VTK."""
     if not isinstance(data, vtkDataObject):

@@ -250,7 +250,7 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", *
     0.0
     """
     for data in (reference, mesh):
-        calls.require_data(data, "a horizon or a mesh")
+        calls.require_points(data, "a horizon or a mesh")
     meter = make("vtkHorizonSurfaceDistance")
     calls.set_keywords(meter, {"distance_unit": unit, **keywords}, reference)
     meter.SetInputDataObject(0, reference)

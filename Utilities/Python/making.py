@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
 
@@ -45,7 +45,8 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
     Returns
     -------
     vtkPolyData, or pyvista.PolyData where PyVista is imported
-        a point for each column with a value. World z is negative where z counts downwards.
+        a point for each column with a value, on the lattice of the whole array. World z is negative where z counts
+        downwards.
 
     Raises
     ------
@@ -72,18 +73,37 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
     if values.ndim != 2:
         raise ValueError("z of shape %s, expected (rows, columns); horizon_from_points makes horizons of n x 3 points"
                          % (values.shape,))
+    return _on_lattice(values, np.asarray(origin, dtype=float)[:2], column_step, row_step, nodata, keywords)
+
+
+def _on_lattice(values, origin, column_step, row_step, nodata, keywords):
+    """The horizon of an array with its place."""
     heights = np.ma.filled(np.ma.masked_invalid(values.astype(float)), np.nan)
     heights[np.isin(heights, [] if nodata is None else nodata)] = np.nan
     rows, columns = np.isfinite(heights).nonzero()
     if not rows.size:
         raise ValueError("z without a single value, expected some that are not nan, masked or nodata")
-    places = np.asarray(origin, dtype=float)[:2] + np.outer(columns, column_step) + np.outer(rows, row_step)
-    lattice = {"lattice_source": "OriginAndSteps", "origin": tuple(origin[:2]), "column_step": tuple(column_step),
+    places = origin + np.outer(columns, column_step) + np.outer(rows, row_step)
+    lattice = {"lattice_source": "OriginAndSteps", "origin": tuple(origin), "column_step": tuple(column_step),
                "row_step": tuple(row_step)}
-    return horizon_from_points(np.column_stack((places, heights[rows, columns])), **{**lattice, **keywords})
+    made = horizon_from_points(np.column_stack((places, heights[rows, columns])), **{**lattice, **keywords})
+    if not lattice.keys() & keywords.keys():
+        for data in made.values() if isinstance(made, dict) else [made]:
+            _widen(data, values.shape, origin)
+    return made
 
 
-def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -> vtkPolyData:
+def _widen(data, shape, origin):
+    """Gives a horizon the lattice of the whole array that it comes from, in place of that of its points."""
+    size, to_world = (vtk_to_numpy(data.GetFieldData().GetArray(name)).reshape(-1) for name in ("LatticeDimensions", "LatticeToWorld"))
+    matrix = to_world.reshape(4, 4)
+    first = np.linalg.solve(matrix[:2, :2], matrix[:2, 3] - origin)
+    vtk_to_numpy(data.GetPointData().GetArray("Column"))[:] += np.rint(first).astype(int)
+    matrix[:2, 3] = origin
+    size[:2] = shape[::-1]
+
+
+def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -> vtkPolyData | dict[str, vtkPolyData]:
     """A horizon from points, whose lattice is found.
 
     Parameters
@@ -100,6 +120,7 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     Returns
     -------
     vtkPolyData, or pyvista.PolyData where PyVista is imported
+        with `duplicate_policy="Sheets"` a dict of names and horizons, one for each sheet.
 
     Raises
     ------
@@ -119,8 +140,11 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     calls.set_keywords(source, keywords)
     source.SetInputDataObject(data)
     calls.run(source, name or "horizon")
-    (_, found), *_ = list_horizons(source.GetOutputDataObject(0))
-    return calls.wrap(found)
+    found = list_horizons(source.GetOutputDataObject(0))
+    if source.GetDuplicatePolicy() != source.Sheets:
+        return calls.wrap(found[0][1])
+    base = found[0][0]
+    return {(name or base) + sheet[len(base):]: calls.wrap(data) for sheet, data in found}
 
 
 def _points_of(points):

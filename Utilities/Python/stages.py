@@ -23,7 +23,7 @@ TYPES = {bool: "bool", int: "int", float: "float | str", str: "str"}  # of keywo
 def apply(class_name, inputs, keywords):
     """The first output of a stage."""
     for data in inputs:
-        calls.require_data(data, "a horizon")
+        calls.require_points(data, "a horizon")
     algorithm = make(class_name)
     calls.set_keywords(algorithm, keywords, inputs[0])
     for port, data in enumerate(inputs):

@@ -116,7 +116,7 @@ def _run(maker, horizons, keywords, label):
         raise TypeError("%s, expected a dict or a list of horizons" % type(horizons).__name__)
     named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
     for data in named.values():
-        calls.require_data(data, "a horizon")
+        calls.require_points(data, "a horizon")
     calls.set_keywords(maker, keywords, min(named.values(), key=lambda data: heights.step_of(data) or math.inf, default=None))
     if isinstance(horizons, Mapping):
         maker.SetInputDataObject(0, making.collect_picks(horizons))

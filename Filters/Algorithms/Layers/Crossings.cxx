@@ -219,7 +219,8 @@ void StopWhereAsked(
       std::ostringstream message;
       message << NameOf(n, options) << " and " << NameOf(n + 1, options) << " cross in " << repair.Interfaces[n].Columns
               << (repair.Interfaces[n].Columns == 1 ? " column" : " columns") << ", by up to "
-              << repair.Interfaces[n].Deepest << " lattice units, expected none: choose Mean, UpperWins or LowerWins";
+              << repair.Interfaces[n].Deepest << ' ' << options.Unit
+              << ", expected none: choose Mean, UpperWins or LowerWins";
       throw InputError(message.str());
     }
   }

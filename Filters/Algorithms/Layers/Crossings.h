@@ -44,10 +44,12 @@ struct CrossingOptions
   std::vector<std::string> Names;
   /// For each interface, from the uppermost on; or one for all of them. Interface n is between horizons n and n + 1.
   std::vector<CrossingPolicy> Policies = { CrossingPolicy::Mean };
-  /// Neighbours with less between them are pooled as those are that cross, in lattice units: at least 0.
+  /// Neighbours with less between them are pooled as those are that cross, in the unit of heights: at least 0.
   double MinimumThickness = 0.0;
   /// Whether the heights of the uppermost horizon are the least ones, as depths and times are.
   bool HeightsGrowDownwards = false;
+  /// That of heights in messages.
+  std::string Unit = "lattice units";
 };
 
 /// "Top", or "horizon 1".
@@ -57,7 +59,7 @@ std::string NameOf(std::size_t horizon, const CrossingOptions& options);
 struct CrossedInterface
 {
   std::int64_t Columns = 0;
-  double Deepest = 0.0; // lattice units
+  double Deepest = 0.0; // in the unit of heights
 
   void Add(const CrossedInterface& other);
 };
@@ -66,7 +68,7 @@ struct CrossedInterface
 struct MovedHorizon
 {
   std::int64_t Columns = 0;
-  double Farthest = 0.0; // lattice units
+  double Farthest = 0.0; // in the unit of heights
 
   void Add(const MovedHorizon& other);
 };

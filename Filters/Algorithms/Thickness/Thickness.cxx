@@ -6,14 +6,15 @@
 #include "Common/ColumnIndex.h"
 #include "Common/Errors.h"
 #include "Common/Parallel.h"
-#include "Common/PlaneGeometry.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <string>
+#include <numeric>
 
 namespace SeismicHorizons
 {
@@ -24,28 +25,79 @@ constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 // How many points a thread looks at at a time.
 constexpr std::int64_t Grain = 1 << 14;
 
-/// The heights of a horizon at the points of another one, nan where it has none.
-std::vector<double> HeightsAt(const ColumnIndex& index, const ColumnSurface& other)
+/// From a column of a horizon to the next one along an axis, in columns of the lattice: 2 where it has points on every
+/// second line alone.
+std::int64_t StepOf(PlanePoints columns, std::int32_t PlanePoint::*along, std::int32_t PlanePoint::*across)
 {
-  const PlaneBox box(index.Columns());
-  std::vector<double> heights(index.Columns().size(), NotKnown);
-  for (std::size_t n = 0; n < other.Columns.size(); ++n)
+  std::int64_t step = 0;
+  for (const PlanePoint& column : columns)
   {
-    const PlanePoint& column = other.Columns[n];
-    const bool isInside =
-      column.X >= box.Least.X && column.X <= box.Greatest.X && column.Y >= box.Least.Y && column.Y <= box.Greatest.Y;
-    const PointId point = isInside ? index[index.Place(column)] : NoPoint;
-    if (point != NoPoint && !std::isnan(heights[point]))
+    step = std::gcd(step, std::int64_t(column.*along) - columns.front().*along);
+    if (step == 1)
     {
-      throw InputError("two points of the other horizon in the column (" + std::to_string(column.X) + ", " +
-        std::to_string(column.Y) + "), expected one");
-    }
-    if (point != NoPoint)
-    {
-      heights[point] = other.Height[n];
+      return 1;
     }
   }
-  return heights;
+  // Of a few columns here and there it means nothing: most must have a neighbour at that step.
+  std::vector<PlanePoint> sorted(columns.begin(), columns.end());
+  std::sort(sorted.begin(), sorted.end(),
+    [&](const PlanePoint& a, const PlanePoint& b)
+    { return a.*across != b.*across ? a.*across < b.*across : a.*along < b.*along; });
+  std::int64_t neighbours = 0;
+  std::int64_t others = 0;
+  for (std::size_t n = 1; n < sorted.size(); ++n)
+  {
+    if (sorted[n].*across == sorted[n - 1].*across)
+    {
+      ++(std::int64_t(sorted[n].*along) - sorted[n - 1].*along == step ? neighbours : others);
+    }
+  }
+  return neighbours > others ? step : 1;
+}
+
+/// Where two horizons are, in steps between columns with points of both.
+struct SteppedColumns
+{
+  std::array<std::int64_t, 2> Step; // columns of the lattice
+  std::vector<PlanePoint> Columns; // counted by steps
+  std::array<std::vector<PointId>, 2> Points;
+  std::int64_t LeftOut = 0;
+};
+
+SteppedColumns FindColumns(const HorizonView& first, const HorizonView& other)
+{
+  const CommonColumns all = FindColumnsOfAny({ first, other });
+  SteppedColumns found;
+  found.Step = { std::lcm(StepOf(first.Columns, &PlanePoint::X, &PlanePoint::Y),
+                   StepOf(other.Columns, &PlanePoint::X, &PlanePoint::Y)),
+    std::lcm(
+      StepOf(first.Columns, &PlanePoint::Y, &PlanePoint::X), StepOf(other.Columns, &PlanePoint::Y, &PlanePoint::X)) };
+  const auto areBoth = [&all](std::size_t n) { return all.Points[0][n] != NoPoint && all.Points[1][n] != NoPoint; };
+  std::size_t n = 0;
+  for (; n < all.Columns.size() && !areBoth(n); ++n)
+  {
+  }
+  if (n == all.Columns.size())
+  {
+    throw InputError("no column with points of both horizons, expected some");
+  }
+  const PlanePoint origin = all.Columns[n];
+  for (n = 0; n < all.Columns.size(); ++n)
+  {
+    const std::int64_t x = std::int64_t(all.Columns[n].X) - origin.X;
+    const std::int64_t y = std::int64_t(all.Columns[n].Y) - origin.Y;
+    if (areBoth(n))
+    {
+      found.Columns.push_back({ std::int32_t(x / found.Step[0]), std::int32_t(y / found.Step[1]) });
+      found.Points[0].push_back(all.Points[0][n]);
+      found.Points[1].push_back(all.Points[1][n]);
+    }
+    else if (x % found.Step[0] == 0 && y % found.Step[1] == 0)
+    {
+      ++found.LeftOut;
+    }
+  }
+  return found;
 }
 
 /// The steps of heights to the next columns, of which the flatter one counts; nan where there is none.
@@ -63,7 +115,7 @@ double StepAlong(
 }
 
 /// Counts what is known, which is at least one column.
-void Count(Thickness& result, double area)
+void Count(Thickness& result)
 {
   result.Least = std::numeric_limits<double>::infinity();
   result.Largest = -result.Least;
@@ -77,7 +129,7 @@ void Count(Thickness& result, double area)
       result.Least = std::min(result.Least, thickness);
       result.Largest = std::max(result.Largest, thickness);
       sum += thickness;
-      result.Volume += area * std::max(0.0, thickness);
+      result.Volume += result.Area * std::max(0.0, thickness);
     }
   }
   result.Mean = sum / double(result.Columns);
@@ -86,41 +138,50 @@ void Count(Thickness& result, double area)
 
 //----------------------------------------------------------------------------------------------------------------------
 Thickness MeasureThickness(
-  const ColumnSurface& first, const ColumnSurface& other, const LatticeScale& scale, const Monitor& monitor)
+  const HorizonView& first, const HorizonView& other, const LatticeScale& scale, const Monitor& monitor)
 {
-  const ColumnIndex index(first.Columns);
-  const std::vector<double> below = HeightsAt(index, other);
-  monitor.Progress(0.3);
-  Thickness result;
-  result.Isochore.resize(below.size());
-  std::vector<double> means(below.size());
+  monitor.Progress(0.0);
+  const SteppedColumns columns = FindColumns(first, other);
+  monitor.Progress(0.4);
+  const std::size_t size = columns.Columns.size();
+  std::vector<double> isochore(size);
+  std::vector<double> means(size);
   std::int64_t above = 0; // less those where the other one is
-  for (std::size_t n = 0; n < below.size(); ++n)
+  for (std::size_t n = 0; n < size; ++n)
   {
-    result.Isochore[n] = scale.Height * (first.Height[n] - below[n]);
-    means[n] = 0.5 * first.Height[n] + 0.5 * below[n];
-    above += result.Isochore[n] > 0.0 ? 1 : result.Isochore[n] < 0.0 ? -1 : 0;
+    const double height = first.Heights[columns.Points[0][n]];
+    const double below = other.Heights[columns.Points[1][n]];
+    isochore[n] = scale.Height * (height - below);
+    means[n] = 0.5 * height + 0.5 * below;
+    above += isochore[n] > 0.0 ? 1 : isochore[n] < 0.0 ? -1 : 0;
   }
-  if (std::all_of(below.begin(), below.end(), [](double height) { return std::isnan(height); }))
-  {
-    throw InputError("no column with points of both horizons, expected some");
-  }
-  result.Isopach.assign(below.size(), NotKnown);
-  const Eigen::Matrix2d toWorld = scale.Plane.transpose().inverse();
-  ParallelFor(std::int64_t(below.size()), Grain, monitor.Step(0.3, 1.0),
+  monitor.Progress(0.5);
+  Thickness result;
+  result.LeftOut = columns.LeftOut;
+  result.Isochore.assign(first.Columns.size(), NotKnown);
+  result.Isopach = result.Isochore;
+  Eigen::Matrix2d plane = scale.Plane;
+  plane.col(0) *= double(columns.Step[0]);
+  plane.col(1) *= double(columns.Step[1]);
+  result.Area = std::abs(plane.determinant());
+  const Eigen::Matrix2d toWorld = plane.transpose().inverse();
+  const ColumnIndex index(columns.Columns, 1, 1);
+  ParallelFor(std::int64_t(size), Grain, monitor.Step(0.5, 0.9),
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (PointId point = PointId(begin); point < PointId(end); ++point)
+      for (PointId n = PointId(begin); n < PointId(end); ++n)
       {
-        result.Isochore[point] *= above < 0 ? -1.0 : 1.0;
-        const std::int64_t place = index.Place(index.Columns()[point]);
+        const PointId point = columns.Points[0][std::size_t(n)];
+        const std::int64_t place = index.Place(index.Columns()[std::size_t(n)]);
         const Eigen::Vector2d steps(
-          StepAlong(index, means, point, place, 1), StepAlong(index, means, point, place, index.Width()));
+          StepAlong(index, means, n, place, 1), StepAlong(index, means, n, place, index.Width()));
         const double slope = (toWorld * steps).norm() * std::abs(scale.Height);
-        result.Isopach[point] = result.Isochore[point] / std::sqrt(1.0 + slope * slope);
+        result.Isochore[std::size_t(point)] = isochore[std::size_t(n)] * (above < 0 ? -1.0 : 1.0) + 0.0; // not -0
+        result.Isopach[std::size_t(point)] = result.Isochore[std::size_t(point)] / std::sqrt(1.0 + slope * slope);
       }
     });
-  Count(result, std::abs(scale.Plane.determinant()));
+  Count(result);
+  monitor.Progress(1.0);
   return result;
 }
 }

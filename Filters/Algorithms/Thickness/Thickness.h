@@ -18,7 +18,7 @@
 #define SeismicHorizonsThickness_h
 
 #include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Layers/CommonColumns.h"
 
 #include <Eigen/Core>
 
@@ -27,13 +27,6 @@
 
 namespace SeismicHorizons
 {
-/// Heights by column, all on one lattice, in lattice units.
-struct ColumnSurface
-{
-  PlanePoints Columns;
-  const std::vector<double>& Height;
-};
-
 /// How long steps of the lattice are in the world.
 struct LatticeScale
 {
@@ -50,18 +43,21 @@ struct Thickness
   std::vector<double> Isopach;
 
   std::int64_t Columns = 0; // with points of both
+  std::int64_t LeftOut = 0; // columns with a point of one alone
+  double Area = 0.0; // of one of these columns
   std::int64_t Crossings = 0; // columns of negative thickness
   double Least = 0.0; // isochore, which is negative at crossings
   double Mean = 0.0;
   double Largest = 0.0;
-  double Volume = 0.0; // the sum over columns, each with the area of a whole bin; crossings count as 0
+  double Volume = 0.0; // the sum over columns, each with its area; crossings count as 0
 };
 
-/// Of two steps to neighbours along an axis the flatter one gives the dip, so that a fault between two columns does
-/// not. Takes time linear in the points. Throws InputError when no column has points of both, or one has two of a
-/// horizon.
-Thickness MeasureThickness(const ColumnSurface& first, const ColumnSurface& other, const LatticeScale& scale,
-  const Monitor& monitor = Monitor());
+/// Heights are in lattice units. Where a horizon has points on every second line, say, a column stands for two: the
+/// columns that count are those that the steps of both horizons lead to. Of two steps to neighbours along an axis the
+/// flatter one gives the dip, so that a fault between two columns does not. Takes time linear in the points, and no
+/// memory for what is empty. Throws InputError when no column has points of both, or one has two of a horizon.
+Thickness MeasureThickness(
+  const HorizonView& first, const HorizonView& other, const LatticeScale& scale, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -22,7 +22,7 @@ struct Layer
   std::vector<PlanePoint> Columns;
   std::vector<double> Height;
 
-  ColumnSurface View() const { return { this->Columns, this->Height }; }
+  HorizonView View() const { return { this->Columns, this->Height.data() }; }
 };
 
 using HeightOf = std::function<double(int, int)>;
@@ -174,7 +174,7 @@ void TestErrors()
   Layer base = Make(3, 3, [](int, int) { return 0.0; });
   base.Columns[1] = base.Columns[0];
   CHECK_THROWS_WITH(MeasureThickness(top.View(), base.View(), LatticeScale()),
-    "two points of the other horizon in the column (-3, 5), expected one");
+    "points 0 and 1 both in column (-3, 5), expected at most one point of a horizon in a column");
 }
 }
 
