@@ -162,20 +162,12 @@ std::int64_t CoveredColumns::Count() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The run that a column is in, or the number of runs. Points come row by row, and are nearly always in the run of the
-// one before.
-std::size_t CoveredColumns::FindRun(const PlanePoint& column, std::size_t nearby) const
+// The run that a column is in, or null.
+const CoveredColumns::Run* CoveredColumns::FindRun(const PlanePoint& column) const
 {
-  const auto contains = [&column](const Run& run)
-  { return run.Row == column.Y && run.First <= column.X && column.X <= run.Last; };
-  if (nearby < this->Runs.size() && contains(this->Runs[nearby]))
-  {
-    return nearby;
-  }
   const auto after = std::upper_bound(this->Runs.begin(), this->Runs.end(), column,
     [](const PlanePoint& place, const Run& run) { return std::tie(place.Y, place.X) < std::tie(run.Row, run.First); });
-  return after != this->Runs.begin() && contains(after[-1]) ? std::size_t(after - this->Runs.begin()) - 1
-                                                            : this->Runs.size();
+  return after != this->Runs.begin() && after[-1].Contains(column) ? &after[-1] : nullptr;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -183,20 +175,21 @@ Ledger CoveredColumns::Account(PlanePoints columns, const std::vector<unsigned c
 {
   const auto count = [&](Ledger& ledger, std::int64_t first, std::int64_t last)
   {
-    std::size_t run = 0;
-    for (auto point = std::size_t(first); point < std::size_t(last); ++point)
+    const auto entryOf = [&filled](std::size_t point)
+    { return filled.empty() ? LedgerEntry::Known : EntryOf(filled[point]); };
+    for (auto point = std::size_t(first); point < std::size_t(last);)
     {
-      const LedgerEntry entry = filled.empty() ? LedgerEntry::Known : EntryOf(filled[point]);
-      const std::size_t found = this->FindRun(columns[point], run);
-      const bool isCovered = found < this->Runs.size();
-      run = isCovered ? found : run;
-      if (isCovered)
+      const Run* const run = this->FindRun(columns[point]);
+      if (!run)
       {
-        ++ledger[entry];
+        const bool isLeftOut = entryOf(point) == LedgerEntry::Known && columns[point].Y != this->Rows.Left;
+        ledger[LedgerEntry::LeftOut] += isLeftOut ? 1 : 0;
+        ++point;
+        continue;
       }
-      else if (entry == LedgerEntry::Known && columns[point].Y != this->Rows.Left)
+      for (; point < std::size_t(last) && run->Contains(columns[point]); ++point) // as points come row by row
       {
-        ++ledger[LedgerEntry::LeftOut];
+        ++ledger[entryOf(point)];
       }
     }
   };

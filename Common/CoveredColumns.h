@@ -49,6 +49,11 @@ private:
     std::int32_t Row;
     std::int32_t First;
     std::int32_t Last;
+
+    bool Contains(const PlanePoint& column) const
+    {
+      return column.Y == this->Row && this->First <= column.X && column.X <= this->Last;
+    }
   };
   /// How much more of the surface there is from a column of a row on.
   struct Change
@@ -60,7 +65,7 @@ private:
 
   void AddEdge(const PlanePoint& from, const PlanePoint& to, std::int32_t subVoxelsPerColumn);
   void MakeRuns();
-  std::size_t FindRun(const PlanePoint& column, std::size_t nearby) const;
+  const Run* FindRun(const PlanePoint& column) const;
 
   SharedRows Rows;
   std::vector<Change> Changes; // until there are runs

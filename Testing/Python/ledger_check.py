@@ -54,7 +54,7 @@ def covered(mesh):
     polys = mesh.GetPolys()
     triangles = vtk_to_numpy(polys.GetConnectivityArray()).reshape(-1, 3)
     faults = mesh.GetCellData().GetArray("Fault")
-    if faults is not None:
+    if faults is not None and len(triangles):
         triangles = triangles[vtk_to_numpy(faults)[-len(triangles):] == 0]
     for corners in fine[triangles]:
         least, greatest = -(-corners.min(axis=0) // PARTS), corners.max(axis=0) // PARTS

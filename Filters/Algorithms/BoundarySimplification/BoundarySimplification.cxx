@@ -195,18 +195,18 @@ bool LoopGuard::IsClear(std::size_t before, std::size_t middle, std::size_t afte
 }
 
 // ---- Loops ---------------------------------------------------------------------------------------------------------
-/// Whether an edge could lead across a band that an index leaves out.
-bool HasLongEdges(const SpacePoints& points, const Loops& boundary)
+/// The longest edge of the loops along either axis, in columns.
+int FindLongestHop(const SpacePoints& points, const Loops& boundary)
 {
-  bool hasLong = false;
+  double longest = 1.0;
   boundary.ForEachEdge(
     [&](PointId from, PointId to)
     {
       const SpacePoint a = points[from];
       const SpacePoint b = points[to];
-      hasLong = hasLong || std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y)) > ColumnIndex::LongestReach;
+      longest = std::max({ longest, std::abs(a.X - b.X), std::abs(a.Y - b.Y) });
     });
-  return hasLong;
+  return int(longest);
 }
 
 /// A point that is no longer on the loops.
@@ -237,13 +237,16 @@ public:
     }
     if (options.Method == OutlineMethod::FewestPoints)
     {
+      const int longestHop = FindLongestHop(points, boundary);
       if (!options.Index)
       {
-        this->OwnIndex.emplace(
-          points.Columns(), 1, HasLongEdges(points, boundary) ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
+        // An edge may lead across a band that an index would leave out.
+        this->OwnIndex.emplace(points.Columns(), 1,
+          longestHop > ColumnIndex::LongestReach ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
       }
       this->Fewest.emplace(points, options.Index ? *options.Index : *this->OwnIndex, this->Visits,
-        options.OutlineTolerance, options.DistanceThreshold, [this]() { this->Watch.Progress(this->Part); });
+        options.OutlineTolerance, options.DistanceThreshold, longestHop,
+        [this]() { this->Watch.Progress(this->Part); });
     }
     else if (options.OutlineTolerance > 0.0)
     {

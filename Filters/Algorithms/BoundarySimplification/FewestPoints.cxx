@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -167,6 +168,11 @@ constexpr std::size_t ReachOfBar = 2 * LookBack;
 // How far from its ends a run that is straight in space has nodes.
 constexpr std::size_t RunEnd = 32;
 
+// Columns; wider ones are bays, which tolerances as large may close.
+constexpr std::int32_t WidestGap = 8;
+constexpr std::array<PlanePoint, 8> EightSteps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 }, { -1, 0 }, { -1, -1 },
+  { 0, -1 }, { 1, -1 } } };
+
 // More edges than any way has.
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 }
@@ -210,6 +216,24 @@ void ShortcutGuard::SetChain(const std::vector<PointId>& chain)
   {
     this->PositionOf(chain[position]) = position;
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t ShortcutGuard::StepsTo(std::size_t position, PointId point) const
+{
+  const std::int64_t number = this->OnLoops[this->Index.Place(this->Columns[point])];
+  const std::size_t length = this->Chain.size() - 1;
+  std::size_t at = number == PlaceNumbers::None ? position : this->Position[number];
+  if (at == NoPosition && point != this->Chain.front())
+  {
+    if (point != this->Chain.back())
+    {
+      return std::numeric_limits<std::size_t>::max();
+    }
+    at = length;
+  }
+  const std::size_t steps = std::max(at, position) - std::min(at, position);
+  return this->Chain.front() == this->Chain.back() ? std::min(steps, length - steps) : steps;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -345,11 +369,14 @@ bool ShortcutGuard::IsClearAt(std::int64_t x, std::int64_t y) const
 
 //----------------------------------------------------------------------------------------------------------------------
 FewestPoints::FewestPoints(const SpacePoints& points, const ColumnIndex& index,
-  const std::vector<unsigned char>& visits, double outlineTolerance, double heightTolerance, std::function<void()> goOn)
+  const std::vector<unsigned char>& visits, double outlineTolerance, double heightTolerance, int longestHop,
+  std::function<void()> goOn)
   : Points(points)
+  , Index(index)
   , Visits(visits)
   , OutlineTolerance(outlineTolerance)
   , HeightTolerance(heightTolerance)
+  , LongestHop(longestHop)
   , GoOn(std::move(goOn))
   , Guard(index, visits)
 {
@@ -414,17 +441,48 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
   this->Chain = std::move(chain);
   this->Guard.SetChain(this->Chain);
   this->Places.clear();
+  this->Tolerances.clear();
   this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
   for (const PointId point : this->Chain)
   {
     const SpacePoint place = this->Points[point];
     this->Places.emplace_back(place.X, place.Y, place.Z);
+    this->Tolerances.push_back(this->ToleranceAt(this->Tolerances.size()));
     const Eigen::Vector3d way = this->Places.back() - this->Places.front();
     const Moments& before = this->Before.back();
     this->Before.push_back(
       { before.Ways + way, before.Products + way * way.transpose(), before.Lengths + way.squaredNorm() });
   }
   this->ListNodes();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// How far on the map an edge may be from a point: by the least gap along a row, a column or a diagonal of the lattice.
+/// What is not deeper than it is wide is none.
+double FewestPoints::ToleranceAt(std::size_t position) const
+{
+  const PlanePoint column = this->Index.Columns()[std::size_t(this->Chain[position])];
+  double tolerance = this->OutlineTolerance;
+  for (const PlanePoint& step : EightSteps)
+  {
+    const double half = 0.5 * std::hypot(step.X, step.Y); // of a column of the gap
+    std::int32_t missing = 0;
+    PointId across = NoPoint;
+    for (; missing <= WidestGap && missing * half < tolerance; ++missing)
+    {
+      across = this->Index.PointAt({ column.X + (missing + 1) * step.X, column.Y + (missing + 1) * step.Y });
+      if (across != NoPoint)
+      {
+        break;
+      }
+    }
+    if (across != NoPoint && missing >= this->LongestHop &&
+      this->Guard.StepsTo(position, across) > std::size_t(missing) + 2)
+    {
+      tolerance = std::min(tolerance, missing * half);
+    }
+  }
+  return tolerance;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -580,13 +638,12 @@ bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
     return false;
   }
   const SpanningEdge edge(this->Places[first], this->Places[last]);
-  const bool isNear =
-    std::all_of(this->Places.begin() + std::ptrdiff_t(first) + 1, this->Places.begin() + std::ptrdiff_t(last),
-      [&](const Eigen::Vector3d& place)
-      {
-        const MapDistances distances = edge.OnMap(place);
-        return distances.InPlan <= this->OutlineTolerance && distances.InHeight <= this->HeightTolerance;
-      });
+  bool isNear = true;
+  for (std::size_t position = first + 1; isNear && position < last; ++position)
+  {
+    const MapDistances distances = edge.OnMap(this->Places[position]);
+    isNear = distances.InPlan <= this->Tolerances[position] && distances.InHeight <= this->HeightTolerance;
+  }
   return isNear && this->Guard.IsClear(first, last);
 }
 

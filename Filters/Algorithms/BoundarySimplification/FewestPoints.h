@@ -104,6 +104,10 @@ public:
   /// Takes a chain, whose points between its ends no loop visits a second time.
   void SetChain(const std::vector<PointId>& chain);
 
+  /// How many steps lead along the chain from a position to a point: 0 where no loop visits it, as many as a number can
+  /// be where only others do.
+  std::size_t StepsTo(std::size_t position, PointId point) const;
+
   /// Whether the points of the chain between two positions can be dropped.
   bool IsClear(std::size_t from, std::size_t to);
 
@@ -145,10 +149,12 @@ class FewestPoints
 {
 public:
   /// `points` are all points of the horizon, which stand on the columns of `index`; loops visit each of them so many
-  /// times, 2 standing for more than one. Tolerances in columns, and in lattice units upwards. `goOn` is called every
-  /// so many points; it can throw to end the work.
+  /// times, 2 standing for more than one. Tolerances in columns, and in lattice units upwards; beside a gap of at most
+  /// 8 columns, but at least as many as the longest hop of the loops, half of its columns are the largest tolerance, so
+  /// that outlines stay on their sides of its middle. `goOn` is called every so many points; it can
+  /// throw to end the work.
   FewestPoints(const SpacePoints& points, const ColumnIndex& index, const std::vector<unsigned char>& visits,
-    double outlineTolerance, double heightTolerance, std::function<void()> goOn);
+    double outlineTolerance, double heightTolerance, int longestHop, std::function<void()> goOn);
 
   /// The positions of the points that a loop keeps, ascending. Of a loop without points that have to stay, one does all
   /// the same: one that stays when the first of the loop does, half-way round from there.
@@ -177,6 +183,7 @@ private:
   };
 
   bool IsFixed(PointId point) const { return this->Visits[point] > 1; }
+  double ToleranceAt(std::size_t position) const;
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
   void SetChain(std::vector<PointId> chain);
   void ListNodes();
@@ -191,13 +198,16 @@ private:
   void FollowPath(const Step& last);
 
   const SpacePoints& Points;
+  const ColumnIndex& Index;
   const std::vector<unsigned char>& Visits;
   const double OutlineTolerance;
   const double HeightTolerance;
+  const int LongestHop;
   const std::function<void()> GoOn;
   ShortcutGuard Guard;
   std::vector<PointId> Chain;
   std::vector<Eigen::Vector3d> Places; // of the chain
+  std::vector<double> Tolerances; // on the map
   std::vector<Moments> Before;
   std::vector<std::size_t> Nodes; // the positions in the chain that a way may go by
   std::vector<Step> Fewest; // to each node

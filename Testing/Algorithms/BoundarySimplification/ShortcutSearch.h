@@ -30,6 +30,8 @@ private:
   bool IsFixed(SeismicHorizons::PointId point) const { return this->Visits.at(point) > 1; }
   bool MayTakePlace(const Ids& chain) const;
   bool IsNear(const Ids& chain) const;
+  Ids ChainOf(SeismicHorizons::PointId point) const;
+  double ToleranceAt(SeismicHorizons::PointId point) const;
   bool SweepsOver(const Ids& chain) const;
   bool IsSwept(const Ids& chain, const SeismicHorizons::PlanePoint& place) const;
   std::size_t LeastEdges(const Ids& chain) const;
@@ -39,6 +41,7 @@ private:
   double Tolerance;
   double Threshold;
   std::map<SeismicHorizons::PointId, int> Visits;
+  double LongestHop = 1.0;
 };
 
 #endif
