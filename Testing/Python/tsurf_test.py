@@ -192,12 +192,18 @@ class SurfaceTest(unittest.TestCase):
         horizon = json.loads(table)["files"][0]["horizons"][0]
         self.assertLess(horizon["vertical_error"]["largest"] * horizon["vertical_step"], 1e-6)
 
+    def test_fine_lattices_keep_the_error(self):
+        code, told, table = self.run_program("--json", "--largest-error", "2m", self.write(lattice(dome)))
+        self.assertEqual((code, told), (0, ""))
+        horizon = json.loads(table)["files"][0]["horizons"][0]
+        self.assertLess(horizon["vertical_error"]["largest"] * horizon["vertical_step"], 2.2)
+
     def test_more_triangles(self):
         vertices = np.array([(0.0, 0.0, 0.0), (100.0, 0.0, 40.0), (0.0, 100.0, 0.0), (100.0, 100.0, 0.0)])
         path = self.write((vertices, np.array([(0, 1, 2), (1, 3, 2)])))
         code, told, _ = self.run_program("--column-step", "3", "0", "--row-step", "0", "3", "--largest-error", "0.01m", path)
         self.assertEqual(code, 0)
-        self.assertRegex(told, r"Top: \d+ triangles, and 2 in the file: a larger --largest-error makes fewer")
+        self.assertRegex(told, r"Top: \d+ triangles, and 2 in the file: a larger error or cell size makes fewer")
         self.assertRegex(told, r"Top: \S+ % of the area of the file's triangles is left out")
 
     def test_measured_error(self):

@@ -87,7 +87,8 @@ def account(result, surface):
     error = data.GetArray("LargestError")
     if error is not None:
         step = abs(data.GetArray("LatticeToWorld").GetComponent(0, 10))
-        of_columns = error.GetValue(0) * step
+        of_loops = data.GetArray("LargestLoopError")
+        of_columns = step * max(array.GetValue(0) for array in (error, of_loops) if array is not None)
         error.SetValue(0, gap / step)
         if gap > 1.1 * of_columns + SLIVER * np.ptp(own[:, :, 2]):
             unit = heights.unit_of(mesh)
@@ -100,7 +101,7 @@ def account(result, surface):
                         if part > NOTABLE_PART]
     after, before = triangles.count_surface(mesh), surface.GetNumberOfPolys()
     if after > before:
-        result.warnings.append("%s: %d triangles, and %d in the file: a larger --largest-error makes fewer" % (
+        result.warnings.append("%s: %d triangles, and %d in the file: a larger error or cell size makes fewer" % (
             result.name, after, before))
 
 
