@@ -185,7 +185,7 @@ void vtkHorizonLayers::Write(
     const Monitor step = monitor.Step(0.2, 0.6).Step(part(layer), part(layer + 1));
     vtkPolyData* const body = BlockOf(outputs[BodiesPort], layer);
     WriteLayerBody(MakeLayerBody(plan, layer, step.Step(0.0, 0.9)), plan, layer, stack, body);
-    WriteLedger(layers.Ledgers.OfLayers[layer], stack, body->GetFieldData());
+    WriteLayerLedger(layers.Ledgers.OfLayers[layer], stack, body->GetFieldData());
     volumes.push_back(MeasureLayer(plan, layer));
     step.Progress(1.0);
   }

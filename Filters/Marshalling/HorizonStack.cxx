@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/LedgerFields.h"
 #include "Common/VTK/SurveyFields.h"
 #include "CutData.h"
 #include "HeightUnit.h"
@@ -15,7 +16,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -56,14 +56,7 @@ void HorizonStack::Add(const std::string& name, vtkPolyData* points)
 {
   RequireAllPoints(points);
   this->Horizons.push_back({ name, ReadColumns(points, {}), {}, {} });
-  if (vtkDataArray* const filled = FindNumbers(points->GetPointData(), PointArray::Filled))
-  {
-    std::vector<unsigned char>& isFilled = this->Horizons.back().IsFilled;
-    for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
-    {
-      isFilled.push_back(filled->GetComponent(point, 0) >= 0.5 ? 1 : 0);
-    }
-  }
+  this->Horizons.back().IsFilled = ReadFilled(points);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -32,7 +32,7 @@ struct StackedHorizon
   std::string Name;
   LatticePoints Points; // on its own lattice
   PlacedPoints Placed; // on that of the stack
-  std::vector<unsigned char> IsFilled; // by point, 1 for those of hole filling and gridding; empty without any
+  std::vector<unsigned char> IsFilled; // by point, as in its array; empty without that
 };
 
 class HorizonStack

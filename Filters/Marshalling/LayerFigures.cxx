@@ -6,6 +6,7 @@
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/LedgerFields.h"
 #include "HeightUnit.h"
 
 #include "vtkDoubleArray.h"
@@ -54,19 +55,6 @@ private:
   vtkIdType Rows;
   vtkIdType Row = 0;
 };
-
-/// A tuple with a component for each entry of the ledger.
-template <typename Array, typename Values, typename Unit>
-void AddEntries(const char* name, const Values& values, Unit unit, vtkFieldData* data)
-{
-  auto array = NewArray<Array>(name, 1, int(LedgerEntries));
-  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
-  {
-    array->SetComponentName(vtkIdType(entry), LedgerNames[entry]);
-    array->SetValue(vtkIdType(entry), typename Array::ValueType(values[entry] * unit));
-  }
-  data->AddArray(array);
-}
 
 /// "8.1 %"
 std::string Percent(double part)
@@ -173,18 +161,16 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteLedger(const Ledger& ledger, const HorizonStack& stack, vtkFieldData* data)
+void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data)
 {
-  const double bin = stack.CommonLattice().ColumnArea();
-  AddEntries<vtkIdTypeArray>(FieldArray::LedgerColumns, ledger.Columns, 1, data);
-  AddEntries<vtkDoubleArray>(FieldArray::LedgerArea, ledger.Columns, bin, data);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void WriteLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data)
-{
-  WriteLedger(ledger.Columns, stack, data);
-  AddEntries<vtkDoubleArray>(FieldArray::LedgerVolume, ledger.Volumes, VolumeOfUnit(stack), data);
+  WriteLedger(ledger.Columns, data);
+  auto volumes = NewArray<vtkDoubleArray>(FieldArray::LedgerVolume, 1, int(LedgerEntries));
+  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+  {
+    volumes->SetComponentName(vtkIdType(entry), LedgerNames[entry]);
+    volumes->SetValue(vtkIdType(entry), ledger.Volumes[entry] * VolumeOfUnit(stack));
+  }
+  data->AddArray(volumes);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -41,9 +41,8 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
 void WriteVolumeCurve(
   const LayerPlan& plan, const HorizonStack& stack, vtkTable* table, const Monitor& monitor = Monitor());
 
-/// The ledger of a horizon, and of a layer, as field data.
-void WriteLedger(const Ledger& ledger, const HorizonStack& stack, vtkFieldData* data);
-void WriteLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data);
+/// As field data, beside the lattice.
+void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data);
 
 /// What layers have of heights that were not read, and what they leave out, as far as it is worth a warning.
 std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack);

@@ -7,6 +7,7 @@
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Common/VTK/LedgerFields.h"
 #include "HeightUnit.h"
 #include "HorizonCells.h"
 #include "HorizonPoints.h"
@@ -32,6 +33,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -121,7 +123,7 @@ struct HorizonVertices
   std::vector<PointId> Vertices; // of the plan
   std::vector<PointId> Numbers; // of these, by vertex of the plan; NoPoint for others
   vtkNew<vtkIdList> Points; // of the horizon, the nearest where it has none in the column
-  std::vector<unsigned char> IsFilled; // 1 there and where an earlier stage filled, 2 where it follows another horizon
+  std::vector<unsigned char> IsFilled; // 1 there and where an earlier stage filled, 2 outside
 };
 
 void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<PointId>& pointAt, PlanePoints columns,
@@ -143,7 +145,8 @@ void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<P
       const PointId place = all.PointAt(column);
       const HeightOrigin origin =
         place == NoPoint ? HeightOrigin::None : layers.Stack.Origins[horizon][std::size_t(place)];
-      found.IsFilled.push_back(Follows(origin) ? 2 : origin == HeightOrigin::Known ? 0 : 1);
+      const bool isOutside = Follows(origin) || origin == HeightOrigin::ExtrapolatedBefore;
+      found.IsFilled.push_back(isOutside ? 2 : origin == HeightOrigin::Known ? 0 : 1);
       found.Points->InsertNextId(point == NoPoint ? nearest.At(column) : point);
     }
   }
@@ -295,7 +298,14 @@ void WriteLayerHorizon(
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.PointsOutside[horizon]));
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
-  WriteLedger(layers.Ledgers.OfHorizons[horizon], stack, figures);
+  Ledger ledger = layers.Ledgers.OfHorizons[horizon];
+  vtkPolyData* const given = stack[horizon].Points.Horizon;
+  if (const std::optional<Ledger> before = ReadLedger(given->GetFieldData()))
+  {
+    const std::int64_t known = CountPoints(given)[LedgerEntry::Known];
+    ledger[LedgerEntry::LeftOut] += std::max<std::int64_t>(0, before->Read() - known);
+  }
+  WriteLedger(ledger, figures);
   AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(moved.Columns));
   AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, height * moved.Farthest);
 }

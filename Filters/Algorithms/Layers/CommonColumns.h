@@ -23,7 +23,7 @@ struct HorizonView
   /// The first of the points that were put into holes and gaps, behind those that were read.
   std::size_t FirstFilled = std::numeric_limits<std::size_t>::max();
 
-  /// By point that was read, 1 for those that an earlier stage filled; null where it filled none.
+  /// By point that was read, 1 for those that an earlier stage filled, 2 outside; null where it filled none.
   const unsigned char* IsFilled = nullptr;
 
   bool Knows(PointId point) const { return point != NoPoint && std::size_t(point) < this->FirstFilled; }

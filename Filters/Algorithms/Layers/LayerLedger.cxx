@@ -23,10 +23,10 @@ namespace
 LedgerEntry EntryOf(HeightOrigin top, HeightOrigin base)
 {
   const auto isAny = [&](HeightOrigin origin) { return top == origin || base == origin; };
-  return Follows(top) || Follows(base)                                 ? LedgerEntry::Extrapolated
-    : isAny(HeightOrigin::Bridged)                                     ? LedgerEntry::Bridged
-    : isAny(HeightOrigin::Filled) || isAny(HeightOrigin::FilledBefore) ? LedgerEntry::Filled
-                                                                       : LedgerEntry::Known;
+  return Follows(top) || Follows(base) || isAny(HeightOrigin::ExtrapolatedBefore) ? LedgerEntry::Extrapolated
+    : isAny(HeightOrigin::Bridged)                                                ? LedgerEntry::Bridged
+    : isAny(HeightOrigin::Filled) || isAny(HeightOrigin::FilledBefore)            ? LedgerEntry::Filled
+                                                                                  : LedgerEntry::Known;
 }
 
 class LedgerMaker
@@ -285,11 +285,16 @@ private:
   Ledger LedgerOfHorizon(std::size_t horizon) const
   {
     Ledger ledger;
-    auto leftOut = std::int64_t(this->Horizons[horizon].Columns.size());
+    const HorizonView& own = this->Horizons[horizon];
+    std::int64_t leftOut = 0;
+    for (std::size_t point = 0; point < own.Columns.size(); ++point)
+    {
+      leftOut += ReadOrigin(own, PointId(point)) == HeightOrigin::Known ? 1 : 0;
+    }
     const auto add = [&](HeightOrigin origin)
     {
       ++ledger[EntryOf(origin, origin)];
-      leftOut -= IsRead(origin) ? 1 : 0;
+      leftOut -= origin == HeightOrigin::Known ? 1 : 0;
     };
     const std::size_t layers = this->Stack.Heights.size() - 1;
     const std::size_t above = this->ListOf(horizon > 0 ? horizon - 1 : 0);

@@ -7,6 +7,7 @@
 #include "Common/DisjointSets.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
+#include "Common/PlaneGeometry.h"
 #include "GapHeights.h"
 #include "HoleFilling/HoleFilling.h"
 
@@ -270,7 +271,10 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 HeightOrigin ReadOrigin(const HorizonView& horizon, PointId point)
 {
-  return horizon.IsFilled && horizon.IsFilled[point] != 0 ? HeightOrigin::FilledBefore : HeightOrigin::Known;
+  const int filled = horizon.IsFilled ? horizon.IsFilled[point] : 0;
+  return filled == 0 ? HeightOrigin::Known
+    : filled == 1    ? HeightOrigin::FilledBefore
+                     : HeightOrigin::ExtrapolatedBefore;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -282,7 +286,8 @@ bool Follows(HeightOrigin origin)
 //----------------------------------------------------------------------------------------------------------------------
 bool IsRead(HeightOrigin origin)
 {
-  return origin == HeightOrigin::Known || origin == HeightOrigin::FilledBefore;
+  return origin == HeightOrigin::Known || origin == HeightOrigin::FilledBefore ||
+    origin == HeightOrigin::ExtrapolatedBefore;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -311,6 +316,13 @@ FilledHorizons FillHorizons(
   filled.Heights.resize(horizons.size());
   for (std::size_t n = 0; n < horizons.size(); ++n)
   {
+    const PlaneBox box(horizons[n].Columns);
+    const double size =
+      horizons[n].Columns.empty() ? 0.0 : (1.0 + box.Greatest.X - box.Least.X) * (1.0 + box.Greatest.Y - box.Least.Y);
+    if (size == double(horizons[n].Columns.size()))
+    {
+      continue; // nothing is missing
+    }
     const auto part = double(n) / double(horizons.size());
     std::vector<PlanePoint>& columns = filled.Columns[n];
     FillHorizon(

@@ -45,6 +45,7 @@ enum class HeightOrigin : unsigned char
   None,
   Known,
   FilledBefore, // by an earlier stage, and read like those that are known
+  ExtrapolatedBefore,
   Filled, // into holes and gaps
   FollowsAbove, // the next horizon above that is there
   FollowsBelow,
