@@ -3,13 +3,17 @@
 
 #include "vtkHorizonDecimation.h"
 
+#include "Common/DataModel.h"
 #include "Common/Parameters.h"
+#include "Common/VTK/DataArrays.h"
 #include "Decimation/Decimation.h"
 #include "Marshalling/CrackData.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/DecimationOutput.h"
 #include "Marshalling/HorizonData.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -75,6 +79,10 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
   const DecimationOptions options = this->MakeOptions(bounded, lattice);
   Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));
   WriteDecimation(points.Horizon, lattice, decimation, outputs.front());
+  if (this->Target == LargestError && this->IsErrorAutomatic())
+  {
+    AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::ChosenMaximumError, options.MaximumError);
+  }
   if (this->GetCloseFaults())
   {
     const auto& vertices = decimation.Points;

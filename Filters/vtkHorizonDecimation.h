@@ -18,7 +18,8 @@
  *    they cross, and from points that a boundary simplification dropped from them (OutlineHeightDeviation);
  *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees), on the map;
  *  - SliverCount (vtkIdType): triangles with an angle below the requested SmallestAngle, nearly all of them at
- *    outlines.
+ *    outlines;
+ *  - ChosenMaximumError (double), where MaximumError is automatic.
  *
  * With the Target LargestError no point is farther from the mesh than that, vertically, and no inner side of the mesh
  * is farther from the line between two neighbouring columns where it crosses that line. Fast: greedy insertion in

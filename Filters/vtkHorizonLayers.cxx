@@ -3,8 +3,11 @@
 
 #include "vtkHorizonLayers.h"
 
+#include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/HeightNoise.h"
 #include "Common/Parameters.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/NamedCollection.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
@@ -21,6 +24,7 @@
 #include "Surface/Surface.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -33,6 +37,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -121,6 +126,16 @@ int vtkHorizonLayers::RequestData(
       options.Cuts = cuts ? &*cuts : nullptr;
       const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.7));
       this->Write(layers, stack, outputs, monitor.Step(0.7, 1.0));
+      if (this->MaximumError == AutomaticError)
+      {
+        AddValue<vtkDoubleArray>(
+          outputs[LayersPort]->GetFieldData(), FieldArray::ChosenMaximumError, options.MaximumError);
+        std::ostringstream text;
+        const std::string unit = stack.GetSurvey().VerticalUnit;
+        text << "maximum error " << options.MaximumError * WorldPerIndex(stack.CommonLattice()) << ' '
+             << (unit.empty() ? "in z" : unit) << ", automatic\n";
+        this->Results += text.str();
+      }
       this->WarnOfCrossings(layers.Stack.Repair, options.Crossings.Policies, stack);
     };
     ranks.Together(make);
@@ -131,9 +146,24 @@ int vtkHorizonLayers::RequestData(
 }
 
 //------------------------------------------------------------------------------
+double vtkHorizonLayers::FindMaximumError(const HorizonStack& stack) const
+{
+  if (this->MaximumError != AutomaticError)
+  {
+    CheckAtLeast("maximum error", this->MaximumError, 0.0, ", or -1 for automatic");
+    return this->IndicesOf(this->MaximumError, stack);
+  }
+  double error = 0.0;
+  for (std::size_t n = 0; n < stack.Size(); ++n)
+  {
+    error = std::max(error, ChooseMaximumError(stack[n].Placed.Columns, stack[n].Placed.Height));
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
 LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
 {
-  CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
   CheckAtLeast("smallest pinch", this->SmallestPinch, 1, " column");
   CheckAtLeast("largest hole size", this->LargestHoleSize, 0, " columns");
   CheckWithin("largest gap", this->LargestGap, 0, 255, " columns");
@@ -143,7 +173,7 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
   }
   LayerOptions options;
   options.Crossings = this->MakeCrossings(stack);
-  options.MaximumError = this->IndicesOf(this->MaximumError, stack);
+  options.MaximumError = this->FindMaximumError(stack);
   options.BoundThickness = this->BoundThickness;
   const bool isCommon = this->Domain == Common || stack.Size() == 2;
   options.Domain = isCommon ? LayerDomain::Common : LayerDomain::EachLayer;

@@ -10,7 +10,7 @@
  * together without gaps. Each known point of each horizon is within MaximumError, vertically. Outputs:
  *  - 0 Layers: a vtkUnstructuredGrid of wedges with shared points; pyramids and tetrahedra where layers pinch out. Cell
  *    data: Layer (int, 0 the uppermost), Triangle (vtkIdType, of the plan), Thickness (the mean) and Volume (double).
- *    Field data: LayerNames;
+ *    Field data: LayerNames, and ChosenMaximumError (double, lattice units) where MaximumError is automatic;
  *  - 1 Bodies: a closed surface for each layer that faces outwards. Cell data: Face (unsigned char: 0 top, 1 base, 2
  *    outline, 3 fault) and Layer;
  *  - 2 Horizons: the horizons on the plan, the uppermost first, with the arrays of their points. Field data:
@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point of any horizon from the layers. With three times the noise of the
-   * heights, cells are few. Unit: HeightUnit. Range: at least 0. Default: 0.75.
+   * The largest vertical distance of a point of any horizon from the layers. -1: automatic, six times the noise of the
+   * horizon that has the most. Unit: HeightUnit. Range: at least 0, or -1. Default: -1.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
@@ -197,8 +197,8 @@ public:
 
   ///@{
   /**
-   * No flip or removal makes a smaller angle on the map, unless a smaller one was there before. Unit: degrees. Range:
-   * 0 to 60. Default: 10.
+   * No flip or removal makes a smaller angle on the map, unless a smaller one was there before; with the effort Fast,
+   * points are inserted beside smaller ones. Unit: degrees. Range: 0 to 60. Default: 10.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);
@@ -249,6 +249,7 @@ private:
   vtkHorizonLayers(const vtkHorizonLayers&) = delete;
   void operator=(const vtkHorizonLayers&) = delete;
 
+  double FindMaximumError(const SeismicHorizons::HorizonStack& stack) const;
   SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
   void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
     const std::vector<vtkDataObject*>& outputs, const SeismicHorizons::Monitor& monitor);
@@ -259,7 +260,7 @@ private:
   void WarnOfCrossings(const SeismicHorizons::CrossingRepair& repair,
     const std::vector<SeismicHorizons::CrossingPolicy>& policies, const SeismicHorizons::HorizonStack& stack);
 
-  double MaximumError = 0.75;
+  double MaximumError = -1.0;
   bool BoundThickness = false;
   bool PinchOutLines = true;
   int SmallestPinch = 25;

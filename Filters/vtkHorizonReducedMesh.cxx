@@ -3,6 +3,7 @@
 
 #include "vtkHorizonReducedMesh.h"
 
+#include "Common/HeightNoise.h"
 #include "Common/Parameters.h"
 #include "Decimation/Decimation.h"
 #include "Marshalling/HeightUnit.h"
@@ -35,9 +36,19 @@ DecimationQuality vtkHorizonReducedMesh::MakeQuality() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkHorizonReducedMesh::IsErrorAutomatic() const
+{
+  return this->MaximumError == AutomaticError;
+}
+
+//------------------------------------------------------------------------------
 double vtkHorizonReducedMesh::FindMaximumError(
   PlanePoints columns, const std::vector<double>& height, const SeismicHorizons::Lattice& lattice) const
 {
-  CheckAtLeast("maximum error", this->MaximumError, 0.0, "");
+  if (this->IsErrorAutomatic())
+  {
+    return ChooseMaximumError(columns, height);
+  }
+  CheckAtLeast("maximum error", this->MaximumError, 0.0, ", or -1 for automatic");
   return this->MaximumError * IndicesPerUnit(static_cast<HeightUnit>(this->ErrorUnit), columns, height, lattice);
 }

@@ -33,8 +33,9 @@ public:
 
   ///@{
   /**
-   * The largest vertical distance of a point of the horizon from the mesh. For heights in whole voxels, 0.75 comes
-   * nearest to the true surface; 1 or 2 need far fewer triangles. Unit: ErrorUnit. Range: at least 0. Default: 0.75.
+   * The largest vertical distance of a point of the horizon from the mesh. -1: automatic, six times the noise of the
+   * heights. For heights in whole voxels, 0.75 comes nearest to the true surface. Unit: ErrorUnit. Range: at least 0, or
+   * -1. Default: -1.
    */
   vtkSetMacro(MaximumError, double);
   vtkGetMacro(MaximumError, double);
@@ -109,8 +110,9 @@ public:
 
   ///@{
   /**
-   * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before.
-   * Larger values need more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before; with
+   * the effort Fast, points are inserted beside smaller ones. Larger values need more points: 5 one in twenty, 10 one in
+   * five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkSetMacro(SmallestAngle, double);
   vtkGetMacro(SmallestAngle, double);
@@ -136,7 +138,9 @@ protected:
   bool TakesMeshes() override { return true; }
 
   SeismicHorizons::DecimationQuality MakeQuality() const;
-  /// MaximumError in lattice units, for a horizon with these places, in sub-voxels, and heights.
+  bool IsErrorAutomatic() const;
+  /// MaximumError in lattice units, for a horizon with these places, in sub-voxels, and heights; chosen for these where
+  /// it is automatic.
   double FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
     const SeismicHorizons::Lattice& lattice) const;
 
@@ -144,7 +148,7 @@ private:
   vtkHorizonReducedMesh(const vtkHorizonReducedMesh&) = delete;
   void operator=(const vtkHorizonReducedMesh&) = delete;
 
-  double MaximumError = 0.75;
+  double MaximumError = -1.0;
   int ErrorUnit = Lattice;
   bool FitHeights = true;
   int Effort = Best;

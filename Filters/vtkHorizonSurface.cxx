@@ -6,6 +6,7 @@
 #include "Boundary/ExteriorBoundary.h"
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/HeightNoise.h"
 #include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
@@ -112,6 +113,12 @@ SeismicHorizons::SeamRows vtkHorizonSurface::MakeSeams()
   SeismicHorizons::SeamRows seams;
   seams.Lower = ToSeam(this->SeamRows[0]);
   seams.Upper = ToSeam(this->SeamRows[1]);
+  if (HasSeams(seams) && this->Target == LargestError && this->IsErrorAutomatic())
+  {
+    throw InputError(
+      "a seam and an automatic maximum error, expected one that is given: the noise of a part is not that "
+      "of the horizon");
+  }
   if (HasSeams(seams) && this->Target == LargestError && this->GetErrorUnit() == Diagonal)
   {
     throw InputError(
@@ -122,19 +129,34 @@ SeismicHorizons::SeamRows vtkHorizonSurface::MakeSeams()
 }
 
 //------------------------------------------------------------------------------
-int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
+void vtkHorizonSurface::Choose(vtkPolyData* horizon, const std::function<void(const LatticePoints&)>& choose)
 {
-  int radius = 0;
   RunRequest(this, {}, NotEnoughMemory,
     [&](std::string&, const Monitor&)
     {
       if (horizon && horizon->GetNumberOfPoints() > 0)
       {
         CheckArraySizes(horizon);
-        radius = SeismicHorizons::ChooseRadius(ReadColumns(WithoutHiddenPoints(horizon), {}, KeptHeights::None).Column);
+        choose(ReadColumns(WithoutHiddenPoints(horizon), {}));
       }
     });
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
+{
+  int radius = 0;
+  this->Choose(horizon, [&](const LatticePoints& points) { radius = SeismicHorizons::ChooseRadius(points.Column); });
   return radius;
+}
+
+//------------------------------------------------------------------------------
+double vtkHorizonSurface::ChooseMaximumError(vtkPolyData* horizon)
+{
+  double error = 0.0;
+  this->Choose(horizon,
+    [&](const LatticePoints& points) { error = SeismicHorizons::ChooseMaximumError(points.Column, points.Height); });
+  return error;
 }
 
 //------------------------------------------------------------------------------

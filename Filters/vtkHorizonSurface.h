@@ -20,8 +20,8 @@
  * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles, in
  * ten meshes at most. Outlines are simplified for that error, and inner points are added up to the number.
  *
- * With the effort Best and a SmallestAngle above 0, outlines also keep points beside slivers of a first mesh of the
- * effort Fast; only with a SmallestAngle of 0 are the results those of the single stages.
+ * With a SmallestAngle above 0, outlines also keep points beside slivers of a first mesh of the effort Fast; only with 0
+ * are the results those of the single stages.
  *
  * The result is the same for any number of threads. Time is near linear; memory beyond the input is about 50 bytes per
  * point and 12 per column of the bounding box of a patch.
@@ -36,6 +36,8 @@
 
 #include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
+
+#include <functional> // for what is chosen
 
 namespace SeismicHorizons
 {
@@ -205,7 +207,7 @@ public:
    * parts; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
    *
    * The parts on both sides have the points of such a row (j), and this part none beyond. The target is the error then,
-   * not of unit Diagonal, holes have boundaries, MinimumPatchSize is 1 and growth clockwise where the radius is not 1.
+   * not automatic and not of unit Diagonal, holes have boundaries, MinimumPatchSize is 1 and growth clockwise where the radius is not 1.
    * The mesh has two arrays more: SeamRows (int, 2 components), these rows, as field data, and SeamGap (unsigned char)
    * at points, 1 to the left of gaps along a seam that are not filled. PointCount leaves out the points of the row
    * below.
@@ -219,6 +221,8 @@ public:
    * after an error, for points that are not on a lattice.
    */
   int ChooseRadius(vtkPolyData* horizon);
+  /// The same for an automatic MaximumError, in lattice units.
+  double ChooseMaximumError(vtkPolyData* horizon);
 
 protected:
   vtkHorizonSurface();
@@ -232,6 +236,7 @@ private:
 
   SeismicHorizons::SurfaceOptions MakeOptions(const SeismicHorizons::LatticePoints& points) const;
   SeismicHorizons::SeamRows MakeSeams();
+  void Choose(vtkPolyData* horizon, const std::function<void(const SeismicHorizons::LatticePoints&)>& choose);
 
   int Target = LargestError;
   int MaximumNumberOfTriangles = 20000;

@@ -268,7 +268,7 @@ def _add_mesh_options(group):
     target = group.add_mutually_exclusive_group()
     target.add_argument("--largest-error", type=_Height, default=NOT_GIVEN, metavar="E",
                         help="how far a point may be from the mesh, vertically; outlines may move by as much sideways, in "
-                        "columns (default: 0.75, which suits horizons of whole voxels)")
+                        "columns (default: six times the noise of each horizon)")
     target.add_argument("--triangles", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
                         help="at most N triangles in each mesh, as near to its horizon as it then can be")
     target.add_argument("--stages", action="store_true",

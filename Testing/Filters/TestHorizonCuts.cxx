@@ -91,6 +91,7 @@ void TestStages()
     CHECK(output->GetFieldData()->HasArray("FaultedLinks"));
   }
   vtkNew<vtkHorizonDecimation> decimation;
+  decimation->SetMaximumError(0.75);
   decimation->SetInputConnection(outlines->GetOutputPort());
   CHECK_EQUAL(CountAcross(Update(decimation)), 0);
   boundary->UseCutsOff();
@@ -124,6 +125,7 @@ void TestCells()
 void TestSurface()
 {
   vtkNew<vtkHorizonSurface> surface;
+  surface->SetMaximumError(0.75);
   surface->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
   surface->SetOutlineTolerance(0.0);
   surface->AutomaticOutlineToleranceOff();
@@ -216,6 +218,7 @@ void TestErrors()
   AddLinks(beyond, { { 32, 0, 0 } });
   CheckRefused(beyond, 1, "faulted link 0 (32, 0, 0), expected a column of the lattice");
   vtkNew<vtkHorizonSurface> surface;
+  surface->SetMaximumError(0.75);
   surface->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
   surface->SetSeamRows(-1, 31);
   HorizonFixtures::Errors errors(surface);

@@ -41,6 +41,7 @@ struct Pipeline
     this->Boundary->SetInputData(HorizonFixtures::FromPicture(HorizonFixtures::Rectangle(30, 24), 7, survey, Wavy));
     this->Straight->SetInputConnection(this->Boundary->GetOutputPort());
     this->Mesh->SetInputConnection(this->Straight->GetOutputPort());
+    this->Mesh->SetMaximumError(0.75);
   }
 
   vtkPolyData* Update()
@@ -172,8 +173,8 @@ void CheckRefused(Pipeline& pipeline, const std::string& message)
 void TestErrors()
 {
   Pipeline pipeline(HorizonFixtures::UnitSurvey());
-  pipeline.Mesh->SetMaximumError(-1.0);
-  CheckRefused(pipeline, "maximum error -1, expected at least 0");
+  pipeline.Mesh->SetMaximumError(-2.0);
+  CheckRefused(pipeline, "maximum error -2, expected at least 0, or -1 for automatic");
   pipeline.Mesh->SetTargetToNumberOfPoints();
   pipeline.Mesh->SetMaximumNumberOfPoints(0);
   CheckRefused(pipeline, "maximum number of points 0, expected at least 1");
@@ -244,12 +245,27 @@ void TestPointsOutside()
   CHECK(errors.FirstContains("point 0 lies outside the boundary of its patch, expected loops around all points"));
 }
 
+/// Whole heights: six times what rounding leaves, or somewhat more, as the surface says, too.
+void TestAutomaticError()
+{
+  Pipeline pipeline(HorizonFixtures::RotatedSurvey());
+  CHECK(!pipeline.Update()->GetFieldData()->HasArray("ChosenMaximumError"));
+  pipeline.Mesh->SetMaximumError(-1.0);
+  pipeline.Mesh->SetErrorUnitToWorld(); // counts for nothing
+  const double error = Figure(pipeline.Update(), "ChosenMaximumError");
+  CHECK(error > 1.73 && error < 4.0);
+  CHECK(Figure(pipeline.Update(), "LargestError") <= error + 1e-9);
+  CHECK(Figure(pipeline.Update(), "LargestError") > 0.75);
+  pipeline.Mesh->SetTargetToNumberOfPoints();
+  CHECK(!pipeline.Update()->GetFieldData()->HasArray("ChosenMaximumError"));
+}
+
 void TestPrint()
 {
   vtkNew<vtkHorizonDecimation> mesh;
   std::ostringstream text;
   mesh->Print(text);
-  for (const char* const line : { "Target: LargestError", "MaximumError: 0.75", "ErrorUnit: Lattice",
+  for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Lattice",
          "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: On", "Effort: Best",
          "Priority: SumOfSquares", "SmallestAngle: 2", "InvalidHorizons: Stop" })
   {
@@ -267,6 +283,7 @@ int TestHorizonDecimation(int, char*[])
   TestErrors();
   TestDoubledLoops();
   TestPointsOutside();
+  TestAutomaticError();
   TestPrint();
   return Check::Result();
 }

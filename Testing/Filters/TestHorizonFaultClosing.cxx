@@ -160,10 +160,12 @@ void TestMeshers()
         CheckClosed(triangulation.Get(), ColumnArea);
       }
       vtkNew<vtkHorizonDecimation> decimation;
+      decimation->SetMaximumError(0.75);
       decimation->SetInputConnection(outlines->GetOutputPort());
       CheckClosed(decimation.Get(), ColumnArea);
     }
     vtkNew<vtkHorizonSurface> surface;
+    surface->SetMaximumError(0.75);
     surface->SetInputConnection(0, boundary->GetInputConnection(0, 0));
     CheckClosed(surface.Get(), ColumnArea);
   }
@@ -175,6 +177,7 @@ void TestMirrored()
   auto mirrored = HorizonFixtures::UnitSurvey();
   mirrored->SetElement(0, 0, -1.0);
   vtkNew<vtkHorizonSurface> surface;
+  surface->SetMaximumError(0.75);
   surface->SetInputDataObject(MakeFaulted(mirrored, 0, 12));
   CheckClosed(surface.Get(), 1.0);
 }
@@ -184,6 +187,7 @@ void TestSurface()
 {
   auto horizon = MakeFaulted(HorizonFixtures::UnitSurvey(), 0, 12);
   vtkNew<vtkHorizonSurface> surface;
+  surface->SetMaximumError(0.75);
   surface->SetInputDataObject(horizon);
   surface->CloseFaultsOn();
   vtkPolyData* const mesh = Update(surface);
@@ -196,6 +200,7 @@ void TestSurface()
   outlines->SetOutlineTolerance(surface->GetMaximumError());
   outlines->SetDistanceThreshold(surface->GetMaximumError());
   vtkNew<vtkHorizonDecimation> decimation;
+  decimation->SetMaximumError(0.75);
   decimation->SetInputConnection(outlines->GetOutputPort());
   decimation->CloseFaultsOn();
   CHECK(TrianglesOf(mesh) == TrianglesOf(Update(decimation)));
@@ -225,6 +230,7 @@ void TestFieldData()
   CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackOpenEnds"));
   CHECK(!boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackLoops"));
   vtkNew<vtkHorizonSurface> surface;
+  surface->SetMaximumError(0.75);
   surface->SetInputDataObject(cracked);
   surface->CloseFaultsOn();
   CHECK_EQUAL(Figure(Update(surface), "FaultTriangleCount"), 0.0);
@@ -245,6 +251,7 @@ void TestOldFieldData()
   old->GetFieldData()->GetArray("CrackOpenEnds")->SetName("CutMouths");
   old->GetFieldData()->GetArray("FaultedLinks")->SetName("CutLinks");
   vtkNew<vtkHorizonDecimation> decimation;
+  decimation->SetMaximumError(0.75);
   decimation->CloseFaultsOn();
   for (vtkPolyData* const horizon : { boundary->GetPolyDataOutput(), old.Get() })
   {
@@ -271,6 +278,7 @@ void TestDistances()
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(horizon);
   vtkNew<vtkHorizonDecimation> decimation;
+  decimation->SetMaximumError(0.75);
   decimation->SetInputConnection(boundary->GetOutputPort());
   vtkNew<vtkHorizonSurfaceDistance> distance;
   distance->SetInputConnection(0, boundary->GetOutputPort());

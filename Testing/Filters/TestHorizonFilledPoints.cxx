@@ -91,6 +91,8 @@ void TestFollowingStages()
   vtkNew<vtkHorizonDecimation> decimation;
   vtkNew<vtkHorizonSurface> surface;
   filling->SetInputDataObject(WithHoles());
+  decimation->SetMaximumError(0.75);
+  surface->SetMaximumError(0.75);
   outline->SetInputConnection(filling->GetOutputPort());
   outline->HoleBoundariesOn();
   straight->SetInputConnection(outline->GetOutputPort());

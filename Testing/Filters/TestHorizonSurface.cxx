@@ -153,7 +153,7 @@ void CheckSame(vtkDataObject* foundObject, vtkDataObject* expectedObject)
 void CheckRepeated(vtkHorizonSurface* surface, vtkPolyData* horizon)
 {
   surface->SetInputData(horizon);
-  surface->SetSmallestAngle(surface->GetEffort() == vtkHorizonReducedMesh::Best ? 0.0 : surface->GetSmallestAngle());
+  surface->SetSmallestAngle(0.0);
   surface->Update();
   vtkPolyData* const mesh = surface->GetPolyDataOutput();
   CHECK(mesh->GetNumberOfPolys() > 0);
@@ -185,6 +185,8 @@ void TestSameAsStages()
     const Data horizon = MakeHorizon(survey);
     vtkNew<vtkHorizonSurface> surface;
     CheckRepeated(surface, horizon);
+    surface->SetMaximumError(0.75);
+    CheckRepeated(surface, horizon);
     CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "ChosenRadius"), 1.0);
     CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "ChosenSmallestHoleSize"), 9.0);
     CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "NumberOfHoles"), 1.0);
@@ -196,7 +198,6 @@ void TestSameAsStages()
     CheckRepeated(surface, horizon);
     surface->SetPriorityToLargestErrors();
     surface->SetEffortToFast();
-    surface->SetSmallestAngle(20.0);
     surface->FitHeightsOff();
     CheckRepeated(surface, horizon);
   }
@@ -355,7 +356,7 @@ void TestErrors()
 {
   using Surface = vtkHorizonSurface;
   const double infinity = std::numeric_limits<double>::infinity();
-  CheckRefused(&Surface::SetMaximumError, -1.0, "maximum error -1, expected at least 0");
+  CheckRefused(&Surface::SetMaximumError, -0.5, "maximum error -0.5, expected at least 0, or -1 for automatic");
   CheckRefused(&Surface::SetMaximumError, infinity, "maximum error inf, expected a finite number");
   CheckRefused(&Surface::SetMaximumNumberOfTriangles, 0, "maximum number of triangles 0, expected at least 1", true);
   CheckRefused(&Surface::SetMaximumNumberOfTriangles, 3, "maximum number of triangles 3, expected at least the ", true);
@@ -372,7 +373,7 @@ void TestPrint()
   vtkNew<vtkHorizonSurface> surface;
   std::ostringstream text;
   surface->Print(text);
-  for (const char* const line : { "Target: LargestError", "MaximumError: 0.75", "ErrorUnit: Lattice",
+  for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Lattice",
          "MaximumNumberOfTriangles: 20000", "AutomaticRadius: on", "Radius: 1", "GrowthStrategy: Clockwise",
          "HoleBoundaries: on", "AutomaticSmallestHoleSize: on", "SmallestHoleSize: 1", "MinimumPatchSize: 1",
          "AutomaticOutlineTolerance: on", "OutlineTolerance: 0", "AutomaticDistanceThreshold: on",

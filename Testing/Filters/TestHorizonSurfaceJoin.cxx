@@ -321,6 +321,7 @@ void TestSurfaceErrors()
     Errors errors(surface);
     surface->SetInputData(points);
     surface->SetSeamRows(11, 30);
+    surface->SetMaximumError(Error);
     change(surface);
     surface->Update();
     CHECK(surface->GetPolyDataOutput()->GetNumberOfPoints() == 0);
@@ -331,6 +332,8 @@ void TestSurfaceErrors()
   };
   refuse("a seam and a maximum error of unit Diagonal, expected Lattice or World",
     [](vtkHorizonSurface* surface) { surface->SetErrorUnitToDiagonal(); });
+  refuse("a seam and an automatic maximum error, expected one that is given",
+    [](vtkHorizonSurface* surface) { surface->SetMaximumError(-1.0); });
   refuse(
     "a seam and a number of triangles", [](vtkHorizonSurface* surface) { surface->SetTargetToNumberOfTriangles(); });
   refuse("a seam and a minimum patch size of 4 points", [](vtkHorizonSurface* s) { s->SetMinimumPatchSize(4); });
@@ -341,7 +344,7 @@ void TestSurfaceErrors()
     [](vtkHorizonSurface* surface) { surface->SetSeamRows(11, 29); });
 }
 
-void TestChooseRadius()
+void TestChosenForParts()
 {
   vtkNew<vtkHorizonSurface> surface;
   const Data points = MakeRows(0, Height, RotatedSurvey());
@@ -349,6 +352,9 @@ void TestChooseRadius()
   surface->SetInputData(points);
   surface->Update();
   CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "ChosenRadius"), 1.0);
+  CHECK_EQUAL(surface->ChooseMaximumError(points), Figure(surface->GetPolyDataOutput(), "ChosenMaximumError"));
+  CHECK(surface->ChooseMaximumError(points) > 0.0);
+  CHECK_EQUAL(surface->ChooseMaximumError(nullptr), 0.0);
   CHECK_EQUAL(surface->ChooseRadius(nullptr), 0);
   vtkNew<vtkPolyData> empty;
   CHECK_EQUAL(surface->ChooseRadius(empty), 0);
@@ -366,6 +372,6 @@ int TestHorizonSurfaceJoin(int, char*[])
   TestSmallPatches();
   TestJoinErrors();
   TestSurfaceErrors();
-  TestChooseRadius();
+  TestChosenForParts();
   return Check::Result();
 }

@@ -20,7 +20,7 @@ import seismichorizons as sh
 import window
 
 POINTS = os.environ.get("POINTS", "1000000")
-ERRORS = (0.75, 1.5)  # the default, and another
+ERRORS = (-1.0, 1.5)  # the default, automatic, and another
 
 
 class Progress:
@@ -95,7 +95,7 @@ def play(paraview, folder, path):
     events.filter("HorizonSurface")
     for error in (None, None, None, ERRORS[1]):
         if error:
-            events.set_number("MaximumError", error, widget="DoubleRangeWidget/DoubleLineEdit")
+            events.set_number("MaximumError", error, widget="DoubleLineEdit0")
         events.macro("WatchProgress")
         events.apply()
         events.macro("Note")

@@ -121,7 +121,7 @@ def play_results(paraview, sample, folder):
     events.apply()
     events.filter("HorizonSurface")
     for error in (0.75, 4, 2):
-        events.set_number("MaximumError", error, "DoubleRangeWidget/DoubleLineEdit")
+        events.set_number("MaximumError", error, "DoubleLineEdit0")
         events.apply()
         surface.SetMaximumError(error)
         surface.Update()

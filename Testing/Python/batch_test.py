@@ -127,9 +127,12 @@ class BatchTest(unittest.TestCase):
             self.assertLess(float(row[10]), 1.5 * float(error))  # outlines move sideways, too
             triangles.append(mesh.GetNumberOfPolys())
         self.assertGreater(triangles[0], 2 * triangles[1])
-        self.succeed(SAMPLE, "--no-pictures", "--horizons", "1")  # 0.75 is the default
-        mesh = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
-        self.assertEqual(mesh.GetNumberOfPolys(), triangles[0])
+        done = self.succeed(SAMPLE, "--no-pictures", "--horizons", "1")
+        data = mesh_checks.read(self.output / "blobs_horizon_1.vtp").GetFieldData()
+        error = data.GetArray("ChosenMaximumError").GetValue(0)
+        self.assertGreaterEqual(error, 6.0 / 12.0 ** 0.5)  # whole heights
+        self.assertLessEqual(data.GetArray("LargestError").GetValue(0), error + 1e-9)
+        self.assertIn("error %.2g vertical indices, six times the noise of %.2g" % (error, error / 6.0), done.stdout)
         self.assertIn("--elaborate is an option of --stages", self.refused(SAMPLE, "--largest-error", "1", "--elaborate"))
 
     def test_triangles(self):

@@ -22,7 +22,7 @@ from unittest import mock
 
 import numpy as np
 import seismichorizons as sh
-from seismichorizons import calls, functions, making, stages
+from seismichorizons import calls, figures, functions, heights, making, stages
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
@@ -39,6 +39,13 @@ def dome(rows=ROWS, columns=COLUMNS):
 
 def places(data):
     return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def least_angles(mesh):
+    """The smallest angle of each triangle on the lattice, in degrees."""
+    matrix = sh.details(mesh).lattice_to_world
+    on_lattice = (places(mesh) - matrix[:3, 3]) @ np.linalg.inv(matrix[:3, :3]).T
+    return figures._smallest_angles(on_lattice[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)][:, :, :2])
 
 
 def without(*names):
@@ -215,6 +222,66 @@ class StagesTest(unittest.TestCase):
         self.assertLessEqual(sh.distance(top, mesh, unit="World").figures["reference to mesh"]["largest"], 2.0 + 1e-9)
         self.assertGreater(sh.distance(top, mesh).percentile_95, 0.0)
 
+    def test_errors_are_told_in_their_unit(self):
+        """In that of the user, whatever that of z; without a unit in vertical indices."""
+        top = sh.horizon(dome(), vertical_unit="ms", vertical_step=0.5)
+        plain = sh.details(sh.surface(top, largest_error=4.0))
+        for error, unit, per_index in (("2 ms", "ms", 0.5), ("0.002 s", "s", 0.0005)):
+            mesh = sh.surface(top, largest_error=error)
+            found = sh.details(mesh)
+            self.assertEqual(str(found.chosen_maximum_error), str(heights.Height(error)))
+            for name in ("largest_error", "mean_error", "largest_loop_error", "chosen_distance_threshold"):
+                self.assertEqual(getattr(found, name).unit, unit)
+                self.assertAlmostEqual(getattr(found, name), per_index * getattr(plain, name))
+            self.assertEqual(found.chosen_outline_tolerance, plain.chosen_outline_tolerance)
+            distance = sh.distance(top, mesh)
+            self.assertEqual(distance.vertical.unit, unit)
+            self.assertAlmostEqual(distance.vertical, found.largest_error)
+            self.assertEqual(list(vars(distance))[0], "vertical")
+            self.assertTrue(repr(distance).startswith("Distance(vertical=%.6g %s, largest=" % (distance.vertical, unit)))
+        unknown = sh.surface(sh.horizon(dome(), vertical_step=0.5), largest_error="2 m")
+        self.assertEqual(str(sh.details(unknown).chosen_maximum_error), "2 m")
+        self.assertEqual(sh.details(sh.despiking(top, threshold="3 ms")).spike_threshold.unit, "ms")
+        self.assertIs(type(sh.details(sh.surface(sh.despiking(top, threshold="3 ms"), 4.0)).largest_error), float)
+        stack = {"Top": top, "Base": sh.horizon(dome() + 50.0, vertical_unit="ms", vertical_step=0.5)}
+        made = sh.layers(stack, largest_error="2 ms")
+        self.assertEqual(sh.details(made.horizons["Base"]).largest_error.unit, "ms")
+        self.assertIs(type(sh.details(sh.layers(stack, 4.0).horizons["Base"]).largest_error), float)
+
+    def test_automatic_error(self):
+        """Six times the noise, whatever the vertical step; an error of 0 is one that can be asked for."""
+        noise = np.random.default_rng(5).normal(0.0, 0.2, (200, 300))
+        errors = []
+        for step in (0.1, 1.0):
+            top = sh.horizon(dome(200, 300) + noise, vertical_step=step)
+            found = sh.details(sh.surface(top))
+            errors.append(step * found.chosen_maximum_error)
+            self.assertLess(found.triangle_count, 0.06 * 2 * top.GetNumberOfPoints())
+            self.assertLessEqual(found.largest_error, found.chosen_maximum_error + 1e-9)
+        self.assertAlmostEqual(errors[0], errors[1], delta=1e-6)
+        self.assertAlmostEqual(errors[0], 1.2, delta=0.1)
+        self.assertEqual(sh.details(sh.surface(sh.horizon(dome()), 0.0)).chosen_maximum_error, 0.0)
+        self.assertEqual(sh.details(sh.decimation(sh.exterior_boundary(top))).chosen_maximum_error, errors[1])
+        base = sh.horizon(dome(200, 300) + 90.0 + 2.0 * noise, vertical_step=1.0)
+        made = sh.layers({"Top": top, "Base": base})
+        self.assertAlmostEqual(sh.details(made.cells).chosen_maximum_error, 2.4, delta=0.2)
+
+    def test_smallest_angle(self):
+        """With the effort Fast, points are inserted beside slivers; the few that outlines leave are counted."""
+        j, i = np.mgrid[0:100, 0:120]
+        z = 1000.0 + 20.0 * np.sin(i / 9.0) * np.cos(j / 8.0)
+        top, base = sh.horizon(z, vertical_step=1.0), sh.horizon(z + 40.0, vertical_step=1.0)
+        counts = []
+        for angle in (0.0, 20.0):
+            found = sh.details(sh.surface(top, 1.0, smallest_angle=angle, effort="Fast"))
+            self.assertLessEqual(found.largest_error, 1.0 + 1e-9)
+            counts.append(found.triangle_count)
+        self.assertGreater(counts[1], counts[0])
+        self.assertLess(found.sliver_count, 0.01 * counts[1])
+        angles = [least_angles(sh.layers({"Top": top, "Base": base}, 1.0, effort="Fast", smallest_angle=angle).horizons["Top"])
+                  for angle in (0.0, 20.0)]
+        self.assertLess(np.sum(angles[1] < 20.0), 0.7 * np.sum(angles[0] < 20.0))  # outlines are kept as they are
+
     def test_distance_leaves_open_what_the_mesh_does(self):
         """The horizon as read has the holes of its mesh, over which nothing is measured, and its radius."""
         row, column = np.mgrid[:60, :70]
@@ -261,7 +328,7 @@ class ErrorsTest(unittest.TestCase):
                 (ValueError, "LatticeDimensions.*horizon_from_points", lambda: sh.surface(bare)),
                 (ValueError, "2 m for z in ms, expected ms or s .vertical_unit", lambda: sh.surface(top, "2 m")),
                 (ValueError, "'two', expected a number", lambda: sh.surface(top, "two")),
-                (ValueError, "expected at least 0", lambda: sh.surface(top, -1.0)),
+                (ValueError, "expected at least 0, or -1 for automatic", lambda: sh.surface(top, -2.0)),
                 (ValueError, "expected one of them", lambda: sh.surface(top, 1.0, 10)),
                 (TypeError, "larget, expected one of", lambda: sh.surface(top, larget=1.0)),
                 (ValueError, "distance_unit 'm', expected one of Lattice, World", lambda: sh.distance(top, sh.surface(top), "m")),

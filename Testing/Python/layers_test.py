@@ -107,12 +107,12 @@ class LayersTest(unittest.TestCase):
     def test_sample(self):
         """Horizons with holes, on a turned lattice; both domains."""
         horizons = sh.read(SAMPLE, column_step=(3.0, 4.0), row_step=(-8.0, 6.0))
-        each = sh.layers(horizons)
+        each = sh.layers(horizons, 0.75)
         self.check(each, horizons, 0.75)
         common = sh.layers(horizons, largest_error=1.5, domain="Common")
         self.assertLess(self.check(common, horizons, 1.5), 0.5)
         self.assertLess(common.cells.GetNumberOfCells(), each.cells.GetNumberOfCells())
-        kept = sh.layers(horizons, domain="Common", keep_outlines=True, fit_heights=False, effort="Fast")
+        kept = sh.layers(horizons, 0.75, domain="Common", keep_outlines=True, fit_heights=False, effort="Fast")
         self.check(kept, horizons, 0.75)
         for mesh in kept.horizons.values():
             self.assertIsNotNone(mesh.GetPointData().GetArray("Amplitude"))
@@ -151,7 +151,7 @@ class LayersTest(unittest.TestCase):
         moves = {}
         for policy, moved in (("UpperWins", ("Basement",)), ("LowerWins", ("Top", "Fill")), ("Mean UpperWins", ("Basement",))):
             chosen = {"crossings_by_layer": policy} if " " in policy else {"crossings": policy}
-            made = sh.layers(horizons, order="AsGiven", **chosen)
+            made = sh.layers(horizons, 0.75, order="AsGiven", **chosen)
             self.check(made, horizons, 0.75, moved)
             moves[policy] = {name: sh.details(mesh).moved_columns for name, mesh in made.horizons.items()}
         self.assertEqual(moves["UpperWins"], {"Top": 0, "Fill": 0, "Basement": 15 * ROWS})
@@ -225,7 +225,7 @@ class LayersTest(unittest.TestCase):
         lower = 150.0 + np.where((X > 19.5) & (Y < 20.5), 12.0, 0.0)
         faulted = sh.faults(on_grid(lower), smallest_throw=5.0)
         horizons = {"Top": on_grid(np.full(X.shape, 100.0)), "Base": faulted}
-        made = sh.layers(horizons)
+        made = sh.layers(horizons, 0.75)
         self.check(made, horizons, 0.75)
         figures = made.figures["Top to Base"]
         cut = 25.0 * 12.5 * (ROWS - 1) * (COLUMNS - 1) - figures.area
@@ -238,7 +238,7 @@ class LayersTest(unittest.TestCase):
         columns = lattice_places(body)[mesh_checks.triangles(body)][face == FAULT][:, :, 0]
         self.assertGreaterEqual(np.count_nonzero(face == FAULT), 4)
         self.assertTrue(np.all((columns >= 19.0) & (columns <= 20.0)) or figures.area_at_faults > 25.0 * 12.5 * 21)
-        whole = sh.layers(horizons, use_cuts=False)
+        whole = sh.layers(horizons, 0.75, use_cuts=False)
         self.assertEqual(whole.figures["Top to Base"].area_at_faults, 0.0)
         self.check(whole, horizons, 0.75)
 
@@ -261,7 +261,7 @@ class LayersTest(unittest.TestCase):
         rough = on_grid(100.0 + 3.0 * np.sin(X) * np.cos(2.0 * Y))
         for domain, third in (("EachLayer", {}), ("Common", {"Deep": deep})):
             stack = {"Rough": rough, "Coarse": on_grid(np.full((15, 20), 140.0), spacing=(50.0, 25.0)), **third}
-            self.check(sh.layers(stack, domain=domain), stack, 0.75)
+            self.check(sh.layers(stack, 0.75, domain=domain), stack, 0.75)
         with self.assertRaisesRegex(ValueError, "a point of Between at .*, which is not on a column of Fine, expected points on "
                                                 "one lattice"):
             sh.layers({"Fine": fine, "Between": on_grid(150.0 + Y, origin=(5e5 + 3.0, 6e6))})
@@ -316,7 +316,7 @@ class LayersTest(unittest.TestCase):
         smallest."""
         kind = {"vertical_step": 4.0, "vertical_unit": "m"}
         pair = {"A": on_grid(400.0 + 24.0 * np.sin(X / 6.0), **kind), "B": on_grid(420.0 + 24.0 * np.sin(X / 6.0) + 4.0 * np.cos(X / 3.0), **kind)}
-        plain, mixed = (sh.layers(pair, minimum_thickness=thin) for thin in (0.25, "1 m"))
+        plain, mixed = (sh.layers(pair, 0.75, minimum_thickness=thin) for thin in (0.25, "1 m"))
         self.assertEqual(plain.figures, mixed.figures)
         self.assertEqual(sh.layers(pair, "3 m").figures, plain.figures)
         self.assertEqual(sh.layers(pair, 3.0, height_unit="World").figures, plain.figures)
@@ -348,7 +348,7 @@ class LayersTest(unittest.TestCase):
         pair = {"Top": top, "Base": base}
         for keywords, message in (({"crossings_by_layer": "Middle"}, 'crossings "Middle", expected Mean, UpperWins, LowerWins or Stop'),
                                   ({"crossings_by_layer": "Mean Stop"}, "crossings of 2 layers, expected 1, from the uppermost on"),
-                                  ({"maximum_error": -1.0}, "maximum_error -1|maximum error -1, expected at least 0"),
+                                  ({"maximum_error": -2.0}, "maximum_error -2|maximum error -2, expected at least 0, or -1 for automatic"),
                                   ({"minimum_thickness": float("nan")}, "minimum thickness nan, expected a finite number, at least 0"),
                                   ({"smallest_pinch": 0}, "smallest pinch 0, expected at least 1"),
                                   ({"smallest_angle": 70.0}, "smallest angle 70, expected .*60")):

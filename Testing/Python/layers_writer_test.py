@@ -39,7 +39,7 @@ def volume_of(points):
 
 
 def few_layers():
-    return sh.layers({"A": sh.horizon(np.zeros((3, 3))), "B": sh.horizon(np.ones((3, 3)))}).cells
+    return sh.layers({"A": sh.horizon(np.zeros((3, 3))), "B": sh.horizon(np.ones((3, 3)))}, 0.75).cells
 
 
 class LayersWriterTest(unittest.TestCase):

@@ -226,6 +226,15 @@ class BatchTest(unittest.TestCase):
         left = mesh_checks.read(self.output / "small" / "one_horizon_1.vtp").GetFieldData()
         self.assertLessEqual(left.GetArray("NumberOfPatches").GetValue(0), patches)
 
+    def test_automatic_error(self):
+        """One for all windows, by the noise of the largest."""
+        messages, printed, _ = self.run_batch(self.one, 9000, surface=pipeline.surface_properties())
+        data = mesh_checks.read(self.output / "9000" / "one_horizon_1.vtp").GetFieldData()
+        largest, chosen = (data.GetArray(name).GetValue(0) for name in ("LargestError", "ChosenMaximumError"))
+        self.assertEqual(messages, [])
+        self.assertTrue(0.75 < largest <= chosen + 1e-9, (largest, chosen))
+        self.assertIn("error %.2g vertical indices, six times the noise" % chosen, printed)
+
     def test_some_in_windows(self):
         """One horizon is larger than the limit, the others are not."""
         sizes = self.sizes(self.three)

@@ -164,6 +164,7 @@ class MissingTest(unittest.TestCase):
 
         def run(stop_at):
             maker = sh.vtkHorizonLayers()
+            maker.SetMaximumError(0.75)
             for own in stack:
                 maker.AddInputDataObject(0, sh.horizon(-own, vertical_step=1.0))
 

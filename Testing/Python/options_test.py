@@ -43,7 +43,7 @@ class OptionsTest(unittest.TestCase):
         return options.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
 
     def test_defaults(self):
-        """Without options every property has the default of its class, and the largest error is what is recommended."""
+        """Without options every property has the default of its class, and the largest error is automatic."""
         settings = self.settings("--stages", "--elaborate", "--measure-error")
         classes = {"reader": "vtkVerneySparseMatrixReader", "error": "vtkHorizonSurfaceDistance", **pipeline.STAGES}
         for name, class_name in classes.items():
@@ -55,7 +55,10 @@ class OptionsTest(unittest.TestCase):
         self.assertIsNone(settings.horizons)
         self.assertEqual(load_program().FORMATS, writing.FORMATS)
         usual = self.settings()
-        self.assertEqual(usual.surface["MaximumError"], stage.make("vtkHorizonSurface").GetMaximumError())
+        self.assertNotIn("MaximumError", usual.surface)
+        self.assertTrue(usual.is_automatic())
+        for given in (("--largest-error", "0"), ("--triangles", "9"), ("--stages",)):
+            self.assertFalse(self.settings(*given).is_automatic())
 
     def test_reader(self):
         reader = self.settings("--corners", *map(str, range(12)), "--vertical-unit", "ms", "--stray-picks", "LeaveOut").reader

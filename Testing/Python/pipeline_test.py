@@ -86,7 +86,7 @@ def check_surface(reader):
         assert 699 <= mesh_checks.check_mesh(mesh) <= 700, name
         assert mesh.GetFieldData().GetArray("ChosenRadius").GetValue(0) == 3
         assert outlines[name].GetNumberOfPoints() == fetch(reader)[name].GetNumberOfPoints()
-    surface.Target = "Largest Error"
+    surface.Target, surface.MaximumError = "Largest Error", 0.75
     surface.UpdatePipeline()
     for mesh in mesh_checks.blocks(algorithm.GetOutputDataObject(0)).values():
         assert 0.5 < mesh.GetFieldData().GetArray("LargestError").GetValue(0) <= 0.75 + 1e-9

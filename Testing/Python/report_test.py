@@ -176,16 +176,19 @@ class ReportTest(unittest.TestCase):
         self.assertLess(self.page.stat().st_size, MEGABYTE)
 
     def test_units(self):
-        """Distances have the units of the file where it says them."""
+        """Distances have the units of the file where it says them, errors that of the user."""
+        indices = r"vertical indices \([\d.e-]+ ms\)"
         for head, arguments, world, vertical in (
-                ("X (m),Y (m),Z (ms)", [], "m, z in ms", True), ("X (m),Y (m),Depth (m)", [], "m", True),
-                ("X,Y,Z", ["--vertical-unit", "s"], "unit of x and y, z in s", True), ("X,Y,Z", [], "world units", False)):
+                ("X (m),Y (m),Z (ms)", [], "m, z in ms", "ms"), ("X (m),Y (m),Depth (m)", [], "m", "m"),
+                ("X (m),Y (m),Z (ms)", ["--largest-error", "0.002s"], "m, z in ms", "s"),
+                ("X (m),Y (m),Z (ms)", ["--largest-error", "0.75"], "m, z in ms", indices),
+                ("X,Y,Z", ["--vertical-unit", "s"], "unit of x and y, z in s", "s"), ("X,Y,Z", [], "world units", "z")):
             path = self.folder / "units.csv"
             path.write_text("\n".join([head, *("%d,%d,%g" % (25 * i, 25 * j, 1000 + 0.2 * (i * j % 7))
                                                for j in range(12) for i in range(12)), ""]), encoding="utf-8")
             page = self.run_report(path, "--no-pictures", *arguments)
             self.assertIn("lattice units %s" % world, " ".join(page.text().split()))
-            self.assertEqual(bool(re.search(r"at most [\d.]+ vertical indices \([\d.e-]+ m?s?\)", page.text())), vertical)
+            self.assertRegex(page.text(), r"at most [\d.e-]+ %s, [\d.e-]+ on average" % vertical)
 
     def test_without_pictures(self):
         """No X server is needed then."""

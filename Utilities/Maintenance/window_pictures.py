@@ -93,7 +93,7 @@ def stage(name):
 
 def closed(events, files):
     events.filter("HorizonSurface")
-    events.set_number("MaximumError", "1.5", "DoubleRangeWidget/DoubleLineEdit")
+    events.set_number("MaximumError", "1.5", "DoubleLineEdit0")
     events.set_check("CloseFaults", True)
     events.apply()
 

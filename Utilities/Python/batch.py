@@ -204,7 +204,10 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             result = pipeline.run_windows(label, points, settings)
         else:
             result = pipeline.run(label, name, points, settings, supply.surfaces.get(name))
-        found.add(result.data.get("points", result.data["mesh"]))
+        if settings.said_unit() or settings.plain_error() is None and not reading.counts_indices(
+                supply.origin["format"], settings.reader):
+            result.tell_in(settings.said_unit())
+        found.add(result.data.get("points", result.data["mesh"]), result.data["mesh"])
         del points
         for warning in result.warnings:
             record.warn("%s: %s" % (label, warning))

@@ -56,8 +56,8 @@ def _choices(algorithm, name):
 
 
 def set_keywords(algorithm, keywords, horizon=None):
-    """Sets properties by keywords. Heights with a unit, as "2 ms", are in that of z of the horizon. Raises ValueError and
-    TypeError."""
+    """Sets properties by keywords. Heights with a unit, as "2 ms", are in that of z of the horizon; returns the unit, or
+    an empty text. Raises ValueError and TypeError."""
     known = properties(algorithm)
     given = {}
     for keyword, value in keywords.items():
@@ -70,8 +70,8 @@ def set_keywords(algorithm, keywords, horizon=None):
         given[known[keyword]] = value
     words = {name: value for name, value in given.items()
              if isinstance(value, str) and isinstance(getattr(algorithm, "Get" + name)(), float) and horizon is not None}
+    numbers = {name: heights.Height(text) for name, text in words.items()}
     if words:
-        numbers = {name: heights.Height(text) for name, text in words.items()}
         with python_errors(algorithm):
             given.update(heights.in_unit_of(numbers, horizon))
         units = [name for name in known.values() if hasattr(algorithm, "Set%sToWorld" % name)]
@@ -88,6 +88,7 @@ def set_keywords(algorithm, keywords, horizon=None):
             configure(algorithm, **{name: value})
         except TypeError as error:
             raise TypeError("%s (%s)" % (snake(name), error)) from None
+    return next((number.unit for number in numbers.values() if number.unit), "")
 
 
 def run(algorithm, label):
@@ -209,7 +210,8 @@ def details(data: vtkDataObject) -> Details:
     Details
         with numbers and texts where there is one, a numpy array or a list of texts where there are several,
         `ledger_columns.left_out` and the like where components have names, and
-        `lattice_to_world` as a 4 x 4 array.
+        `lattice_to_world` as a 4 x 4 array. Errors are in vertical indices or, where the result was asked for with a
+        unit, as "2 m", in that: numbers with an attribute `unit`.
 
     Examples
     --------
@@ -220,7 +222,11 @@ def details(data: vtkDataObject) -> Details:
     require_data(data, "it")
     fields = data.GetFieldData()
     arrays = [fields.GetAbstractArray(number) for number in range(fields.GetNumberOfArrays())]
-    return Details(**{snake(array.GetName()): _value(array) for array in arrays if (array.GetName() or "").isidentifier()})
+    found = {array.GetName(): _value(array) for array in arrays if (array.GetName() or "").isidentifier()}
+    unit = heights.unit_of(data, heights.NOTED_UNIT)
+    for name in found.keys() & set(heights.FIGURES) if unit else ():
+        found[name] = heights.Height.of(found[name] * heights.per_index(data, unit), unit)
+    return Details(**{snake(name): value for name, value in found.items()})
 
 
 def _value(array):

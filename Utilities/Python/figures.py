@@ -92,6 +92,7 @@ def horizon(result):
         "patches": _count(data, "NumberOfPatches"), "holes": _count(data, "NumberOfHoles"),
         "outlines": loops, "outline_points_in": loop_points, "outline_points": result.simplified[1],
         "vertical_step": _vertical_step(data),
+        "told_in": {"unit": result.height_unit or None, "per_index": result.per_index},
         "bounds": list(mesh.GetBounds()) if after else None,
         "angles": angles(mesh),
         "seconds": {**result.seconds, "total": sum(result.seconds.values())},

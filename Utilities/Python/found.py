@@ -4,8 +4,9 @@
 
 import math
 
-from . import figures, reading
+from . import figures, heights, pipeline, reading
 
+ERROR_PER_NOISE = 6.0  # of an automatic error
 MOST_NAMES = 4  # of files that are written
 
 
@@ -15,11 +16,15 @@ class Found:
     def __init__(self):
         self._surveys = []
         self._bounds = []
+        self._errors = []  # the largest errors of meshes, in the unit of z and in vertical indices
 
-    def add(self, horizon):
-        """A horizon as it was read, or the mesh of one that is larger than memory."""
+    def add(self, horizon, mesh):
+        """A horizon as it was read, or the mesh of one that is larger than memory; and its mesh."""
         self._surveys.append(figures.survey(horizon))
         self._bounds.append(horizon.GetBounds()[4:6])
+        error = pipeline.chosen_parameters(mesh).get("MaximumError")
+        if error is not None:
+            self._errors.append((error * (heights.step_of(mesh) or 1.0), error))
 
     def lines(self, origin, settings):
         """`origin` is what reading.describe says of the file."""
@@ -47,23 +52,29 @@ class Found:
         is_count = reading.counts_indices(form, settings.reader)
         said = settings.said_unit()
         supposed = "%s (as the error; --vertical-unit %s also stores it)" % (said, said) if said else ""
+        known = survey["vertical_unit"] or said
         unit = survey["vertical_unit"] or supposed or ("vertical indices" if is_count else "(unit unknown)")
         steps = sorted({abs(s["lattice"]["vertical_step"]) for s in self._surveys if s["lattice"]})
+        error = settings.plain_error()
         words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")]
         if steps and not is_count:
             words.append("vertical step %s" % _range(steps))
-            error = settings.plain_error()
             if error is not None:
-                words.append("error %g = %s" % (error, _range([error * step for step in steps])))
+                words.append(" ".join(["error %g = %s" % (error, _range([error * step for step in steps])), known]).strip())
+        if self._errors and settings.is_automatic():
+            errors = sorted(pair[1 if is_count else 0] for pair in self._errors)
+            words.append("%s, six times the noise of %s" % (
+                " ".join(["error", _range(errors, 2), "vertical indices" if is_count else known]).strip(),
+                _range([error / ERROR_PER_NOISE for error in errors], 2)))
         left_out = [(sum(s[key] or 0 for s in self._surveys), what) for key, what in
                     (("dropped_duplicates", "duplicates"), ("dropped_nulls", "without z"))]
         words += ["%d %s left out" % pair for pair in left_out if pair[0]]
         return "; ".join(words)
 
 
-def _range(values):
-    least, most = values[0], values[-1]
-    return "%.6g" % least if least == most else "%.6g to %.6g" % (least, most)
+def _range(values, digits=6):
+    least, most = ("%.*g" % (digits, value) for value in (values[0], values[-1]))
+    return least if least == most else "%s to %s" % (least, most)
 
 
 def written(names, folder):

@@ -18,10 +18,11 @@ import types
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
 
-from . import calls, cubes, making, reading, tsurf, writing
+from . import calls, cubes, heights, making, reading, tsurf, writing
 from .calls import details  # noqa: F401: a function of the package
 from .making import horizon, horizon_from_points  # noqa: F401: functions of the package
 from .stage import make
@@ -173,8 +174,8 @@ def surface(horizon: vtkPolyData, largest_error: float | str | None = None, tria
     horizon : vtkPolyData
         points on a lattice, as `read`, `horizon`, `horizon_from_points` and `extract` give them.
     largest_error : float or str, optional
-        how far a point may be from the mesh, vertically: in vertical indices, or with a unit, as "2 ms". 0.75 by
-        default, where there is no number of triangles.
+        how far a point may be from the mesh, vertically: in vertical indices, or with a unit, as "2 ms". By default, where
+        there is no number of triangles, six times the noise of the heights.
     triangles : int, optional
         the most triangles there may be, in place of the error.
     **keywords
@@ -211,15 +212,17 @@ def surface(horizon: vtkPolyData, largest_error: float | str | None = None, tria
 
 
 class Distance(types.SimpleNamespace):
-    """What `distance` found. `reference` and `mesh` are the surfaces with the arrays Distance and VerticalDistance;
-    `largest`, `mean`, `rms`, `percentile_95` and the like are over both directions, in the unit that was asked for, and
+    """What `distance` found. `vertical` is the largest vertical distance; `reference` and `mesh` are the surfaces with the
+    arrays Distance and VerticalDistance; `largest`, `mean`, `rms`, `percentile_95` and the like are over both directions, in the unit that was asked for, and
     `figures` is all of them by direction, as {"both": {"largest": ...}, ...}."""
 
     def __repr__(self):
-        return "Distance(largest=%.6g, mean=%.6g, rms=%.6g)" % (self.largest, self.mean, self.rms)
+        unit = getattr(self.vertical, "unit", "")
+        return "Distance(vertical=%.6g%s, largest=%.6g, mean=%.6g, rms=%.6g)" % (
+            self.vertical, " " + unit if unit else "", self.largest, self.mean, self.rms)
 
 
-def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", **keywords: Any) -> Distance:
+def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str | None = None, **keywords: Any) -> Distance:
     """How far a mesh is from a horizon, or from another mesh, in both directions.
 
     Parameters
@@ -229,7 +232,8 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", *
     mesh : vtkPolyData
         a mesh.
     unit : {"Lattice", "World"}, optional
-        that of distances: columns and vertical indices, or world units.
+        that of distances: columns and vertical indices, or world units, which are the default for a mesh whose error was
+        given with a unit.
     **keywords
         properties of HorizonSurfaceDistance: `samples_per_point` and the like.
 
@@ -251,6 +255,8 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", *
     """
     for data in (reference, mesh):
         calls.require_points(data, "a horizon or a mesh")
+    noted = heights.unit_of(mesh, heights.NOTED_UNIT)
+    unit = unit or ("World" if noted else "Lattice")
     meter = make("vtkHorizonSurfaceDistance")
     calls.set_keywords(meter, {"distance_unit": unit, **keywords}, reference)
     meter.SetInputDataObject(0, reference)
@@ -266,8 +272,18 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str = "Lattice", *
             values = vtk_to_numpy(array)[:, ("Lattice", "World").index(unit)]
             for label, value in zip(DISTANCE_LABELS, values):
                 figures[label][calls.snake(name.replace("Distance", ""))] = float(value)
-    return Distance(reference=calls.wrap(measured[0]), mesh=calls.wrap(measured[1]), figures=figures,
+    vertical = max(map(_largest_vertical, measured))
+    if unit == "World" and noted:
+        vertical = heights.Height.of(vertical * heights.per_index(mesh, noted) / (heights.step_of(mesh) or 1.0), noted)
+    return Distance(vertical=vertical, reference=calls.wrap(measured[0]), mesh=calls.wrap(measured[1]), figures=figures,
                     **figures[DISTANCE_LABELS[-1]])
+
+
+def _largest_vertical(measured):
+    """Of a surface that was measured, where the other one is above or below it."""
+    array = measured.GetPointData().GetArray("VerticalDistance")
+    values = np.zeros(0) if array is None else np.abs(vtk_to_numpy(array))
+    return float(values[np.isfinite(values)].max(initial=0.0))
 
 
 def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -> None:

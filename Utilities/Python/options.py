@@ -5,7 +5,6 @@
 from . import wording
 from .pipeline import CHOSEN, Settings, fault_settings, surface_properties
 
-BEST_ERROR = 0.75  # of a vertical index: what suits horizons of whole voxels
 # Properties of readers by the names of their options.
 OF_READERS = {
     "VerticalDirection": "vertical_direction", "VerticalStep": "vertical_step", "VerticalUnit": "vertical_unit", "CoordinateSystem": "coordinate_system",
@@ -52,8 +51,6 @@ def _surface(options, boundary, simplified):
     if options.stages:
         return None
     target = given(options, largest_error="largest_error", triangles="triangles")
-    if not target:
-        target = {"largest_error": BEST_ERROR}
     error = target.get("largest_error")
     unit = {"ErrorUnit": "World"} if getattr(error, "unit", "") else {}
     named = {**boundary, **simplified}
@@ -65,9 +62,9 @@ def _layers(options):
     """Properties of volumes: within the error of the meshes, where they have one."""
     words = getattr(options, "crossings", [])
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
-    error = getattr(options, "largest_error", BEST_ERROR)
-    unit = {"HeightUnit": "World"} if getattr(error, "unit", "") else {}
-    return {"MaximumError": error, **unit, **crossings, **given(options, Order="order", Missing="missing")}
+    error = given(options, MaximumError="largest_error")
+    unit = {"HeightUnit": "World"} if getattr(error.get("MaximumError"), "unit", "") else {}
+    return {**error, **unit, **crossings, **given(options, Order="order", Missing="missing")}
 
 
 def make_settings(options):

@@ -36,14 +36,19 @@ class Windows:
         """The number of the window with the most points."""
         return self._sizes.index(max(self._sizes))
 
-    def choose_radius(self, label=""):
-        """That of the window with the most points."""
+    def choose(self, properties, label=""):
+        """The properties of a surface with the radius, and the largest error, that are chosen for the window with the
+        most points, where they are not given."""
         stage = make(SURFACE)
+        is_error_given = "MaximumError" in properties
+        if not properties.get("AutomaticRadius", True) and is_error_given:
+            return properties
         points = self.read(self.largest(), label)
-        radius = stage.ChooseRadius(points)
+        radius = stage.ChooseRadius(points) if properties.get("AutomaticRadius", True) else properties["Radius"]
         if radius < 1:
             raise HorizonError("%s: no radius can be chosen, expected points on a lattice" % self.name)
-        return radius
+        error = {} if is_error_given else {"MaximumError": stage.ChooseMaximumError(points), "ErrorUnit": "Lattice"}
+        return {**properties, "AutomaticRadius": False, "Radius": radius, **error}
 
     def close(self):
         """Leaves the reader as it was, without data."""
@@ -52,7 +57,7 @@ class Windows:
 
 
 def mesh_window(windows, number, properties, label="", warnings=None):
-    """The mesh of one window, for vtkHorizonSurfaceJoin. The radius has to be among the properties. Raises HorizonError."""
+    """The mesh of one window, for vtkHorizonSurfaceJoin. Radius and error have to be among the properties. Raises HorizonError."""
     last = len(windows.rows) - 1
     step = "%s: window %d of %d" % (label, number + 1, last + 1)
     first_row, last_row = windows.rows[number]
@@ -65,10 +70,8 @@ def mesh_window(windows, number, properties, label="", warnings=None):
 
 def mesh(windows, properties, label="", warnings=None):
     """The mesh of a horizon by its windows. The properties are those of vtkHorizonSurface. Raises HorizonError."""
-    given = dict(properties)
+    given = windows.choose(dict(properties), "%s: reading" % label)
     smallest_patch = given.pop("MinimumPatchSize", 1)
-    if given.get("AutomaticRadius", True):
-        given.update(AutomaticRadius=False, Radius=windows.choose_radius("%s: reading" % label))
     join = make(JOIN, MinimumPatchSize=smallest_patch)
     for number in range(len(windows.rows)):
         join.AddInputDataObject(mesh_window(windows, number, given, label, warnings))

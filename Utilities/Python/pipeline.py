@@ -92,9 +92,13 @@ class Settings:
                      for value in properties.values() if getattr(value, "unit", "")), "")
 
     def plain_error(self):
-        """The largest error in vertical indices; None where it is in another unit, or not what was asked for."""
+        """The largest error in vertical indices; None where it is in another unit, automatic, or not what was asked for."""
         error = self.surface and self.surface.get("MaximumError")
         return None if error is None or getattr(error, "unit", "") else error
+
+    def is_automatic(self):
+        """Whether the largest error is chosen by the noise of each horizon."""
+        return self.surface is not None and not {"MaximumError", "Target"} & self.surface.keys()
 
     def in_unit_of(self, horizon):
         """The same with heights in the unit of z of a horizon. Raises HorizonError."""
@@ -120,8 +124,8 @@ def surface_properties(largest_error=None, triangles=None, **properties):
 
 def surface(points, largest_error=None, triangles=None, **properties):
     """The mesh of a horizon, straight from its points, and a dictionary of the parameters that were chosen. Either the
-    largest error is given (in lattice units; 0.75 when there is no number of triangles) or the most triangles there may
-    be. Raises HorizonError."""
+    largest error is given (in lattice units; automatic when there is no number of triangles) or the most triangles there
+    may be. Raises HorizonError."""
     if largest_error is not None and triangles is not None:
         raise ValueError("largest_error and triangles, expected one of them")
     mesh = apply(make(SURFACE), points, **surface_properties(largest_error, triangles, **properties))
@@ -151,7 +155,14 @@ class Result:
         self.seconds = {}
         self.figures = None
         self.unit = "Lattice"
+        self.height_unit = ""  # that errors are told in; vertical indices where it is empty
+        self.per_index = 1.0  # so much of it
         self.warnings = []
+
+    def tell_in(self, unit):
+        """Errors are told in a unit or, where it is empty, in that of z."""
+        self.height_unit = unit or heights.unit_of(self.data["mesh"]) or "z"
+        self.per_index = heights.per_index(self.data["mesh"], self.height_unit)
 
     def release(self):
         """Gives all data back but the mesh, and what is the same for all horizons."""

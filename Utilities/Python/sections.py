@@ -3,7 +3,7 @@
 """The sections of a report, from the values of a run (see figures.py)."""
 
 from . import album as albums
-from . import ledger
+from . import heights, ledger
 from .charts import histogram
 from .markup import Markup, data_uri, fill, join
 from .progress import amount_text
@@ -17,8 +17,8 @@ COLUMNS = (
     ("Patches", "connected parts", lambda h: h["patches"], "{:,}"),
     ("Triangles", "of the mesh", lambda h: h["triangles"], "{:,}"),
     FAULT_COLUMN,
-    ("Vertical error", "the largest, of points under the mesh, in vertical indices", lambda h: _vertical(h, "largest"),
-     "{:.3f}"),
+    ("Vertical error", "the largest, of points under the mesh, in vertical indices or the unit beside it",
+     lambda h: _vertical(h, "largest"), "{:.3f}"),
     ("Outside", "points outside the outlines of the mesh", lambda h: h["points_outside"], "{:,}"),
     ("Bridged", "columns without a point that the mesh covers", lambda h: _columns(h, "bridged"), "{:,}"),
     ("Left out", "columns with a point that the mesh does not cover", lambda h: _columns(h, "left_out"), "{:,}"),
@@ -52,7 +52,17 @@ FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
 
 
 def _vertical(horizon, name):
-    return horizon["vertical_error"] and horizon["vertical_error"][name]
+    return horizon["vertical_error"] and _in_unit(horizon, horizon["vertical_error"][name])
+
+
+def _in_unit(horizon, height):
+    """A height in vertical indices as it is told."""
+    told = horizon["told_in"]
+    return height if height is None else heights.Height.of(height * told["per_index"], told["unit"] or "")
+
+
+def _with_unit(text, height):
+    return " ".join(filter(None, (text, getattr(height, "unit", ""))))
 
 
 def _columns(horizon, entry):
@@ -85,7 +95,7 @@ def tiles(run):
     for name, value_of in (("Vertical error", _vertical), ("Hausdorff distance", _error)):
         known = [value_of(horizon, "largest") for horizon in horizons if value_of(horizon, "largest") is not None]
         if known:
-            shown.append((name, "%.3f" % max(known)))
+            shown.append((name, _with_unit("%.3f" % max(known), max(known))))
     return join(fill("tile", name=name, value=value) for name, value in shown)
 
 
@@ -237,7 +247,7 @@ def _about_distances(run):
 def _cell(value, form):
     if value is None:
         return fill("cell", value="", text="\u2013")
-    return fill("cell", value="%.9g" % value, text=form.format(value))
+    return fill("cell", value="%.9g" % value, text=_with_unit(form.format(value), value))
 
 
 def details(run, album):
@@ -260,7 +270,7 @@ def _details(number, horizon, survey, entry, label):
     units = {"lattice": "lattice units", "world": _world_units(survey)}
     unit = horizon["distances"] and units[horizon["distances"]["unit"]]
     words = [label, count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"),
-             "vertical error at most %.3g" % largest if largest is not None else
+             _with_unit("vertical error at most %.3g" % largest, largest) if largest is not None else
              None if distance is None else "error at most %.3g" % distance]
     return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon, unit),
                 turn=fill("turn", number=number) if entry.mesh else None,
@@ -297,7 +307,9 @@ def _charts(horizon, unit):
 
 
 def _horizon_facts(horizon, survey):
-    chosen = join((fill("value", name=name, value=_value(value)) for name, value in horizon["chosen"].items()), "\n")
+    chosen = join((fill("value", name=name, value=_value(
+        _in_unit(horizon, value) if "Chosen" + name in heights.FIGURES else value))
+                   for name, value in horizon["chosen"].items()), "\n")
     seconds = join((fill("value", name=STAGE_NAMES.get(name, name), value="%.2f s" % value)
                     for name, value in horizon["seconds"].items()), "\n")
     before, after = horizon["outline_points_in"], horizon["outline_points"]
@@ -324,8 +336,8 @@ def _ledger_text(own):
 def _vertical_text(horizon, survey):
     largest, mean, outlines = (_vertical(horizon, name) for name in ("largest", "mean", "outlines"))
     unit = survey.get("vertical_unit")
-    in_unit = " (%.3g %s)" % (largest * horizon["vertical_step"], unit) if unit else ""
-    text = "at most %.3g vertical indices%s, %.3g on average; at outlines at most %.3g" % (largest, in_unit, mean, outlines)
+    told = largest.unit or "vertical indices" + (" (%.3g %s)" % (largest * horizon["vertical_step"], unit) if unit else "")
+    text = "at most %.3g %s, %.3g on average; at outlines at most %.3g" % (largest, told, mean, outlines)
     outside = horizon["points_outside"]
     return text + (", with %s outside" % count(outside, "point") if outside else "")
 
@@ -359,4 +371,4 @@ def parameters(run):
 def _value(value):
     if isinstance(value, (list, tuple)):
         return " ".join(map(_value, value))
-    return "%g" % value if isinstance(value, float) else str(value)
+    return _with_unit("%g" % value, value) if isinstance(value, float) else str(value)

@@ -11,7 +11,7 @@ import inspect
 
 import seismichorizons
 
-from . import calls
+from . import calls, heights
 from .stage import make
 
 STAGE = "vtkHorizon"
@@ -25,10 +25,12 @@ def apply(class_name, inputs, keywords):
     for data in inputs:
         calls.require_points(data, "a horizon")
     algorithm = make(class_name)
-    calls.set_keywords(algorithm, keywords, inputs[0])
+    unit = calls.set_keywords(algorithm, keywords, inputs[0])
     for port, data in enumerate(inputs):
         algorithm.SetInputDataObject(port, data)
     calls.run(algorithm, calls.snake(class_name[len(STAGE):]))
+    if unit or "maximum_error" in keywords:
+        heights.note_unit(algorithm.GetOutputDataObject(0), unit)
     return calls.wrap(algorithm.GetOutputDataObject(0))
 
 

@@ -12,7 +12,7 @@ LONGEST_NAME = 32
 # Of what comes before the stages: what was found, told by an array of the mesh.
 PREPARATION_COLUMNS = {"despiked": "spikes", "torn": "faulted links"}
 # Of meshes within an error, by the names of the field data: the vertical error that was asked for first.
-VERTICAL_COLUMNS = {"LargestError": "error", "LargestLoopError": "at outlines", "NumberOfOutsidePoints": "outside"}
+VERTICAL_COLUMNS = {"LargestError": "error", "LargestLoopError": "at outlines"}
 # Of the measure: distances in space, both ways.
 ERROR_COLUMNS = {"LargestDistance": "Hausdorff", "MeanDistance": "mean distance", "OutlineDistance": "outlines off"}
 TWO_SIDED = 2  # the row of the figures in lattice units for both directions
@@ -37,7 +37,9 @@ def row(result, has_fault_triangles=False, entries=()):
     if has_fault_triangles:
         cells["fault triangles"] = "%d" % triangles.count_at_faults(mesh)
     if data.HasArray("LargestError"):
-        cells.update({head: _number(data.GetArray(name)) for name, head in VERTICAL_COLUMNS.items()})
+        unit = " (%s)" % result.height_unit if result.height_unit else ""
+        cells.update({head + unit: _number(data.GetArray(name), result.per_index) for name, head in VERTICAL_COLUMNS.items()})
+        cells["outside"] = _number(data.GetArray("NumberOfOutsidePoints"))
     if result.figures is not None:
         cells.update({head: "%.3f" % result.figures.GetValueByName(TWO_SIDED, name).ToDouble()
                       for name, head in ERROR_COLUMNS.items()})
@@ -62,10 +64,10 @@ def prepared_number(figures, name):
     return 0 if found is None else found.GetValue(0)
 
 
-def _number(array):
+def _number(array, factor=1):
     if array is None:
         return "-"
-    return ("%.3f" if array.GetDataType() == VTK_DOUBLE else "%d") % array.GetTuple1(0)
+    return ("%.3f" if array.GetDataType() == VTK_DOUBLE else "%d") % (factor * array.GetTuple1(0))
 
 
 def table(results):

@@ -37,7 +37,8 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
     horizons : dict of str to vtkPolyData, or list of vtkPolyData
         points of at least two horizons of one survey, as `read`, `horizon` and `extract` give them.
     largest_error : float or str, optional
-        how far a point may be from the layers, vertically: in vertical indices, or with a unit, as "2 ms". 0.75 by default.
+        how far a point may be from the layers, vertically: in vertical indices, or with a unit, as "2 ms". By default
+        six times the noise of the horizon that has the most.
     contact : float, optional
         a level, as world z, above which volumes are measured too.
     missing : {"Void", "Interpolate", "Follow"}, optional
@@ -69,8 +70,10 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
     target = {} if largest_error is None else {"maximum_error": largest_error}
     level = {} if contact is None else {"measure_above_contact": True, "contact": contact}
     policy = {} if missing is None else {"missing": missing}
-    _run(maker, horizons, {**target, **level, **policy, **keywords}, "layers")
+    unit = _run(maker, horizons, {**target, **level, **policy, **keywords}, "layers")
     made = _collect(maker)
+    for data in (made.cells, *made.horizons.values()):
+        heights.note_unit(data, unit)
     made.cells = calls.wrap(made.cells)
     made.bodies = {name: calls.wrap(body) for name, body in made.bodies.items()}
     made.horizons = {name: calls.wrap(mesh) for name, mesh in made.horizons.items()}
@@ -111,19 +114,20 @@ def crossings(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], **key
 
 
 def _run(maker, horizons, keywords, label):
-    """A filter of all horizons. Raises TypeError and ValueError."""
+    """A filter of all horizons. Returns the unit that heights were given in. Raises TypeError and ValueError."""
     if not isinstance(horizons, (Mapping, Sequence)):
         raise TypeError("%s, expected a dict or a list of horizons" % type(horizons).__name__)
     named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
     for data in named.values():
         calls.require_points(data, "a horizon")
-    calls.set_keywords(maker, keywords, min(named.values(), key=lambda data: heights.step_of(data) or math.inf, default=None))
+    unit = calls.set_keywords(maker, keywords, min(named.values(), key=lambda data: heights.step_of(data) or math.inf, default=None))
     if isinstance(horizons, Mapping):
         maker.SetInputDataObject(0, making.collect_picks(horizons))
     else:
         for data in named.values():
             maker.AddInputDataObject(0, data)
     calls.run(maker, label)
+    return unit
 
 
 def of_points(points, settings, label):

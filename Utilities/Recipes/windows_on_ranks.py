@@ -121,8 +121,9 @@ def main():
     windows = together(lambda: open_windows(arguments.file, arguments.horizon, arguments.window_points))
     # One radius for all windows, that of the largest.
     is_chooser = OWN == windows.largest() % SIZE
-    radius = largest_of_all(together(lambda: windows.choose_radius() if is_chooser else 0))
-    properties = {"MaximumError": arguments.largest_error, "AutomaticRadius": False, "Radius": radius}
+    error = {"MaximumError": arguments.largest_error}
+    radius = largest_of_all(together(lambda: windows.choose(error)["Radius"] if is_chooser else 0))
+    properties = {**error, "AutomaticRadius": False, "Radius": radius}
     meshes = gather(together(lambda: mesh_own(windows, properties)), len(windows.rows))
     together(lambda: join(meshes, pathlib.Path(arguments.mesh)) if OWN == 0 else None)
 

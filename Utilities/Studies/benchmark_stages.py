@@ -133,7 +133,7 @@ def measure_chain(chain, path, points):
 
 def measure_surface(chain, path, points):
     def work():
-        surface = make("vtkHorizonSurface")
+        surface = make("vtkHorizonSurface", MaximumError=0.75)
         surface.SetInputDataObject(0, read_first(path))
         surface.Update()
 

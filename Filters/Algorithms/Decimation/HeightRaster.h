@@ -98,6 +98,12 @@ public:
   /// Of a column with a point.
   double HeightAt(const PlanePoint& column) const { return this->At<double>(this->Place(column.X, column.Y)); }
 
+  /// The point of a column, which may lie anywhere, or NoPoint.
+  PointId PointAt(const PlanePoint& column) const
+  {
+    return this->Box.Contains(column) ? (*this->Points)[this->Place(column.X, column.Y)] : NoPoint;
+  }
+
   double LowestHeight() const { return this->Lowest; }
   double HighestHeight() const { return this->Highest; }
 

@@ -645,7 +645,18 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
     mesh.SetAllHeights(FitAllHeights(mesh, FitAim::LargestError, ReachOfFit * error, rule, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
-  refiner.InsertAtSides(error, monitor.Step(0.8, 1.0));
+  refiner.InsertAtSides(error, monitor.Step(0.8, 0.9));
+  for (std::size_t before = 0; options.Effort == DecimationEffort::Fast && options.SmallestAngle > 0.0;)
+  {
+    before = mesh.NumberOfVertices();
+    refiner.InsertAtSlivers(options.SmallestAngle);
+    if (mesh.NumberOfVertices() == before)
+    {
+      break;
+    }
+    refiner.InsertWhereFar(error, monitor.Step(0.9, 0.95));
+    refiner.InsertAtSides(error, monitor.Step(0.95, 1.0));
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -3,9 +3,14 @@
 
 #include "MeshRefiner.h"
 
+#include "Common/PlaneGeometry.h"
+#include "Common/Predicates.h"
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace SeismicHorizons
@@ -76,6 +81,108 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
     this->Mesh.MeasureSides(this->New, bound, Monitor());
     this->KeepFar(bound);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::InsertAtSlivers(double smallestAngle)
+{
+  const PlaneMesh& mesh = this->Mesh.Triangles();
+  const double sine = SineOfDegrees(smallestAngle);
+  std::vector<TriangleId> slivers(std::size_t(mesh.Size()));
+  std::iota(slivers.begin(), slivers.end(), 0);
+  while (!slivers.empty())
+  {
+    this->New.clear();
+    this->IsNew.assign(std::size_t(mesh.Size()) + 2 * slivers.size(), 0);
+    std::vector<TriangleId> left; // for the next round
+    for (const TriangleId sliver : slivers)
+    {
+      if (this->IsNew[sliver] != 0 || !this->IsSliver(sliver, sine))
+      {
+        continue;
+      }
+      const PlanePoint place = this->PlaceBeside(sliver, smallestAngle);
+      const TriangleId triangle = mesh.Locate(place, sliver);
+      if (triangle != NoTriangle && this->IsNew[triangle] != 0)
+      {
+        left.push_back(sliver);
+      }
+      else if (triangle != NoTriangle && this->CanInsert(place, triangle))
+      {
+        this->Insert(this->Mesh.RasterOf(triangle).PointAt(place), triangle);
+      }
+    }
+    slivers = this->New;
+    std::copy_if(left.begin(), left.end(), std::back_inserter(slivers),
+      [this](TriangleId triangle) { return this->IsNew[triangle] == 0; });
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool MeshRefiner::IsSliver(TriangleId triangle, double sine) const
+{
+  const PlaneMesh& mesh = this->Mesh.Triangles();
+  const auto place = [&](int corner) { return mesh.Place(mesh.Corner(triangle, corner)); };
+  return SineOfSmallestAngle(place(0), place(1), place(2)) < sine;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The column nearest to the centre of the circle of a sliver or, where that is farther, to the place from which the
+// shortest side is seen under the smallest angle (Ungor 2004, "Off-centers").
+PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle) const
+{
+  const PlaneMesh& mesh = this->Mesh.Triangles();
+  const auto place = [&](int corner) { return mesh.Place(mesh.Corner(sliver, corner)); };
+  const auto length = [&](int side) { return SquaredDistance(place(side), place(NextCorner(side))); };
+  int shortest = length(1) < length(0) ? 1 : 0;
+  shortest = length(2) < length(shortest) ? 2 : shortest;
+  const PlanePoint a = place(shortest);
+  const PlanePoint b = place(NextCorner(shortest));
+  const PlanePoint c = place(PreviousCorner(shortest));
+  // In units of the side: how far the centre is from its middle, across it, by the cotangent of the angle opposite.
+  const double ofCentre = 0.5 * double(ScalarProduct(c, a, b)) / double(SignedArea(a, b, c));
+  const double ofAngle = 0.5 / std::tan(0.5 * smallestAngle * std::atan(1.0) / 45.0);
+  const double across = std::min(ofCentre, ofAngle);
+  const double dx = double(b.X) - a.X;
+  const double dy = double(b.Y) - a.Y;
+  constexpr double farthest = 1 << 30; // beyond all columns
+  const auto round = [&](double value) { return std::int32_t(std::clamp(std::round(value), -farthest, farthest)); };
+  return { round(0.5 * (double(a.X) + b.X) - across * dy), round(0.5 * (double(a.Y) + b.Y) + across * dx) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Not where a side that stays would get a blunt corner over it: one of those around the triangles whose circles hold the
+// place, which go.
+bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle) const
+{
+  const PointId point = this->Mesh.RasterOf(triangle).PointAt(place);
+  if (point == NoPoint || this->Mesh.IsVertex(point))
+  {
+    return false;
+  }
+  const PlaneMesh& mesh = this->Mesh.Triangles();
+  const auto corner = [&](TriangleId one, int n) { return mesh.Place(mesh.Corner(one, n)); };
+  std::vector<TriangleId> inCircle = { triangle };
+  for (std::size_t n = 0; n < inCircle.size(); ++n)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      const TriangleId other = mesh.Neighbour(inCircle[n], side);
+      if (other == NoTriangle || mesh.IsKeptSide(inCircle[n], side))
+      {
+        if (ScalarProduct(place, corner(inCircle[n], side), corner(inCircle[n], NextCorner(side))) <= 0)
+        {
+          return false;
+        }
+      }
+      else if (std::find(inCircle.begin(), inCircle.end(), other) == inCircle.end() &&
+        InCircle(corner(other, 0), corner(other, 1), corner(other, 2), place) > 0)
+      {
+        inCircle.push_back(other);
+      }
+    }
+  }
+  return true;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

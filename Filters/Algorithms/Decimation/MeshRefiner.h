@@ -27,6 +27,9 @@ public:
   void InsertWhereFar(double error, const Monitor& monitor);
   /// Then the same where inner sides of the mesh cross lines between columns.
   void InsertAtSides(double error, const Monitor& monitor);
+  /// Inserts points until no triangle has a smaller angle, in degrees, but where sides of the boundary, or those that
+  /// stay, leave no other or no column is in the right place. Errors may grow by that.
+  void InsertAtSlivers(double smallestAngle);
   /// Inserts all points that are marked, whatever their error, and however many.
   void InsertMarked(const std::vector<unsigned char>& marks);
 
@@ -39,6 +42,9 @@ private:
   bool InsertRound(const std::vector<TriangleId>& triangles);
   void Insert(PointId point, TriangleId triangle);
   void PutBack(VertexId vertex, TriangleId triangle);
+  bool IsSliver(TriangleId triangle, double sine) const;
+  PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle) const;
+  bool CanInsert(const PlanePoint& place, TriangleId triangle) const;
   void AddNew(TriangleId triangle);
   void SortNew();
 

@@ -219,7 +219,7 @@ std::vector<float> SampleSizes(const RawVector<float>& deviations, LinkSide side
 /// median of groups, which lies between the whole numbers, and the result at least what rounding does to differences.
 /// Of others, where the median is next to nothing, as in data that were smoothed or rounded, the mean of small sizes
 /// is used.
-double MeasureNoise(const ColumnHeights& heights, std::vector<float> sizes)
+double NoiseOfDifferences(const ColumnHeights& heights, std::vector<float> sizes)
 {
   const double floor = heights.AreWhole() ? WholeFloor : RealFloor;
   if (sizes.empty())
@@ -238,13 +238,13 @@ double MeasureNoise(const ColumnHeights& heights, std::vector<float> sizes)
 
 /// Of all, or of those along rows or along files alone where these are much rougher: heights that were interpolated
 /// between lines are smooth one way.
-double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviations)
+double NoiseOfDifferences(const ColumnHeights& heights, const RawVector<float>& deviations)
 {
   constexpr double Rougher = 1.5;
   std::vector<float> east = SampleSizes(deviations, LinkSide::East);
   std::vector<float> north = SampleSizes(deviations, LinkSide::North);
-  const double noiseEast = MeasureNoise(heights, east);
-  const double noiseNorth = MeasureNoise(heights, north);
+  const double noiseEast = NoiseOfDifferences(heights, east);
+  const double noiseNorth = NoiseOfDifferences(heights, north);
   const double larger = std::max(noiseEast, noiseNorth);
   // Rounding of a dip is not the same both ways.
   if (larger > Rougher * std::min(noiseEast, noiseNorth) && (!heights.AreWhole() || larger > 2.0 * WholeFloor))
@@ -252,7 +252,7 @@ double MeasureNoise(const ColumnHeights& heights, const RawVector<float>& deviat
     return larger;
   }
   east.insert(east.end(), north.begin(), north.end());
-  return MeasureNoise(heights, std::move(east));
+  return NoiseOfDifferences(heights, std::move(east));
 }
 
 /// The same of rises, which means of many columns make: white noise leaves 0.46 of that of differences, but what rows
@@ -614,7 +614,7 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   const LinkGrid& grid = heights.Grid();
   FaultDetection detection;
   const RawVector<float> deviations = FindDeviations(heights, monitor.Step(0.0, 0.7));
-  detection.Noise = options.Noise > 0.0 ? options.Noise : MeasureNoise(heights, deviations);
+  detection.Noise = options.Noise > 0.0 ? options.Noise : NoiseOfDifferences(heights, deviations);
   detection.Low = std::max(LowFactor * detection.Noise, 0.5 * options.SmallestThrow);
   if (heights.AreWhole())
   {

@@ -451,6 +451,7 @@ private:
     options.MaximumError = this->Options.MaximumError;
     options.FitHeights = this->Options.FitHeights;
     options.SmallestAngle = this->Options.SmallestAngle;
+    options.Effort = this->Options.Effort;
     const FittedOrder order(
       *this->Index, this->Heights, this->Horizons.size(), this->IsOnLine, this->Options.Crossings.HeightsGrowDownwards);
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { order.Apply(mesh, heights); };

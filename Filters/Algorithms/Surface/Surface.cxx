@@ -447,19 +447,20 @@ private:
   {
     DecimationOptions options = this->MakeDecimationOptions();
     options.Effort = DecimationEffort::Fast;
+    options.SmallestAngle = 0.0; // slivers of the best effort are other ones
     options.FitHeights = fitHeights;
     options.MaximumError = error;
     return options;
   }
 
   /// A long side of an outline beside ground that takes many vertices leaves nothing but slivers between the two. Where
-  /// that is, a mesh of the points near outlines tells: outlines keep the points next to its slivers, so that the best
-  /// effort, which gets rid of those inside, finds none that it has to leave. Then the same where that changed
+  /// that is, a mesh of the points near outlines tells: outlines keep the points next to its slivers, so that what gets rid
+  /// of those inside finds none that it has to leave. Then the same where that changed
   /// outlines.
   void KeepBesideSlivers(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
-    const bool isAsked = this->Options.Effort == DecimationEffort::Best && this->Options.SmallestAngle > 0.0;
+    const bool isAsked = this->Options.SmallestAngle > 0.0;
     if (!isAsked || error == 0.0)
     {
       return;
@@ -508,7 +509,9 @@ private:
     { return std::binary_search(points.begin(), points.end(), near[std::size_t(corner)]); };
     const SurfaceParameters& parameters = this->Result.Parameters;
     const double reach = std::min(parameters.OutlineTolerance, FarthestReach) + 2.0 * parameters.Radius;
-    const double sine = SineOfDegrees(std::min(this->Options.SmallestAngle, LargestKeptAngle));
+    const double sine = SineOfDegrees(this->Options.Effort == DecimationEffort::Best
+        ? std::min(this->Options.SmallestAngle, LargestKeptAngle)
+        : this->Options.SmallestAngle);
     const DroppedPlaces dropped(this->Columns(), this->Result.Boundary.Boundary, this->Outlines);
     std::vector<PointId> found;
     for (auto vertex = mesh.begin(); vertex != mesh.end(); vertex += 3)

@@ -335,6 +335,28 @@ void TestStop()
   CHECK_EQUAL(
     MonitorChecker::Check(8, [&](const Monitor& monitor) { Decimate(horizon, Within(0.1), monitor); }), std::string());
 }
+
+/// With the effort Fast, points are inserted until triangles have the angle, and more until the error is kept again.
+void TestAnglesOfFast()
+{
+  const Patches::Columns columns = Square(60);
+  BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeLevelHorizon(columns));
+  for (std::size_t point = 0; point < columns.size(); ++point)
+  {
+    horizon.Height[point] = Wave(columns[point]);
+  }
+  std::size_t vertices = 0;
+  for (const double angle : { 0.0, 10.0, 20.0, 25.0 })
+  {
+    DecimationOptions options = Within(0.5);
+    options.SmallestAngle = angle;
+    const Decimation result = Decimate(horizon, options);
+    CHECK_EQUAL(Checker(horizon, result).Check(0.5, MeshChecker::Kind::Delaunay), std::string());
+    CHECK_EQUAL(result.NumberOfSlivers, 0u);
+    CHECK(result.Points.Source.size() > vertices);
+    vertices = result.Points.Source.size();
+  }
+}
 }
 
 int TestDecimation(int, char*[])
@@ -351,6 +373,7 @@ int TestDecimation(int, char*[])
   TestThreads();
   TestErrors();
   TestPointsWithoutPatch();
+  TestAnglesOfFast();
   TestStop();
   return Check::Result();
 }

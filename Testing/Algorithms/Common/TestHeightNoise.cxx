@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The error that a mesh has where none is given.
+
+#include "Common/HeightNoise.h"
+#include "Tools/Check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+using namespace SeismicHorizons;
+
+namespace
+{
+constexpr double OfRounding = 6.0 / 3.4641016151377544; // whole heights
+
+/// The error for heights on a square of columns, `every` apart along both axes.
+double ErrorOf(const std::function<double(int, int)>& height, int side = 300, int every = 1)
+{
+  std::vector<PlanePoint> columns;
+  std::vector<double> heights;
+  for (int y = 0; y < side; y += every)
+  {
+    for (int x = 0; x < side; x += every)
+    {
+      columns.push_back({ x - 40, y + 1000 });
+      heights.push_back(height(x, y));
+    }
+  }
+  return ChooseMaximumError(columns, heights);
+}
+
+bool IsNear(double value, double expected)
+{
+  return std::abs(value - expected) <= 0.05 * expected;
+}
+
+/// Six times the standard deviation, on a slope, over folds and steps, on every column or every second one.
+void TestNoise()
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 2.5);
+  CHECK(IsNear(ErrorOf([&](int x, int y) { return 3.0 * x - 5.0 * y + noise(random); }), 15.0));
+  CHECK(IsNear(ErrorOf([&](int x, int) { return (x < 150 ? 0.0 : 400.0) + noise(random); }), 15.0));
+  CHECK(IsNear(ErrorOf([&](int x, int y) { return 90.0 * std::sin(0.03 * x + 0.02 * y) + noise(random); }, 800), 15.0));
+  CHECK(IsNear(ErrorOf([&](int x, int) { return 2.0 * x + noise(random); }, 300, 2), 15.0));
+  CHECK(IsNear(ErrorOf([&](int x, int) { return 2.0 * x + noise(random); }, 900, 5), 15.0));
+}
+
+/// Where rows were interpolated between others, the noise is that along them.
+void TestInterpolated()
+{
+  std::mt19937 random(8);
+  std::normal_distribution<double> noise(0.0, 2.5);
+  std::vector<double> row(300);
+  const double error = ErrorOf(
+    [&](int x, int y)
+    {
+      row[std::size_t(x)] = y % 100 == 0 ? noise(random) : row[std::size_t(x)];
+      return row[std::size_t(x)];
+    });
+  CHECK(error > 12.0 && error < 18.0);
+}
+
+/// Whole heights, and multiples of less.
+void TestRounding()
+{
+  const auto slope = [](int x, int y) { return 0.37 * x - 0.21 * y + 0.0007 * x * y; };
+  const double whole = ErrorOf([&](int x, int y) { return std::round(slope(x, y)); });
+  CHECK(whole >= OfRounding && whole < 1.5 * OfRounding);
+  const double eighths = ErrorOf([&](int x, int y) { return std::round(8.0 * slope(x, y)) / 8.0; });
+  CHECK(eighths >= OfRounding / 8.0 && eighths < 1.5 * OfRounding / 8.0);
+}
+
+/// Horizons without noise have an error all the same, and those without neighbours.
+void TestWithoutNoise()
+{
+  CHECK(std::abs(ErrorOf([](int, int) { return 1234.5; }) - OfRounding) < 1e-12);
+  const double tilted = ErrorOf([](int x, int y) { return 0.3 * x + 0.1 * y; });
+  CHECK(tilted > 1e-3 && tilted <= OfRounding);
+  CHECK(ErrorOf([](int x, int y) { return 40.0 * x + 70.0 * y; }) <= 1.001 * OfRounding);
+  CHECK(std::abs(ErrorOf([](int, int) { return 7.0; }, 1) - OfRounding) < 1e-12);
+  CHECK(std::abs(ChooseMaximumError(std::vector<PlanePoint>{ { 0, 0 }, { 100000000, 5 } }, { 1.0, 2.0 }) - OfRounding) <
+    1e-12);
+  CHECK_EQUAL(ChooseMaximumError({}, {}), 0.0);
+}
+}
+
+int TestHeightNoise(int, char*[])
+{
+  TestNoise();
+  TestInterpolated();
+  TestRounding();
+  TestWithoutNoise();
+  return Check::Result();
+}
