@@ -66,6 +66,12 @@ def make(stack, names=None, error=0.2, **keywords):
     return sh.layers(horizons, error, order="AsGiven", **keywords)
 
 
+def entries(data, name="ledger_columns"):
+    """Of the ledger of a dataset, in order."""
+    ledger = getattr(sh.details(data), name)
+    return [getattr(ledger, entry) for entry in ENTRIES]
+
+
 def volumes(made):
     return np.array([own.volume for own in made.figures.values()])
 
@@ -102,7 +108,7 @@ class MissingTest(unittest.TestCase):
         made = self.compare(top, middle, top - 60.0, (0.1436, 0.0, 0.0))
         np.testing.assert_allclose(volumes(made["Follow"]) / volumes(made["Follow"]).sum(), 0.5, atol=0.001)
         mesh = made["Interpolate"].horizons["B"]
-        self.assertGreater(sh.details(mesh).ledger_columns[1], 500)
+        self.assertGreater(entries(mesh)[1], 500)
         self.assertGreater(mesh.GetPointData().GetArray("Filled").GetRange()[1], 0.0)
 
     def test_ends(self):
@@ -114,7 +120,7 @@ class MissingTest(unittest.TestCase):
             made = self.compare(top, middle, base, (60.0 / 119.0, 60.0 / 119.0, 0.0))["Follow"]
             area = made.figures["A to B" if meets is top else "B to C"].area
             self.assertAlmostEqual(area / BIN, 60.0 * 99.0, delta=1.0)
-            self.assertEqual(list(sh.details(made.bodies["A to B"]).ledger_columns), [6000, 0, 0, 6000, 0])
+            self.assertEqual(entries(made.bodies["A to B"]), [6000, 0, 0, 6000, 0])
 
     def test_faults(self):
         """Gaps of the heave of two dipping faults, in another place on each horizon, are closed along the fault."""
@@ -164,7 +170,6 @@ class MissingTest(unittest.TestCase):
 
         def run(stop_at):
             maker = sh.vtkHorizonLayers()
-            maker.SetMaximumError(0.75)
             for own in stack:
                 maker.AddInputDataObject(0, sh.horizon(-own, vertical_step=1.0))
 
@@ -192,7 +197,7 @@ class MissingTest(unittest.TestCase):
         points = {name: sh.horizon(-own, vertical_step=1.0) for name, own in (("A", top), ("B", middle), ("C", top - 60.0))}
         points["B"] = sh.hole_filling(points["B"])
         made = sh.layers(points, order="AsGiven", missing="Void")
-        self.assertEqual(list(sh.details(made.bodies["A to B"]).ledger_columns), [12000 - 81, 81, 0, 0, 0])
+        self.assertEqual(entries(made.bodies["A to B"]), [12000 - 81, 81, 0, 0, 0])
 
     def test_random(self):
         checked = np.zeros(3, int)
@@ -233,10 +238,9 @@ class MissingTest(unittest.TestCase):
             areas = np.array([getattr(own, "area_" + entry) for entry in ENTRIES])
             np.testing.assert_allclose(areas / BIN, columns, atol=1e-6)
         for name, body in made.bodies.items():
-            ledger = sh.details(body)
-            self.assertEqual(list(ledger.ledger_columns), list(expected[list(made.figures).index(name)]))
-            self.assertAlmostEqual(sum(ledger.ledger_volume), sum(
-                getattr(made.figures[name], "volume_" + entry) for entry in ENTRIES), delta=1e-6 * abs(sum(ledger.ledger_volume)) + 1e-6)
+            self.assertEqual(entries(body), list(expected[list(made.figures).index(name)]))
+            np.testing.assert_allclose(entries(body, "ledger_volume"), [
+                getattr(made.figures[name], "volume_" + entry) for entry in ENTRIES], rtol=1e-9, atol=1e-6)
 
     def check_volumes(self, made, heights, present, whole):
         region, full = missing_check.Region(present), missing_check.Region(whole)
@@ -259,8 +263,9 @@ class MissingTest(unittest.TestCase):
             made = make(stack, error=ERROR, domain="Common", keep_outlines=True, **limits)
         except ValueError:  # top and base have no column in common
             return False
-        total = sum(own.volume for own in made.figures.values())
-        self.assertAlmostEqual(total / BIN, next(iter(pair.figures.values())).volume / BIN, delta=4.0 * ERROR * whole[0].size)
+        total, expected = volumes(made).sum() / BIN, volumes(pair).sum() / BIN
+        is_bridged = any(own.area_bridged > 0.0 for own in (*made.figures.values(), *pair.figures.values()))
+        self.assertAlmostEqual(total, expected, delta=4.0 * ERROR * whole[0].size + (0.001 * expected if is_bridged else 0.0))
         return True
 
 
