@@ -31,6 +31,10 @@ ShortcutSearch::ShortcutSearch(const BoundedHorizon& horizon, double tolerance, 
       const double hop = std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y));
       this->LongestHop = std::max(this->LongestHop, hop / horizon.SubVoxelsPerColumn);
     });
+  for (const auto& [point, visits] : this->Visits)
+  {
+    this->Tolerances[point] = visits > 1 ? tolerance : this->FindTolerance(point);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -122,7 +126,7 @@ bool ShortcutSearch::IsNear(const Ids& chain) const
       const double along = ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / length;
       const double part = std::clamp(along / length, 0.0, 1.0);
       const double off = std::hypot(a[0] + part * (b[0] - a[0]) - p[0], a[1] + part * (b[1] - a[1]) - p[1]);
-      return off <= this->ToleranceAt(point) + Rounding &&
+      return off <= this->Tolerances.at(point) + Rounding &&
         std::abs(a[2] + part * (b[2] - a[2]) - p[2]) <= this->Threshold + Rounding;
     });
 }
@@ -157,7 +161,7 @@ ShortcutSearch::Ids ShortcutSearch::ChainOf(PointId point) const
 //----------------------------------------------------------------------------------------------------------------------
 /// Beside a gap, which lies between the point and the next one along one of eight directions, half of what is missing:
 /// where the loops lead around it by more steps than it is wide.
-double ShortcutSearch::ToleranceAt(PointId point) const
+double ShortcutSearch::FindTolerance(PointId point) const
 {
   const PlanePoint& here = this->Horizon.Plane[std::size_t(point)];
   std::map<std::pair<int, int>, std::pair<int, PointId>> steps; // to the nearest point in each direction

@@ -31,7 +31,7 @@ private:
   bool MayTakePlace(const Ids& chain) const;
   bool IsNear(const Ids& chain) const;
   Ids ChainOf(SeismicHorizons::PointId point) const;
-  double ToleranceAt(SeismicHorizons::PointId point) const;
+  double FindTolerance(SeismicHorizons::PointId point) const;
   bool SweepsOver(const Ids& chain) const;
   bool IsSwept(const Ids& chain, const SeismicHorizons::PlanePoint& place) const;
   std::size_t LeastEdges(const Ids& chain) const;
@@ -42,6 +42,7 @@ private:
   double Threshold;
   std::map<SeismicHorizons::PointId, int> Visits;
   double LongestHop = 1.0;
+  std::map<SeismicHorizons::PointId, double> Tolerances; // of points that may go
 };
 
 #endif
