@@ -32,7 +32,7 @@ REPRESENTATIVES, GROWTH_STRATEGIES = ("Barycentre", "NearestPoint"), ("Distance"
 DISTANCE_UNITS = ("Lattice", "World")
 HEIGHT_UNITS = ("ms", "s", "m", "ft")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", "msh", "inp", "disv")
-DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Sheets")
+DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Mean", "Sheets")
 JOININGS, POLARITIES = ("BestFirst", "Continuous", "Components"), ("Both", "Positive", "Negative")
 STRAY_PICKS, GRIDDING = ("Stop", "LeaveOut"), ("Plate", "Nearest")
 CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
@@ -188,7 +188,7 @@ def _add_reader_options(group):
                        "the data)")
     group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=NOT_GIVEN,
                        help="where vertical indices and z of the file grow to: time and depth do so downwards (default: Up "
-                       "for GeoTIFF, unless it says otherwise, for others Down)")
+                       "for GeoTIFF and Esri ASCII, unless they say otherwise, and where no z is positive; else Down)")
     group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN, help="the unit of z (default: what the file says)")
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME",
                        help="that of x and y, as EPSG:23031, for formats that have one (default: what the file says)")
@@ -196,7 +196,7 @@ def _add_reader_options(group):
     group.add_argument("--z-from", choices=Z_SOURCES, default=NOT_GIVEN,
                        help="what world z of sparse voxels is made from (default: VerticalIndex)")
     group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN,
-                       help="which of several points in a column stays, or all as sheets (default: StrongestAmplitude)")
+                       help="which of several points in a column stays, or their mean, or all as sheets (default: StrongestAmplitude)")
     group.add_argument("--columns", default=NOT_GIVEN, metavar="LIST",
                        help='what the columns of a text file hold, as "X,Y,-,Z,My attribute" or "Inline,Crossline,Z" '
                        "(default: what its header says, or its values are like)")

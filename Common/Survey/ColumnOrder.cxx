@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -58,6 +61,42 @@ private:
   const std::vector<double>* const Amplitude;
   const bool PrefersSmallZ;
 };
+
+using PickRun = std::vector<std::int32_t>::const_iterator;
+
+/// How many of some picks have the z of another one before them.
+std::size_t CountRepeats(const std::vector<double>& z, PickRun first, PickRun last)
+{
+  std::vector<double> values;
+  std::transform(first, last, std::back_inserter(values), [&z](std::int32_t pick) { return z[std::size_t(pick)]; });
+  std::sort(values.begin(), values.end());
+  const auto end = std::unique(values.begin(), values.end());
+  return std::size_t(values.end() - end);
+}
+
+/// Gives the first of some picks the means of z and of each attribute, over those that have one.
+void Average(PickTable& picks, PickRun first, PickRun last)
+{
+  const auto average = [&](std::vector<double>& values)
+  {
+    double base = std::numeric_limits<double>::quiet_NaN();
+    double sum = 0.0; // beside the base, so that the mean of equal values is that value
+    double count = 0.0;
+    for (auto pick = first; pick != last; ++pick)
+    {
+      const double value = values[std::size_t(*pick)];
+      base = std::isnan(base) ? value : base;
+      sum += std::isnan(value) ? 0.0 : value - base;
+      count += std::isnan(value) ? 0.0 : 1.0;
+    }
+    values[std::size_t(*first)] = base + sum / count;
+  };
+  average(picks.Z);
+  for (PickAttribute& attribute : picks.Attributes)
+  {
+    average(attribute.Values);
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -79,38 +118,57 @@ std::vector<ColumnOrder> ListPicks(const PickTable& picks)
 
 //----------------------------------------------------------------------------------------------------------------------
 void OrderPicks(
-  ColumnOrder& order, const PickTable& picks, const std::vector<PlanePoint>& columns, const PlacementOptions& options)
+  ColumnOrder& order, PickTable& picks, const std::vector<PlanePoint>& columns, const PlacementOptions& options)
 {
   const auto column = [&columns](std::int32_t pick) { return std::make_pair(columns[pick].Y, columns[pick].X); };
   const Preference preference(picks, options);
   const bool keepsAll = options.Policy == DuplicatePolicy::Sheets;
+  const bool isSorted = keepsAll || options.Policy == DuplicatePolicy::Mean; // sums depend on the order
   const auto isBefore = [&](std::int32_t a, std::int32_t b)
   {
     const auto columnA = column(a);
     const auto columnB = column(b);
-    return columnA < columnB || (keepsAll && columnA == columnB && preference.Prefers(a, b));
+    return columnA < columnB || (isSorted && columnA == columnB && preference.Prefers(a, b));
   };
   // Files are often in this order already. Equal picks keep theirs, so that the first of them stays.
   if (!std::is_sorted(order.Picks.begin(), order.Picks.end(), isBefore))
   {
     std::stable_sort(order.Picks.begin(), order.Picks.end(), isBefore);
   }
-  std::size_t kept = 0;
-  for (const std::int32_t pick : order.Picks)
+  const auto z = [&picks](std::int32_t pick) { return picks.Z[std::size_t(pick)]; };
+  auto kept = order.Picks.begin();
+  for (auto first = order.Picks.begin(), last = first; first != order.Picks.end(); first = last)
   {
-    const bool isFirst = kept == 0 || column(order.Picks[kept - 1]) != column(pick);
-    if (isFirst || (keepsAll && picks.Z[std::size_t(order.Picks[kept - 1])] != picks.Z[std::size_t(pick)]))
+    last = std::find_if(first, order.Picks.end(), [&](std::int32_t pick) { return column(pick) != column(*first); });
+    if (last - first == 1)
     {
-      order.Picks[kept++] = pick;
+      *kept++ = *first;
       continue;
     }
-    ++order.Duplicates;
-    if (preference.Prefers(pick, order.Picks[kept - 1]))
+    const std::size_t repeats = CountRepeats(picks.Z, first, last);
+    order.Repeats += std::int64_t(repeats);
+    if (keepsAll)
     {
-      order.Picks[kept - 1] = pick;
+      order.Duplicates += std::int64_t(repeats);
+      const auto end = std::unique(first, last, [&](std::int32_t a, std::int32_t b) { return z(a) == z(b); });
+      kept = std::copy(first, end, kept);
+      continue;
     }
+    order.Duplicates += last - first - 1;
+    const auto ends = std::minmax_element(first, last, [&](std::int32_t a, std::int32_t b) { return z(a) < z(b); });
+    if (z(*ends.first) != z(*ends.second))
+    {
+      order.Conflicts.push_back({ columns[std::size_t(*first)], z(*ends.second) - z(*ends.first) });
+    }
+    if (options.Policy == DuplicatePolicy::Mean)
+    {
+      Average(picks, first, last);
+      *kept++ = *first;
+      continue;
+    }
+    *kept++ = *std::min_element(first, last, [&](std::int32_t a, std::int32_t b) { return preference.Prefers(a, b); });
   }
-  order.Picks.resize(kept);
+  order.Picks.erase(kept, order.Picks.end());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -122,9 +180,10 @@ std::vector<ColumnOrder> SplitIntoSheets(
   std::vector<ColumnOrder> sheets;
   for (const std::vector<std::int32_t>& points : split.Points)
   {
-    sheets.push_back({ Gather<std::vector<std::int32_t>>(order.Picks, points) });
+    sheets.emplace_back().Picks = Gather<std::vector<std::int32_t>>(order.Picks, points);
   }
   sheets.front().Duplicates = order.Duplicates + split.Dropped;
+  sheets.front().Repeats = order.Repeats;
   sheets.front().Nulls = order.Nulls;
   return sheets;
 }

@@ -6,6 +6,7 @@
 #include "Common/Errors.h"
 #include "Common/Lattice.h"
 #include "LatticeFrame.h"
+#include "VerticalSense.h"
 
 #include <cmath>
 #include <utility>
@@ -31,6 +32,7 @@ void CheckLattice(const SurveyLattice& lattice)
 SurveyHorizons PlaceGrid(HorizonGrid grid)
 {
   CheckLattice(grid.Lattice);
+  std::string sense = FindSense(grid.Survey, grid.Z);
   LatticeHorizon horizon;
   std::vector<std::size_t> nodes;
   std::size_t node = 0;
@@ -55,6 +57,7 @@ SurveyHorizons PlaceGrid(HorizonGrid grid)
   }
   SurveyHorizons survey;
   survey.Survey = grid.Survey;
+  survey.Sense = std::move(sense);
   survey.Lattice = grid.Lattice;
   survey.Horizons.push_back(std::move(horizon));
   return survey;

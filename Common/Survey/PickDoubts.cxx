@@ -3,6 +3,10 @@
 
 #include "PickDoubts.h"
 
+#include "Common/Errors.h"
+
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +21,49 @@ namespace
 {
 constexpr std::array<double, 20> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 9999.0, -32768.0, 32767.0, -1.0, -99.0,
   -32767.0, 99999.0, -99999.0, 999999.0, -999999.0, -999.25, 999.25, -9999.25, -999.99, -9999.99, 9999900.0 };
+constexpr double LeastPart = 0.1;
+constexpr double LeastNeighbours = 0.5;
+constexpr double Freedom = 6.0; // numbers of an origin and two steps
+
+/// The part of columns, which are in their order, that have another one beside them along i or j.
+double PartWithNeighbours(const std::vector<PlanePoint>& columns)
+{
+  const auto has = [&columns](int i, int j) {
+    return std::binary_search(columns.begin(), columns.end(), PlanePoint{ i, j });
+  };
+  const auto number = std::count_if(columns.begin(), columns.end(),
+    [&has](const PlanePoint& at)
+    { return has(at.X - 1, at.Y) || has(at.X + 1, at.Y) || has(at.X, at.Y - 1) || has(at.X, at.Y + 1); });
+  return double(number) / double(columns.size());
+}
+constexpr int Reach = 4; // columns
+constexpr std::size_t MostLookedAt = 10000; // which tell of all others
+
+/// Whether the columns around one are narrow along some direction.
+bool IsOnLine(const std::vector<ColumnConflict>& conflicts, const PlanePoint& at)
+{
+  constexpr double fewest = 4.0;
+  constexpr double widest = 0.4; // beside the length, standard deviations
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  double count = 0.0;
+  for (int j = at.Y - Reach; j <= at.Y + Reach; ++j)
+  {
+    const auto isBefore = [j](const ColumnConflict& conflict, int i)
+    { return conflict.Column.Y < j || (conflict.Column.Y == j && conflict.Column.X < i); };
+    auto near = std::lower_bound(conflicts.begin(), conflicts.end(), at.X - Reach, isBefore);
+    for (; near != conflicts.end() && near->Column.Y == j && near->Column.X <= at.X + Reach; ++near)
+    {
+      const Eigen::Vector2d off(near->Column.X - at.X, j - at.Y);
+      sum += off;
+      squares += off * off.transpose();
+      count += 1.0;
+    }
+  }
+  const Eigen::Matrix2d spread = squares / count - sum * sum.transpose() / (count * count);
+  const Eigen::Vector2d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues();
+  return count >= fewest && axes[0] <= widest * widest * axes[1];
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -58,22 +105,91 @@ std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> FindDoubts(const SurveyHorizons& horizons)
+std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePolicy policy)
 {
+  constexpr std::int64_t least = 1000; // columns for one that is in conflict
   std::vector<std::string> doubts = horizons.Doubts;
-  std::int64_t duplicates = 0;
-  std::int64_t picks = 0;
+  std::int64_t columns = 0;
   for (const LatticeHorizon& horizon : horizons.Horizons)
   {
-    duplicates += horizon.DroppedDuplicates;
-    picks += horizon.DroppedDuplicates + std::int64_t(horizon.RealZ.size());
+    columns += std::int64_t(horizon.RealZ.size());
   }
-  if (100 * duplicates > picks)
+  ConflictCount conflicts; // of all horizons
+  for (const ConflictCount& own : horizons.Conflicts)
   {
-    doubts.push_back(std::to_string(duplicates) + " of " + std::to_string(picks) +
-      " picks dropped, as their column has another one: for several horizons or surveys in one file, name the "
-      "column that distinguishes them; DuplicatePolicy chooses");
+    conflicts.Columns += own.Columns;
+    conflicts.InLines += own.InLines;
+    conflicts.Largest = std::max(conflicts.Largest, own.Largest);
   }
+  const bool areLines = 2 * conflicts.InLines > conflicts.Columns;
+  const bool isChosen = policy != DuplicatePolicy::StrongestAmplitude && !(policy == DuplicatePolicy::Mean && areLines);
+  if (least * conflicts.Columns <= columns || isChosen)
+  {
+    return doubts;
+  }
+  std::ostringstream text;
+  text << conflicts.Columns << " of " << columns << " columns with several z, up to " << conflicts.Largest << " apart";
+  if (areLines)
+  {
+    text
+      << ", " << conflicts.InLines
+      << " of them in lines, as along faults where a node has the z of both sides: DuplicatePolicy Topmost keeps the "
+         "upper side, Lowest the lower one, Sheets both, as horizons of their own; Mean is between them";
+  }
+  else
+  {
+    text
+      << ": DuplicatePolicy says which is kept, as Mean for surveys that overlap, Sheets for a horizon that overlies "
+         "itself; for several horizons in one file, name the column that distinguishes them";
+  }
+  doubts.push_back(text.str());
   return doubts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ConflictCount CountConflicts(const ColumnOrder& order)
+{
+  const std::vector<ColumnConflict>& conflicts = order.Conflicts;
+  const std::size_t stride = conflicts.size() / MostLookedAt + 1;
+  std::size_t found = 0;
+  ConflictCount count;
+  for (std::size_t n = 0; n < conflicts.size(); ++n)
+  {
+    count.Largest = std::max(count.Largest, conflicts[n].Difference);
+    found += n % stride == 0 && IsOnLine(conflicts, conflicts[n].Column) ? stride : 0;
+  }
+  count.Repeats = order.Repeats;
+  count.Columns = std::int64_t(conflicts.size());
+  count.InLines = std::int64_t(std::min(found, conflicts.size()));
+  return count;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RequireEvidence(std::vector<PlanePoint> columns, const SurveyLattice& lattice, const PickTable& picks)
+{
+  const bool areLines = picks.HasLines();
+  if (areLines && (picks.HasPlaces() || !picks.AreLinesGuessed))
+  {
+    return;
+  }
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  const double all = double(lattice.Columns[0]) * double(lattice.Columns[1]);
+  const auto filled = double(columns.size());
+  if (filled < LeastPart * all && PartWithNeighbours(columns) < LeastNeighbours)
+  {
+    throw InputError(std::to_string(columns.size()) + " places on a lattice of " + std::to_string(lattice.Columns[0]) +
+      " x " + std::to_string(lattice.Columns[1]) +
+      " columns, expected picks in a tenth of these, or next to each other" +
+      (areLines ? ", as line numbers have: columns without names may be X and Y, which Columns says"
+                : ": Gridding makes a horizon of wells, 2D lines and scattered picks, LatticeSource OriginAndSteps "
+                  "gives the lattice of a survey"));
+  }
+  if (!areLines && filled < Freedom && filled < all)
+  {
+    throw InputError(std::to_string(int(filled)) +
+      " places, expected at least 6, or all of a lattice, to find it: Gridding makes a horizon of few picks, "
+      "LatticeSource OriginAndSteps gives the lattice");
+  }
 }
 }

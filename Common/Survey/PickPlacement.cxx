@@ -33,6 +33,7 @@ constexpr std::size_t MostHorizons = 1 << 15;
 // Picks that fill less of their lattice are hardly those of a horizon; of small lattices any part will do.
 constexpr double MostColumnsPerPick = 1000.0;
 constexpr double EnoughColumns = 1 << 20;
+constexpr double FewColumnsPerPick = 5.0; // beyond, some picks may be far from all others
 
 /// The columns of picks, before it is known which of them is the first.
 class ColumnFinder
@@ -92,6 +93,8 @@ struct ColumnRange
     this->OffLattice += distance <= tolerance ? 0 : 1;
   }
 
+  Eigen::Vector2d Columns() const { return this->Last - this->First + Eigen::Vector2d::Ones(); }
+
   void Add(const ColumnRange& other)
   {
     this->First = this->First.cwiseMin(other.First);
@@ -144,7 +147,7 @@ void CheckRange(const ColumnRange& range, const PickTable& picks, const SurveyLa
          << " columns; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut, or Gridding";
     throw InputError(text.str());
   }
-  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
+  const Eigen::Vector2d columns = range.Columns();
   if (!(columns.maxCoeff() <= MostColumnsPerSide))
   {
     std::ostringstream text;
@@ -182,7 +185,7 @@ std::size_t FindFarthest(const ColumnFinder& columns, std::size_t picks)
 /// One stray pick can make a lattice that takes all memory of whatever looks at all of its columns.
 void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const PickTable& picks)
 {
-  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
+  const Eigen::Vector2d columns = range.Columns();
   if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks.Size())))
   {
     const std::size_t farthest = FindFarthest(finder, picks.Size());
@@ -193,14 +196,6 @@ void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const Pic
          << ", in column " << ToText(finder.Index(farthest) - range.First) << ", is the farthest from the others";
     throw InputError(text.str());
   }
-}
-
-/// Whether so few columns have picks that some of these may be far from all others.
-bool AreFew(const ColumnRange& range, std::size_t picks)
-{
-  constexpr double fewest = 5.0; // columns a pick
-  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
-  return columns.prod() > fewest * double(picks);
 }
 
 void CheckLines(const PickTable& picks, const SurveyLattice& lattice, const Monitor& monitor)
@@ -259,14 +254,19 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
 }
 
 /// Picks far away turn the lattice until it has them as well. Throws InputError where that of the others has not, and
-/// tells of those that it has.
-void CheckFarPicks(const PickTable& picks, const PlacementOptions& options, std::vector<std::string>& doubts)
+/// tells of those that it has. Whether there are any.
+bool CheckFarPicks(
+  const PickTable& picks, const ColumnRange& range, const PlacementOptions& options, std::vector<std::string>& doubts)
 {
+  if (range.Columns().prod() <= FewColumnsPerPick * double(picks.Size()))
+  {
+    return false;
+  }
   PickTable others = picks;
   const std::vector<std::size_t> strays = LeaveOutStrays(others, options, Monitor());
   if (strays.empty())
   {
-    return;
+    return false;
   }
   const SurveyLattice lattice = FindSurveyMap(others, options, Monitor());
   const ColumnFinder finder(picks, lattice);
@@ -283,13 +283,13 @@ void CheckFarPicks(const PickTable& picks, const PlacementOptions& options, std:
   }
   doubts.push_back(std::to_string(strays.size()) + " picks far from all others, " + SayPicks(picks, strays) +
     ": StrayPicks leaves them out");
+  return true;
 }
 
 /// The lattice that begins at the first column of the picks, and ends at the last one.
 SurveyLattice MakeLattice(SurveyLattice lattice, const ColumnRange& range)
 {
-  const Eigen::Vector2d columns = range.Last - range.First + Eigen::Vector2d::Ones();
-  lattice.Columns = { int(columns.x()), int(columns.y()) };
+  lattice.Columns = { int(range.Columns().x()), int(range.Columns().y()) };
   lattice.Origin += lattice.Steps() * range.First; // line numbers begin at the first lines, and so does the range
   return lattice;
 }
@@ -361,14 +361,15 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
   CheckRange(range, picks, lattice, tolerance);
   CheckSpread(finder, range, picks);
-  if (!options.LeaveOutStrays && AreFew(range, picks.Size()))
-  {
-    CheckFarPicks(picks, options, placed.Doubts);
-  }
+  const bool hasFarPicks = !options.LeaveOutStrays && CheckFarPicks(picks, range, options, placed.Doubts);
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;
   const std::vector<PlanePoint> columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
+  if (options.Source == LatticeSource::Picks && !hasFarPicks)
+  {
+    RequireEvidence(columns, placed.Lattice, picks);
+  }
   Free(picks.X);
   Free(picks.Y);
   Free(picks.Inline);
@@ -378,17 +379,19 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   {
     monitor.Progress(0.7 + 0.3 * double(number) / double(picks.Names.size()));
     ColumnOrder order = std::exchange(orders[number], ColumnOrder());
+    const std::string null = FindNull(picks.Z, order.Picks);
+    if (!null.empty())
+    {
+      placed.Doubts.push_back(null);
+    }
     OrderPicks(order, picks, columns, options);
+    ConflictCount conflicts = CountConflicts(order);
     const bool isSplit = options.Policy == DuplicatePolicy::Sheets;
     for (const ColumnOrder& sheet : isSplit ? SplitIntoSheets(order, picks, columns) : std::vector{ std::move(order) })
     {
-      const std::string null = FindNull(picks.Z, sheet.Picks);
-      if (!null.empty())
-      {
-        placed.Doubts.push_back(null);
-      }
       placed.Horizons.push_back(MakeHorizon(picks, columns, sheet));
       placed.Horizons.back().SurfaceId = int(number) + 1;
+      placed.Conflicts.push_back(std::exchange(conflicts, ConflictCount()));
     }
     CheckNumber(placed.Horizons.size(), size, " sheets, expected at most ");
   }

@@ -39,6 +39,7 @@ struct PickTable
   std::vector<PickAttribute> Attributes;
   std::vector<PickLine> Lines; // in the order of picks, as they were read; empty where these are of no file of lines
   std::vector<std::string> Doubts; // what users should know about the file
+  bool AreLinesGuessed = false; // inlines and crosslines have no names, but look like these
 
   std::size_t Size() const { return this->Z.size(); }
   bool HasPlaces() const { return !this->X.empty() && !this->Y.empty(); }

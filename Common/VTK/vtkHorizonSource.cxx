@@ -349,6 +349,10 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
         // The data may have changed since the information was asked for.
         names = this->NameHorizons(monitor.Step(0.0, 0.5));
         this->List(names);
+        if (names.empty())
+        {
+          throw InputError(this->ErrorPrefix() + "no points, expected those of a horizon at least");
+        }
       });
     RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);
     this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));

@@ -7,6 +7,7 @@
 #include "Common/Monitor.h"
 #include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/PickPlacement.h"
+#include "Common/Survey/VerticalSense.h"
 #include "Gridding/Gridding.h"
 
 #include "vtkHorizonFileSeries.h"
@@ -17,6 +18,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 
 using namespace SeismicHorizons;
@@ -45,7 +47,7 @@ vtkPickHorizonSource::vtkPickHorizonSource() = default;
 vtkPickHorizonSource::~vtkPickHorizonSource() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
-PlacementOptions vtkPickHorizonSource::MakeOptions()
+PlacementOptions vtkPickHorizonSource::MakeOptions(const SurveyDescription& survey)
 {
   PlacementOptions options;
   options.Source = static_cast<SeismicHorizons::LatticeSource>(this->LatticeSource);
@@ -57,7 +59,7 @@ PlacementOptions vtkPickHorizonSource::MakeOptions()
   options.LeaveOutStrays = this->StrayPicks == LeaveOut;
   options.Policy = static_cast<SeismicHorizons::DuplicatePolicy>(this->DuplicatePolicy);
   using Direction = SeismicHorizons::VerticalDirection;
-  options.Direction = this->GetVerticalDirection() == Up ? Direction::Up : Direction::Down;
+  options.Direction = this->IsUpright(survey) ? Direction::Up : Direction::Down;
   return options;
 }
 
@@ -65,7 +67,7 @@ PlacementOptions vtkPickHorizonSource::MakeOptions()
 void vtkPickHorizonSource::CheckParameters()
 {
   this->Superclass::CheckParameters();
-  CheckPlacement(this->MakeOptions());
+  CheckPlacement(this->MakeOptions({}));
   if (this->Gridding != NoGridding && this->DuplicatePolicy == Sheets)
   {
     throw InputError("DuplicatePolicy Sheets with Gridding, expected one z for each column");
@@ -126,16 +128,16 @@ SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons vtkPickHorizonSource::Place(PickTable picks, const Monitor& monitor)
 {
-  if (this->Gridding == NoGridding)
-  {
-    return PlacePicks(std::move(picks), this->MakeOptions(), monitor);
-  }
+  std::string sense = FindSense(picks.Survey, picks.Z);
   GriddingOptions options;
   options.Method = this->Gridding == Plate ? GriddingMethod::Plate : GriddingMethod::Nearest;
   options.Radius = this->GriddingRadius;
   options.Smoothing = this->GriddingSmoothing;
-  options.Placement = this->MakeOptions();
-  return GridPicks(std::move(picks), options, monitor);
+  options.Placement = this->MakeOptions(picks.Survey);
+  SurveyHorizons placed = this->Gridding == NoGridding ? PlacePicks(std::move(picks), options.Placement, monitor)
+                                                       : GridPicks(std::move(picks), options, monitor);
+  placed.Sense = std::move(sense);
+  return placed;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -145,7 +147,7 @@ SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
   const auto place = [&]() { return this->Place(std::move(picks), monitor.Step(0.6, 1.0)); };
   FileSeries* const files = this->GetFiles();
   SurveyHorizons placed = files ? PrefixFileErrors(files->GetCurrent(), place) : place();
-  for (const std::string& doubt : FindDoubts(placed))
+  for (const std::string& doubt : FindDoubts(placed, SeismicHorizons::DuplicatePolicy(this->DuplicatePolicy)))
   {
     vtkWarningMacro(<< this->ErrorPrefix() << doubt);
   }
@@ -156,7 +158,7 @@ SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
 void vtkPickHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   constexpr std::array<const char*, 3> sources = { "FromPoints", "CornerPoints", "OriginAndSteps" };
-  constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
+  constexpr std::array<const char*, 5> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets", "Mean" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LatticeSource: " << sources[this->LatticeSource] << '\n';
   os << indent << "FirstCorner: " << ToText(Eigen::Vector4d(this->FirstCorner)) << '\n';

@@ -30,6 +30,7 @@ namespace SeismicHorizons
 {
 struct PickTable;
 struct PlacementOptions;
+struct SurveyDescription;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkPickHorizonSource : public vtkSurveyHorizonSource
@@ -148,23 +149,26 @@ public:
     StrongestAmplitude = 0,
     Topmost = 1,
     Lowest = 2,
-    Sheets = 3
+    Sheets = 3,
+    Mean = 4
   };
 
   ///@{
   /**
    * Which of several points in one column is kept; with Gridding, of several at one position. StrongestAmplitude: the
    * one with the largest absolute value of the attribute Amplitude, then the topmost. Topmost, Lowest: by height.
-   * Sheets: all, as at reverse faults. See "Sheets" in HorizonTextReader.md. Default: StrongestAmplitude.
+   * Sheets: all, as at reverse faults. Mean: one with the means of z and of attributes, as where surveys overlap. See
+   * "Duplicates" in HorizonTextReader.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
-  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Sheets);
+  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Mean);
   vtkGetMacro(DuplicatePolicy, int);
   void SetDuplicatePolicyToStrongestAmplitude() { this->SetDuplicatePolicy(StrongestAmplitude); }
   void SetDuplicatePolicyToTopmost() { this->SetDuplicatePolicy(Topmost); }
   void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
   void SetDuplicatePolicyToSheets() { this->SetDuplicatePolicy(Sheets); }
+  void SetDuplicatePolicyToMean() { this->SetDuplicatePolicy(Mean); }
   ///@}
 
   /// Values of Gridding.
@@ -192,8 +196,8 @@ public:
 
   ///@{
   /**
-   * With Gridding, the largest distance of filled columns from a pick; in lines for line numbers alone. 0: the convex
-   * hull of the picks. Unit: world units. Range: 0 to 1e12. Default: 0.
+   * With Gridding, the largest distance of filled columns from a pick, whose own column is always filled; in lines for
+   * line numbers alone. 0: the convex hull of the picks. Unit: world units. Range: 0 to 1e12. Default: 0.
    */
   vtkSetMacro(GriddingRadius, double);
   vtkGetMacro(GriddingRadius, double);
@@ -233,9 +237,8 @@ private:
   vtkPickHorizonSource(const vtkPickHorizonSource&) = delete;
   void operator=(const vtkPickHorizonSource&) = delete;
 
-  SeismicHorizons::PlacementOptions MakeOptions();
-  SeismicHorizons::SurveyHorizons Place(
-    SeismicHorizons::PickTable picks, const SeismicHorizons::Monitor& monitor);
+  SeismicHorizons::PlacementOptions MakeOptions(const SeismicHorizons::SurveyDescription& survey);
+  SeismicHorizons::SurveyHorizons Place(SeismicHorizons::PickTable picks, const SeismicHorizons::Monitor& monitor);
   SeismicHorizons::SurveyHorizons PlaceAll(const SeismicHorizons::Monitor& monitor);
 
   int LatticeSource = FromPoints;

@@ -3,17 +3,25 @@
 
 #include "vtkSurveyHorizonSource.h"
 
+#include "Common/DataModel.h"
+#include "Common/Errors.h"
 #include "Common/Monitor.h"
 #include "Common/Survey/SurveyHorizons.h"
 #include "Common/Survey/Units.h"
+#include "DataArrays.h"
 #include "HorizonDataSet.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace
@@ -29,14 +37,39 @@ void Override(std::string& text, const char* given)
   }
 }
 
-bool AreNegative(const std::vector<LatticeHorizon>& horizons)
+/// How many z are below 0, and how many are not.
+std::array<std::int64_t, 2> CountSigns(const std::vector<LatticeHorizon>& horizons)
 {
-  const bool hasPoints =
-    std::any_of(horizons.begin(), horizons.end(), [](const LatticeHorizon& horizon) { return !horizon.RealZ.empty(); });
-  return hasPoints &&
-    std::all_of(horizons.begin(), horizons.end(),
-      [](const LatticeHorizon& horizon)
-      { return std::all_of(horizon.RealZ.begin(), horizon.RealZ.end(), [](double z) { return z < 0.0; }); });
+  std::array<std::int64_t, 2> counts = { 0, 0 };
+  for (const LatticeHorizon& horizon : horizons)
+  {
+    const auto negative = std::count_if(horizon.RealZ.begin(), horizon.RealZ.end(), [](double z) { return z < 0.0; });
+    counts[0] += negative;
+    counts[1] += std::int64_t(horizon.RealZ.size()) - negative;
+  }
+  return counts;
+}
+
+void AddConflictFields(const ConflictCount& conflicts, vtkFieldData* data)
+{
+  AddValue<vtkIdTypeArray>(data, FieldArray::DroppedRepeats, static_cast<vtkIdType>(conflicts.Repeats));
+  AddValue<vtkDoubleArray>(data, FieldArray::LargestConflict, conflicts.Largest);
+}
+
+/// Throws InputError where no point is left of all horizons.
+void RequirePoints(const std::vector<LatticeHorizon>& horizons, const std::string& prefix)
+{
+  std::int64_t nulls = 0;
+  for (const LatticeHorizon& horizon : horizons)
+  {
+    nulls += horizon.DroppedNulls;
+    if (!horizon.RealZ.empty())
+    {
+      return;
+    }
+  }
+  throw InputError(
+    prefix + "no points, expected those of a horizon at least: all " + std::to_string(nulls) + " are without z");
 }
 
 std::string Describe(const LatticeFrame& frame, const std::vector<VerticalSampling>& samplings)
@@ -92,10 +125,17 @@ void vtkSurveyHorizonSource::CheckParameters()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool vtkSurveyHorizonSource::IsUpright(const SurveyDescription& survey) const
+{
+  return this->VerticalDirection == Automatic ? survey.IsUpright : this->VerticalDirection == Up;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons(
   const std::vector<int>& numbers, const Monitor& monitor)
 {
   SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
+  RequirePoints(survey.Horizons, this->ErrorPrefix());
   LatticeFrame frame;
   frame.Survey = survey.Survey;
   if (this->VerticalUnit && *this->VerticalUnit)
@@ -111,24 +151,33 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const std::vector<VerticalSampling> samplings =
     FindVerticalSamplings(survey.Horizons, this->VerticalStep, monitor.Step(0.8, 0.85));
   using Direction = SeismicHorizons::VerticalDirection;
-  const bool isUpright =
-    this->VerticalDirection == Up || (this->VerticalDirection == Automatic && survey.Survey.IsUpright);
-  frame.Direction = isUpright ? Direction::Up : Direction::Down;
-  if (frame.Direction == Direction::Down && AreNegative(survey.Horizons))
+  const bool isUp = this->IsUpright(survey.Survey);
+  frame.Direction = isUp ? Direction::Up : Direction::Down;
+  const auto [negative, others] = CountSigns(survey.Horizons);
+  if (this->VerticalDirection == Automatic && !isUp && negative > others)
   {
-    vtkWarningMacro(
-      << this->ErrorPrefix()
-      << "all z are negative, like elevations, but increase downwards; set VerticalDirection to Up if they do not");
+    vtkWarningMacro(<< this->ErrorPrefix() << negative << " of " << negative + others
+                    << " z are negative, like elevations, but increase downwards, as the others are positive; "
+                       "VerticalDirection Up turns them");
   }
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
     frame.Sampling = samplings[number];
-    horizons.push_back(MakeHorizonPoints(std::move(survey.Horizons[number]), frame));
+    const vtkSmartPointer<vtkPolyData> points = MakeHorizonPoints(std::move(survey.Horizons[number]), frame);
+    if (!survey.Conflicts.empty())
+    {
+      AddConflictFields(survey.Conflicts[number], points->GetFieldData());
+    }
+    horizons.push_back(points);
     monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
   const std::string format = this->DescribeFormat();
-  this->Description = format + (format.empty() ? "" : "\n") + Describe(frame, samplings);
+  this->Description = format + (format.empty() ? "" : "\n") + Describe(frame, samplings) + "\nz increases " +
+    (isUp ? "upwards" : "downwards") +
+    (this->VerticalDirection == Automatic
+        ? ", " + survey.Sense + "; VerticalDirection " + (isUp ? "Down" : "Up") + " turns it"
+        : ", as VerticalDirection says");
   return horizons;
 }
 

@@ -23,7 +23,8 @@
  *   column; only if known
  * - LatticeDeviation (double): the largest distance of a point from its column, in columns
  * - DroppedDuplicates, DroppedNulls (vtkIdType): points left out because another is in their column, or because they
- *   have no z
+ *   have no z; DroppedRepeats (vtkIdType): of the duplicates those with a z that another one there has
+ * - LargestConflict (double): the largest difference of z in a column with several, of which one was kept
  * - VerticalUnit, VerticalDomain, HorizontalUnit, CoordinateSystem (string): if the data or the user state them
  *
  * @sa vtkHorizonTextReader vtkHorizonGridReader vtkHorizonFromPoints vtkHorizonFromImage
@@ -37,6 +38,7 @@
 
 namespace SeismicHorizons
 {
+struct SurveyDescription;
 struct SurveyHorizons;
 }
 
@@ -69,10 +71,10 @@ public:
   ///@{
   /**
    * The direction of world z in which z of the data increases: Down for time and depth, Up for elevation. Automatic: Up
-   * for formats of elevations, as images from GeoTIFF, BAG and DEM files, else Down. Default: Automatic.
+   * for elevations, by their format (GeoTIFF, BAG, DEM, Esri ASCII) or name, and if no z is positive, as Petrel writes
+   * depths; else Down. See "Vertical direction" in HorizonTextReader.md. Default: Automatic.
    *
-   * Most data do not state it, and it is not guessed; if all z are negative and the direction is Down, there is a
-   * warning.
+   * The description has the direction and the reason; if most z, but not all, are negative, there is a warning.
    */
   vtkSetClampMacro(VerticalDirection, int, Down, Automatic);
   vtkGetMacro(VerticalDirection, int);
@@ -127,6 +129,9 @@ protected:
 
   /// All horizons, in the order of their list.
   virtual SeismicHorizons::SurveyHorizons ReadSurvey(const SeismicHorizons::Monitor& monitor) = 0;
+
+  /// Whether z of data that say where it counts to increases upwards.
+  bool IsUpright(const SeismicHorizons::SurveyDescription& survey) const;
 
   /// The format of the data, for the description.
   virtual std::string DescribeFormat() { return std::string(); }

@@ -4,6 +4,7 @@
 #include "PickColumns.h"
 
 #include "Common/Errors.h"
+#include "Common/Survey/VerticalSense.h"
 #include "Common/VTK/DataArrays.h"
 
 #include "vtkAbstractArray.h"
@@ -132,6 +133,11 @@ public:
         "arrays " + this->ListArrays() + ", expected Z, and X and Y or Inline and Crossline, of numbers");
     }
     this->AddAttributes();
+    const auto z = this->Arrays.find(ColumnRole::Z);
+    if (z != this->Arrays.end() && IsElevation(z->second->GetName()))
+    {
+      this->Table.Survey.IsUpright = true;
+    }
     return std::move(this->Table);
   }
 

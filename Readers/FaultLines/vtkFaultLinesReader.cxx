@@ -20,14 +20,22 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <array>
 #include <istream>
 #include <memory>
 #include <string>
+#include <vector>
 
 using namespace SeismicHorizons;
 
 namespace
 {
+bool AreNegative(const std::vector<SpacePoint>& places)
+{
+  return std::none_of(places.begin(), places.end(), [](const SpacePoint& place) { return place.Z > 0.0; }) &&
+    std::any_of(places.begin(), places.end(), [](const SpacePoint& place) { return place.Z < 0.0; });
+}
+
 void WriteLines(const FaultLineFile& file, double upwards, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -103,7 +111,10 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
         {
           MakeFileStamp(this->Files.GetCurrent()); // refuses what is no regular file
           const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-          WriteLines(ReadFaultLines(*stream, monitor), this->VerticalDirection == Up ? 1.0 : -1.0, output);
+          const FaultLineFile file = ReadFaultLines(*stream, monitor);
+          const bool isUp =
+            this->VerticalDirection == Up || (this->VerticalDirection == Automatic && AreNegative(file.Places));
+          WriteLines(file, isUp ? 1.0 : -1.0, output);
         });
       this->Files.Mark(info);
     },
@@ -115,5 +126,6 @@ void vtkFaultLinesReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->Files.Print(os, indent);
-  os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
+  constexpr std::array<const char*, 3> directions = { "Down", "Up", "Automatic" };
+  os << indent << "VerticalDirection: " << directions[this->VerticalDirection] << '\n';
 }

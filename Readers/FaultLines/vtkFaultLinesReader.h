@@ -48,18 +48,20 @@ public:
   enum VerticalSense
   {
     Down = 0,
-    Up = 1
+    Up = 1,
+    Automatic = 2
   };
 
   ///@{
   /**
    * The direction of world z in which z of sticks increases; it must match the horizon's reader. GOCAD files state
-   * their own. Default: Down.
+   * their own. Automatic: Up if no z is positive, as Petrel writes depths; else Down. Default: Automatic.
    */
-  vtkSetClampMacro(VerticalDirection, int, Down, Up);
+  vtkSetClampMacro(VerticalDirection, int, Down, Automatic);
   vtkGetMacro(VerticalDirection, int);
   void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
   void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
+  void SetVerticalDirectionToAutomatic() { this->SetVerticalDirection(Automatic); }
   ///@}
 
 protected:
@@ -74,7 +76,7 @@ private:
   void operator=(const vtkFaultLinesReader&) = delete;
 
   SeismicHorizons::FileSeries Files;
-  int VerticalDirection = Down;
+  int VerticalDirection = Automatic;
 };
 
 #endif

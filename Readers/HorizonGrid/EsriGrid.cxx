@@ -93,6 +93,7 @@ private:
 HorizonGrid ReadEsriGrid(GridText& text)
 {
   HorizonGrid grid;
+  grid.Survey.IsUpright = true;
   const EsriHeader header = ReadHeader(text);
   const EsriFields fields(header, text);
   const std::array<int, 2> columns = { fields.Count("ncols"), fields.Count("nrows") };

@@ -7,11 +7,15 @@
 #include "Common/LineErrors.h"
 #include "Common/TextFields.h"
 #include "Common/TextNumbers.h"
+#include "PairFit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <vector>
 
 namespace SeismicHorizons
@@ -54,6 +58,32 @@ bool IsCounter(const std::vector<double>& numbers)
   }
   return numbers.size() >= fewest;
 }
+
+/// Of numbers other than nan.
+struct Range
+{
+  double Least = std::numeric_limits<double>::infinity();
+  double Largest = -Least;
+
+  void Add(double number)
+  {
+    this->Least = std::fmin(this->Least, number);
+    this->Largest = std::fmax(this->Largest, number);
+  }
+};
+
+struct Mean
+{
+  double Sum = 0.0;
+  double Count = 0.0;
+
+  void Add(double number)
+  {
+    this->Sum += std::isnan(number) ? 0.0 : number;
+    this->Count += std::isnan(number) ? 0.0 : 1.0;
+  }
+  double Value() const { return this->Count > 0.0 ? this->Sum / this->Count : 0.0; }
+};
 
 bool IsConstant(const std::vector<double>& numbers)
 {
@@ -180,6 +210,92 @@ void RefuseCounters(const TextLines& sample, const TextLayout& layout)
     }
   }
 }
+
+/// Line numbers begin far from 0, and hardly go by fives: from 0 or in such steps, whole numbers are as likely places in
+/// a small area. Taken for the other, x and y change places.
+void RefuseSmallPlaces(const TextLines& sample, const TextLayout& layout)
+{
+  constexpr std::size_t fewest = 4; // different numbers, to know their step
+  constexpr std::int64_t longest = 4;
+  const int lines = layout.Find(ColumnRole::Inline);
+  for (int column = lines; lines >= 0 && layout.Find(ColumnRole::X) < 0 && column <= lines + 1; ++column)
+  {
+    std::set<std::int64_t> numbers;
+    for (const double number : NumbersOf(sample, layout, std::size_t(column)))
+    {
+      if (number == std::round(number) && std::abs(number) <= LargestPlace)
+      {
+        numbers.insert(std::int64_t(number));
+      }
+    }
+    std::int64_t step = 0;
+    for (const std::int64_t number : numbers)
+    {
+      step = std::gcd(step, number - *numbers.begin());
+    }
+    const bool areSteps = numbers.size() >= fewest && step > longest;
+    if (!numbers.empty() && (*numbers.begin() == 0 || areSteps))
+    {
+      throw InputError("column " + std::to_string(column + 1) + " with whole numbers " +
+        (areSteps ? "in steps of " + std::to_string(step) : std::string("from 0")) +
+        ", expected to know whether columns " + Two(std::size_t(lines)) +
+        " are line numbers or places: set Columns to Inline, Crossline, Z or to X, Y, Z");
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
+{
+  const std::size_t count = CountFields(sample, layout.Separator);
+  if (count <= MostColumns)
+  {
+    return;
+  }
+  constexpr double smooth = 0.25; // of the range, from a column to the next
+  constexpr double alike = 0.1; // of the range, that of each column
+  std::vector<Range> ranges(count);
+  std::vector<Mean> steps(count); // from a column to the next
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = Split(line, layout.Separator);
+    double before = std::nan("");
+    for (std::size_t column = 0; column < std::min(count, fields.size()); ++column)
+    {
+      double number = 0.0;
+      const bool isNumber = ReadNumber(fields[column], number) == NumberKind::Finite;
+      number = isNumber && !layout.Nulls.IsNullNumber(number) ? number : std::nan("");
+      ranges[column].Add(number);
+      steps[column].Add(std::abs(number - before));
+      before = number;
+    }
+  }
+  Range all;
+  Range common{ -all.Least, -all.Largest }; // to all columns
+  double longest = 0.0;
+  double narrowest = all.Least;
+  for (std::size_t column = 0; column < count; ++column)
+  {
+    const Range& own = ranges[column];
+    if (own.Least <= own.Largest)
+    {
+      all.Add(own.Least);
+      all.Add(own.Largest);
+      common = { std::max(common.Least, own.Least), std::min(common.Largest, own.Largest) };
+      narrowest = std::min(narrowest, own.Largest - own.Least);
+      longest = std::max(longest, steps[column].Value());
+    }
+  }
+  const double range = all.Largest - all.Least;
+  const bool areAlike = common.Least <= common.Largest && narrowest >= alike * range;
+  if (areAlike || longest <= smooth * range)
+  {
+    throw InputError(std::to_string(count) +
+      " columns of like numbers without names, a matrix of heights without their places, expected columns of x, y and "
+      "z, or a grid format: the lines ncols, nrows, xllcorner, yllcorner and cellsize before it make it an Esri ASCII "
+      "grid");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -188,6 +304,7 @@ void RefuseDoubtfulColumns(const TextLines& sample, const TextLayout& layout)
   RefuseTouching(sample, layout);
   RefuseDecimalCommas(sample, layout);
   RefuseOtherPlaces(sample, layout);
+  RefuseSmallPlaces(sample, layout);
   if (layout.Find(ColumnRole::Z) >= 0)
   {
     RefuseCounters(sample, layout);

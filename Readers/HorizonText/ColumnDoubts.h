@@ -14,8 +14,12 @@
 
 namespace SeismicHorizons
 {
+/// Throws InputError where columns without names are more, and more alike, than those of picks are: rows of a grid.
+void RefuseMatrix(const TextLines& sample, const TextLayout& layout);
+
 /// Throws InputError, which says what to set, where guessed columns may be others: places that stand elsewhere, numbers
-/// that touch or have decimal commas, and a z that counts lines or is the same in all while another column is not.
+/// that touch or have decimal commas, line numbers that may be places, and a z that counts lines or is the same in all
+/// while another column is not.
 void RefuseDoubtfulColumns(const TextLines& sample, const TextLayout& layout);
 
 /// What users should know of columns that were guessed; empty where there is nothing.

@@ -7,6 +7,7 @@
 #include "Common/LineErrors.h"
 #include "Common/OtherFormats.h"
 #include "Common/Parallel.h"
+#include "Common/Survey/VerticalSense.h"
 #include "Common/TextEncoding.h"
 #include "Common/TextWords.h"
 #include "IesxParser.h"
@@ -82,12 +83,17 @@ PickCollector::PickCollector(const TextLayout& layout)
   , Lines(layout.HeaderLines)
 {
   this->Table.Survey = layout.Survey;
+  this->Table.AreLinesGuessed = layout.IsGuessed && layout.Find(ColumnRole::Inline) >= 0;
   if (!layout.Doubt.empty())
   {
     this->Table.Doubts.push_back(layout.Doubt);
   }
   for (const TextColumn& column : layout.Columns)
   {
+    if (column.Role == ColumnRole::Z && IsElevation(column.Name))
+    {
+      this->Table.Survey.IsUpright = true;
+    }
     if (column.Role == ColumnRole::Attribute)
     {
       this->Table.Attributes.push_back({ column.Name, {} });

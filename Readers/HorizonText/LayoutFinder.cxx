@@ -264,6 +264,7 @@ void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions&
   }
   if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !layout.HasPlaces()))
   {
+    RefuseMatrix(sample, layout);
     layout.Columns = GuessColumns(sample, layout);
     layout.IsGuessed = true;
   }

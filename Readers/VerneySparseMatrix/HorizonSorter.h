@@ -95,6 +95,11 @@ public:
       horizon.Column.back().Y == j)
     {
       ++horizon.DroppedDuplicates;
+      if (this->Options.Policy == DuplicatePolicy::Mean)
+      {
+        this->Average(voxel, horizon);
+        return;
+      }
       if (!this->Prefers(voxel, horizon))
       {
         return;
@@ -135,6 +140,24 @@ private:
     return this->Horizons[position];
   }
 
+  /// Makes the last voxel of the horizon the mean of those before and another one, whose index is rounded.
+  void Average(const SparseMatrixVoxel& voxel, LatticeHorizon& horizon)
+  {
+    const PlanePoint column = horizon.Column.back();
+    MeanVoxel& mean = this->Means[voxel.SurfaceId];
+    if (mean.Column != column || mean.Voxels == 0.0)
+    {
+      mean = { column, 1.0, double(horizon.K.back()) };
+    }
+    mean.Voxels += 1.0;
+    const auto average = [&mean](double& value, double next) { value += (next - value) / mean.Voxels; };
+    average(mean.Index, voxel.VerticalIndex);
+    horizon.K.back() = int(std::lround(mean.Index));
+    average(horizon.Thickness.back(), voxel.Thickness);
+    average(horizon.Amplitude.back(), voxel.Amplitude);
+    average(horizon.RealZ.back(), voxel.RealZ);
+  }
+
   /// Whether a voxel replaces the last one of the horizon.
   bool Prefers(const SparseMatrixVoxel& voxel, const LatticeHorizon& horizon) const
   {
@@ -148,8 +171,17 @@ private:
     return isAbove == (this->Options.Policy == DuplicatePolicy::Topmost);
   }
 
+  /// Of some voxels of a column.
+  struct MeanVoxel
+  {
+    PlanePoint Column;
+    double Voxels = 0.0;
+    double Index = 0.0; // not rounded
+  };
+
   SparseMatrixOptions Options;
   SurfacePositions Positions;
+  std::unordered_map<int, MeanVoxel> Means; // by surface ID, of the columns last averaged
   std::vector<LatticeHorizon> Horizons;
 };
 }

@@ -365,7 +365,7 @@ void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
   constexpr std::array<const char*, 3> volumeArrays = { "SurfaceId", "Amplitude", "Thickness" };
   constexpr std::array<const char*, 2> sources = { "VerticalIndex", "RealZ" };
   constexpr std::array<const char*, 2> directions = { "Down", "Up" };
-  constexpr std::array<const char*, 4> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets" };
+  constexpr std::array<const char*, 5> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets", "Mean" };
   this->Superclass::PrintSelf(os, indent);
   this->Files.Print(os, indent);
   os << indent << "OutputType: " << types[this->OutputType] << '\n';

@@ -323,23 +323,26 @@ public:
     StrongestAmplitude = 0,
     Topmost = 1,
     Lowest = 2,
-    Sheets = 3
+    Sheets = 3,
+    Mean = 4
   };
 
   ///@{
   /**
    * Which of several voxels of a horizon in one column is kept. StrongestAmplitude: the one with the largest absolute
    * amplitude, then the topmost. Topmost, Lowest: by vertical index. Sheets: all, as at reverse faults; not with
-   * LeastMemory. See "Sheets" in VerneySparseMatrixReader.md. Default: StrongestAmplitude.
+   * LeastMemory. Mean: one with their means; its vertical index is rounded. See "Sheets" in
+   * VerneySparseMatrixReader.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Horizon 7 (2)"; see ColumnSheets.h.
    */
-  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Sheets);
+  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Mean);
   vtkGetMacro(DuplicatePolicy, int);
   void SetDuplicatePolicyToStrongestAmplitude() { this->SetDuplicatePolicy(StrongestAmplitude); }
   void SetDuplicatePolicyToTopmost() { this->SetDuplicatePolicy(Topmost); }
   void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
   void SetDuplicatePolicyToSheets() { this->SetDuplicatePolicy(Sheets); }
+  void SetDuplicatePolicyToMean() { this->SetDuplicatePolicy(Mean); }
   ///@}
 
 protected:

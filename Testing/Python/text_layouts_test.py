@@ -49,11 +49,12 @@ class Layout:
     """How a file has its picks, and what a reader should find there."""
 
     def __init__(self, columns, head="", separator=" ", foot="", end="\n", survey=None, points=("x", "y"), refused=None,
-                 encoding="utf-8", mark=b"", options=None, formats=None, names=None, rounded=0.0, ends=""):
+                 encoding="utf-8", mark=b"", options=None, formats=None, names=None, rounded=0.0, ends="", is_up=None):
         self.columns, self.head, self.separator, self.foot, self.end = columns.split(), head, separator, foot, end
         self.survey, self.points, self.refused, self.names = survey or Survey(), points, refused, names
         self.encoding, self.mark, self.options, self.formats = encoding, mark, options or {}, formats or {}
         self.ends = ends
+        self.is_up = (self.survey.values["z"] <= 0.0).all() if is_up is None else is_up
         self.rounded = rounded  # how far places may be off
 
     def field(self, column, n):
@@ -78,12 +79,14 @@ class Layout:
 
 
 def read(path, **options):
-    """All picks of a file with world z as in the file, the names of its horizons, and how many were dropped."""
+    """All picks of a file with z as in the file, the names of its horizons, how many were dropped, and whether z counts
+    upwards in the world."""
     horizons = reading.read(path, **options)[0]
-    points = [vtk_to_numpy(horizon.GetPoints().GetData()) * (1.0, 1.0, -1.0) for _, horizon in horizons]
+    sign = horizons[0][1].GetFieldData().GetArray("VerticalDirection").GetValue(0)
+    points = [vtk_to_numpy(horizon.GetPoints().GetData()) * (1.0, 1.0, sign) for _, horizon in horizons]
     dropped = sum(int(horizon.GetFieldData().GetArray(name).GetValue(0)) for _, horizon in horizons
                   for name in ("DroppedDuplicates", "DroppedNulls"))
-    return np.concatenate(points), [name for name, _ in horizons], dropped
+    return np.concatenate(points), [name for name, _ in horizons], dropped, sign > 0
 
 
 def count_missing(expected, points, tolerance):
@@ -104,7 +107,8 @@ WHOLE = {"x": "%.0f", "y": "%.0f"}
 NEAR = Survey(origin=(0.0, 0.0), azimuth=0.0)
 LARGE = Survey(first=(100900, 201200))
 FINE = Survey(steps=(6.25, 6.25))
-UP = Survey(depth=-1500.0)
+UP = Survey(depth=-1500.0)  # all z are negative, which is upwards
+EVEN = Survey(origin=(0.0, 0.0), azimuth=0.0, steps=(25.0, 10.0))
 ALL = "il xl x y z"
 
 
@@ -137,6 +141,9 @@ def plain_layouts():
     yield "lines above 99999", Layout(ALL, survey=LARGE)
     yield "lines with fractions", Layout(ALL, formats={"il": "%.1f", "xl": "%.1f"})
     yield "z negative", Layout("x y z", survey=UP)
+    yield "z negative, lines", Layout("il xl z", survey=UP, points=LINES)
+    yield "elevation", Layout("x y z", head="X Y Elevation", is_up=True)
+    yield "whole local places, given", Layout("x y z", survey=EVEN, formats=WHOLE, options={"Columns": "X,Y,Z"})
     yield "local", Layout("x y z", survey=NEAR)
     yield "amplitude", Layout("x y z amp")
     yield "flags", Layout("x y z 0 1")
@@ -235,6 +242,9 @@ def refused_layouts():
     yield "a constant before z", Layout("il xl x y 1 z", refused="the same in all lines")
     yield "a zero between lines and places", Layout("il xl 0 x y z", refused="like their places")
     yield "z between lines and places", Layout("il xl z x y", refused="like their places")
+    yield "whole local places", Layout("x y z", survey=EVEN, formats=WHOLE, refused="line numbers or places")
+    yield "line numbers by tens", Layout("il xl z", survey=Survey(line_steps=(1, 10)), points=LINES,
+                                         refused="steps of 10")
     yield "touching", Layout("il xl xy z", formats={"xy": str}, refused="expected blanks between numbers")
     yield "a name in each line", Layout("names x y z", head="horizon x y z", formats={"names": str}, refused="several picks")
     yield "a name in some lines", Layout("some x y z", head="horizon,x,y,z", separator=",", refused="no name of a horizon")
@@ -292,7 +302,7 @@ def check(name, layout, path):
     """What is wrong with an undamaged file; None where nothing is."""
     path.write_bytes(layout.text(layout.lines()))
     try:
-        points, names, _ = read(path, **layout.options)
+        points, names, _, is_up = read(path, **layout.options)
     except HorizonError as error:
         if layout.refused is None or layout.refused not in str(error):
             return "refused: %s" % error
@@ -302,6 +312,8 @@ def check(name, layout, path):
     missing = count_missing(layout.expected(), points, max(layout.rounded, 0.02))
     if missing or len(points) != len(layout.survey):
         return "%d of %d picks, %d of them wrong" % (len(points), len(layout.survey), missing)
+    if is_up != layout.is_up:
+        return "z counts %s" % ("upwards" if is_up else "downwards")
     if layout.names and names != layout.names:
         return "names %s" % names
     return None
@@ -312,7 +324,7 @@ def check_damaged(layout, path, random_number):
     lines, touched = damage(layout.lines(), random_number)
     path.write_bytes(layout.text(lines))
     try:
-        points, _, dropped = read(path, **layout.options)
+        points, _, dropped, _ = read(path, **layout.options)
     except HorizonError as error:
         return None if re.search("expected|choose|name|cannot", str(error)) else "no remedy: %s" % error
     expected = layout.expected()

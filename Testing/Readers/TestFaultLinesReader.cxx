@@ -66,10 +66,17 @@ int TestFaultLinesReader(int argc, char* argv[])
   std::ostringstream text;
   reader->Print(text);
   CHECK(Contains(text.str(), "FileName: " + path));
-  CHECK(Contains(text.str(), "VerticalDirection: Down"));
+  CHECK(Contains(text.str(), "VerticalDirection: Automatic"));
   reader->SetVerticalDirectionToUp();
   reader->Update();
   CHECK_EQUAL(lines->GetPoint(0)[2], 1850.0);
+  reader->SetFileName(FileFixtures::WriteText(folder + "/up.txt", "1 2 -3 F1\n4 5 0 F1\n").c_str());
+  for (const bool isDown : { false, true })
+  {
+    reader->SetVerticalDirection(isDown ? 0 : 2); // no z is positive
+    CHECK_EQUAL(UpdateError(reader), "");
+    CHECK_EQUAL(lines->GetPoint(0)[2], isDown ? 3.0 : -3.0);
+  }
 
   reader->SetFileName(FileFixtures::WriteText(folder + "/plain.txt", "1 2 3\n4 5 6\n").c_str());
   CHECK_EQUAL(UpdateError(reader), "");

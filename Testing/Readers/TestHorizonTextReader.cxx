@@ -218,22 +218,6 @@ void HorizonsAreDealtOutToPieces()
 }
 
 // ---- What it says ------------------------------------------------------------------------------------------------
-void NegativeZGivesAWarning()
-{
-  const auto reader = MakeReader("negative.txt", "1 2 -30\n1 3 -31\n2 2 -32\n");
-  Messages warnings(reader, vtkCommand::WarningEvent);
-  reader->Update();
-  CHECK(warnings.WasOne(
-    "negative.txt: all z are negative, like elevations, but increase downwards; set VerticalDirection"));
-  reader->SetVerticalDirectionToUp();
-  reader->Update();
-  CHECK_EQUAL(warnings.Number(), 0);
-  reader->SetVerticalDirectionToDown();
-  reader->SetFileName(WriteFile("mixed.txt", "1 2 30\n1 3 -31\n2 2 -32\n").c_str());
-  reader->Update();
-  CHECK_EQUAL(warnings.Number(), 0);
-}
-
 void DescriptionTellsWhatWasFound()
 {
   const auto reader = MakeReader("two.csv", TwoHorizons);
@@ -358,7 +342,6 @@ int TestHorizonTextReader(int argc, char* argv[])
   DuplicatePolicyChoosesThePick();
   SelectionIsObeyed();
   HorizonsAreDealtOutToPieces();
-  NegativeZGivesAWarning();
   DescriptionTellsWhatWasFound();
   PrintListsEveryProperty();
   WrongParametersGiveOneErrorEach();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The reader of text files, where horizons lie above themselves: each sheet is a horizon.
+// The reader of text files, where horizons lie above themselves: each sheet is a horizon; and where their z count to.
 
 #include "ReaderFixtures.h"
 #include "Tools/Check.h"
@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkHorizonTextReader.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
@@ -102,6 +103,86 @@ void SheetsAreDealtOutToPieces()
     CHECK_EQUAL(GetHorizon(reader, 1) != nullptr, piece == 1);
   }
 }
+
+// ---- Direction and duplicates -------------------------------------------------------------------------------------
+vtkSmartPointer<vtkHorizonTextReader> Open(const std::string& name, const std::string& text)
+{
+  auto reader = vtkSmartPointer<vtkHorizonTextReader>::New();
+  reader->SetFileName(WriteFile(name, text).c_str());
+  return reader;
+}
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// World z of a pick, and the line that says why.
+void ZOfOneSignSaysItsDirection()
+{
+  struct Case
+  {
+    const char* Text;
+    double Z; // of the first pick in the world
+    const char* Reason;
+  };
+  const std::string up = "z increases upwards, ";
+  const std::string down = "z increases downwards, ";
+  for (const auto& [text, z, reason] :
+    { Case{ "1 2 -2\n1 3 0\n2 2 -1\n", -2.0, "as all z are negative; VerticalDirection Down turns it" },
+      Case{ "1 2 2\n1 3 0\n2 2 1\n", -2.0, "as depth and time do; VerticalDirection Up turns it" },
+      Case{ "1 2 0\n1 3 0\n", 0.0, "as depth and time do; VerticalDirection Up turns it" },
+      Case{ "IL XL Elevation_m\n1 2 30\n1 3 -31\n", 30.0, "as its format or name says; VerticalDirection Down" } })
+  {
+    const auto reader = Open("sign.txt", text);
+    Messages warnings(reader, vtkCommand::WarningEvent);
+    reader->Update();
+    CHECK_EQUAL(warnings.Number(), 0);
+    CHECK_EQUAL(GetHorizon(reader, 0)->GetPoint(0)[2], z);
+    const std::string description = reader->GetDescription();
+    CHECK(Contains(description, (description.find(up) == std::string::npos ? down : up) + reason));
+    const bool isUp = Contains(description, up);
+    reader->SetVerticalDirection(isUp ? 0 : 1);
+    reader->Update();
+    CHECK_EQUAL(GetHorizon(reader, 0)->GetPoint(0)[2], -z);
+    CHECK(Contains(reader->GetDescription(), (isUp ? down : up) + "as VerticalDirection says"));
+  }
+  const auto reader = Open("mixed.txt", "1 2 30\n1 3 -31\n2 2 -32\n");
+  Messages warnings(reader, vtkCommand::WarningEvent);
+  reader->Update();
+  CHECK(warnings.WasOne("mixed.txt: 2 of 3 z are negative, like elevations, but increase downwards"));
+  reader->SetVerticalDirectionToDown();
+  reader->Update();
+  CHECK_EQUAL(warnings.Number(), 0);
+}
+
+/// The upper one of negative z is the larger one, also for the choice of picks.
+void DirectionChoosesTheTopmost()
+{
+  const auto reader = Open("top.csv", "1 2 -30\n1 2 -20\n1 3 -31\n2 2 -32\n");
+  reader->Update();
+  CHECK_EQUAL(GetHorizon(reader, 0)->GetPoint(0)[2], -20.0);
+}
+
+void DuplicatesAreCounted()
+{
+  const auto reader = Open("twice.txt", "1 2 30\n1 2 30\n1 2 36\n1 3 31\n2 2 32\n");
+  reader->SetDuplicatePolicyToMean();
+  reader->Update();
+  vtkFieldData* const data = GetHorizon(reader, 0)->GetFieldData();
+  CHECK_EQUAL(GetHorizon(reader, 0)->GetPoint(0)[2], -32.0);
+  CHECK_EQUAL(data->GetArray("DroppedDuplicates")->GetTuple1(0), 2.0);
+  CHECK_EQUAL(data->GetArray("DroppedRepeats")->GetTuple1(0), 1.0);
+  CHECK_EQUAL(data->GetArray("LargestConflict")->GetTuple1(0), 6.0);
+}
+
+void NothingButNullsIsAnError()
+{
+  const auto reader = Open("nulls.txt", "1 2 -999.25\n1 3 -999.25\n2 2 1e30\n");
+  Messages errors(reader);
+  reader->Update();
+  CHECK(errors.WasOne("nulls.txt: no points, expected those of a horizon at least: all 3 are without z"));
+}
 }
 
 int TestHorizonTextSheets(int argc, char* argv[])
@@ -110,6 +191,10 @@ int TestHorizonTextSheets(int argc, char* argv[])
   SheetsAreHorizons();
   SheetsFollowFileAndLattice();
   SheetsAreDealtOutToPieces();
+  ZOfOneSignSaysItsDirection();
+  DirectionChoosesTheTopmost();
+  DuplicatesAreCounted();
+  NothingButNullsIsAnError();
   std::filesystem::remove_all(Folder);
   return Check::Result();
 }

@@ -215,6 +215,13 @@ void DuplicatePolicyChoosesTheVoxel()
   CHECK(keptIndex() == 5.0);
   reader->SetDuplicatePolicyToStrongestAmplitude();
   CHECK(keptIndex() == 5.0);
+  reader->SetFileName(WriteFile("mean.vsm", "2 1 20\n3 1 1 2 5 4 1 3 4 7 8 1 5 6 12\n5 1 1 2 5 6 1 1 1 1\n").c_str());
+  reader->SetDuplicatePolicyToMean();
+  CHECK(keptIndex() == 5.0); // of 3, 4 and 8
+  const auto first = [&reader](const char* name)
+  { return GetHorizon(reader, 0)->GetPointData()->GetArray(name)->GetTuple1(0); };
+  CHECK(first("Thickness") == 3.0 && first("Amplitude") == 4.0 && first("RealZ") == 8.0);
+  CHECK_EQUAL(GetHorizon(reader, 0)->GetFieldData()->GetArray("DroppedDuplicates")->GetTuple1(0), 3.0);
 }
 
 void SheetsAreHorizons()

@@ -58,14 +58,23 @@ def read(extraction, path):
     return update(extraction.GetInputAlgorithm(), "%s: reading the cube" % path.name, work=file_work(path))
 
 
+def counts_down(cube):
+    """Whether vertical indices of an image count downwards in the world, by its field data, or else its axes."""
+    direction = cube.GetFieldData().GetArray("VerticalDirection")
+    if direction is not None and direction.GetNumberOfValues():
+        return direction.GetTuple1(0) < 0
+    return cube.GetSpacing()[2] * cube.GetDirectionMatrix().GetElement(2, 2) < 0
+
+
 def lattice_properties(extraction):
     """Properties of readers of picks, by which these stand on the columns of a cube that has been read. Picks of wells and of
-    other surveys are between columns."""
+    other surveys are between columns. z counts as that of the cube; where it is downwards, negative z are above 0 all the
+    same."""
     data = extraction.GetInputAlgorithm().GetOutputDataObject(0).GetFieldData()
     matrix = vtk_to_numpy(data.GetArray("LatticeToWorld")).reshape(4, 4)
     return {"Origin": matrix[:2, 3].tolist(), "ColumnStep": matrix[:2, 0].tolist(), "RowStep": matrix[:2, 1].tolist(),
             "LatticeTolerance": 0.499, "StrayPicks": "LeaveOut",
-            "VerticalDirection": "Up" if data.GetArray("VerticalDirection").GetValue(0) > 0 else "Down"}
+            "VerticalDirection": "Up" if data.GetArray("VerticalDirection").GetValue(0) > 0 else "Automatic"}
 
 
 def require(extraction, budget, path):

@@ -73,8 +73,10 @@ def survey(horizon):
     known["lattice"] = None if not matrix else {
         "columns": [int(n) for n in _values(data, "LatticeDimensions")],
         "origin": matrix[3:12:4], "column_step": matrix[0:8:4], "row_step": matrix[1:8:4], "vertical_step": matrix[10]}
-    for name, key in (("DroppedDuplicates", "dropped_duplicates"), ("DroppedNulls", "dropped_nulls")):
+    for name, key in (("DroppedDuplicates", "dropped_duplicates"), ("DroppedRepeats", "dropped_repeats"),
+                      ("DroppedNulls", "dropped_nulls")):
         known[key] = _count(data, name)
+    known["largest_conflict"] = (_values(data, "LargestConflict") or [None])[0]
     return known
 
 

@@ -8,6 +8,7 @@ from . import figures, heights, pipeline, reading
 
 ERROR_PER_NOISE = 6.0  # of an automatic error
 MOST_NAMES = 4  # of files that are written
+DIRECTION = "z increases "  # begins what a source says of the direction of z
 
 
 class Found:
@@ -29,7 +30,8 @@ class Found:
     def lines(self, origin, settings):
         """`origin` is what reading.describe says of the file."""
         what = origin["description"][:1] or [origin["format"]]
-        return [*what, *self._lattice(), self._heights(origin["format"], settings)]
+        reason = next((line for line in origin["description"] if line.startswith(DIRECTION)), "")
+        return [*what, *self._lattice(), self._heights(origin["format"], settings, reason)]
 
     def _lattice(self):
         survey = self._surveys[0]
@@ -42,8 +44,8 @@ class Found:
             *lattice["columns"][:2], lines, *(math.hypot(*step) for step in steps),
             math.degrees(math.atan2(*steps[0])) % 360.0)]
 
-    def _heights(self, form, settings):
-        """The range of z as in the file, and what a vertical index is."""
+    def _heights(self, form, settings, reason):
+        """The range of z as in the file, where it grows to and why, and what a vertical index is."""
         survey = self._surveys[0]
         down = survey["vertical_direction"] == "down"
         least, most = min(b[0] for b in self._bounds), max(b[1] for b in self._bounds)
@@ -56,7 +58,9 @@ class Found:
         unit = survey["vertical_unit"] or supposed or ("vertical indices" if is_count else "(unit unknown)")
         steps = sorted({abs(s["lattice"]["vertical_step"]) for s in self._surveys if s["lattice"]})
         error = settings.plain_error()
-        words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")]
+        because = reason.partition(", ")[2].replace("VerticalDirection", "--vertical-direction")
+        words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")
+                 + (" (%s)" % because if because else "")]
         if steps and not is_count:
             words.append("vertical step %s" % _range(steps))
             if error is not None:
@@ -69,6 +73,10 @@ class Found:
         left_out = [(sum(s[key] or 0 for s in self._surveys), what) for key, what in
                     (("dropped_duplicates", "duplicates"), ("dropped_nulls", "without z"))]
         words += ["%d %s left out" % pair for pair in left_out if pair[0]]
+        repeats = sum(s["dropped_repeats"] or 0 for s in self._surveys)
+        conflict = max(s["largest_conflict"] or 0.0 for s in self._surveys)
+        words += ["%d of the duplicates exact repeats" % repeats] if repeats else []
+        words += ["others up to %.4g apart" % conflict] if conflict else []
         return "; ".join(words)
 
 

@@ -78,7 +78,7 @@ def read(path: str | os.PathLike, horizons: Sequence[str | int] | None = None, *
     found = [(name, points) for name, points in reading.list_horizons(source.GetOutputDataObject(0))
              if source.GetHorizonStatus(name)]
     if not found:
-        raise ValueError("%s: no points, expected some" % path)
+        raise ValueError("%s: no points, expected those of a horizon at least" % path)
     if len(found) == 1 and found[0][0] is None:
         found = [(path.stem, found[0][1])]
     return {name: calls.wrap(points) for name, points in found}
@@ -118,8 +118,9 @@ def extract(cube: vtkImageData, picks: Any = None, limits: Any = None, **keyword
     cube : vtkImageData
         what `read_cube` gives, or any image with amplitudes.
     picks : dict of str to vtkPolyData or to array of shape (n, 3), or one of these, optional
-        some picks of each horizon that is wanted, in the coordinates of the cube, in place of all horizons that there are;
-        rows with nan are left out.
+        some picks of each horizon that is wanted, in place of all horizons that there are; rows with nan are left out.
+        z of arrays is as for `horizon_from_points`: time or depth, downwards, in a cube where these count downwards, as in
+        those of `read_cube`; if none is positive, or in other cubes, world z, as points of data have.
     limits : the same, or a list of them, optional
         two horizons on the traces of the cube to search between, or one to search below, or above with
         `limit_side="Above"`.
@@ -157,10 +158,11 @@ def extract(cube: vtkImageData, picks: Any = None, limits: Any = None, **keyword
     extraction = make(cubes.EXTRACTION, LargestNumber=cubes.LARGEST_NUMBER)
     calls.set_keywords(extraction, keywords, cube)
     extraction.SetInputDataObject(cube)
+    counts_down = cubes.counts_down(cube)
     if picks is not None:
-        extraction.SetInputDataObject(1, making.collect_picks(picks))
+        extraction.SetInputDataObject(1, making.collect_picks(picks, counts_down))
     for horizons in limits if isinstance(limits, (list, tuple)) else [] if limits is None else [limits]:
-        extraction.AddInputDataObject(2, making.collect_picks(horizons))
+        extraction.AddInputDataObject(2, making.collect_picks(horizons, counts_down))
     calls.run(extraction, "extract")
     return {name: calls.wrap(points) for name, points in reading.list_horizons(extraction.GetOutputDataObject(0))}
 

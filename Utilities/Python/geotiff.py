@@ -48,7 +48,7 @@ def open_file(path):
     is_value = np.isfinite(values) & (True if null is None else values != null)
     j, i = np.nonzero(is_value)
     if not len(i):
-        raise HorizonError("%s: there are no points" % path)
+        raise HorizonError("%s: no points, expected those of a horizon at least" % path)
     places = np.column_stack((x + (i + 0.5) * dx + (j + 0.5) * rx, y + (i + 0.5) * dy + (j + 0.5) * ry, values[is_value]))
     points = vtkPolyData()
     points.SetPoints(vtkPoints())

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Horizons from arrays of numpy, and from surfaces of xtgeo and xarray, which are known by their attributes."""
+"""Horizons from arrays of numpy, and from surfaces of xtgeo, arrays of xarray and tables of pandas, which are known by
+their attributes."""
 
 from __future__ import annotations
 
@@ -11,13 +12,17 @@ from typing import Any
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPartitionedDataSetCollection, vtkPointSet, vtkPolyData,
+                                           vtkTable)
 
 from . import calls
 from .reading import list_horizons
 from .stage import make
 
 STEP_TOLERANCE = 1e-4  # of a step, by which coordinates of a grid may differ: those of single precision do
+# Names of dimensions and coordinates of xarray, in small letters.
+X, Y = ("x", "easting", "eastings", "cdp_x", "lon", "longitude"), ("y", "northing", "northings", "cdp_y", "lat", "latitude")
+INLINE, CROSSLINE = ("inline", "iline", "il"), ("crossline", "xline", "xl")
 
 
 def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[float] | None = None, azimuth: float | None = None,
@@ -26,9 +31,10 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
 
     Parameters
     ----------
-    z : array of shape (rows, columns), RegularSurface of xtgeo or DataArray of xarray
-        time, depth or elevation; nan, masked cells and `nodata` are left out. A surface of xtgeo, or a DataArray with
-        coordinates, knows its own place.
+    z : array of shape (rows, columns), RegularSurface of xtgeo, DataArray of xarray or vtkImageData
+        time, depth or elevation; nan, masked cells and `nodata` are left out. A surface of xtgeo, an image, or a DataArray
+        with coordinates, knows its own place. The dimensions of a DataArray are x and y, or inline and crossline, in any
+        order and by their names; inlines and crosslines may have coordinates cdp_x and cdp_y.
     origin : (x, y), optional
         the place of z[0, 0]; 0, 0 by default. World units.
     spacing : (column, row), optional
@@ -39,8 +45,9 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
     nodata : float or list of float, optional
         numbers that stand for no value.
     **keywords
-        properties of HorizonFromPoints: `vertical_direction` ("Down", the default, for time and depth, "Up" for
-        elevations), `vertical_unit` ("ms", "s", "m" or "ft"), `vertical_step`, `coordinate_system` and the like.
+        properties of HorizonFromPoints: `vertical_direction` ("Down" for time and depth, "Up" for elevations; by default
+        "Up" if no z is positive, else "Down"), `vertical_unit` ("ms", "s", "m" or "ft"), `vertical_step`,
+        `coordinate_system` and the like.
 
     Returns
     -------
@@ -60,16 +67,26 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
     >>> top.GetNumberOfPoints()
     600
     """
-    if hasattr(z, "xori") and hasattr(z, "rotation"):
-        _require_none("a surface of xtgeo", origin=origin, spacing=spacing, azimuth=azimuth)
-        values, origin, column_step, row_step = _of_xtgeo(z)
-    elif hasattr(z, "dims") and hasattr(z, "coords"):
-        _require_none("a DataArray", origin=origin, spacing=spacing, azimuth=azimuth)
-        values, origin, column_step, row_step = _of_xarray(z)
+    for what, is_one in (("an image", isinstance(z, vtkImageData)), ("a surface of xtgeo", hasattr(z, "xori")),
+                         ("a DataArray", hasattr(z, "dims"))):
+        if is_one:
+            _require_none(what, origin=origin, spacing=spacing, azimuth=azimuth)
+    if isinstance(z, vtkImageData):
+        return _run("vtkHorizonFromImage", z, None, keywords)
+    if hasattr(z, "xori"):
+        return _on_grid(*_of_xtgeo(z), nodata, keywords)
+    if hasattr(z, "dims"):
+        z = _only_variable(z)
         nodata = z.attrs.get("_FillValue", z.attrs.get("nodata")) if nodata is None else nodata
-    else:
-        values, column_step, row_step = np.ma.masked_invalid(z), *_steps(spacing, azimuth)
-        origin = (0.0, 0.0) if origin is None else origin
+        dims = _dimensions(z)
+        if dims[0] in INLINE:
+            return horizon_from_points(_lines_of(z, dims, nodata), **keywords)
+        return _on_grid(*_of_xarray(z, dims), nodata, keywords)
+    origin = (0.0, 0.0) if origin is None else origin
+    return _on_grid(np.ma.masked_invalid(z), origin, *_steps(spacing, azimuth), nodata, keywords)
+
+
+def _on_grid(values, origin, column_step, row_step, nodata, keywords):
     if values.ndim != 2:
         raise ValueError("z of shape %s, expected (rows, columns); horizon_from_points makes horizons of n x 3 points"
                          % (values.shape,))
@@ -79,7 +96,7 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
 def _on_lattice(values, origin, column_step, row_step, nodata, keywords):
     """The horizon of an array with its place."""
     heights = np.ma.filled(np.ma.masked_invalid(values.astype(float)), np.nan)
-    heights[np.isin(heights, [] if nodata is None else nodata)] = np.nan
+    _drop(heights, nodata)
     rows, columns = np.isfinite(heights).nonzero()
     if not rows.size:
         raise ValueError("z without a single value, expected some that are not nan, masked or nodata")
@@ -108,8 +125,10 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
 
     Parameters
     ----------
-    points : array of shape (n, 3)
-        x, y and z, which counts downwards unless `vertical_direction` is "Up"; points with nan are left out.
+    points : array of shape (n, 3), DataFrame of pandas or geopandas, vtkPolyData or vtkTable
+        x, y and z; points with nan are left out. z counts downwards, as time and depth do, unless no z is positive, or
+        `vertical_direction` is "Up". A DataFrame or a table has columns with names, in any order, as X, Y, Z, or
+        Inline, Crossline, Z; other columns of numbers become attributes.
     name : str, optional
         what errors call it.
     **keywords
@@ -120,7 +139,7 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     Returns
     -------
     vtkPolyData, or pyvista.PolyData where PyVista is imported
-        with `duplicate_policy="Sheets"` a dict of names and horizons, one for each sheet.
+        with `duplicate_policy="Sheets"`, or several names in a table, a dict of names and horizons.
 
     Raises
     ------
@@ -135,19 +154,25 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     >>> sh.details(top).lattice_dimensions[:2].tolist()
     [30, 20]
     """
-    data = _points_of(points)
-    source = make("vtkHorizonFromPoints")
+    data = points if isinstance(points, (vtkPointSet, vtkTable)) else _table_of(points)
+    data = _points_of(points) if data is None else data
+    return _run("vtkHorizonFromPoints", data, name, keywords)
+
+
+def _run(source_class, data, name, keywords):
+    source = make(source_class)
     calls.set_keywords(source, keywords)
     source.SetInputDataObject(data)
     calls.run(source, name or "horizon")
     found = list_horizons(source.GetOutputDataObject(0))
-    if source.GetDuplicatePolicy() != source.Sheets:
+    has_sheets = hasattr(source, "GetDuplicatePolicy") and source.GetDuplicatePolicy() == source.Sheets
+    if len(found) == 1 and not has_sheets:
         return calls.wrap(found[0][1])
     base = found[0][0]
-    return {(name or base) + sheet[len(base):]: calls.wrap(data) for sheet, data in found}
+    return {(name or base) + label[len(base):] if has_sheets else label: calls.wrap(data) for label, data in found}
 
 
-def _points_of(points):
+def _points_of(points, counts_down=False):
     places = np.asarray(points, dtype=float)
     if places.ndim != 2 or places.shape[1] != 3:
         raise ValueError("points of shape %s, expected (n, 3): x, y and z; horizon makes horizons of grids"
@@ -155,24 +180,31 @@ def _points_of(points):
     places = places[np.isfinite(places).all(axis=1)]
     if not len(places):
         raise ValueError("no points, expected some that are not nan")
+    if counts_down and places[:, 2].max() > 0.0:
+        places = places * (1.0, 1.0, -1.0)
     data = vtkPolyData()
     data.SetPoints(vtkPoints())
     data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(places), deep=True))
     return data
 
 
-def collect_picks(picks):
-    """The picks of horizons, by their names where there are some, as one dataset."""
+def collect_picks(picks, counts_down=False):
+    """The picks of horizons, by their names where there are some, as one dataset. With `counts_down`, z of arrays does so, as
+    that of horizon_from_points does, unless none is positive."""
+    def of(points):
+        return points if isinstance(points, vtkPolyData) else _points_of(points, counts_down)
+
     if not isinstance(picks, Mapping):
-        return picks if isinstance(picks, vtkPolyData) else _points_of(picks)
+        return of(picks)
     blocks = vtkPartitionedDataSetCollection()
     for number, (name, points) in enumerate(picks.items()):
-        blocks.SetPartition(number, 0, points if isinstance(points, vtkPolyData) else _points_of(points))
+        blocks.SetPartition(number, 0, of(points))
         blocks.GetMetaData(number).Set(blocks.NAME(), str(name))
     return blocks
 
 
 def _require_none(what, **given):
+    """Raises ValueError where something that knows its own place is given one."""
     names = [name for name, value in given.items() if value is not None]
     if names:
         raise ValueError("%s for %s, which has a place of its own, expected none" % (" and ".join(names), what))
@@ -195,21 +227,97 @@ def _of_xtgeo(surface):
             surface.yinc * row)
 
 
-def _of_xarray(array):
-    """The same of an array with coordinates along its last two dimensions."""
-    if len(array.dims) != 2:
-        raise ValueError("a DataArray of dimensions %s, expected two: those of y and x, in this order"
-                         % ", ".join(map(str, array.dims)))
-    y, x = (_axis(array, name) for name in array.dims)
-    return np.ma.masked_invalid(array.values), (x[0], y[0]), np.array((x[1], 0.0)), np.array((0.0, y[1]))
+def _drop(heights, nodata):
+    heights[np.isin(heights, [] if nodata is None else nodata)] = np.nan
+
+
+def _table_of(frame):
+    """A table with the columns of numbers of a DataFrame; None of what is none, or has no names of columns."""
+    if not hasattr(frame, "columns") or not any(isinstance(name, str) for name in frame.columns):
+        return None
+    columns = {str(name): frame[name] for name in frame.columns}
+    if hasattr(frame, "geometry"):
+        columns.pop(frame.geometry.name)
+        if not frame.geometry.has_z.all():
+            raise ValueError("a GeoDataFrame of points without z, expected points with x, y and z: points_from_xy(x, y, z)")
+        columns.update({"X": frame.geometry.x, "Y": frame.geometry.y, "Z": frame.geometry.z})
+    return _make_table({name: np.asarray(column) for name, column in columns.items()})
+
+
+def _make_table(columns):
+    table = vtkTable()
+    for name, values in columns.items():
+        if values.dtype.kind in "iuf":
+            array = numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=True)
+            array.SetName(name)
+            table.AddColumn(array)
+    return table
+
+
+def _only_variable(array):
+    """The array of a Dataset of one variable."""
+    names = list(getattr(array, "data_vars", ())) or [None]
+    if len(names) > 1:
+        raise ValueError("a Dataset of %s, expected one variable: horizon(dataset[\"%s\"]) takes it"
+                         % (", ".join(map(str, names)), names[0]))
+    return array if names[0] is None else array[names[0]]
+
+
+def _dimensions(array):
+    """The names of two dimensions of an array in small letters, y and x or inline and crossline, which are longer than 1 or
+    have these names. Raises ValueError."""
+    known = [str(name).lower() for name in array.dims]
+    for rows, columns in ((Y, X), (INLINE, CROSSLINE)):
+        found = [[name for name in known if name in names] for names in (rows, columns)]
+        others = [length for name, length in zip(known, np.shape(array.values)) if [name] not in found]
+        if [len(names) for names in found] == [1, 1] and all(length == 1 for length in others):
+            return found[0][0], found[1][0]
+    raise ValueError("a DataArray of dimensions %s, expected two, named x and y, or inline and crossline; "
+                     "horizon(array.values, origin=, spacing=) takes rows along y"
+                     % (", ".join(map(str, array.dims)) or "(none)"))
+
+
+def _in_order(array, dims):
+    """The values of an array, first along the first of two dimensions."""
+    known = [str(name).lower() for name in array.dims]
+    values = np.ma.masked_invalid(array.values)
+    kept = sorted(known.index(name) for name in dims)
+    values = values.reshape([values.shape[place] for place in kept])
+    return values if known.index(dims[0]) < known.index(dims[1]) else values.T
+
+
+def _of_xarray(array, dims):
+    """The same of an array with coordinates along y and x."""
+    y, x = (_axis(array, name) for name in dims)
+    return _in_order(array, dims), (x[0], y[0]), np.array((x[1], 0.0)), np.array((0.0, y[1]))
+
+
+def _lines_of(array, dims, nodata):
+    """The picks of an array along inlines and crosslines, with their places where it has them."""
+    heights = np.ma.filled(_in_order(array, dims).astype(float), np.nan)
+    _drop(heights, nodata)
+    inlines, crosslines = np.meshgrid(*(_coordinates(array, name) for name in dims), indexing="ij")
+    columns = {"Inline": inlines, "Crossline": crosslines, "Z": heights}
+    for name, names in (("X", X), ("Y", Y)):
+        places = [array.coords[key] for key in array.coords if str(key).lower() in names]
+        if places and len(places[0].dims) == 2:
+            columns[name] = np.asarray(_in_order(places[0], dims), dtype=float)
+    is_known = np.isfinite(heights)
+    return _make_table({name: values[is_known] for name, values in columns.items()})
+
+
+def _coordinates(array, name):
+    """Those along a dimension, which is given in small letters."""
+    own = next(dim for dim in array.dims if str(dim).lower() == name)
+    if own not in array.coords:
+        raise ValueError("a DataArray without coordinates along %s, expected some; horizon(array.values, origin=, spacing=) "
+                         "takes them" % own)
+    return np.asarray(array.coords[own], dtype=float)
 
 
 def _axis(array, name):
     """The first coordinate and the step of a dimension. Raises ValueError."""
-    if name not in array.coords:
-        raise ValueError("a DataArray without coordinates along %s, expected those of x and y; horizon(array.values, "
-                         "origin=, spacing=) takes them" % name)
-    values = np.asarray(array.coords[name], dtype=float)
+    values = _coordinates(array, name)
     steps = np.diff(values)
     if not len(steps) or not steps[0] or abs(steps - steps.mean()).max() > STEP_TOLERANCE * abs(steps.mean()):
         raise ValueError("coordinates along %s with unequal steps or none, expected equal ones; horizon_from_points with "

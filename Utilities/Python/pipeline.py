@@ -193,15 +193,16 @@ def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=Non
     if path is None:
         return torn, None
     torn["LineType"] = "Traces" if sticks is None else "Sticks"
-    return torn, apply(make("vtkFaultLinesReader", FileName=str(path), VerticalDirection=vertical_direction or "Down"))
+    return torn, apply(make("vtkFaultLinesReader", FileName=str(path), VerticalDirection=vertical_direction or "Automatic"))
 
 
 def _require_same_direction(result, points, settings):
     """Raises HorizonError where z of the horizon counts upwards by its format, and nobody said so of fault sticks, whose z
-    would count downwards."""
+    counts downwards."""
     direction = points.GetFieldData().GetArray("VerticalDirection")
     if (settings.torn.get("LineType") == "Sticks" and "VerticalDirection" not in settings.reader
-            and direction is not None and direction.GetValue(0) > 0):
+            and direction is not None and direction.GetValue(0) > 0
+            and points.GetCenter()[2] > 0.0 >= settings.fault_lines.GetBounds()[5]):
         raise HorizonError("%s: %s: elevations, which increase upwards, with fault sticks, expected --vertical-direction "
                            "for both" % (result.source, result.name))
 

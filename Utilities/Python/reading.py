@@ -135,7 +135,7 @@ def read_source(source, path, horizons=None):
     found = [(name, points) for name, points in list_horizons(source.GetOutputDataObject(0))
              if source.GetHorizonStatus(name)]
     if not found:
-        raise HorizonError("%s: there are no points" % path)
+        raise HorizonError("%s: no points, expected those of a horizon at least" % path)
     if getattr(source, "kind", "") == READERS[geotiff.SOURCE]:  # whose horizon has no name but that of its file
         found = [(path.stem, points) for _, points in found]
     return found, seconds

@@ -72,7 +72,7 @@ class Supply:
             reader.UpdateInformation()
         self.names = reading.selected(reader)
         if not self.names:
-            raise HorizonError("%s: there are no points" % self._path)
+            raise HorizonError("%s: no points, expected those of a horizon at least" % self._path)
         last_row = reader.GetNumberOfRows() - 1
         self.sizes = [reader.GetNumberOfPointsInRows(name, 0, last_row) for name in self.names]
         self._groups = memory.make_groups(self.sizes, self._budget)

@@ -490,9 +490,9 @@ private:
       for (int i = 0; i < this->Width; ++i)
       {
         const std::size_t column = this->CellOf(i, j);
-        const bool isIn = this->Options.Radius > 0.0 ? this->Nearest[column].Distance <= this->Options.Radius
-                                                     : this->Count[column] > 0 || (i >= span[0] && i <= span[1]);
-        if (isIn)
+        const bool isNear = this->Options.Radius > 0.0 ? this->Nearest[column].Distance <= this->Options.Radius
+                                                       : i >= span[0] && i <= span[1];
+        if (isNear || this->Count[column] > 0)
         {
           this->Kept.push_back(column);
         }
@@ -830,6 +830,8 @@ SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const 
       gridded.Doubts.push_back(null);
     }
     OrderPicks(order, picks, numbers, options.Placement);
+    gridded.Conflicts.push_back(CountConflicts(order));
+    gridded.Conflicts.back().InLines = 0; // their columns are numbers of places
     for (const std::int32_t pick : order.Picks)
     {
       used.push_back(places[std::size_t(pick)]);

@@ -28,8 +28,8 @@ enum class GriddingMethod
 struct GriddingOptions
 {
   GriddingMethod Method = GriddingMethod::Plate;
-  /// Columns farther from all picks stay empty, in world units, or where there are no places in lines; 0: columns
-  /// outside the convex hull of the picks do.
+  /// Columns farther from all picks stay empty, unless they have one, in world units, or where there are no places in
+  /// lines; 0: columns outside the convex hull of the picks do.
   double Radius = 0.0;
   /// Of Plate. How much it may differ from picks: the inverse of the strength of the springs between them.
   double Smoothing = 0.01;

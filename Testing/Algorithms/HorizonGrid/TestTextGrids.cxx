@@ -155,6 +155,7 @@ void OneNodeAloneHasAStep()
 void EsriGridIsRead()
 {
   CHECK(IsTheSample(Read(EsriGrid())));
+  CHECK(Read(EsriGrid()).Survey.IsUpright);
   const std::string corner =
     Replace(Replace(EsriGrid(), "xllcenter 1000.0", "XLLCORNER 975.0"), "yllcenter 5000.0", "yllcorner 4987.5");
   CHECK(IsTheSample(Read(corner)));

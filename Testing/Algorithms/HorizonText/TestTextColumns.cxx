@@ -6,6 +6,9 @@
 #include "TextTables.h"
 #include "Tools/Check.h"
 
+#include <string>
+#include <utility>
+
 using namespace TextTables;
 
 namespace
@@ -107,6 +110,65 @@ void TestGuesses()
   CHECK_EQUAL(Table("7 8 3.5 Top x\n7 9 4.5 Base y\n"), std::string("il xl z\nTop: 7 8 3.5\nBase: 7 9 4.5\n"));
 }
 
+/// Rows and columns of numbers alone, as a matrix has them: smooth, steep or of noise only.
+std::string Matrix(int columns, double slope, double noise)
+{
+  std::string text;
+  unsigned int random = 1;
+  for (int j = 0; j < 30; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      random = 1664525U * random + 1013904223U;
+      text += std::to_string(1500.0 + slope * i + 2.0 * j + noise * (random >> 16) / 65536.0) + " ";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// What has two readings is refused.
+void TestTwoReadings()
+{
+  std::string fromZero;
+  std::string byFives;
+  std::string lines;
+  for (int j = 0; j < 6; ++j)
+  {
+    for (int i = 0; i < 12; ++i)
+    {
+      fromZero += std::to_string(i) + " " + std::to_string(j) + " 100\n";
+      byFives += std::to_string(100 + 25 * i) + " " + std::to_string(100 + 2 * j) + " 100\n";
+      lines += std::to_string(100 + 4 * j) + " " + std::to_string(100 + 2 * i) + " 100\n";
+    }
+  }
+  CHECK_THROWS_WITH(Read(fromZero), "column 1 with whole numbers from 0, expected to know whether columns 1 and 2");
+  CHECK_THROWS_WITH(Read(byFives), "column 1 with whole numbers in steps of 25, expected to know whether");
+  CHECK_EQUAL(Describe(lines), std::string("plain text, separated by blanks: Inline, Crossline, Z"));
+  TextOptions options;
+  options.Columns = "X, Y, Z";
+  CHECK_EQUAL(Read(fromZero, options).X[1], 1.0);
+  options.Columns = "Inline, Crossline, Z";
+  CHECK_EQUAL(Read(fromZero, options).Inline[1], 1.0);
+  for (const auto& [slope, noise] : { std::pair{ 0.5, 1.0 }, { 40.0, 1.0 }, { 0.0, 9.0 }, { -3.0, 90.0 } })
+  {
+    CHECK_THROWS_WITH(Read(Matrix(32, slope, noise)), "32 columns of like numbers without names, a matrix");
+  }
+  // Places, z and ten attributes.
+  std::string picks;
+  for (int n = 0; n < 100; ++n)
+  {
+    picks += std::to_string(5e5 + 25.5 * (n % 10)) + " " + std::to_string(6e6 + 25.5 * (n / 10)) + " " +
+      std::to_string(1500.5 + n % 13);
+    for (int attribute = 1; attribute < 20; ++attribute)
+    {
+      picks += " " + std::to_string(0.01 * attribute * (n % 7));
+    }
+    picks += "\n";
+  }
+  CHECK_EQUAL(Describe(picks).substr(0, 40), std::string("plain text, separated by blanks: X, Y, Z"));
+}
+
 /// Small coordinates behind line numbers are told from z and attributes by the map between them, which needs more than
 /// one inline: the lines that are looked at are spread over the file.
 void TestGuessedPlaces()
@@ -182,6 +244,7 @@ int TestTextColumns(int, char*[])
   TestLatin1();
   TestEndsOfLines();
   TestGuesses();
+  TestTwoReadings();
   TestGuessedPlaces();
   TestNames();
   TestGivenColumns();

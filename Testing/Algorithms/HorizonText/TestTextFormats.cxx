@@ -163,8 +163,9 @@ void TestLatticeIndices()
     Table("# i j z\n4 3 3\n0 0 1.5\n3 1 2.5\n2 2 3.5\n"), std::string("il xl z\n0 0 1.5\n1 3 2.5\n2 2 3.5\n"));
   CHECK_EQUAL(
     Describe("4 3 2\n0 0 1.5\n3 1 2.5\n"), std::string("lattice indices, separated by blanks: Crossline, Inline, Z"));
-  // A column outside the sizes: line numbers.
-  CHECK_EQUAL(Table("4 3 2\n4 0 1.5\n3 1 2.5\n"), std::string("il xl z\n4 3 2\n4 0 1.5\n3 1 2.5\n"));
+  // A column outside the sizes: line numbers, or places.
+  CHECK_EQUAL(Table("4 3 2\n5 1 1.5\n3 1 2.5\n"), std::string("il xl z\n4 3 2\n5 1 1.5\n3 1 2.5\n"));
+  CHECK_THROWS_WITH(Read("4 3 2\n4 0 1.5\n3 1 2.5\n"), "column 2 with whole numbers from 0, expected to know");
 }
 }
 

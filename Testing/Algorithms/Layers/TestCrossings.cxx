@@ -106,7 +106,8 @@ void TestMessages()
   CHECK_THROWS_WITH(repair({ { 1 }, { 1 } }, { Mean, Mean }), "2 policies of crossings, expected one, or 1 for 2");
   CHECK_THROWS_WITH(repair({ { 1 }, { 1 } }, { Mean }, -1.0), "minimum thickness -1, expected at least 0");
   CHECK_THROWS_WITH(repair({ { 9, 1, 1 }, { 5, 3, 3.5 }, { 1, 1, 1 } }, { Stop, Mean }),
-    "horizon 1 and horizon 2 cross in 2 columns, by up to 2.5 lattice units, expected none: choose Mean, UpperWins or LowerWins");
+    "horizon 1 and horizon 2 cross in 2 columns, by up to 2.5 lattice units, expected none: choose Mean, UpperWins or "
+    "LowerWins");
   CHECK_THROWS_WITH(
     repair({ { 5 }, { 3 }, { 4 } }, { Mean, Stop }), "horizon 2 and horizon 3 cross in 1 column, by up to 1 lattice");
   CHECK_EQUAL(repair({ { 1, 2 }, { 1, 1 } }, { Stop }).Horizons[0].Columns, 0); // touching is not crossing

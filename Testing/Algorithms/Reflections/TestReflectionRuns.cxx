@@ -99,8 +99,9 @@ void TestMiddle()
 
 void TestCrossings()
 {
-  const auto picks = [](const std::vector<float>& trace, ReflectionPolarity polarity = ReflectionPolarity::Both)
-  { return Picks(trace, { polarity, ReflectionPosition::ZeroCrossing, 0 }); };
+  const auto picks = [](const std::vector<float>& trace, ReflectionPolarity polarity = ReflectionPolarity::Both) {
+    return Picks(trace, { polarity, ReflectionPosition::ZeroCrossing, 0 });
+  };
   CHECK_EQUAL(picks({ 1, 2, -2, -1 }), "1.5 2 -2 2; ");
   CHECK_EQUAL(picks({ -1, -3, 1, 0 }), "1.75 2 2 2; ");
   CHECK_EQUAL(picks({ 1, -1, 1 }), "0.5 1 -1 1; 1.5 1 1 1; ");
@@ -113,7 +114,8 @@ void TestCrossings()
   CHECK_EQUAL(picks({ 1, Missing, -1 }), "");
   CHECK_EQUAL(picks({ 0, 1, 2 }), "");
   // Next to nothing on one side, and as much as there is.
-  CHECK_EQUAL(picks({ std::numeric_limits<float>::denorm_min(), -std::numeric_limits<float>::max() }).substr(0, 2), "0 ");
+  CHECK_EQUAL(
+    picks({ std::numeric_limits<float>::denorm_min(), -std::numeric_limits<float>::max() }).substr(0, 2), "0 ");
 }
 
 void TestPolarity()

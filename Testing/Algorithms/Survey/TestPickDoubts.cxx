@@ -7,7 +7,9 @@
 #include "Common/Survey/StrayPicks.h"
 #include "Tools/Check.h"
 
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace SeismicHorizons;
@@ -34,7 +36,15 @@ PickTable Dip()
 
 std::vector<std::string> DoubtsOf(const PickTable& picks, const PlacementOptions& options = PlacementOptions())
 {
-  return FindDoubts(PlacePicks(picks, options));
+  return FindDoubts(PlacePicks(picks, options), options.Policy);
+}
+
+/// Another pick in the column of one, deeper by a difference.
+void Double(PickTable& picks, std::size_t pick, double difference)
+{
+  picks.X.push_back(picks.X[pick]);
+  picks.Y.push_back(picks.Y[pick]);
+  picks.Z.push_back(picks.Z[pick] + difference);
 }
 
 bool IsOne(const std::vector<std::string>& doubts, const std::string& begins)
@@ -156,16 +166,119 @@ void TestLevelPlatforms()
   CHECK(IsOne(DoubtsOf(picks), "100 of 400 picks with z -12345, far from all others, 1500 to 1500"));
 }
 
+/// Exact repeats lose nothing; other duplicates do, and where these form lines a fault is likely.
 void TestDuplicates()
 {
   PickTable picks = Dip();
-  for (int n = 0; n < 4; ++n)
+  for (std::size_t n = 0; n < 40; ++n)
   {
-    picks.X[std::size_t(n)] = picks.X[10];
+    Double(picks, n, 0.0);
   }
-  CHECK(DoubtsOf(picks).empty()); // a hundredth
-  picks.X[4] = picks.X[10];
-  CHECK(IsOne(DoubtsOf(picks), "5 of 400 picks dropped, as their column has another one"));
+  SurveyHorizons placed = PlacePicks(picks, {});
+  CHECK(FindDoubts(placed, DuplicatePolicy::StrongestAmplitude).empty());
+  CHECK_EQUAL(placed.Conflicts.front().Repeats, 40);
+  CHECK_EQUAL(placed.Horizons.front().DroppedDuplicates, 40);
+  PickTable survey = Dip(); // another one overlaps
+  for (std::size_t n = 0; n < 200; ++n)
+  {
+    Double(survey, n, n % 2 == 0 ? 0.5 : -0.5);
+  }
+  Double(survey, 399, 0.0);
+  placed = PlacePicks(survey, {});
+  CHECK_EQUAL(placed.Conflicts.front().Repeats, 1);
+  CHECK_EQUAL(placed.Conflicts.front().Columns, 200);
+  CHECK_EQUAL(placed.Horizons.front().DroppedDuplicates, 201);
+  CHECK(IsOne(DoubtsOf(survey), "200 of 400 columns with several z, up to 0.5 apart: DuplicatePolicy says which"));
+  PlacementOptions options;
+  options.Policy = DuplicatePolicy::Mean;
+  CHECK(DoubtsOf(survey, options).empty());
+  for (const double slope : { 0.0, 0.4, 1.0, 3.0 }) // of a line of columns across the lattice
+  {
+    PickTable fault = Dip();
+    for (int n = 0; n < 20; ++n)
+    {
+      const int across = int(slope > 1.0 ? 5 + n / slope : 2 + slope * n) % 20;
+      Double(fault, std::size_t(slope > 1.0 ? 20 * n + across : 20 * across + n), 85.0);
+    }
+    CHECK(IsOne(DoubtsOf(fault), "20 of 400 columns with several z, up to 85 apart, "));
+    CHECK(DoubtsOf(fault).front().find(" of them in lines, as along faults") != std::string::npos);
+    CHECK_EQUAL(DoubtsOf(fault, options).size(), std::size_t(1));
+    options.Policy = DuplicatePolicy::Sheets;
+    CHECK(DoubtsOf(fault, options).empty());
+    std::size_t points = 0;
+    for (const LatticeHorizon& sheet : PlacePicks(fault, options).Horizons)
+    {
+      points += sheet.RealZ.size();
+    }
+    CHECK_EQUAL(points, std::size_t(420)); // both sides
+    options.Policy = DuplicatePolicy::Mean;
+  }
+}
+
+/// Of z and attributes, over what there is, in any order of picks.
+void TestMean()
+{
+  PickTable picks = Dip();
+  picks.Attributes = { { "Dip", std::vector<double>(400, 3.0) } };
+  Double(picks, 7, 1.0);
+  Double(picks, 7, 5.0);
+  Double(picks, 8, 0.0);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  picks.Attributes[0].Values.insert(picks.Attributes[0].Values.end(), { 6.0, none, 3.0 });
+  PlacementOptions options;
+  options.Policy = DuplicatePolicy::Mean;
+  const LatticeHorizon horizon = PlacePicks(picks, options).Horizons.front();
+  CHECK_EQUAL(horizon.RealZ.size(), std::size_t(400));
+  CHECK_EQUAL(horizon.RealZ[7], 1009.0);
+  CHECK_EQUAL(horizon.RealZ[8], 1008.0);
+  CHECK_EQUAL(horizon.Attributes[0].second[7], 4.5);
+  CHECK_EQUAL(horizon.DroppedDuplicates, 3);
+  std::swap(picks.Z[7], picks.Z[401]);
+  CHECK_EQUAL(PlacePicks(picks, options).Horizons.front().RealZ[7], 1009.0);
+}
+
+/// Few places are on some lattice by chance.
+void TestEvidence()
+{
+  PickTable wells;
+  wells.Names = { "Top", "Base" };
+  for (const int horizon : { 0, 1 })
+  {
+    for (const auto& [x, y] :
+      { std::pair{ 0.0, 0.0 }, { 375.0, 0.0 }, { 25.0, 0.0 }, { 50.0, 125.0 }, { 250.0, 75.0 } })
+    {
+      wells.X.push_back(500000.0 + x);
+      wells.Y.push_back(6000000.0 + y);
+      wells.Z.push_back(1000.0 + x);
+      wells.Horizon.push_back(horizon);
+    }
+  }
+  CHECK_THROWS_WITH(PlacePicks(wells, {}), "Gridding makes a horizon of");
+  PlacementOptions given;
+  given.Source = LatticeSource::OriginAndSteps;
+  given.Origin = { 500000.0, 6000000.0 };
+  given.ColumnStep = { 25.0, 0.0 };
+  given.RowStep = { 0.0, 25.0 };
+  CHECK_EQUAL(PlacePicks(wells, given).Horizons.front().RealZ.size(), std::size_t(5));
+  PickTable few;
+  few.Names = { "Top" };
+  few.X = { 0.0, 25.0, 0.0 };
+  few.Y = { 0.0, 0.0, 40.0 };
+  few.Z = { 1.0, 2.0, 3.0 };
+  CHECK_THROWS_WITH(PlacePicks(few, {}), "3 places, expected at least 6, or all of a lattice");
+  few.X.push_back(25.0);
+  few.Y.push_back(40.0);
+  few.Z.push_back(4.0);
+  CHECK_EQUAL(PlacePicks(few, {}).Horizons.front().RealZ.size(), std::size_t(4));
+  // Whole coordinates taken for lines are on a lattice of steps of 1; lines that have names may be few.
+  PickTable lines;
+  lines.Names = { "Top" };
+  lines.Inline = { 100.0, 217.0, 310.0, 433.0 };
+  lines.Crossline = { 1000.0, 1203.0, 1100.0, 1371.0 };
+  lines.Z = few.Z;
+  CHECK_EQUAL(PlacePicks(lines, {}).Horizons.front().RealZ.size(), std::size_t(4));
+  lines.AreLinesGuessed = true;
+  CHECK_THROWS_WITH(PlacePicks(lines, {}), "columns without names may be X and Y");
 }
 
 void TestRounding()
@@ -188,6 +301,8 @@ int TestPickDoubts(int, char*[])
   TestUsualNulls();
   TestLevelPlatforms();
   TestDuplicates();
+  TestMean();
+  TestEvidence();
   TestRounding();
   return Check::Result();
 }
