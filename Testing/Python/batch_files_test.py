@@ -248,7 +248,7 @@ class FilesTest(unittest.TestCase):
 
     def test_faults_from_files(self):
         """Polygons leave their inside out; sticks cut, and their surface is a result."""
-        picks = self.write("top.dat", ("%d %d 1000" % (25 * i, 25 * j) for j in range(40) for i in range(40)))
+        picks = self.write("top.dat", ["X Y Z", *("%d %d 1000" % (25 * i, 25 * j) for j in range(40) for i in range(40))])
         corners = ((260, 260), (410, 260), (410, 410), (260, 410), (260, 260))
         polygon = self.write("faults.pol", [*("%g %g 1000" % corner for corner in corners), "999.0 999.0 999.0"])
         sticks = self.write("sticks.dat", ("%g %g %g F %d" % (462, 25 * j, z, j)
