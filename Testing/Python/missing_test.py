@@ -170,6 +170,7 @@ class MissingTest(unittest.TestCase):
 
         def run(stop_at):
             maker = sh.vtkHorizonLayers()
+            maker.SetMaximumError(0.75)
             for own in stack:
                 maker.AddInputDataObject(0, sh.horizon(-own, vertical_step=1.0))
 
@@ -196,7 +197,7 @@ class MissingTest(unittest.TestCase):
         middle = np.where((abs(self.x - 60.0) < 5.0) & (abs(self.y - 50.0) < 5.0), np.nan, top - 30.0)
         points = {name: sh.horizon(-own, vertical_step=1.0) for name, own in (("A", top), ("B", middle), ("C", top - 60.0))}
         points["B"] = sh.hole_filling(points["B"])
-        made = sh.layers(points, order="AsGiven", missing="Void")
+        made = sh.layers(points, 0.5, order="AsGiven", missing="Void")
         self.assertEqual(entries(made.bodies["A to B"]), [12000 - 81, 81, 0, 0, 0])
 
     def test_random(self):
