@@ -185,12 +185,7 @@ void WriteLedgerOfParts(const std::vector<vtkPolyData*>& meshes, const JoinedSur
   {
     all.Add(ReadLedger(mesh->GetFieldData()).value_or(Ledger()));
   }
-  // Where the part that counts a row has no triangles, the other one may have some.
-  const std::int64_t covered = CoveredColumns(joined.Vertices, joined.Boundary, 1).Count();
-  const std::int64_t more = std::clamp<std::int64_t>(covered - all.Covered(), 0, all[LedgerEntry::LeftOut]);
-  all[LedgerEntry::Known] += more;
-  all[LedgerEntry::LeftOut] -= more;
-  all.CoverOnly(covered);
+  all.CoverOnly(CoveredColumns(joined.Vertices, joined.Boundary, 1).Count());
   WriteLedger(all, figures);
 }
 
