@@ -7,6 +7,7 @@
 #include "HorizonFixtures.h"
 #include "Tools/Check.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHorizonBoundarySimplification.h"
 #include "vtkHorizonElaborateSimplification.h"
@@ -199,6 +200,7 @@ void TestStageTwice()
   vtkNew<vtkPolyData> points; // of the mesh, with its figures
   points->ShallowCopy(fine);
   points->SetPolys(nullptr);
+  points->GetCellData()->Initialize(); // which has figures of the triangles
   const Data coarseOfFine = Apply<vtkHorizonTriangulation>(Apply<vtkHorizonRoughSimplification>(points));
   CHECK(Figure(fine, "TriangleCount") > Figure(coarse, "TriangleCount"));
   CHECK_EQUAL(Figure(coarseOfFine, "TriangleCount"), Figure(coarse, "TriangleCount"));

@@ -122,6 +122,18 @@ void TestArrays()
   CheckLevels(chosen);
 }
 
+void CheckRefused(vtkSeismicReflectionExtraction* filter, const std::string& message)
+{
+  const Errors errors(filter);
+  filter->Update();
+  CHECK_EQUAL(errors.Count(), std::size_t(1));
+  if (!CHECK(errors.FirstContains(": " + message)))
+  {
+    std::cerr << "expected: " << message << '\n';
+  }
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 0u);
+}
+
 void TestParameters()
 {
   Filter filter = MakeFilter(MakeCube<vtkFloatArray>());
@@ -147,8 +159,7 @@ void TestParameters()
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 4u);
   filter->SetSmallestSize(6);
-  filter->Update();
-  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 0u);
+  CheckRefused(filter, "no points, expected those of a horizon at least");
 }
 
 void TestFound()
@@ -276,18 +287,6 @@ void TestPieces()
   filter->SetHorizonStatus("Horizon 2", 0);
   filter->UpdatePiece(0, 1, 0);
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 1u);
-}
-
-void CheckRefused(vtkSeismicReflectionExtraction* filter, const std::string& message)
-{
-  const Errors errors(filter);
-  filter->Update();
-  CHECK_EQUAL(errors.Count(), std::size_t(1));
-  if (!CHECK(errors.FirstContains(": " + message)))
-  {
-    std::cerr << "expected: " << message << '\n';
-  }
-  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPartitionedDataSets(), 0u);
 }
 
 void TestWrongArrays()

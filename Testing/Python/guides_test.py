@@ -179,7 +179,7 @@ class GuidesTest(unittest.TestCase):
         for limits, message in (([place] * 3, "limits of 3 horizons, expected one or two"),
                                 (np.concatenate((place, place[:1])), 'two points on one trace, the second at ('),
                                 (points_of(place * [1.0, 1.0, np.nan]), "a point at ("),
-                                (place * [1.0, 1.0, -1.0] + [0.0, 0.0, 1.0],
+                                (place * [1.0, 1.0, -1.0] + [0.0, 0.0, 1e6],
                                  "all of its points are above or below the samples of the cube, expected points from ("),
                                 (place + [1e7, 0.0, 0.0], "limits on no trace of the cube, expected horizons with points from (")):
             with self.assertRaises(ValueError, msg=message) as caught:
@@ -258,7 +258,7 @@ class GuidesTest(unittest.TestCase):
             self.assertIn(message, told)
         code, told = self.run_program("--no-pictures", "--output-folder", out, "--picks", self.path, FOLDER / "picks.dat")
         self.assertEqual(code, 1, told)
-        self.assertIn("its format does not support Picks", told)
+        self.assertIn("its format does not support --picks", told)
 
     def test_bad_picks_are_named(self):
         picks = list(self.truth.items())

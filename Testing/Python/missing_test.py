@@ -62,7 +62,8 @@ def make(stack, names=None, error=0.2, **keywords):
     horizons = {}
     for n, own in enumerate(stack):
         if names is None or n in names:
-            horizons[chr(ord("A") + n)] = sh.horizon(-own, spacing=(25.0, 12.5), azimuth=30.0, origin=(5e5, 6e6), vertical_step=1.0)
+            horizons[chr(ord("A") + n)] = sh.horizon(-own, spacing=(25.0, 12.5), azimuth=30.0, origin=(5e5, 6e6), vertical_step=1.0,
+                                         vertical_direction="Down")
     return sh.layers(horizons, error, order="AsGiven", **keywords)
 
 

@@ -268,8 +268,10 @@ void LeastMemoryTakesRowsAndHorizons()
   reader->SetRowRange(0, -1);
   reader->Update(); // the list is that of all rows again
   CHECK(reader->GetNumberOfHorizons() == 2);
+  Messages errors(reader);
   reader->SetSmallestHorizonSize(3);
   reader->Update();
+  CHECK(errors.WasOne("least.vsm: no points, expected those of a horizon at least"));
   CHECK(reader->GetOutput()->GetNumberOfPartitionedDataSets() == 0);
   reader->SetSmallestHorizonSize(1);
   reader->UpdateInformation();

@@ -163,7 +163,7 @@ void BinaryGridsComeBack()
 /// ZMAP+ holds what is along the axes.
 void ExtensionsTellTheFormat()
 {
-  const auto picks = ReadPicks("0 0 5\n10 0 6\n0 20 7\n10 20 8\n");
+  const auto picks = ReadPicks("X Y Z\n0 0 5\n10 0 6\n0 20 7\n10 20 8\n");
   for (const std::string file : { "axes.ZMAP", "axes.irap" })
   {
     vtkNew<vtkHorizonGridWriter> writer;
@@ -258,8 +258,8 @@ void TextComesBack()
 /// Without line numbers there are places alone, and values that are missing are 1e30.
 void TextOfOneWithoutLines()
 {
-  const auto picks = ReadPicks("0 0 5 7\n10 0 6 1e30\n0 20 7 9\n");
-  CHECK_EQUAL(GetHorizon(picks->GetOutput(), 0)->GetNumberOfPoints(), 3);
+  const auto picks = ReadPicks("0.5 0 5 7\n10.5 0 6 1e30\n0.5 20 7 9\n10.5 20 8 11\n");
+  CHECK_EQUAL(GetHorizon(picks->GetOutput(), 0)->GetNumberOfPoints(), 4);
   vtkPolyData* const horizon = GetHorizon(picks->GetOutput(), 0);
   horizon->GetFieldData()->RemoveArray("LineNumbers");
   vtkNew<vtkHorizonTextWriter> writer;

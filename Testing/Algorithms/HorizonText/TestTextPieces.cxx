@@ -62,8 +62,8 @@ std::string ManyPicks()
   std::string text;
   for (int n = 0; n < 20000; ++n)
   {
-    text += "Horizon" + std::to_string(n % 7) + " " + std::to_string(n / 100) + " " + std::to_string(n % 100) + " " +
-      std::to_string(0.25 * n) + "\n";
+    text += "Horizon" + std::to_string(n % 7) + " " + std::to_string(n / 100 + 1) + " " + std::to_string(n % 100 + 1) +
+      " " + std::to_string(0.25 * n) + "\n";
   }
   return text;
 }
