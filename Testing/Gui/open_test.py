@@ -16,7 +16,7 @@ import window
 
 
 def picks(z):
-    return "".join("%.1f %.1f %d\n" % (100 + 25 * i, 200 + 25 * j, z + i * j) for j in range(6) for i in range(5))
+    return "".join("%.1f %.1f %d\n" % (100.5 + 25 * i, 200.5 + 25 * j, z + i * j) for j in range(6) for i in range(5))
 
 
 IRAP = "-996 2 25.0 25.0\n0 50 0 25\n3 0.0 0.0 0.0\n0 0 0 0 0 0 0\n1 2 3 4 5 6\n"

@@ -84,6 +84,7 @@ def exaggerate(events, flat):
     events.undo(1)
     events.macro("NoteView")
     # What comes now gets the factor that undo has brought back.
+    events.add(window.WINDOW + "/pipelineBrowserDock/pipelineBrowser", "currentChanged", "/0|0/0|0")
     events.filter("HorizonExteriorBoundary")
     events.apply()
     events.macro("NoteView")

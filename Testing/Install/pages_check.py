@@ -57,6 +57,9 @@ def run_examples(picks, cube):
     (folder / "surveys").mkdir()
     for name in ("survey.vsm", "big.vsm", "surveys/a.vsm", "surveys/b.vsm"):
         shutil.copy(sample, folder / name)
+    for name, depth in (("top.xyz", 1000), ("middle.xyz", 1050), ("base.xyz", 1100)):  # a stack
+        (folder / name).write_text("X Y Z\n" + "".join("%d %d %.1f\n" % (25 * i, 25 * j, depth + 0.3 * i)
+                                                       for i in range(30) for j in range(20)), encoding="utf-8")
     shutil.copy(picks, folder / "picks.dat")
     shutil.copy(cube, folder / "survey.sgy")
     run("horizon-mesh --formats irap --output-folder . -- picks.dat && mv picks.irap top_reek.irap", folder, shell=True)

@@ -19,7 +19,7 @@ from seismichorizons.stage import HorizonError, make, update
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 MATRIX = b"3 2 9\n1 1 1 1 1\n2 1 1 2 2\n3 1 1 3 3\n4 1 1 4 4\n5 1 1 5 5\n6 1 1 6 6\n"
-PICKS = b"".join(b"%.1f %.1f %d\n" % (100 + 25 * i, 200 + 25 * j, 1000 + i * j) for j in range(6) for i in range(5))
+PICKS = b"".join(b"%.1f %.1f %d\n" % (100.5 + 25 * i, 200.5 + 25 * j, 1000 + i * j) for j in range(6) for i in range(5))
 GRID = b"-996 2 25.0 25.0\n0 50 0 25\n3 0.0 0.0 0.0\n0 0 0 0 0 0 0\n1 2 3 4 5 6\n"
 SURFACE = b"GOCAD TSurf 1\nHEADER {\nname:Top\n}\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n"
 FAULTS = b"100 200 10\n110 210 11\n999 999 999\n120 220 12\n130 200 13\n"

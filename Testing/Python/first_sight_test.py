@@ -285,7 +285,7 @@ class FirstSightTest(unittest.TestCase):
             self.assertEqual(colored_by(self.show(thickness, port)), ("POINTS", "Isochore"))
 
     def test_distances(self):
-        mesh = simple.HorizonSurface(Input=self.horizons)
+        mesh = simple.HorizonSurface(Input=self.horizons, MaximumError=0.75)
         display = self.show(simple.HorizonSurfaceDistance(Reference=self.horizons, Mesh=mesh), 1)
         self.assertEqual(colored_by(display), ("POINTS", "Distance"))
         points = list(display.LookupTable.RGBPoints)

@@ -96,7 +96,7 @@ def test_layers_apart():
 def test_fault_cut():
     """Across a straight fault of a throw of 12, a mesh that is cut is near with few triangles, one that is not is far."""
     picks = FOLDER / "faulted.picks"
-    picks.write_text("".join("%d %d %d\n" % (25 * i, 25 * j, 1000 + (12 if i + 0.31 * j > 30 else 0) + 0.1 * j)
+    picks.write_text("X Y Z\n" + "".join("%d %d %d\n" % (25 * i, 25 * j, 1000 + (12 if i + 0.31 * j > 30 else 0) + 0.1 * j)
                              for i in range(60) for j in range(50)), encoding="utf-8")
     source = reading.open_file(str(picks))
     writer = make("vtkVerneySparseMatrixWriter", FileName=str(FOLDER / "faulted.vsm"))

@@ -134,7 +134,10 @@ DOUBTED = [
     *[("null_%d" % value, with_null(value), "16 of 2000 picks with z %d, far from all others" % value)
       for value in (-999, -9999, -32768, 0, 9999)],
     ("null_flat", rows("%.2f %.2f %d", X, Y, np.where(CROSSLINE < 2005, 0, 1500)), "200 of 2000 picks with z 0, far from"),
-    ("twice", XYZ + rows("%.2f %.2f %.2f", X, Y, Z + 100.0), "2000 of 4000 picks dropped, as their column has another one")]
+    ("twice", XYZ + rows("%.2f %.2f %.2f", X, Y, Z + 100.0),
+     "twice.dat: 2000 of 2000 columns with several z, up to 100 apart: DuplicatePolicy says which is kept, as Mean for surveys that "
+     "overlap, Sheets for a horizon that overlies itself; for several horizons in one file, name the column that distinguishes "
+     "them\n")]
 
 
 class VariantsTest(unittest.TestCase):
@@ -214,6 +217,22 @@ class VariantsTest(unittest.TestCase):
                 _, _, errors, warnings = self.read(name, text)
                 self.assertEqual((errors, len(warnings)), ([], 1))
                 self.assertIn(message, warnings[0])
+
+    def test_duplicates(self):
+        """Counted with those of the same z apart, which are no doubt."""
+        moved = np.where((INLINE < 1002) & (CROSSLINE < 2010), 30.0, 0.0)
+        for name, shift, repeats, doubts in (("twice", 100.0 + 0.0 * Z, 0, ["2000 of 2000 columns with several z, up to 100 apart"]),
+                                             ("repeated", 0.0 * Z, 2000, []),
+                                             ("some_moved", moved, 1980, ["20 of 2000 columns with several z, up to 30 apart"])):
+            with self.subTest(name):
+                horizons, _, errors, warnings = self.read(name, XYZ + rows("%.2f %.2f %.2f", X, Y, Z + shift))
+                self.assertEqual((errors, len(warnings)), ([], len(doubts)))
+                for doubt, warning in zip(doubts, warnings):
+                    self.assertIn(": " + doubt, warning)
+                fields = horizons[name].GetFieldData()
+                self.assertEqual([fields.GetArray("Dropped" + what).GetValue(0) for what in ("Duplicates", "Repeats")],
+                                 [2000, repeats])
+                self.assertEqual(horizons[name].GetNumberOfPoints(), 2000)
 
     def test_names_of_other_encodings(self):
         for encoding, word, expected in (("latin-1", "H\u00f6he", "H\u00f6he"), ("utf-8", "H\u00f6he", "H\u00f6he"),

@@ -174,7 +174,7 @@ class VoiceTest(CommandTest):
 
     def test_no_false_alarms(self):
         """A level platform is no number for no value, and headers between named horizons are no names."""
-        platform = "".join("%d\t%d\t%d\n" % (25 * i, 25 * j, 1600 if i < 4 else 1500) for j in range(12) for i in range(15))
+        platform = "X\tY\tZ\n" + "".join("%d\t%d\t%d\n" % (25 * i, 25 * j, 1600 if i < 4 else 1500) for j in range(12) for i in range(15))
         header = "# OpendTect Horizon\n# written again\n"
         for name, content in (("platform.dat", platform), ("headers.dat", header + picks("Top") + header + picks("Base", z=1700.0)),
                               ("names.dat", "Name\tI\tJ\tX\tY\tZ\n" + picks("Top") + "Name\tI\tJ\tX\tY\tZ\n" + picks("Base", z=1700.0))):

@@ -31,7 +31,7 @@ class Found:
         """`origin` is what reading.describe says of the file."""
         what = origin["description"][:1] or [origin["format"]]
         reason = next((line for line in origin["description"] if line.startswith(DIRECTION)), "")
-        return [*what, *self._lattice(), self._heights(origin["format"], settings, reason)]
+        return [*what, *self._lattice(), self._heights(origin["format"], settings, reason), *self._left_out()]
 
     def _lattice(self):
         survey = self._surveys[0]
@@ -70,14 +70,18 @@ class Found:
             words.append("%s, six times the noise of %s" % (
                 " ".join(["error", _range(errors, 2), "vertical indices" if is_count else known]).strip(),
                 _range([error / ERROR_PER_NOISE for error in errors], 2)))
+        return "; ".join(words)
+
+    def _left_out(self):
+        """A line on the points that are not in the horizons, if there are any."""
         left_out = [(sum(s[key] or 0 for s in self._surveys), what) for key, what in
                     (("dropped_duplicates", "duplicates"), ("dropped_nulls", "without z"))]
-        words += ["%d %s left out" % pair for pair in left_out if pair[0]]
+        words = ["%d %s left out" % pair for pair in left_out if pair[0]]
         repeats = sum(s["dropped_repeats"] or 0 for s in self._surveys)
         conflict = max(s["largest_conflict"] or 0.0 for s in self._surveys)
         words += ["%d of the duplicates exact repeats" % repeats] if repeats else []
         words += ["others up to %.4g apart" % conflict] if conflict else []
-        return "; ".join(words)
+        return ["; ".join(words)] if words else []
 
 
 def _range(values, digits=6):
