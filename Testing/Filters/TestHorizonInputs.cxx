@@ -194,7 +194,6 @@ void TestStageTwice()
   boundary->HoleBoundariesOn();
   boundary->Update();
   CHECK_EQUAL(Figure(boundary->GetOutputDataObject(0), "NumberOfHoles"), 1.0);
-
   const Data fine = Apply<vtkHorizonTriangulation>(Bounded(9));
   const Data coarse = Apply<vtkHorizonTriangulation>(Apply<vtkHorizonRoughSimplification>(Bounded(9)));
   vtkNew<vtkPolyData> points; // of the mesh, with its figures
