@@ -59,6 +59,8 @@ class Found:
         steps = sorted({abs(s["lattice"]["vertical_step"]) for s in self._surveys if s["lattice"]})
         error = settings.plain_error()
         because = reason.partition(", ")[2].replace("VerticalDirection", "--vertical-direction")
+        if because.startswith("as --vertical-direction says") and "VerticalDirection" not in settings.reader:
+            because = "as the file says"  # a surface of GOCAD, whose columns were read in its direction
         words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")
                  + (" (%s)" % because if because else "")]
         if steps and not is_count:
