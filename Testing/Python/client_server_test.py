@@ -16,7 +16,7 @@ import subprocess
 import sys
 import threading
 
-LONGEST = 100  # seconds for everything
+LONGEST = 200  # seconds for everything
 
 
 def find_port():
