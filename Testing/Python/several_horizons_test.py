@@ -98,7 +98,6 @@ FILTERS = {
 }
 
 
-TENTHS = {"layers": 9}  # which says nothing in the last one
 WIDE = {"layers"}  # which take memory for what is empty
 
 
@@ -261,7 +260,7 @@ def check_abort(label):
             stop()
 
     stage.AddObserver("ProgressEvent", listen)
-    for tenth in range(TENTHS.get(label, 10)):
+    for tenth in range(10):
         asked.clear()
         stage.SetAbortExecute(0)
         stage.Modified()
