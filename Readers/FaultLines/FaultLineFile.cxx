@@ -27,12 +27,12 @@ std::unique_ptr<FaultLineParser> MakeParser(std::string_view firstLine)
   return IsOfGOCAD(text) ? MakePLineParser() : StartsWith(text, "@") ? MakeZmapLineParser() : MakePlainLineParser();
 }
 
-/// Gives lines to a parser, which is made for the first that says anything.
+/// Creates the parser at the first line that is neither empty nor a comment.
 class LineDealer
 {
 public:
   std::unique_ptr<FaultLineParser> Parser;
-  std::int64_t Lines = 0; // that were dealt
+  std::int64_t Lines = 0;
 
   void Deal(std::string_view text)
   {
@@ -54,7 +54,6 @@ public:
   }
 };
 
-/// The first line that says anything.
 std::string_view FirstLine(std::string_view text)
 {
   while (!text.empty() && IsSkipped(text.substr(0, text.find('\n'))))
@@ -64,7 +63,7 @@ std::string_view FirstLine(std::string_view text)
   return text.substr(0, text.find('\n'));
 }
 
-/// "999.0 999.0 999.0", which ends a polyline of IRAP and RMS.
+/// IRAP and RMS end a polyline with "999.0 999.0 999.0".
 bool IsEndOfPart(std::string_view line)
 {
   FieldCursor cursor(line, FieldSeparator::Blanks);
@@ -81,7 +80,7 @@ bool IsEndOfPart(std::string_view line)
   return fields == 3;
 }
 
-/// Whether lines have what only files of fault lines have. Lines of x y z alone may be anything.
+/// Looks for marks that only files of fault lines have; lines of x y z alone may be picks.
 bool HasMark(std::string_view text)
 {
   const std::string_view first = Trim(FirstLine(text));
@@ -94,7 +93,7 @@ bool HasMark(std::string_view text)
   {
     return true;
   }
-  // One at the end may be that of a file of picks.
+  // A file of picks may end with the mark of IRAP, so that another line has to follow it.
   bool hasEnd = false;
   while (!text.empty())
   {
@@ -124,7 +123,7 @@ double ReadFinite(std::string_view field, std::int64_t line, const char* what)
 //----------------------------------------------------------------------------------------------------------------------
 bool BeginsAsFaultLines(std::istream& stream)
 {
-  constexpr std::size_t lookedAt = 64 * 1024; // bytes
+  constexpr std::size_t lookedAt = 64 * 1024;
   const std::string text = PeekLines(stream, lookedAt);
   if (text.find('\0') != std::string::npos || !HasMark(text))
   {
@@ -134,19 +133,19 @@ bool BeginsAsFaultLines(std::istream& stream)
   dealer.Deal(text);
   if (IsOfGOCAD(Trim(FirstLine(text))))
   {
-    return true; // the lines may come far behind
+    return true; // Polylines may start anywhere in the file.
   }
   const FaultLineFile file = dealer.Parser->Finish();
-  // Points of ZMAP+ that belong to no segment are no lines.
+  // ZMAP+ files of points without segments are no fault lines.
   return !file.Ends.empty() && (!StartsWith(Trim(FirstLine(text)), "@") || !file.Names.front().empty());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 FaultLineFile ReadFaultLines(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
 {
-  constexpr std::size_t lookedAt = 8192; // bytes
+  constexpr std::size_t lookedAt = 8192;
   const std::string beginning = PeekText(stream, lookedAt);
-  if (!StartsWith(beginning, "GOCAD")) // lines may follow other objects
+  if (!StartsWith(beginning, "GOCAD")) // GOCAD files may begin with other objects.
   {
     RefuseOtherFormats(beginning, "fault lines as text");
   }
@@ -159,7 +158,8 @@ FaultLineFile ReadFaultLines(std::istream& stream, const Monitor& monitor, std::
       throw ErrorAt(dealer.Lines + 1, "reading failed, expected the rest of the file");
     }
     const auto size = static_cast<std::size_t>(lines.Last() - lines.First());
-    dealer.Deal(std::string_view(lines.First(), lines.AtEnd() ? size - 1 : size)); // without a newline that was added
+    // At the end of the file LineBuffer adds a newline.
+    dealer.Deal(std::string_view(lines.First(), lines.AtEnd() ? size - 1 : size));
     monitor.Progress(lines.PartRead());
   }
   if (!dealer.Parser)

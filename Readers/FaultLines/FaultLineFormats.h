@@ -14,24 +14,22 @@
 
 namespace SeismicHorizons
 {
-/// A line of a file, without what ends it, and its number from 1.
 struct NumberedLine
 {
   std::string_view Text;
   std::int64_t Number = 0;
 };
 
-/// A field as a finite number; `what` it is follows in the error.
+/// Throws InputError with `what` at its end unless the number is finite.
 double ReadFinite(std::string_view field, std::int64_t line, const char* what);
 
-/// What takes the lines of a file of one format, one after the other, from the first that says anything on.
+/// Parses the lines of one format, from the first that is neither empty nor a comment.
 class FaultLineParser
 {
 public:
   virtual ~FaultLineParser() = default;
   virtual void Take(const NumberedLine& line) = 0;
 
-  /// The polylines, behind the last line.
   virtual FaultLineFile Finish() = 0;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// GOCAD PLine: objects of ILINE, vertices and SEG lines that join two of them. Objects of other types are passed over.
+// GOCAD PLine: objects with ILINE, vertices, and SEG lines that connect two vertices. Objects of other types are
+// skipped.
 
 #include "FaultLineFormats.h"
 
@@ -40,7 +41,7 @@ public:
     {
       return;
     }
-    this->Keyword = ToLower(words[0]); // programs write keywords in either case
+    this->Keyword = ToLower(words[0]); // Programs write keywords in either case.
     if (this->IsInBlock)
     {
       this->TakeOfBlock(Trim(line.Text));
@@ -149,7 +150,7 @@ private:
     }
   }
 
-  /// One that goes on from the last one belongs to the same polyline.
+  /// A segment that starts at the end of the last one extends its polyline.
   void TakeSegment(const std::vector<std::string_view>& words)
   {
     if (words.size() < 3)
@@ -195,15 +196,15 @@ private:
   }
 
   FaultLineFile File;
-  std::int64_t Line = 0; // that is read
-  std::string Keyword; // its first word, in small letters
-  bool IsPLine = false; // the object that is read
-  bool IsInBlock = false; // between braces
-  bool IsDepth = false; // z counts downwards
-  std::string Name; // of the object
+  std::int64_t Line = 0;
+  std::string Keyword;
+  bool IsPLine = false;
+  bool IsInBlock = false;
+  bool IsDepth = false; // z increases downwards.
+  std::string Name;
   VertexIds Ids;
   std::vector<SpacePoint> Vertices;
-  PointId End = NoPoint; // the vertex where the polyline that is read ends
+  PointId End = NoPoint;
 };
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lines of x y z: an empty line, 999.0 three times (IRAP, RMS), a line ->name (CPS-3), or a change in what stands
-// behind the z ends a polyline. Charisma's sticks have words before and behind.
+// Lines of x y z. A polyline ends at an empty line, at 999.0 three times (IRAP, RMS), at a line ->name (CPS-3), or
+// where the fields after z change. Charisma sticks have words before and after the coordinates.
 
 #include "FaultLineFormats.h"
 
@@ -78,10 +78,10 @@ private:
     {
       this->TakePlace(fields, 0, 3, line);
     }
-    // Otherwise a heading, before the first place.
+    // Other lines before the first point are headings.
   }
 
-  /// INLINE- inline crossline x y z name stick; names may have blanks in them.
+  /// The fields are: INLINE- inline crossline x y z name stick. Names may contain blanks.
   void TakeStick(const std::vector<std::string_view>& fields, std::int64_t line)
   {
     constexpr std::size_t FewestFields = 8;
@@ -95,7 +95,7 @@ private:
     this->TakePlace(fields, 3, 6, line);
   }
 
-  /// The numbers from field `first` on, and the fields from `rest` on, which tell polylines apart.
+  /// The coordinates start at field `first`. The fields from `rest` on identify the polyline.
   void TakePlace(const std::vector<std::string_view>& fields, std::size_t first, std::size_t rest, std::int64_t line)
   {
     if (fields.size() < rest)
@@ -125,9 +125,9 @@ private:
   }
 
   FaultLineFile File;
-  std::string Name; // in a line of its own
-  std::string Key; // behind the coordinates
-  bool HasPlace = false; // in the polyline that is read
+  std::string Name;
+  std::string Key;
+  bool HasPlace = false;
 };
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ZMAP+ points and polygons: a header that tells which characters of a line hold what, then a line for each point. A
-// new number of the segment begins a polyline.
+// ZMAP+ points and polygons: a header gives the character positions of each field, and each point has a line. A new
+// segment number starts a polyline.
 
 #include "FaultLineFormats.h"
 
@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Where a field is, by characters from 0.
+/// Characters count from 0.
 struct ZmapField
 {
   std::size_t First = 0;
@@ -25,7 +25,6 @@ struct ZmapFields
 {
   std::optional<ZmapField> X, Y, Z, Segment;
 
-  /// That of a type; null for others, which are not read.
   std::optional<ZmapField>* Find(int type)
   {
     switch (type)
@@ -44,7 +43,7 @@ struct ZmapFields
   }
 };
 
-/// NAME, number, type, ?, first character, last character,, null, ...
+/// The fields are: name, number, type, ?, first character, last character, empty, null value.
 void TakeField(const NumberedLine& line, ZmapFields& fields)
 {
   FieldCursor cursor(line.Text, FieldSeparator::Comma);
@@ -114,7 +113,7 @@ private:
   FaultLineFile File;
   ZmapFields Fields;
   std::string Segment;
-  int Marks = 0; // lines that begin with @: the header is between two
+  int Marks = 0; // Lines that begin with @; two of them enclose the header.
 };
 }
 

@@ -109,7 +109,7 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
       PrefixFileErrors(this->Files.GetCurrent(),
         [&]()
         {
-          MakeFileStamp(this->Files.GetCurrent()); // refuses what is no regular file
+          MakeFileStamp(this->Files.GetCurrent());
           const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
           const FaultLineFile file = ReadFaultLines(*stream, monitor);
           const bool isUp =

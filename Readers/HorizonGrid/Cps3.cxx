@@ -11,18 +11,16 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Of the line FSASCI; some programs write a seventh word.
+// Word of FSASCI; some programs write a seventh word.
 constexpr std::size_t NullWord = 5;
 constexpr double AlwaysNull = 1e30;
 
-/// The header lines by their first words, and the name.
 struct Cps3Header
 {
   std::map<std::string, HeaderFields> Lines;
   std::string Name;
 };
 
-/// Leaves the text at the first line of values.
 Cps3Header ReadHeader(GridText& text)
 {
   Cps3Header header;
@@ -59,7 +57,7 @@ const HeaderFields& RequireLine(const Cps3Header& header, const char* keyword, c
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The steps of FSXINC are left out: some programs write them in the wrong order, and the limits say the same.
+/// The steps of FSXINC are ignored, since some programs swap them; the limits imply them.
 HorizonGrid ReadCps3(GridText& text)
 {
   HorizonGrid grid;

@@ -14,9 +14,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double LeastNull = 1e20; // where the header states no other
+constexpr double LeastNull = 1e20;
 
-/// The points of a file, one for each node that has a value.
 class EarthVisionPoints
 {
 public:
@@ -40,7 +39,6 @@ public:
   }
 
 private:
-  /// False when the line has no words, or is a comment.
   bool SplitLine(std::string_view line)
   {
     this->Words.clear();
@@ -101,10 +99,10 @@ private:
   const EarthVisionHeader& Header;
   const NullRule IsNull;
   std::vector<GridPoint> Points;
-  std::vector<std::string_view> Words; // of the line at hand
+  std::vector<std::string_view> Words;
 };
 
-/// As the header says, or just enough for all points.
+/// Headers without sizes get the smallest lattice that contains all points.
 std::array<int, 2> FindColumns(const EarthVisionHeader& header, const std::vector<GridPoint>& points)
 {
   std::array<int, 2> columns = header.Columns;
@@ -134,7 +132,7 @@ std::vector<double> PlaceValues(const std::vector<GridPoint>& points, const std:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The lattice is that of the points: what headers say of it, programs write in different ways.
+/// The lattice is fitted to the points, because programs describe it differently in headers.
 HorizonGrid ReadEarthVision(GridText& text)
 {
   HorizonGrid grid;

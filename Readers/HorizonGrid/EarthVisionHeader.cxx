@@ -12,7 +12,6 @@ namespace
 {
 constexpr std::size_t NoIndex = static_cast<std::size_t>(-1);
 
-/// "1 x" or "3 z meters".
 void ReadField(const HeaderFields& words, EarthVisionHeader& header)
 {
   const auto index = static_cast<std::size_t>(words.Count(0, "number of a field") - 1);
@@ -30,7 +29,7 @@ void ReadField(const HeaderFields& words, EarthVisionHeader& header)
   }
 }
 
-/// "281 x 441", the last x also without blanks around it.
+/// The text is "281 x 441" or "281x441".
 void ReadSize(const std::string& place, std::string value, EarthVisionHeader& header)
 {
   for (char& c : value)
@@ -41,7 +40,6 @@ void ReadSize(const std::string& place, std::string value, EarthVisionHeader& he
   header.Columns = { words.Count(0, "number of columns"), words.Count(1, "number of rows") };
 }
 
-/// A line "key: value" without its #.
 void ReadKey(const std::string& place, std::string_view line, EarthVisionHeader& header)
 {
   const std::size_t colon = std::min(line.find(':'), line.size());

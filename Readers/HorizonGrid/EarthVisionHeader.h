@@ -14,22 +14,20 @@
 
 namespace SeismicHorizons
 {
-/// A value that each line has.
 struct EarthVisionField
 {
   std::string Name;
-  std::size_t Index = 0; // among the values of a line
+  std::size_t Index = 0;
 };
 
 struct EarthVisionHeader
 {
   SurveyDescription Survey;
   EarthVisionField X, Y, Z, Column, Row;
-  std::array<int, 2> Columns = {}; // along i and j; 0 where the file does not say
-  std::optional<double> Null; // stands for no value
+  std::array<int, 2> Columns = {}; // Nodes along i and j; 0 if not stated.
+  std::optional<double> Null;
 };
 
-/// Leaves the text at the first line of values.
 EarthVisionHeader ReadEarthVisionHeader(GridText& text);
 }
 

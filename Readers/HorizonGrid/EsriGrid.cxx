@@ -12,7 +12,6 @@ namespace
 {
 constexpr double UsualNull = -9999.0;
 
-/// The header lines by their first words in small letters.
 using EsriHeader = std::map<std::string, HeaderFields>;
 
 bool IsSmallLetter(char c)
@@ -20,7 +19,7 @@ bool IsSmallLetter(char c)
   return c >= 'a' && c <= 'z';
 }
 
-/// Leaves the text at the first line of values. A value may be the word nan, as well.
+/// Stops at the first line of values, which may start with the word nan.
 EsriHeader ReadHeader(GridText& text)
 {
   EsriHeader header;
@@ -53,7 +52,7 @@ public:
   int Count(const std::string& key) const { return this->Line(key).Count(1, key); }
   double Number(const std::string& key) const { return this->Line(key).Number(1, key); }
 
-  /// Nodes are in the middle of cells; the header says where the first node is, or the corner of its cell.
+  /// The header gives the first node (xllcenter) or the corner of its cell (xllcorner).
   double FirstNode(const std::string& axis, double step) const
   {
     const std::string centre = axis + "llcenter";
@@ -62,7 +61,7 @@ public:
 
   double Step(const std::string& key) const { return this->Number(this->Has(key) ? key : "cellsize"); }
 
-  /// Programs that take nan as no value say so with a word that stands for no number.
+  /// Some programs declare nan as the null value, by a word that is not a number.
   NullRule IsNull() const
   {
     const std::string key = "nodata_value";

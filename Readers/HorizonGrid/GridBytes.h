@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A grid as bytes. Errors begin with the number of the byte, counted from 0, as hex dumps do.
+// A binary grid. Errors start with the offset of the byte, from 0.
 
 #ifndef SeismicHorizonsGridBytes_h
 #define SeismicHorizonsGridBytes_h
@@ -26,7 +26,6 @@ enum class ByteOrder
   BigEndian
 };
 
-/// The number that bytes of a file stand for, whatever the order of this machine.
 template <typename Number>
 Number DecodeNumber(const char* bytes, ByteOrder order)
 {
@@ -46,14 +45,11 @@ Number DecodeNumber(const char* bytes, ByteOrder order)
 class GridBytes
 {
 public:
-  /// Begins where the stream is.
   GridBytes(std::istream& stream, const Monitor& monitor, ByteOrder order);
 
-  /// What comes next, as "byte 100".
   std::string Place() const { return "byte " + std::to_string(this->Position); }
   InputError Error(const std::string& text) const { return InputError(this->Place() + ": " + text); }
 
-  /// Throws InputError with `name` at the end of the file.
   void Read(char* bytes, std::size_t count, const std::string& name);
   void Skip(std::int64_t count, const std::string& name);
 
@@ -65,7 +61,6 @@ public:
     return DecodeNumber<Number>(bytes.data(), this->Order);
   }
 
-  /// The same for a finite number.
   template <typename Number>
   double ReadFinite(const std::string& name)
   {
@@ -78,7 +73,6 @@ public:
     return number;
   }
 
-  /// The same for a positive integer.
   template <typename Number>
   int ReadCount(const std::string& name)
   {
@@ -91,7 +85,7 @@ public:
     return count;
   }
 
-  /// Appends `count` values, nan where there is none.
+  /// Null values become nan.
   template <typename Number>
   void ReadValues(std::int64_t count, const NullRule& isNull, std::vector<double>& values)
   {
@@ -109,13 +103,12 @@ public:
     }
   }
 
-  /// How many values of `size` bytes to make room for when a file claims `count`: never more than its length allows.
+  /// Limits `count` values of `size` bytes by the length of the file.
   std::size_t Room(std::int64_t count, std::size_t size) const;
 
-  /// Throws InputError when there is anything more.
   void RequireEnd();
 
-  /// Reads what is no part of the grid: a compressed file is checked where it ends.
+  /// Verifies the checksum of a compressed file.
   void ReadRest();
 
 private:
@@ -140,7 +133,7 @@ private:
   const ByteOrder Order;
   const double BytesInStream;
   std::int64_t Position = 0;
-  std::vector<char> Part; // of the values
+  std::vector<char> Part;
 };
 }
 

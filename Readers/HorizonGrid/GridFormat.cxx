@@ -16,7 +16,7 @@ namespace
 using namespace std::string_view_literals;
 
 constexpr std::array<std::pair<std::string_view, GridFormat>, 5> Signatures = { {
-  { "\0\0\0\x20\xFF\xFF\xFC\x1C"sv, GridFormat::IrapBinary }, // a Fortran record of 32 bytes that begins with -996
+  { "\0\0\0\x20\xFF\xFF\xFC\x1C"sv, GridFormat::IrapBinary }, // A Fortran record of 32 bytes that begins with -996.
   { "STORMGRID_BINARY"sv, GridFormat::Storm },
   { "DSAA"sv, GridFormat::SurferText },
   { "DSBB"sv, GridFormat::SurferBinary },
@@ -39,7 +39,6 @@ bool IsZmapHeader(std::string_view line)
   return false;
 }
 
-/// By the first line that is neither empty nor a comment.
 std::optional<GridFormat> RecogniseFirstLine(std::string_view line)
 {
   const std::vector<std::string> words = SplitAtBlanks(line);
@@ -51,14 +50,14 @@ std::optional<GridFormat> RecogniseFirstLine(std::string_view line)
   {
     return GridFormat::Cps3;
   }
-  if (words.size() <= 2 && (IsSameWord(words[0], "ncols") || IsSameWord(words[0], "nrows"))) // no names of columns
+  // Longer lines are names of fields.
+  if (words.size() <= 2 && (IsSameWord(words[0], "ncols") || IsSameWord(words[0], "nrows")))
   {
     return GridFormat::EsriGrid;
   }
   return IsZmapHeader(line) ? std::optional(GridFormat::Zmap) : std::nullopt;
 }
 
-/// By the labels that lines begin with, wherever they are.
 std::optional<GridFormat> RecogniseLabels(const std::vector<std::string_view>& lines)
 {
   bool hasColumn = false;
@@ -77,7 +76,6 @@ std::optional<GridFormat> RecogniseLabels(const std::vector<std::string_view>& l
   return hasColumn && hasRow ? std::optional(GridFormat::EarthVision) : std::nullopt;
 }
 
-/// The lines that are neither empty nor comments, without blanks around them.
 std::vector<std::string_view> FindLines(std::string_view text)
 {
   std::vector<std::string_view> lines;

@@ -10,7 +10,7 @@
 
 namespace SeismicHorizons
 {
-/// The files of gridding programs that can be read. Documentation/HorizonGridFormats.md describes each.
+/// Documentation/HorizonGridFormats.md describes each format.
 enum class GridFormat
 {
   IrapText,
@@ -26,14 +26,11 @@ enum class GridFormat
   EsriGrid
 };
 
-/// For people: "IRAP classic ASCII grid".
 const char* FormatName(GridFormat format);
 
-/// How many bytes at the start of a file are enough to recognise its format.
 constexpr std::size_t RecognitionBytes = 16 * 1024;
 
-/// The format of a file by the bytes it begins with, never by its name: several programs share one ending. Nothing when
-/// it is none of these. Points with column and row are an EarthVision grid; without, they are not one.
+/// Recognises content, as formats share file extensions. Points without column and row are no EarthVision grid.
 std::optional<GridFormat> RecogniseGrid(std::string_view firstBytes);
 }
 

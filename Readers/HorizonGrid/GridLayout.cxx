@@ -13,7 +13,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t NodesFreeOfPoints = 1000000; // take 8 MB
+constexpr std::int64_t NodesFreeOfPoints = 1000000; // Their values take 8 MB.
 constexpr std::int64_t MostNodesPerPoint = 1000;
 
 double AxisStep(int count, const std::array<double, 2>& range, const std::string& axis)
@@ -30,7 +30,7 @@ double AxisStep(int count, const std::array<double, 2>& range, const std::string
   return (range[1] - range[0]) / (count - 1);
 }
 
-/// A quarter of a turn is exact, which the cosine of the library is not.
+/// std::cos is not exact at multiples of 90 degrees.
 Eigen::Vector2d Direction(double degrees)
 {
   const double quarters = degrees / 90.0;
@@ -92,7 +92,7 @@ SurveyLattice TurnedLattice(
   lattice.Columns = columns;
   lattice.Origin = origin;
   lattice.ColumnStep = steps[0] * direction;
-  lattice.RowStep = steps[1] * Eigen::Vector2d(0.0 - direction.y(), direction.x()); // not -0
+  lattice.RowStep = steps[1] * Eigen::Vector2d(0.0 - direction.y(), direction.x()); // The subtraction avoids -0.
   const Eigen::Vector2d last = origin + columns[0] * lattice.ColumnStep + columns[1] * lattice.RowStep;
   if (steps[0] == 0.0 || steps[1] == 0.0 || !last.allFinite())
   {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the readers of all formats share about nodes: where they are, in which order files have them, and which have no
-// value.
+// Node positions, storage order and null values, shared by the readers of all formats.
 
 #ifndef SeismicHorizonsGridLayout_h
 #define SeismicHorizonsGridLayout_h
@@ -17,12 +16,12 @@
 
 namespace SeismicHorizons
 {
-/// Which numbers stand for a node without value. Not a number always does.
+/// A node has no value if its number is nan, is within Tolerance of Value, or is at least Least.
 struct NullRule
 {
-  double Value = std::numeric_limits<double>::quiet_NaN(); ///< this one
-  double Tolerance = 0.0; ///< and what is no farther from it
-  double Least = std::numeric_limits<double>::quiet_NaN(); ///< and all from here on
+  double Value = std::numeric_limits<double>::quiet_NaN();
+  double Tolerance = 0.0;
+  double Least = std::numeric_limits<double>::quiet_NaN();
 
   bool operator()(double z) const
   {
@@ -30,40 +29,36 @@ struct NullRule
   }
 };
 
-/// This number, also when it was rounded to a float on its way into the file.
+/// The tolerance covers rounding to float.
 NullRule NullAt(double value);
 
-/// All numbers from this one on.
 NullRule NullFrom(double least);
 
-/// Adds that all numbers from this one on have no value.
 NullRule OrFrom(NullRule rule, double least);
 
 std::int64_t CountNodes(const std::array<int, 2>& columns);
 
-/// Nodes along the axes between the first and the last one of each. One node alone along an axis gets a step of 1.
-/// Throws InputError when the first is not below the last.
+/// A single node along an axis gets a step of 1. Throws InputError unless the first coordinate is below the last.
 SurveyLattice AxisLattice(
   const std::array<int, 2>& columns, const std::array<double, 2>& xRange, const std::array<double, 2>& yRange);
 
-/// Nodes from an origin by steps that are turned counterclockwise by an angle in degrees. A negative step makes a
-/// lattice that is seen in a mirror. Throws InputError when a step is 0, or a node at no finite place.
+/// The angle is in degrees, counterclockwise. A negative step makes the lattice left-handed. Throws InputError for a
+/// step of 0 and for nodes that are not finite.
 SurveyLattice TurnedLattice(
   const std::array<int, 2>& columns, const Eigen::Vector2d& origin, const std::array<double, 2>& steps, double degrees);
 
-/// Throws InputError when the header of a file claims far more nodes than it gives points for: no horizon is as sparse.
-/// So memory follows what is in the file.
+/// Throws InputError if a header claims far more nodes than the file has points: no horizon is that sparse, and memory
+/// stays in proportion to the file.
 void RequirePoints(std::int64_t nodes, std::int64_t points);
 
-/// The order of the values in a file.
 struct StorageOrder
 {
-  bool AlongY = false; ///< column by column instead of row by row
-  bool FromRight = false; ///< each row, or the columns, begin at the largest i
-  bool FromTop = false; ///< each column, or the rows, begin at the largest j
+  bool AlongY = false;
+  bool FromRight = false; ///< The largest i comes first.
+  bool FromTop = false; ///< The largest j comes first.
 };
 
-/// Values in the order of HorizonGrid: by rows from the smallest j, each from the smallest i.
+/// Returns the values in the order of HorizonGrid: i fastest.
 std::vector<double> Arrange(std::vector<double> values, const std::array<int, 2>& columns, const StorageOrder& order);
 }
 

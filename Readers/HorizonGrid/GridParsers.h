@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One function for each format. Each takes the file from its start, and throws InputError on what breaks the format.
+// Each function reads a file of one format from its start, and throws InputError if it violates the format.
 
 #ifndef SeismicHorizonsGridParsers_h
 #define SeismicHorizonsGridParsers_h

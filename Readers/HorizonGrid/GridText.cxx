@@ -15,7 +15,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double LeastBytesPerValue = 2.0; // a digit, and what parts it from the next
+constexpr double LeastBytesPerValue = 2.0; // One digit and one separator.
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -27,7 +27,6 @@ GridText::GridText(std::istream& stream, const Monitor& monitor, std::size_t buf
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Reads the next lines; false at the end of the file.
 bool GridText::Fill()
 {
   if (this->Lines.AtEnd())
@@ -124,7 +123,7 @@ std::vector<double> GridText::Values(std::int64_t count, const NullRule& isNull)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Behind the last newline there is one more line, an empty one.
+/// A file that ends with a newline has an additional empty line.
 FileError GridText::EndError(const std::string& expected) const
 {
   return CutOffAt(std::max<std::int64_t>(this->LineNumber - 1, 1), "end of file, expected " + expected);

@@ -13,11 +13,11 @@ namespace SeismicHorizons
 namespace
 {
 constexpr int Base = 90;
-constexpr char Zero = '%'; // the digit 0; the others follow it in ASCII
-constexpr char NoValue = '!'; // begins a group without value
-constexpr char Repeat = '"'; // begins a group that says: one with a count follows, and one with the value
+constexpr char Zero = '%'; // The other digits follow in ASCII.
+constexpr char NoValue = '!';
+constexpr char Repeat = '"'; // Groups with a count and with the repeated value follow.
 
-/// Values of a few characters each, without anything between them.
+/// Values in base 90 have no separators.
 class CompressedValues
 {
 public:
@@ -49,7 +49,6 @@ public:
 private:
   std::int64_t Found() const { return static_cast<std::int64_t>(this->Values.size()); }
 
-  /// It is in memory until the next call.
   std::string_view NextGroup()
   {
     while (this->Rest.empty())
@@ -119,9 +118,9 @@ private:
   const GxfHeader& Header;
   const std::int64_t Count;
   const std::size_t GroupSize;
-  std::string_view Rest; // of the line at hand
-  bool IsFirstLine = true; // none was looked at yet
-  std::int64_t Groups = 0; // read so far
+  std::string_view Rest;
+  bool IsFirstLine = true;
+  std::int64_t Groups = 0;
   std::vector<double> Values;
 };
 

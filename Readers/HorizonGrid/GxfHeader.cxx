@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int LargestGroup = 9; // of digits to the base 90, which still fit an integer of 64 bits
+constexpr int LargestGroup = 9; // Digits in base 90 that fit a 64-bit integer.
 
 struct GxfEntry
 {
@@ -22,10 +22,9 @@ struct GxfEntry
   std::string Text;
 };
 
-/// The values by the labels before them, in small letters and without the first #.
 using GxfEntries = std::map<std::string, GxfEntry>;
 
-/// The line at hand, and those that go on from it behind a backslash. Leaves the text behind them.
+/// A backslash at the end continues an entry on the next line.
 GxfEntry ReadEntry(GridText& text)
 {
   GxfEntry entry = { text.Place(), {} };
@@ -40,7 +39,7 @@ GxfEntry ReadEntry(GridText& text)
   return entry;
 }
 
-/// The values stand in the line behind the label; other lines are comments.
+/// The value is on the line after its label; other lines are comments.
 GxfEntries ReadEntries(GridText& text)
 {
   GxfEntries entries;
@@ -79,7 +78,7 @@ public:
   {
   }
 
-  /// Labels are told by their first letters, as some programs cut them short.
+  /// Labels are matched by their first letters, because some programs truncate them.
   std::optional<HeaderFields> Find(const std::string& label) const
   {
     const GxfEntry* const entry = this->FindEntry(label);
@@ -102,7 +101,6 @@ public:
     return fields->Count(0, '#' + label);
   }
 
-  /// What is in quotes, or the whole line; empty when there is none.
   std::string Phrase(const std::string& label) const
   {
     const GxfEntry* const entry = this->FindEntry(label);
@@ -126,7 +124,7 @@ private:
   const GxfEntry* FindEntry(const std::string& name) const
   {
     const std::string label = ToLower(name);
-    constexpr std::size_t lettersToTell = 5; // MAP_P is not MAP_D
+    constexpr std::size_t lettersToTell = 5; // Five letters distinguish MAP_PROJECTION from MAP_DATUM.
     for (const auto& [found, entry] : this->Entries)
     {
       if (found.substr(0, lettersToTell) == label.substr(0, lettersToTell) || found == label.substr(0, 4))
@@ -141,8 +139,8 @@ private:
   const GridText& Text;
 };
 
-/// Where the first value is and where the next one is from it: 1 lower left and right of it, 2 upper left and down, 3
-/// upper right and left, 4 lower right and up. Negative senses begin there too, and turn the other way.
+/// The sense gives the first node and the direction from it: 1 lower left, to the right; 2 upper left, down; 3 upper
+/// right, to the left; 4 lower right, up. A negative sense goes from the same corner along the other axis.
 StorageOrder ReadOrder(const GxfFields& fields, const GridText& text)
 {
   const double sense = fields.Number("SENSE", 1.0);
@@ -175,9 +173,9 @@ Extent FindExtent(const SurveyLattice& lattice)
   return extent;
 }
 
-/// By the standard the origin is the first node, and the rotation that of its row, counterclockwise from x. OpenWorks
-/// means the corner of the bounding box instead, and a rotation a quarter turn further on. It also writes the other
-/// corner, ##XMAX and ##YMAX, which tells: its way is taken where that corner fits it alone.
+/// The standard's origin is the first node, and the rotation is the direction of its row, counterclockwise from x.
+/// OpenWorks writes the corner of the bounding box, and adds 90 degrees. Its reading is used if only that fits the other
+/// corner, ##XMAX and ##YMAX, which OpenWorks writes as well.
 SurveyLattice ReadLattice(const GxfFields& fields, const StorageOrder& order)
 {
   std::array<int, 2> columns = { fields.Count("POINTS"), fields.Count("ROWS") };

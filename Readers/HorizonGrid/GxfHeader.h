@@ -20,12 +20,11 @@ struct GxfHeader
   SurveyLattice Lattice;
   StorageOrder Order;
   NullRule IsNull;
-  int GroupSize = 0; // characters of a compressed value; 0 when values are plain numbers
+  int GroupSize = 0; // Characters of a compressed value; 0 for plain numbers.
   double Scale = 1.0;
   double Offset = 0.0;
 };
 
-/// Leaves the text at the first line of values.
 GxfHeader ReadGxfHeader(GridText& text);
 }
 

@@ -11,7 +11,7 @@ namespace
 constexpr float FirstNull = 1e30f;
 constexpr std::int32_t UnusedBytes = 28;
 
-/// The length before and after each Fortran record.
+/// Fortran records have their length before and after them.
 void ReadLength(GridBytes& bytes, std::int32_t expected)
 {
   const std::string place = bytes.Place();
@@ -48,8 +48,8 @@ IrapHeader ReadHeader(GridBytes& bytes)
   return header;
 }
 
-/// Rows are usually records, but any length may be one. What follows the last value is no part of the grid: some
-/// programs put notes there.
+/// Records are usually rows, but may have any length. Data after the last value is ignored: some programs write notes
+/// there.
 std::vector<double> ReadRecords(GridBytes& bytes, std::int64_t count)
 {
   std::vector<double> values;

@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double LargestShift = 0.1; // of a step; coordinates are written with few digits
+constexpr double LargestShift = 0.1; // Fraction of a step, since coordinates are written with few digits.
 
 std::string PlaceText(const Eigen::Vector2d& place)
 {

@@ -14,10 +14,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double SmallestSine = 0.01; // of the angle between the steps; surveys are nearly at right angles
-constexpr double LargestShift = 0.1; // of a step; coordinates are written with few digits
+constexpr double SmallestSine = 0.01; // Sine of the smallest angle between the steps; surveys are nearly rectangular.
+constexpr double LargestShift = 0.1; // Fraction of a step, since coordinates are written with few digits.
 
-/// Also refuses steps that are no finite numbers.
 void RequireArea(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;
@@ -46,7 +45,7 @@ void RequireOnNodes(const std::vector<GridPoint>& points, const SurveyLattice& l
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Sums are made of the distances from the first point, so that large coordinates cost no digits.
+/// Distances from the first point are summed, so that large coordinates lose no digits.
 SurveyLattice FitLattice(const std::vector<GridPoint>& points, const std::array<int, 2>& columns)
 {
   PlaneFit fit;

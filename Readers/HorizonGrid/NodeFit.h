@@ -12,18 +12,16 @@
 
 namespace SeismicHorizons
 {
-/// A point of which the file says where it is in the world, and at which node.
 struct GridPoint
 {
   Eigen::Vector2d Place = Eigen::Vector2d::Zero();
   double Z = 0.0;
   int I = 0;
   int J = 0;
-  std::int64_t Line = 0; // in the file
+  std::int64_t Line = 0;
 };
 
-/// The lattice that fits the points best, by least squares. Throws InputError when they are on one line of nodes, or
-/// a point is off its node.
+/// Throws InputError if all points are on one line, or a point is far from its node.
 SurveyLattice FitLattice(const std::vector<GridPoint>& points, const std::array<int, 2>& columns);
 }
 

@@ -11,9 +11,9 @@ namespace SeismicHorizons
 namespace
 {
 constexpr NullRule IsNull = { -999.0 };
-constexpr std::size_t LongestWord = 64; // the longest number takes 24 characters
+constexpr std::size_t LongestWord = 64; // The longest number has 24 characters.
 
-/// The next word of the header. Of what ends it only one character is read: values may follow.
+/// Reads a single character after the word, because values may follow.
 std::string ReadWord(GridBytes& bytes, const std::string& name, char& end)
 {
   std::string word;
@@ -46,7 +46,7 @@ int ReadCount(GridBytes& bytes, const std::string& name)
   return ReadHeaderCount(ReadWord(bytes, name, end), name, place);
 }
 
-/// Reads the last number and its line to the end, behind which the values begin.
+/// The binary values start after the line of the last number.
 void ReadLastNumber(GridBytes& bytes, const std::string& name)
 {
   char end = ' ';

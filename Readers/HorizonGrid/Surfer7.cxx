@@ -9,7 +9,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// A part of the file: what it is, and how many bytes follow.
 struct Section
 {
   std::string Name;
@@ -31,7 +30,7 @@ Section ReadSection(GridBytes& bytes, const std::string& expected)
   return section;
 }
 
-/// Skips the sections before the one of a name. Those that are not known are no fault.
+/// Unknown sections are skipped.
 Section FindSection(GridBytes& bytes, const std::string& name)
 {
   Section section = ReadSection(bytes, "a section " + name);

@@ -6,7 +6,7 @@
 
 namespace SeismicHorizons
 {
-/// Surfer 6 has no value at nodes from here on.
+/// In Surfer 6 nodes from this value upwards have no z.
 constexpr double SurferNull = 1.70141e38;
 }
 

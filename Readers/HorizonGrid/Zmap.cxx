@@ -14,15 +14,14 @@ namespace
 struct ZmapHeader
 {
   std::string Name;
-  int Width = 0; // characters of a value, in files that do not part values by blanks
+  int Width = 0; // Characters of a value, for files without separators.
   NullRule IsNull;
-  std::string NullText; // in place of a value, for files without a number for that
-  int Decimals = 0; // of values without a point
-  int FirstCharacter = 1; // where the values of a line begin
+  std::string NullText;
+  int Decimals = 0; // Implied decimals of values without a point.
+  int FirstCharacter = 1; // Character from 1 at which the values of a line begin.
   SurveyLattice Lattice;
 };
 
-/// Goes on to the next line that is not empty and no comment.
 std::string_view FindLine(GridText& text, const std::string& expected)
 {
   for (; text.PeekLine(); text.NextLine())
@@ -44,7 +43,7 @@ HeaderFields ReadFields(GridText& text, const std::string& expected)
   return fields;
 }
 
-/// The name is what stands before ", GRID", often with the word HEADER behind it.
+/// The name is the text before ", GRID", often followed by the word HEADER.
 std::string ReadName(GridText& text)
 {
   const std::string_view line = FindLine(text, "@ and a name");
@@ -70,7 +69,6 @@ void ReadNull(const HeaderFields& fields, ZmapHeader& header)
   }
 }
 
-/// A whole number from `least` on; what is left out is that.
 int ReadWhole(const HeaderFields& fields, std::size_t index, const std::string& name, int least)
 {
   const std::string word = index < fields.Size() ? fields.Text(index, name) : std::string();
@@ -99,7 +97,7 @@ ZmapHeader ReadHeader(GridText& text)
   return header;
 }
 
-/// Takes values line by line, since the width of values may be all that parts them.
+/// Only the width may separate values.
 class ZmapValues
 {
 public:
@@ -152,8 +150,7 @@ private:
     }
   }
 
-  /// Whether a word is of several values that touch: it is too long for one, and does not have one point, as a long
-  /// number would.
+  /// Adjacent values form a word wider than one value, without exactly one point.
   bool IsSeveral(std::string_view word) const
   {
     return word.size() > static_cast<std::size_t>(this->Header.Width) && std::count(word.begin(), word.end(), '.') != 1;
@@ -187,7 +184,6 @@ private:
   double ReadValue(std::string_view word) const
   {
     double z = 0.0;
-    // A value that fills its width may touch the next one, where this would fail.
     if (ReadPlainNumber(word.data(), z) == word.data() + word.size())
     {
       return this->Header.IsNull(z) ? std::numeric_limits<double>::quiet_NaN() : z;
@@ -195,8 +191,7 @@ private:
     return ReadGridValue(word, this->Header.IsNull, this->Text);
   }
 
-  /// All values have a point, or none: then it stands before the last decimals, as in Fortran. Else what it would mean
-  /// to have none is unknown.
+  /// Values without a point have implied decimals, as in Fortran. The meaning of a mixture is unknown.
   void NotePoint(std::string_view word)
   {
     const bool hasPoint = word.find_first_of(".eEdD") != std::string_view::npos;
@@ -225,7 +220,7 @@ private:
   const ZmapHeader& Header;
   const std::int64_t Count;
   std::vector<double> Values;
-  std::optional<bool> HasPoint; // of the values other than 0, as soon as there is one
+  std::optional<bool> HasPoint;
 };
 }
 

@@ -21,7 +21,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// Some programs put the name of the file in the place of that of the horizon.
+/// Some programs write the file name as the name of the horizon.
 bool IsNameOf(const std::string& name, const std::string& fileName)
 {
   return name == std::filesystem::u8path(fileName).filename().u8string();
@@ -32,9 +32,9 @@ bool IsNameOf(const std::string& name, const std::string& fileName)
 struct vtkHorizonGridReader::FileContent
 {
   FileStamp Stamp;
-  std::string Name; // of the horizon
+  std::string Name;
   std::string Format;
-  std::optional<HorizonGrid> Grid; // until it is used
+  std::optional<HorizonGrid> Grid;
 };
 
 vtkStandardNewMacro(vtkHorizonGridReader);
@@ -52,8 +52,7 @@ int vtkHorizonGridReader::CanReadFile(const char* fileName)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The name of a horizon can stand anywhere in a file, so that it is read for the list of horizons, and kept until it
-/// is asked for.
+/// The name may be anywhere in a file, so that listing horizons reads the whole file and keeps it.
 std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monitor)
 {
   RequireFileName(this->Files.GetCurrent());
