@@ -23,14 +23,13 @@ namespace SeismicHorizons
 namespace
 {
 constexpr const char* Remedy = ": name the columns in Columns, such as Inline, Crossline, X, Y, Z";
-constexpr std::size_t MostColumns = 12; // that are compared with each other
+constexpr std::size_t MostColumns = 12;
 
 std::string Two(std::size_t column)
 {
   return std::to_string(column + 1) + " and " + std::to_string(column + 2);
 }
 
-/// The numbers of a column in the lines of the sample; nan where there is none.
 std::vector<double> NumbersOf(const TextLines& sample, const TextLayout& layout, std::size_t column)
 {
   std::vector<double> numbers;
@@ -45,7 +44,6 @@ std::vector<double> NumbersOf(const TextLines& sample, const TextLayout& layout,
   return numbers;
 }
 
-/// Whether numbers are the same, or go on by the same step from line to line, in the first of which they do.
 bool IsCounter(const std::vector<double>& numbers)
 {
   constexpr std::size_t fewest = 5;
@@ -59,7 +57,6 @@ bool IsCounter(const std::vector<double>& numbers)
   return numbers.size() >= fewest;
 }
 
-/// Of numbers other than nan.
 struct Range
 {
   double Least = std::numeric_limits<double>::infinity();
@@ -90,7 +87,6 @@ bool IsConstant(const std::vector<double>& numbers)
   return std::all_of(numbers.begin(), numbers.end(), [&](double number) { return number == numbers.front(); });
 }
 
-/// Large, of one sign, and near to each other beside their size, as coordinates in metres are.
 bool AreLikeCoordinates(const std::vector<double>& numbers)
 {
   constexpr double least = 1e5;
@@ -100,10 +96,10 @@ bool AreLikeCoordinates(const std::vector<double>& numbers)
     !IsConstant(numbers);
 }
 
-/// "2000.00-1522.00" or "431000.006348000.00": numbers of columns as wide as these are, without a blank between.
+/// Wide fields may touch: "2000.00-1522.00" or "431000.006348000.00".
 bool AreTouching(std::string_view field)
 {
-  constexpr std::ptrdiff_t fewest = 9; // digits: dates have eight
+  constexpr std::ptrdiff_t fewest = 9; // Dates have eight digits.
   const bool isOfNumbers =
     std::all_of(field.begin(), field.end(), [](char c) { return IsDigit(c) || c == '.' || c == '-' || c == '+'; });
   const std::size_t sign = field.find_first_of("+-", 1);
@@ -126,7 +122,7 @@ void RefuseTouching(const TextLines& sample, const TextLayout& layout)
   }
 }
 
-/// "1522,06": behind a comma are always as many digits, with zeros in front.
+/// In "1522,06" the fields after commas have leading zeros.
 void RefuseDecimalCommas(const TextLines& sample, const TextLayout& layout)
 {
   if (layout.Separator != FieldSeparator::Comma)
@@ -154,12 +150,11 @@ void RefuseDecimalCommas(const TextLines& sample, const TextLayout& layout)
   }
 }
 
-/// Line numbers and their places that stand in other columns than those that were taken for them.
 void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
 {
   if (layout.Find(ColumnRole::X) >= 0 && layout.Find(ColumnRole::Inline) >= 0)
   {
-    return; // these follow each other
+    return;
   }
   const std::size_t count = std::min(MostColumns, layout.Columns.size());
   for (std::size_t lines = 0; lines + 1 < count; ++lines)
@@ -211,11 +206,11 @@ void RefuseCounters(const TextLines& sample, const TextLayout& layout)
   }
 }
 
-/// Line numbers begin far from 0, and hardly go by fives: from 0 or in such steps, whole numbers are as likely places in
-/// a small area. Taken for the other, x and y change places.
+/// Line numbers start far from 0 and seldom have steps of five. Other whole numbers may be places, and x and y would be
+/// swapped.
 void RefuseSmallPlaces(const TextLines& sample, const TextLayout& layout)
 {
-  constexpr std::size_t fewest = 4; // different numbers, to know their step
+  constexpr std::size_t fewest = 4; // Different values that determine a step.
   constexpr std::int64_t longest = 4;
   const int lines = layout.Find(ColumnRole::Inline);
   for (int column = lines; lines >= 0 && layout.Find(ColumnRole::X) < 0 && column <= lines + 1; ++column)
@@ -253,10 +248,10 @@ void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
   {
     return;
   }
-  constexpr double smooth = 0.25; // of the range, from a column to the next
-  constexpr double alike = 0.1; // of the range, that of each column
+  constexpr double smooth = 0.25;
+  constexpr double alike = 0.1;
   std::vector<Range> ranges(count);
-  std::vector<Mean> steps(count); // from a column to the next
+  std::vector<Mean> steps(count);
   for (const std::string_view line : sample)
   {
     const Fields fields = Split(line, layout.Separator);
@@ -272,7 +267,7 @@ void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
     }
   }
   Range all;
-  Range common{ -all.Least, -all.Largest }; // to all columns
+  Range common{ -all.Least, -all.Largest };
   double longest = 0.0;
   double narrowest = all.Least;
   for (std::size_t column = 0; column < count; ++column)

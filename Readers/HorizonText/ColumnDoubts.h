@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Columns without names are known by what their values look like. What looks like something else as well is refused: a
-// wrong guess would make a horizon that is none.
+// Fields without names are recognised by their values. Ambiguous ones are refused, since a wrong guess gives a wrong
+// horizon.
 
 #ifndef SeismicHorizonsColumnDoubts_h
 #define SeismicHorizonsColumnDoubts_h
@@ -14,15 +14,13 @@
 
 namespace SeismicHorizons
 {
-/// Throws InputError where columns without names are more, and more alike, than those of picks are: rows of a grid.
+/// Throws InputError for rows of a grid: too many and too similar unnamed fields.
 void RefuseMatrix(const TextLines& sample, const TextLayout& layout);
 
-/// Throws InputError, which says what to set, where guessed columns may be others: places that stand elsewhere, numbers
-/// that touch or have decimal commas, line numbers that may be places, and a z that counts lines or is the same in all
-/// while another column is not.
+/// Throws InputError, which says what to set, if guessed fields may be wrong: places in other fields, numbers that touch
+/// or have decimal commas, line numbers that may be places, or a z that is constant or counts lines.
 void RefuseDoubtfulColumns(const TextLines& sample, const TextLayout& layout);
 
-/// What users should know of columns that were guessed; empty where there is nothing.
 std::string DoubtOfColumns(const TextLines& sample, const TextLayout& layout);
 }
 

@@ -21,10 +21,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Whole numbers up to here may be line numbers; coordinates of surveys are larger.
+// Coordinates of surveys are larger.
 constexpr double LargestLineNumber = 99999.0;
 
-/// Whether a line has so many fields. The last one may be empty behind a separator at the end.
 bool HasFields(std::string_view line, FieldSeparator separator, std::size_t count)
 {
   std::size_t fields = 0;
@@ -36,7 +35,7 @@ bool HasFields(std::string_view line, FieldSeparator separator, std::size_t coun
   return fields == count || (fields + 1 == count && cursor.EndsInSeparator());
 }
 
-/// "2019-11-21", "12:30:01": digits with marks between.
+/// Dates and times have marks between digits: "2019-11-21", "12:30:01".
 bool IsDate(std::string_view field)
 {
   const auto isMark = [](char c) { return c == '-' || c == '/' || c == ':' || c == '.'; };
@@ -44,7 +43,6 @@ bool IsDate(std::string_view field)
     std::all_of(field.begin(), field.end(), [&](char c) { return IsDigit(c) || isMark(c) || c == 'T'; });
 }
 
-/// The largest size of the numbers in a column.
 double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t column)
 {
   double largest = 0.0;
@@ -61,7 +59,7 @@ double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t 
   return largest;
 }
 
-/// Line numbers whose places are partly wrong, bent or noisy are neither reading.
+/// Line numbers whose places are partly wrong, bent or noisy fit neither reading.
 [[noreturn]] void RefuseDoubt(std::size_t lines, std::size_t places)
 {
   throw InputError("columns " + std::to_string(lines + 1) + " and " + std::to_string(lines + 2) +
@@ -72,8 +70,7 @@ double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t 
     "Crossline, X, Y, Z");
 }
 
-/// Whether columns hold line numbers and the places that belong to them, in this order. Where the lines have too few
-/// numbers to tell, coordinates are taken for what they mostly are: large.
+/// If the lines are too few or too similar to decide, large numbers are coordinates.
 bool AreLinesAndPlaces(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places)
 {
   const PairFit fit = FitPairs(sample, layout, lines, places);
@@ -95,7 +92,6 @@ bool AreLinesAndPlaces(const TextLines& sample, const TextLayout& layout, std::s
   return areBoth;
 }
 
-/// What neither reading explains is refused: coordinates would become z.
 void RefuseLargeZ(const TextLines& sample, const TextLayout& layout, const std::vector<TextColumn>& columns)
 {
   for (std::size_t column = 0; column < columns.size(); ++column)
@@ -159,7 +155,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
     double value = 0.0;
     if (column >= fields.size())
     {
-      continue; // reading the line will say so
+      continue; // Parsing the line reports the error.
     }
     const bool isNumber = ReadNumber(fields[column], value) != NumberKind::NotANumber;
     hasNumbers = hasNumbers || isNumber;
@@ -172,7 +168,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
     lines += isNumber && value == std::round(value) && value >= 0.0 && value <= LargestLineNumber ? 1 : 0;
   }
   values.AreLines = lines >= MostOf(sample.size());
-  values.AreText = values.AreText && !hasNumbers; // else reading the line of the text will say so
+  values.AreText = values.AreText && !hasNumbers;
   constexpr std::size_t few = 20;
   values.AreNames = !areUnits && !areDates && areWhole && (!hasNumbers || different.size() <= few);
   values.AreAllDifferent = sample.size() > few && different.size() == sample.size();

@@ -14,13 +14,12 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// What a column is called: by its role, or by its own name.
 std::string Word(const TextColumn& column)
 {
   return column.Role == ColumnRole::Attribute ? column.Name : RoleWord(column.Role);
 }
 
-/// Adds a number to the name of an attribute that another one has before it: "Amplitude 2".
+/// Repeated names of attributes get a number: "Amplitude 2".
 void NumberDoubles(std::vector<TextColumn>& columns)
 {
   std::set<std::string> names;
@@ -34,7 +33,6 @@ void NumberDoubles(std::vector<TextColumn>& columns)
   }
 }
 
-/// Of several columns whose names mean z, others become attributes.
 void KeepOneZ(std::vector<TextColumn>& columns)
 {
   std::vector<std::string> names;
@@ -54,7 +52,7 @@ void KeepOneZ(std::vector<TextColumn>& columns)
   }
 }
 
-/// Where no column is called z, it is the only one that may be. Throws InputError where there are several.
+/// Several fields that may be z are an InputError.
 void NameOnlyZ(std::vector<TextColumn>& columns)
 {
   const auto mayBe = [](const TextColumn& column)
@@ -77,7 +75,7 @@ bool Has(const std::vector<TextColumn>& columns, ColumnRole role)
   return std::any_of(columns.begin(), columns.end(), [role](const TextColumn& column) { return column.Role == role; });
 }
 
-/// Half of a place is none: x without y is an attribute, and so is y without x.
+/// x without y becomes an attribute, as does y without x.
 void MakeAttributeOfHalf(std::vector<TextColumn>& columns, ColumnRole one, ColumnRole other)
 {
   for (TextColumn& column : columns)

@@ -24,9 +24,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t LookAhead = 256 * 1024; // bytes that the layout is found from
+constexpr std::size_t LookAhead = 256 * 1024;
 
-/// Calls take(lines) with some complete lines after the other.
 template <typename Take>
 void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& monitor, Take&& take)
 {
@@ -45,37 +44,35 @@ void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& m
   }
 }
 
-/// Puts blocks of picks together, in their order.
 class PickCollector
 {
 public:
   explicit PickCollector(const TextLayout& layout);
 
-  /// Makes room for so many picks. More may come.
   void Reserve(std::size_t picks);
 
-  /// Throws InputError, with the number of the line, where a block has an error, and where lines follow an end mark.
+  /// Throws InputError for the first error of a block, and for lines after an end mark.
   void Add(const PickBlock& block);
 
   std::size_t Size() const { return this->Picks; }
 
-  /// All that was added. Throws InputError where that is not what the file says it has.
+  /// Throws InputError if the header states another number of picks.
   PickTable Take();
 
 private:
   void AddNames(const PickBlock& block);
   void AddLines(const PickBlock& block);
   void CheckNames();
-  std::vector<double>& Column(std::size_t column); // where its numbers go to
+  std::vector<double>& Column(std::size_t column);
 
   const TextLayout& Layout;
   PickTable Table;
   std::size_t Picks = 0;
-  std::int64_t Lines = 0; // before the next block
+  std::int64_t Lines = 0;
   bool HasEnded = false;
-  bool HasComment = false; // between picks
-  bool IsLatin1 = false; // a name that is not in UTF-8
-  std::unordered_map<std::string, int> Numbers; // of names
+  bool HasComment = false;
+  bool IsLatin1 = false;
+  std::unordered_map<std::string, int> Numbers;
 };
 
 PickCollector::PickCollector(const TextLayout& layout)
@@ -155,7 +152,7 @@ void PickCollector::Add(const PickBlock& block)
     throw ErrorAt(this->Lines + block.ErrorLine + 1,
       block.Error + (isFirst ? "; HeaderLines skips lines above the picks, NullValues lists words for no value" : ""));
   }
-  // Where each pick has the name of its horizon, headers between horizons name nothing else.
+  // If each pick has the name of its horizon, headers between horizons add nothing.
   const bool isBetween = !this->Layout.HasNames() && (this->Picks > 0 || block.CommentLine > block.FirstLine);
   if (block.CommentLine >= 0 && isBetween && !std::exchange(this->HasComment, true))
   {
@@ -232,8 +229,7 @@ PickTable PickCollector::Take()
   return std::move(this->Table);
 }
 
-/// Text that differs in each line is no name of a horizon; what changes from line to line may be a mark of something
-/// else.
+/// A text that differs in each line is not a name.
 void PickCollector::CheckNames()
 {
   const std::vector<int>& horizon = this->Table.Horizon;
@@ -256,7 +252,6 @@ void PickCollector::CheckNames()
   }
 }
 
-/// The text from the line behind the first `count` ones; those left out are taken off the count.
 std::string_view SkipLines(std::string_view text, std::int64_t& count)
 {
   while (count > 0 && !text.empty())
@@ -291,7 +286,7 @@ PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Moni
       }
       if (isFirst && partRead > 0.0)
       {
-        // A little more than it will take, so that columns need not grow, for which they would be in memory twice.
+        // A reserve of 5 % avoids growth, which would hold arrays in memory twice.
         picks.Reserve(std::size_t(1.05 * double(picks.Size()) / partRead));
       }
     });
@@ -307,8 +302,7 @@ PickTable ReadIesx(std::istream& stream, const TextLayout& layout, const Monitor
   return picks.Take();
 }
 
-/// The complete lines of the beginning of a file, each with its end; the last line of a short one gets one. Goes back
-/// to the beginning.
+/// The last line of a short file may lack its newline.
 std::string ReadBeginning(std::istream& stream)
 {
   std::string text(LookAhead, '\0');
@@ -335,7 +329,7 @@ std::string ReadBeginning(std::istream& stream)
   {
     text += '\n';
   }
-  text.resize(text.rfind('\n') + 1); // 0 where there is none
+  text.resize(text.rfind('\n') + 1);
   return text;
 }
 
@@ -371,7 +365,7 @@ PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout)
     return {};
   }
   TextLayout first = layout;
-  first.Picks = -1; // there are more
+  first.Picks = -1;
   PickCollector picks(first);
   picks.Add(ParsePicks(lines, first));
   return picks.Take();

@@ -63,7 +63,7 @@ void IesxParser::ParseLine(std::string_view line)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// "PROFILE Segment          TYPE 1  4                 3d_ci7m.ifdf     m ms".
+/// A line is "PROFILE Segment          TYPE 1  4                 3d_ci7m.ifdf     m ms".
 void IesxParser::ParseProfile(std::string_view line)
 {
   constexpr std::size_t keyword = 7;
@@ -93,7 +93,6 @@ void IesxParser::ParseProfile(std::string_view line)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The number in the characters from `first` to `last`, counted from 1.
 double IesxParser::Number(std::string_view line, std::size_t first, std::size_t last, const char* name) const
 {
   const std::string_view field = Trim(line.substr(std::min(first - 1, line.size()), last - first + 1));
@@ -116,7 +115,7 @@ double IesxParser::OrNull(double value) const
 //----------------------------------------------------------------------------------------------------------------------
 void IesxParser::ParsePick(std::string_view line)
 {
-  // Lines of 2D surveys end with the name and the version of the line: "NL-07::2".
+  // Picks of 2D surveys end with the name and version of the line: "NL-07::2".
   const bool is2D = line.size() > 88 && line.find("::", 88) != std::string_view::npos;
   if (!this->Table.X.empty() && is2D == this->Table.HasLines())
   {
@@ -138,7 +137,7 @@ void IesxParser::ParsePick(std::string_view line)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// z and perhaps the attribute of the pick before, with more digits.
+/// The line repeats z and the attribute of the previous pick, with more digits.
 void IesxParser::ParseDigits(std::string_view line)
 {
   FieldCursor fields(line, FieldSeparator::Blanks);

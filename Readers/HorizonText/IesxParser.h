@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// IESX, also called GeoQuest: a line PROFILE with the name of a horizon, then a line for each pick whose numbers stand
-// at fixed places, and EOD at the end. Newer versions of OpendTect write EOD before each pick but the first, and after
-// each pick a line that begins with a tab and has z and the attribute with all their digits.
+// IESX, also called GeoQuest: a line PROFILE with the name of a horizon, a line per pick with numbers at fixed
+// positions, and EOD at the end. Newer versions of OpendTect write EOD before each pick but the first, and after each
+// pick a line that starts with a tab and has z and the attribute with all digits.
 
 #ifndef SeismicHorizonsIesxParser_h
 #define SeismicHorizonsIesxParser_h
@@ -25,10 +25,10 @@ public:
   {
   }
 
-  /// Takes the next lines, of which the last character is a newline. Throws InputError with the number of the line.
+  /// Lines must be complete.
   void Parse(std::string_view lines);
 
-  /// All picks. An attribute that all are without is left out. Throws InputError where the end of the file is missing.
+  /// An attribute without values is dropped. Throws InputError if the file ended too early.
   PickTable Take();
 
 private:
@@ -42,7 +42,7 @@ private:
   const NullValues& Nulls;
   PickTable Table;
   std::vector<double> Amplitudes;
-  std::int64_t Line; // from 1
+  std::int64_t Line;
   int Profile = -1;
   bool HasEnded = false;
 };

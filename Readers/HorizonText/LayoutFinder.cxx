@@ -22,8 +22,7 @@ namespace
 {
 constexpr std::size_t MostSampleLines = 100;
 
-/// Some lines of picks behind the header, up to the end mark of a file: the first one, and others that are spread over
-/// all, so that they are not of one inline only.
+/// The lines are spread, so that they are not of a single inline.
 TextLines SampleLines(const TextLines& lines, std::int64_t first)
 {
   TextLines picks;
@@ -43,7 +42,7 @@ TextLines SampleLines(const TextLines& lines, std::int64_t first)
   return sample;
 }
 
-/// The first of tabs, commas and semicolons that cuts all lines into equally many fields, at least three; else blanks.
+/// The first separator that splits all lines into the same number of fields, at least three, else blanks.
 FieldSeparator FindSeparator(const TextLines& sample)
 {
   for (const FieldSeparator separator : { FieldSeparator::Comma, FieldSeparator::Semicolon, FieldSeparator::Tab })
@@ -57,7 +56,6 @@ FieldSeparator FindSeparator(const TextLines& sample)
   return FieldSeparator::Blanks;
 }
 
-/// A number with a decimal comma, such as "604123,25".
 bool IsWithComma(std::string_view field)
 {
   const std::size_t comma = field.find(',');
@@ -66,15 +64,14 @@ bool IsWithComma(std::string_view field)
     std::all_of(field.begin() + std::ptrdiff_t(comma) + 1, field.end(), IsDigit) && IsNumber(field.substr(0, comma));
 }
 
-/// "1,522": it may be a comma of thousands as well.
+/// The comma in "1,522" may separate thousands.
 bool MayBeThousands(std::string_view field)
 {
   const std::size_t comma = field.find(',');
   return !IsWithComma(field) || (comma <= 4 && field.size() - comma == 4);
 }
 
-/// Whether each line has such numbers, and no decimal point, where commas do not separate fields. Throws InputError
-/// where they may be commas of thousands.
+/// Throws InputError if the commas may separate thousands.
 bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
 {
   for (const FieldSeparator separator : { FieldSeparator::Semicolon, FieldSeparator::Tab, FieldSeparator::Blanks })
@@ -107,7 +104,7 @@ bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
     std::to_string(fields) + " fields, expected one for each of the columns " + ListNames(layout.Columns));
 }
 
-/// Leaves out attributes that are text. False where text is what a number has to be.
+/// Returns false if a required number is text.
 bool LeaveOutText(TextLayout& layout, const TextLines& sample)
 {
   for (std::size_t column = 0; column < layout.Columns.size(); ++column)
@@ -116,7 +113,7 @@ bool LeaveOutText(TextLayout& layout, const TextLines& sample)
     const ColumnValues values = LookAt(sample, layout, column);
     if (role == ColumnRole::HorizonName && RoleOfExactName(layout.Columns[column].Name) != role && !values.AreNames)
     {
-      role = values.AreText ? ColumnRole::Ignored : ColumnRole::Attribute; // "Event", but the heights of one
+      role = values.AreText ? ColumnRole::Ignored : ColumnRole::Attribute; // A field "Event" may contain heights.
     }
     if (role == ColumnRole::HorizonName || role == ColumnRole::Ignored || !values.AreText)
     {
@@ -131,14 +128,13 @@ bool LeaveOutText(TextLayout& layout, const TextLines& sample)
   return true;
 }
 
-/// Brings the columns of the header or the user into line with the fields of the picks. Where they do not fit, and are
-/// not required, there are none.
+/// Names that do not fit and are not required are cleared.
 void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
 {
   const std::size_t fields = CountFields(sample, layout.Separator);
   if (fields == layout.Columns.size() + 1 && !IsNumber(Split(sample.front(), layout.Separator).front()))
   {
-    // OpendTect does not list the names of horizons in front of their picks.
+    // OpendTect does not list the field of names that precedes its picks.
     layout.Columns.insert(layout.Columns.begin(), { ColumnRole::HorizonName, "Name" });
   }
   if (fields != layout.Columns.size() && !HaveFields(sample, layout.Separator, layout.Columns.size()))
@@ -158,7 +154,7 @@ bool IsCharisma(std::string_view line)
   return fields.size() == 7 && ToLower(fields[0]) == "inline" && !IsNumber(fields[2]);
 }
 
-/// "nx ny n" and, behind it, columns within nx and ny, counted from `first` on.
+/// Tests for "nx ny n" and columns within nx and ny, from `first`.
 bool IsLatticeSize(const TextLines& sample, double first = 0.0)
 {
   const Fields sizes = Split(sample.front(), FieldSeparator::Blanks);
@@ -182,8 +178,7 @@ bool IsLatticeSize(const TextLines& sample, double first = 0.0)
       });
 }
 
-/// Words above picks, in a comment or not, name columns where one of them is z, or where they stand right above the
-/// picks and are no words of a title that only seem to be names: "North East Frigg".
+/// Words above picks may be a title such as "North East Frigg".
 bool MayBeNames(const TextLayout& layout)
 {
   const int x = layout.Find(ColumnRole::X);
@@ -191,12 +186,12 @@ bool MayBeNames(const TextLayout& layout)
   return layout.Find(ColumnRole::Z) >= 0 || (layout.HasLineOfNames && !isTitle);
 }
 
-/// The same with columns from 1, of which there are as many as the first line says: it is no pick.
+/// With columns from 1 the line of sizes would be read as a pick.
 void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const TextLines& sample)
 {
   if (sample.size() > 1 && IsLatticeSize(sample, 1.0) && !IsLatticeSize(sample))
   {
-    std::int64_t picks = -1; // but for that line
+    std::int64_t picks = -1;
     for (auto line = std::size_t(layout.HeaderLines); line < lines.size(); ++line)
     {
       picks += IsSkipped(lines[line]) ? 0 : 1;
@@ -209,7 +204,7 @@ void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const Tex
   }
 }
 
-/// Layouts of which the first line behind the header tells all. False where it does not.
+/// Returns false if the first line does not determine the layout.
 bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
 {
   using Role = ColumnRole;
@@ -243,13 +238,13 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
   }
   return false;
 }
-/// Those that the user gives, or the header, or else by their values.
+/// Fields come from the user, the header, or their values, in this order.
 void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions& options)
 {
   layout.Separator = FindSeparator(sample);
   if (layout.Kind == TextKind::Plain && !MayBeNames(layout))
   {
-    layout.Columns.clear(); // words of a title
+    layout.Columns.clear();
   }
   const bool hasNames =
     !layout.Columns.empty() && (layout.Kind != TextKind::Plain || (layout.HasLineOfNames && layout.HasPlaces()));
@@ -260,7 +255,7 @@ void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions&
   MatchColumns(layout, sample, hasNames || !options.Columns.empty());
   if (options.Columns.empty() && !LeaveOutText(layout, sample) && !hasNames)
   {
-    layout.Columns.clear(); // they are not those of these picks
+    layout.Columns.clear(); // The names do not match the picks.
   }
   if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !layout.HasPlaces()))
   {
@@ -320,7 +315,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   }
   if (layout.Picks >= 0)
   {
-    // The size is the first of the sample.
+    // The sample starts with the line of sizes.
     while (Trim(lines[std::size_t(layout.HeaderLines++)]).empty())
     {
     }

@@ -11,12 +11,11 @@
 
 namespace SeismicHorizons
 {
-/// What a user says about a file.
 struct TextOptions
 {
-  std::string Columns; // what they hold, see ParseColumnList; empty to find out
-  std::string NullValues; // besides those that are known, see NullValues
-  int HeaderLines = 0; // that are left out whatever is in them, before what else may be a header
+  std::string Columns; // See ParseColumnList; empty to detect the fields.
+  std::string NullValues; // Added to the usual ones, see NullValues.
+  int HeaderLines = 0; // Skipped before any other header.
 
   bool operator==(const TextOptions& other) const
   {
@@ -25,7 +24,6 @@ struct TextOptions
   }
 };
 
-/// Finds out how a file is to be read, from its first lines. Throws InputError where it has no columns of picks.
 TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options);
 }
 

@@ -42,8 +42,7 @@ public:
   }
 
 private:
-  /// Names with lines of text above them, or between them and the picks: titles, units, dashes. They say where picks
-  /// are, and are as many as the picks have fields; else the text is no header that is known.
+  /// The names include the place, and are as many words as a pick has fields.
   bool FindNamesBelowTitle()
   {
     const std::size_t pick = this->FirstPick();
@@ -63,7 +62,7 @@ private:
     return false;
   }
 
-  /// The names are in a line, and behind it, perhaps, units; then come picks.
+  /// A line of units may follow the names.
   void KeepNames(std::size_t first, std::size_t pick)
   {
     const FieldSeparator separator = SeparatorOfNames(this->Names);
@@ -89,7 +88,6 @@ private:
     this->Layout.HeaderLines = std::int64_t(pick);
   }
 
-  /// Several lines of text above picks, in none of which is a number: titles, and no names of columns.
   bool SkipTitles()
   {
     const std::size_t pick = this->FirstPick();
@@ -109,7 +107,6 @@ private:
     return titles > 1;
   }
 
-  /// The next line that may be a pick; the one that is the next where none of some lines is.
   std::size_t FirstPick() const
   {
     constexpr std::size_t mostLines = 50;
@@ -132,7 +129,7 @@ private:
     return layout.HasPlaces();
   }
 
-  /// Mostly numbers, and at least two.
+  /// A pick has at least two numbers, and at least half of its words are numbers.
   static bool IsPick(std::string_view line)
   {
     return HaveNumbers(
@@ -144,7 +141,6 @@ private:
     return HaveNumbers(line, [](std::size_t numbers, std::size_t) { return numbers > 0; });
   }
 
-  /// What holds of the numbers of a line, and of all its words, however these are separated.
   template <typename Holds>
   static bool HaveNumbers(std::string_view line, Holds&& holds)
   {
@@ -160,14 +156,12 @@ private:
       });
   }
 
-  /// Whether a line has no number, and the next that is not empty has one.
   bool IsLineOfNames(std::string_view line) const
   {
     const std::size_t next = this->NextPick();
     return !HasNumber(line) && next < this->Lines.size() && HasNumber(this->Lines[next]);
   }
 
-  /// The next line that has something in it.
   std::size_t NextPick() const
   {
     std::size_t next = this->Line + 1;

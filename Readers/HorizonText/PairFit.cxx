@@ -19,21 +19,19 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double LeastCoordinate = 1e4;
-// How far places may be off those that line numbers give, as a part of a step: they are rounded, but to less than that.
+// Fraction of a step by which rounded places may deviate.
 constexpr double LargestMisfit = 0.1;
-// Places that are wrong in part, bent or noisy follow lines as roughly as this.
+// Fraction of the extent by which wrong, bent or noisy places deviate.
 constexpr double RoughlyOff = 0.15;
 constexpr double LeastSine = 0.3;
-// The same as a part of the extent of the sample, where that is more.
+// Fraction of the extent of the sample; the larger of both limits applies.
 constexpr double LargestPartOff = 0.02;
 
-/// The numbers of two columns, and those of two others in the same line.
 struct Pair
 {
   Eigen::Vector2d Index, Place;
 };
 
-/// The pairs of the lines that have all four numbers; nothing where most do not.
 std::vector<Pair> ReadPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to)
 {
   std::vector<Pair> pairs;
@@ -56,14 +54,14 @@ std::vector<Pair> ReadPairs(const TextLines& sample, const TextLayout& layout, s
   return pairs.size() >= MostOf(sample.size()) ? pairs : std::vector<Pair>();
 }
 
-/// How far each pair is off a map, and the map of all but those that are off most: a few lines may be wrong.
+/// A few lines may be wrong, and are left out of the map.
 struct TrimmedFit
 {
-  std::optional<PlaneMap> Map; // of differences from the first pair
-  std::vector<double> Off; // ascending
-  Eigen::Vector2d Extent = Eigen::Vector2d::Zero(); // of the places that count
+  std::optional<PlaneMap> Map;
+  std::vector<double> Off;
+  Eigen::Vector2d Extent = Eigen::Vector2d::Zero();
 
-  /// Of pairs in the order of how likely they are right.
+  /// The most reliable pairs come first.
   explicit TrimmedFit(std::vector<Pair> pairs)
   {
     for (int round = 0; round < 2; ++round)
@@ -81,7 +79,6 @@ struct TrimmedFit
     }
   }
 
-  /// Fits a map to the first pairs, and sorts all by how far they are off it. Nothing where there is none.
   static std::optional<PlaneMap> Sort(std::vector<Pair>& pairs, std::size_t counting, Eigen::Vector2d Pair::*from,
     Eigen::Vector2d Pair::*to, std::vector<double>& sorted)
   {
@@ -104,8 +101,7 @@ struct TrimmedFit
   }
 };
 
-/// A number far from all others bends the map so that it is hardly off, but only that map which leads from it: of both
-/// ways the one counts that is better in the end.
+/// An outlier bends the map that leads from it, and deviates only from the opposite map. The better one is used.
 TrimmedFit FitMost(const std::vector<Pair>& pairs)
 {
   std::vector<Pair> forward = pairs;
@@ -136,18 +132,18 @@ PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t 
       pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.Place.cwiseAbs().minCoeff() > LeastCoordinate; });
   const TrimmedFit fit = FitMost(pairs);
   const std::optional<PlaneMap>& map = fit.Map;
-  constexpr std::size_t fewest = 4; // three make a map whatever they are
+  constexpr std::size_t fewest = 4; // Three pairs always fit a map.
   result.AreTelling = map && pairs.size() >= fewest;
-  // As with a plane z and a constant attribute, steps may be parallel.
+  // The steps of a plane z and a constant attribute are parallel.
   if (!result.AreTelling || AreParallel(map->Steps.col(0), map->Steps.col(1)))
   {
     return result;
   }
   const double step = map->Steps.colwise().norm().minCoeff();
   const double most = std::max(LargestMisfit * step, LargestPartOff * fit.Extent.minCoeff());
-  result.AreLarger = std::abs(map->Steps.determinant()) >= 0.999; // rounded
+  result.AreLarger = std::abs(map->Steps.determinant()) >= 0.999;
   result.AreAffine = fit.Off[MostOf(pairs.size()) - 1] <= most;
-  // Steps of a slope and of what goes with it are nearly parallel.
+  // Steps of a slope and of an attribute that follows it are nearly parallel.
   const double sine = std::abs(map->Steps.determinant()) / (map->Steps.col(0).norm() * map->Steps.col(1).norm());
   result.AreMostlyAffine = sine > LeastSine && fit.Off[pairs.size() * 3 / 4] <= RoughlyOff * fit.Extent.minCoeff();
   return result;

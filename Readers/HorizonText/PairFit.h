@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How columns of text belong to each other: line numbers, and the places that an affine map leads to from them.
+// Tests whether two pairs of text fields are line numbers and their places, which an affine map relates.
 
 #ifndef SeismicHorizonsPairFit_h
 #define SeismicHorizonsPairFit_h
@@ -12,27 +12,25 @@
 
 namespace SeismicHorizons
 {
-constexpr double LargestPlace = 1e9; // on Earth, in any unit of length; beyond are no places, but whatever z may be
+constexpr double LargestPlace = 1e9; // Larger than any place on Earth in any unit of length.
 
-/// How two columns belong to two others.
 struct PairFit
 {
-  bool AreTelling = false; // enough lines, not all on one inline
-  bool AreAffine = false; // an affine map leads from the first pair to the second
-  bool AreMostlyAffine = false; // of most, roughly: what is wrong with others nobody can tell
-  bool AreLarger = false; // steps of the second pair are longer than those of the first
-  bool AreCoordinates = true; // all numbers of the second pair are as large as coordinates mostly are
+  bool AreTelling = false; // The lines suffice, and are not all of one inline.
+  bool AreAffine = false;
+  bool AreMostlyAffine = false; // The map holds roughly for most lines.
+  bool AreLarger = false; // Steps of the second pair are longer.
+  bool AreCoordinates = true;
 };
 
-/// How many of some lines tell what they all are: of a few all, of more nine of ten.
+/// All lines if they are few, else nine of ten.
 std::size_t MostOf(std::size_t lines);
 
-/// How the columns `from` and the next one lead to `to` and the next one. Places are rounded, or off the lines by some
-/// noise, but they lie far apart: what is off counts beside their extent. Where lines are of three dimensions anything
-/// but a place has no such map.
+/// The pairs are `from` and `to` with the fields after them. Deviations are relative to the extent, since places may be
+/// noisy. In a 3D survey only places have such a map.
 PairFit FitPairs(const TextLines& sample, const TextLayout& layout, std::size_t from, std::size_t to);
 
-/// Whether all lines of the sample are of one seismic line, and two columns go by equal steps along it, as places do.
+/// The fields must change by equal steps along a single seismic line.
 bool FollowOneLine(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places);
 }
 

@@ -20,7 +20,7 @@ namespace
 {
 constexpr double Null = std::numeric_limits<double>::quiet_NaN();
 
-/// Nearly all numbers are plain ones.
+/// Nearly all numbers are plain.
 bool IsFinite(std::string_view field, double& value)
 {
   return ReadPlainNumber(field.data(), value) == field.data() + field.size() ||
@@ -32,7 +32,7 @@ bool IsControl(char c)
   return static_cast<unsigned char>(c) < ' ';
 }
 
-/// Holds the state between the lines of a block. Functions are defined inside the class, where compilers inline them.
+/// Functions are defined inside the class so that compilers inline them.
 class BlockParser
 {
 public:
@@ -128,8 +128,7 @@ private:
     ++this->Picks;
   }
 
-  /// RMS ends lines of points, and files of them, by a point whose coordinates are all 999; others do so by other
-  /// numbers that mean none.
+  /// RMS ends lines and files by a point whose coordinates are all 999; other programs use other null values.
   bool IsEndOfLine() const
   {
     if (this->X < 0 || this->Y < 0)
@@ -208,7 +207,6 @@ private:
     return true;
   }
 
-  /// Names of neighbouring lines are mostly the same.
   int NumberOfName(std::string_view name)
   {
     std::vector<std::string>& names = this->Block.Names;
@@ -231,12 +229,12 @@ private:
   }
 
   const TextLayout& Layout;
-  const int X, Y, Z; // columns of the layout, or -1
+  const int X, Y, Z;
   PickBlock Block;
   std::size_t Picks = 0;
-  std::int64_t Comment = -1; // the first line with one
-  std::int64_t Offset = 0; // of the line of the last pick from its number
-  std::unordered_map<std::string_view, int> Numbers; // of names
+  std::int64_t Comment = -1;
+  std::int64_t Offset = 0; // Line of the last pick minus its number.
+  std::unordered_map<std::string_view, int> Numbers;
 };
 }
 

@@ -21,16 +21,16 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t LookedAt = 64 * 1024; // bytes, for what is no certain format
+constexpr std::size_t LookedAt = 64 * 1024;
 
-/// Extensions of picks that no other program has for tables of numbers.
+/// Other programs do not use these extensions for tables of numbers.
 bool IsOfPicks(const std::string& extension)
 {
   constexpr std::array<std::string_view, 8> extensions = { "", "dat", "xyz", "asc", "ijz", "ijk", "rmsattr", "map" };
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-/// Lines without their ends, also where these are carriage returns alone, or text is in UTF-16.
+/// Lines may end with carriage returns alone, and the text may be in UTF-16.
 std::vector<std::string> ListLines(std::istream& stream)
 {
   std::string text = PeekText(stream, LookedAt);
@@ -47,14 +47,13 @@ std::vector<std::string> ListLines(std::istream& stream)
       lines.back() += c;
     }
   }
-  lines.pop_back(); // which may be cut off
+  lines.pop_back(); // The last line may be incomplete.
   lines.erase(std::remove_if(lines.begin(), lines.end(),
                 [](const std::string& line) { return IsSkipped(line) || line[0] == '%' || line[0] == '*'; }),
     lines.end());
   return lines;
 }
 
-/// How many fields of a line there are, and how many of them are numbers, with points or commas.
 struct FieldCount
 {
   std::size_t Fields = 0;
@@ -80,7 +79,6 @@ FieldCount CountNumbers(const std::string& line)
   return count;
 }
 
-/// "999.0 999.0 999.0", which ends fault lines.
 bool IsEndOfLine(const std::string& line)
 {
   const Fields fields = Split(line, FieldSeparator::Blanks);
@@ -88,8 +86,7 @@ bool IsEndOfLine(const std::string& line)
     ReadPositiveInteger(fields[0].substr(0, 3)) == 999;
 }
 
-/// Whether there are some lines of equally many fields, three of them numbers at least, below a few of words at most:
-/// grids have numbers in their headers.
+/// Fields must be as many in all lines, at least three of them numbers, below a few titles.
 bool AreColumns(const std::vector<std::string>& lines)
 {
   constexpr std::size_t mostTitles = 5;
@@ -114,7 +111,7 @@ bool AreColumns(const std::vector<std::string>& lines)
            }) >= std::ptrdiff_t((last - first) * 9 / 10);
 }
 
-/// Whether text is that of other programs, which have columns of numbers as well, below words, or of fault lines.
+/// Tables of other programs have numbers below words, too.
 bool IsOfOthers(const std::vector<std::string>& lines)
 {
   constexpr std::array<std::string_view, 6> beginnings = { "variables", "title", "zone", "ply", "off", "solid" };
@@ -128,7 +125,7 @@ bool IsOfOthers(const std::vector<std::string>& lines)
       });
 }
 
-/// Whether picks are on a lattice of two directions, with hardly more than one in a column, as those of a cube have.
+/// Picks of a cube form a lattice, with few duplicates.
 bool FormHorizons(PickTable picks)
 {
   const SurveyHorizons found = PlacePicks(std::move(picks), PlacementOptions());
@@ -140,13 +137,13 @@ bool FormHorizons(PickTable picks)
     duplicates += horizon.DroppedDuplicates;
   }
   constexpr std::int64_t fewest = 4;
-  constexpr double leastCover = 0.1; // of the columns within the bounds of the picks
+  constexpr double leastCover = 0.1; // Fraction of the columns within the bounds.
   const auto [i, j] = found.Lattice.Columns;
   return points >= fewest && 10 * duplicates <= points && std::min(i, j) >= 2 &&
     double(points) >= leastCover * double(i) * double(j);
 }
 
-/// Whether picks are certain under a name that is one of other files.
+/// Decides for extensions that other files share.
 bool AreCertain(PickTable picks, const TextLayout& layout, const std::vector<std::string>& lines)
 {
   if (layout.Kind != TextKind::Plain && layout.Kind != TextKind::LatticeIndices)
@@ -156,11 +153,10 @@ bool AreCertain(PickTable picks, const TextLayout& layout, const std::vector<std
   const int z = layout.Find(ColumnRole::Z);
   const bool hasNames = !layout.IsGuessed && layout.Kind == TextKind::Plain;
   const ColumnRole named = hasNames && z >= 0 ? ColumnOfName(layout.Columns[std::size_t(z)].Name).Role : ColumnRole::Z;
-  if (z < 0 || (named != ColumnRole::Z && named != ColumnRole::HorizonName)) // "SURFACE" may be that of heights
+  if (z < 0 || (named != ColumnRole::Z && named != ColumnRole::HorizonName)) // "SURFACE" may name heights.
   {
-    return false; // any column that was left
+    return false; // z is the only field left, whatever its name.
   }
-  // Nothing is above the picks but what names them, or comments.
   return (hasNames || CountNumbers(lines.front()).Numbers >= 3) && FormHorizons(std::move(picks));
 }
 }
@@ -178,7 +174,7 @@ bool ArePicks(std::istream& stream, const std::string& extension)
     const TextLayout layout = ReadTextLayout(stream, {});
     if (layout.IsGuessed && layout.HasLineOfNames)
     {
-      return false; // the names do not say where picks are
+      return false; // The names do not include a place.
     }
     PickTable picks = ReadFirstPicks(stream, layout);
     if (!IsOfPicks(extension))

@@ -21,7 +21,6 @@ bool IsComment(std::string_view line)
   return !line.empty() && std::string_view("#!@%*").find(line[0]) != std::string_view::npos;
 }
 
-/// Takes the lines of a header one after the other.
 class HeaderReader
 {
 public:
@@ -42,7 +41,6 @@ public:
   }
 
 private:
-  /// False at the first line that is no part of a header.
   bool TakeLine(std::string_view line)
   {
     if (line.empty())
@@ -61,7 +59,7 @@ private:
     return IsComment(line) ? this->TakeComment(line) : this->IsRemark() || this->TakeRmsAttribute(line);
   }
 
-  /// Whether the line is of a remark of OpenWorks, which may go on for several lines: the header ends behind it.
+  /// Remarks of OpenWorks may continue for several lines.
   bool IsRemark() const
   {
     return this->Layout.Kind == TextKind::OpenWorks &&
@@ -76,7 +74,7 @@ private:
     {
       this->Layout.Kind = TextKind::PetrelPoints;
       this->Layout.Nulls = NullValues("-999");
-      FieldCursor name(line.substr(line.find(',') + 1), FieldSeparator::Comma); // of "FLOAT,name", or "name"
+      FieldCursor name(line.substr(line.find(',') + 1), FieldSeparator::Comma);
       std::string_view field;
       name.Next(field);
       this->AddColumn(field);
@@ -84,7 +82,7 @@ private:
     return true;
   }
 
-  /// "Float name" over points of RMS, which have x, y and z before their attributes.
+  /// RMS writes "Float name" above points with x, y, z and attributes.
   bool TakeRmsAttribute(std::string_view line)
   {
     constexpr std::array<std::string_view, 4> types = { "Float", "Int", "String", "Discrete" };
@@ -117,12 +115,12 @@ private:
     }
     else if (text.find_first_not_of("- ") != std::string_view::npos)
     {
-      this->Names = text; // the last one before the picks may name the columns
+      this->Names = text; // The last comment before the picks may have the names.
     }
     return true;
   }
 
-  /// "1: Inline", of OpendTect.
+  /// OpendTect writes "1: Inline".
   bool TakeNumberedName(std::string_view text)
   {
     const std::size_t colon = text.find(':');
@@ -136,7 +134,7 @@ private:
     return isNumbered;
   }
 
-  /// "Field: 3 z meters" and other keys of EarthVision.
+  /// EarthVision writes keys such as "Field: 3 z meters".
   bool TakeField(std::string_view text)
   {
     const std::size_t colon = text.find(':');
@@ -150,7 +148,7 @@ private:
     {
       this->TakeFieldName(value);
     }
-    else if (key == "units" || key == "unit in x and y direction") // the latter of Petrel
+    else if (key == "units" || key == "unit in x and y direction") // Petrel writes the second key.
     {
       this->Layout.Survey.HorizontalUnit = ShortUnit(value);
     }
@@ -166,7 +164,6 @@ private:
       key == "end" || key == "projection" || key == "grid_size" || key == "grid_space" || key == "z_field";
   }
 
-  /// "3 z meters": the number, the name and perhaps a unit.
   void TakeFieldName(std::string_view value)
   {
     const Fields words = Split(value, FieldSeparator::Blanks);
@@ -181,7 +178,7 @@ private:
     }
   }
 
-  /// "#Horizon_name____-> top" of OpenWorks, and its lines that begin with @.
+  /// OpenWorks writes "#Horizon_name____-> top" and lines that begin with @.
   bool TakeArrow(std::string_view line, std::string_view text)
   {
     const std::size_t arrow = text.find("->");
@@ -217,7 +214,7 @@ private:
     return true;
   }
 
-  /// "Project_Unit_is: meters , NAME , PROJECTED_COORDINATE_SYSTEM".
+  /// The text is "Project_Unit_is: meters , NAME , PROJECTED_COORDINATE_SYSTEM".
   void TakeProjectUnit(std::string_view text)
   {
     const std::size_t colon = text.find(':');
@@ -248,7 +245,6 @@ private:
     }
   }
 
-  /// Names in a line above the picks, a comment or not.
   void TakeNames()
   {
     if (!this->Layout.Columns.empty())

@@ -25,12 +25,12 @@ using namespace SeismicHorizons;
 struct vtkHorizonTextReader::FileContent
 {
   FileStamp Stamp;
-  vtkTimeStamp Time; // when it was read
-  TextOptions Options; // with which it was read
+  vtkTimeStamp Time;
+  TextOptions Options;
   TextLayout Layout;
-  std::vector<std::string> Names; // of the horizons
-  std::vector<std::int64_t> Sizes; // theirs in picks, where there may be several
-  std::optional<PickTable> Picks; // where they had to be read for the names, until they are used
+  std::vector<std::string> Names;
+  std::vector<std::int64_t> Sizes;
+  std::optional<PickTable> Picks; // Picks that were read for the names, kept until they are used.
 };
 
 vtkStandardNewMacro(vtkHorizonTextReader);
@@ -60,7 +60,7 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
   RequireFileName(this->Files.GetCurrent());
   if (this->Columns && *this->Columns)
   {
-    ParseColumnList(this->Columns); // refuses one that no file can have
+    ParseColumnList(this->Columns); // Refuses lists that no file can match.
   }
   PrefixFileErrors(this->Files.GetCurrent(),
     [&]()

@@ -21,11 +21,11 @@
 #ifndef vtkHorizonTextReader_h
 #define vtkHorizonTextReader_h
 
-#include "vtkHorizonFileSeries.h" // for the files
+#include "vtkHorizonFileSeries.h"
 #include "vtkPickHorizonSource.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory>
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonTextReader : public vtkPickHorizonSource
 {
@@ -102,7 +102,7 @@ private:
   int HeaderLines = 0;
 
   struct FileContent;
-  std::unique_ptr<FileContent> Content; // what was found when the file was looked at
+  std::unique_ptr<FileContent> Content;
 };
 
 #endif
