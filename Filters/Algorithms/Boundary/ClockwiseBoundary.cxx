@@ -18,10 +18,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Most faces are small and have no column inside. To walk such a one again takes less time than to remember its hops.
+// Most faces are small and enclose no column; walking one again is faster than remembering its hops.
 constexpr std::size_t SmallestWalkToRemember = 16;
 
-constexpr std::size_t Batch = 256; // points from one report of progress to the next
+constexpr std::size_t Batch = 256;
 
 std::unique_ptr<const CutBlocks> FindCutBlocks(
   const BoundaryOptions& options, PlanePoints columns, const ColumnIndex& index)
@@ -29,8 +29,7 @@ std::unique_ptr<const CutBlocks> FindCutBlocks(
   return options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, columns, index) : nullptr;
 }
 
-/// Walks the faces of the graph: first the outlines of all components, then the holes. With cuts, holes are walked that
-/// get no loop, too, and then those get one that hold a cut.
+/// With cuts, holes without a loop are walked as well, and CutFaces decides which of them stay open.
 class FaceFinder
 {
 public:
@@ -112,7 +111,6 @@ private:
     }
   }
 
-  /// Walks the faces on the left of all hops from a place, but for those that are remembered.
   void WalkHolesAt(std::int64_t place)
   {
     const HopId first = this->Graph.Next(place, this->Hops.Size() - 1);
@@ -151,17 +149,16 @@ private:
     WalkFace(this->Index, this->Hops, start, first, next, this->Steps);
   }
 
-  /// Remembers the hops of the last walk.
   void Remember()
   {
     for (const FaceStep& step : this->Steps)
     {
       this->Walked[this->Graph.NumberOf(this->Index.Place(this->Columns[step.Point]), step.Hop)] = true;
     }
-    this->Walked.back() = false; // the graph has this number for all hops between points that are not beside gaps
+    this->Walked.back() = false; // Hops between points that are not beside empty columns share this number.
   }
 
-  /// Leaves out the outlines of islands that belong to another patch, and numbers the patches.
+  /// Islands that belong to another patch lose their outlines.
   ExteriorBoundary Collect()
   {
     const std::vector<std::int32_t> patchOf = AssignIslands(this->Columns, this->Index, this->Parts.First, this->Faces);
@@ -193,14 +190,14 @@ private:
   const ColumnIndex& Index;
   const HopVectors Hops;
   const SeamGaps Gaps;
-  const std::unique_ptr<const CutBlocks> Blocks; // with cuts
+  const std::unique_ptr<const CutBlocks> Blocks;
   const PlanarHops Graph;
   PatchComponents Parts;
-  Loops Faces; // the outlines of all components, then the loops of holes
-  std::vector<bool> Walked; // by the numbers of hops in the graph: the face to the left was walked
+  Loops Faces; // Outlines of all components come first, loops of holes follow.
+  std::vector<bool> Walked; // The index is the number of a hop in the graph.
   const bool WalksHoles;
-  std::optional<CutFaces> Cracks; // with cuts
-  std::vector<FaceStep> Steps; // of the last walk
+  std::optional<CutFaces> Cracks;
+  std::vector<FaceStep> Steps;
 };
 }
 

@@ -1,20 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What faulted links (LinkCuts.h) leave of the hops between columns. A block is a unit square with a column at each
-// corner; its sides are links.
+// Faulted links (LinkCuts.h) bar hops between columns. A block is a unit square with a column at each corner; its sides
+// are links. Blocks with cut sides are open: long hops touch them with their ends only. A diagonal remains in a block
+// with two adjacent cut sides. With one cut side, at the tip of a crack, both diagonals would remain and cross, so that
+// none is kept and the graph of hops stays planar.
 //
-//  - No hop leads along a faulted link.
-//  - A diagonal is left when its ends are joined along sides of its block that are not cut, and not just one side is:
-//
-//        o---o       o---o       o   o       o | o       o | o        o    columns
-//        |   |       | \         | \         |   |       |   |        |, --    links, or cuts across these
-//        o---o       o | o       o---o       o---o       o | o
-//        none        one corner  the same    one: tip    both parts
-//
-//    With the diagonals of a tip both would be left, and cross. So the block with the tip of a crack is open, and with
-//    what is left the graph of hops is planar.
-//  - Blocks with cut sides are open blocks: hops longer than to a neighbour touch none of them but with their ends.
+//       o---o     o   o     o---o     o   o       o              column
+//       | /       | \       |   |     |   |       |, -, /, \     remaining hops
+//       o   o     o---o     o   o     o   o
+//       corner    corner    tip       opposite
 
 #ifndef SeismicHorizonsCutBlocks_h
 #define SeismicHorizonsCutBlocks_h
@@ -28,14 +23,13 @@
 
 namespace SeismicHorizons
 {
-/// A byte for each column of a index.
 class CutBlocks
 {
 public:
-  /// The index is that of the columns, and has a rim of one at least.
+  /// The index needs an empty rim of at least one column.
   CutBlocks(const LinkCuts& cuts, PlanePoints columns, const ColumnIndex& index);
 
-  /// Whether no hop may lead from a place to a neighbour, by the step there.
+  /// `step` must lead to one of the eight neighbours.
   bool IsBarred(std::int64_t place, const PlanePoint& step) const
   {
     if (step.X == 0)
@@ -49,19 +43,18 @@ public:
     return this->IsOpen(this->BlockAt(place, step)) && !this->LeavesDiagonal(place, step);
   }
 
-  /// Whether the diagonal of an open block that leads from a place by a step is left.
+  /// `step` must be a diagonal through an open block.
   bool LeavesDiagonal(std::int64_t place, const PlanePoint& step) const
   {
     return this->Has(this->BlockAt(place, step), step.X == step.Y ? RisingLeft : FallingLeft);
   }
 
-  /// Whether a block, given by its least corner, has cut sides.
+  /// A block is identified by its least corner.
   bool IsOpen(std::int64_t block) const { return this->Has(block, Open); }
 
-  /// Whether a column is a corner of an open block.
   bool IsBesideOpen(std::int64_t place) const { return this->Has(place, BesideOpen); }
 
-  /// The columns that are corners of open blocks, of 64 places, a bit each.
+  /// Bit n is set if place + n is a corner of an open block.
   std::uint64_t BesideOpenFrom(std::int64_t place) const;
 
 private:
@@ -70,8 +63,8 @@ private:
     CutEast = 1,
     CutNorth = 2,
     Open = 4,
-    RisingLeft = 8, // the diagonal to the north-east
-    FallingLeft = 16, // that to the south-east
+    RisingLeft = 8, // The diagonal to the north-east remains.
+    FallingLeft = 16, // The diagonal to the south-east remains.
     BesideOpen = 32
   };
 

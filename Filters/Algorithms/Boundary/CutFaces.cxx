@@ -16,7 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The admissible hops and those across cuts as one graph.
+/// Admissible hops and hops across cuts form one plane graph.
 class WholeGraph
 {
 public:
@@ -29,7 +29,6 @@ public:
   {
   }
 
-  /// The first hop from a place that a clockwise sweep after `from` meets, where `from` comes last.
   HopId Next(std::int64_t place, HopId from) const
   {
     const HopId admissible = this->Graph.Next(place, from);
@@ -41,7 +40,6 @@ public:
     return this->Turn(from, across) < this->Turn(from, admissible) ? across : admissible;
   }
 
-  /// The number of a hop among those across cuts.
   std::size_t NumberOf(std::int64_t place, HopId hop) const
   {
     const auto found = std::lower_bound(this->Across.begin(), this->Across.end(), HopAcrossCut{ place, hop });
@@ -65,8 +63,7 @@ private:
   const std::vector<HopAcrossCut>& Across;
 };
 
-/// Whether a face has no more columns inside than a square of hops. None of them has a point: a hop would connect it
-/// with those around it.
+/// The columns inside hold no points, since a hop would connect a point to the face.
 bool IsCrack(const HopVectors& hops, const std::vector<FaceStep>& steps)
 {
   const std::int64_t most = std::int64_t(hops.Radius() - 1) * (hops.Radius() - 1);
@@ -78,7 +75,6 @@ bool IsBefore(const CrackSide& a, const CrackSide& b)
   return std::tie(a.From, a.To) < std::tie(b.From, b.To);
 }
 
-/// Sides sorted by their ends.
 class SideTable
 {
 public:
@@ -88,7 +84,6 @@ public:
     std::sort(this->Sides.begin(), this->Sides.end(), IsBefore);
   }
 
-  /// Null when there is none.
   const CrackSide* Find(PointId from, PointId to) const
   {
     const auto found = std::lower_bound(
@@ -96,7 +91,6 @@ public:
     return found != this->Sides.end() && found->From == from && found->To == to ? &*found : nullptr;
   }
 
-  /// One that begins in a point.
   const CrackSide* FindFrom(PointId from) const
   {
     const auto found = std::lower_bound(
@@ -118,7 +112,7 @@ private:
   std::vector<CrackSide> Sides;
 };
 
-/// Calls visit(loop, side) for the sides that a loop runs along, or, of a loop of one point, for one that begins there.
+/// A loop of one point has no edges; any side that begins at the point represents it.
 template <typename Visitor>
 void ForEachSideOnLoops(const SideTable& sides, const Loops& boundary, Visitor&& visit)
 {
@@ -133,8 +127,8 @@ void ForEachSideOnLoops(const SideTable& sides, const Loops& boundary, Visitor&&
   }
 }
 
-/// Leaves out the faces that the loops cover. Faces that a hop across a cut parts are open or covered together; those
-/// are open that a loop runs along, or that have a hop to a neighbour across a cut.
+/// The two faces along a hop across a cut are open or covered together. A face is open if a loop runs along it or if it
+/// has a short hop across a cut.
 void KeepOpen(SideTable& sides, const Loops& boundary, std::int32_t faces)
 {
   DisjointSets regions{ std::size_t(faces) };
@@ -226,7 +220,6 @@ bool CutFaces::AddHole(const std::vector<FaceStep>& steps, bool hasLoop, bool ha
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Whether a sweep of a walk passes a faulted link.
 bool CutFaces::PassesCut(const std::vector<FaceStep>& steps) const
 {
   HopId from = steps.back().Hop == NoHop ? this->Hops.Size() - 1 : this->Hops.Opposite(steps.back().Hop);
@@ -249,8 +242,7 @@ bool CutFaces::PassesCut(const std::vector<FaceStep>& steps) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Whether a clockwise sweep from one hop to the next one meets a hop that the graph has not: a full turn when there is
-// one hop only.
+// The sweep of a point with one hop is a full turn.
 bool CutFaces::IsSwept(HopId hop, HopId from, HopId to) const
 {
   const HopId size = this->Hops.Size();
@@ -259,7 +251,7 @@ bool CutFaces::IsSwept(HopId hop, HopId from, HopId to) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A place in every hole that holds cuts which no walk around it passes, row by row.
+// The cuts that an outline passes lie in the hole around its component. No walk passes cuts between empty columns.
 std::vector<std::int64_t> CutFaces::PlacesInOpenFaces(const std::vector<std::int64_t>& first) const
 {
   std::vector<std::int64_t> places;
@@ -285,8 +277,7 @@ std::vector<std::int64_t> CutFaces::PlacesInOpenFaces(const std::vector<std::int
 //----------------------------------------------------------------------------------------------------------------------
 Loops CutFaces::Select(const Loops& loops, const std::vector<std::int64_t>& first)
 {
-  // Of loops around a place that of the least area is innermost; where an outline and a hole have the same one, the
-  // hole, which has the greater number.
+  // The innermost loop has the least area. A hole inside an outline of the same area has the greater number.
   const auto isFartherOut = [this](std::size_t a, std::size_t b)
   {
     const std::int64_t areaA = this->Faces[a].TwiceArea;

@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which faces of the graph of hops stay open because a faulted link is in them, whatever the sizes of holes that get
-// loops.
+// Faces of the graph of hops that stay open because they hold a faulted link, regardless of the size limits of holes.
 //
-// A faulted link with a point at an end is passed by the sweep of a walk there. When that is the walk around a hole,
-// the hole holds the cut: a crack is such a hole, of the open blocks of its links. When it is the walk around the
-// outline of a component, the cut is in the hole that the component lies in. So are faulted links between empty
-// columns.
+// A walk sweeps past each faulted link that has a point at an end. The walk around a hole thus finds the cuts in the
+// hole. Cuts on the walk around a component lie in the hole that surrounds it, like links between empty columns.
 //
-// The cracks between the loops of a horizon with cuts. Hops across cuts (PlanarHops.h) part what the admissible hops
-// leave open there into faces. Those with no more columns inside than a square of hops are cracks; the others are gaps
-// of missing points, or the outside. With a radius of 1 no column may be inside: faces of cracks are blocks of four
-// points and halves of blocks of three.
+// Hops across cuts (PlanarHops.h) divide open areas into faces. Faces with at most (k - 1)^2 columns inside are cracks;
+// larger ones are missing columns or the outside. For k = 1, crack faces are blocks of four points or half blocks of
+// three.
 //
 //     o---o---o---o---o---o       o       points
 //     |   :   :   :  /            -, |    admissible hops
@@ -36,29 +32,25 @@
 
 namespace SeismicHorizons
 {
-/// The components of points that the hops of a graph connect.
 PatchComponents FindHopComponents(
   PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const PlanarHops& graph);
 
 class CutFaces
 {
 public:
-  /// Keeps references.
+  /// The object keeps references to its arguments.
   CutFaces(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const CutBlocks& blocks);
 
-  /// Takes the walk around the outline of the next component.
+  /// Outlines must be added in the order of the components, before any hole.
   void AddOutline(const std::vector<FaceStep>& steps);
 
-  /// Takes the walk around a hole, and tells whether its loop should be collected. `hasLoop` is for a hole that gets a
-  /// loop in any case, and `hasColumns` for one that other faces can lie in.
+  /// Returns whether to collect the loop. `hasLoop`: the hole gets one in any case; `hasColumns`: faces may lie inside.
   bool AddHole(const std::vector<FaceStep>& steps, bool hasLoop, bool hasColumns);
 
-  /// Of the loops that were collected, first those of all outlines, those that stay. `first` has the first place of
-  /// each component.
+  /// `loops` must hold all collected loops, and `first` the first place of each component.
   Loops Select(const Loops& loops, const std::vector<std::int64_t>& first);
 
 private:
-  /// A loop that was collected.
   struct Face
   {
     std::int64_t TwiceArea;
@@ -73,19 +65,19 @@ private:
   const ColumnIndex& Index;
   const HopVectors& Hops;
   const CutBlocks& Blocks;
-  std::array<HopId, 4> Sides; // the hops along links
-  std::vector<Face> Faces; // in the order of the loops
-  std::vector<std::size_t> CutOutlines; // of components, that cuts are at
+  std::array<HopId, 4> Sides;
+  std::vector<Face> Faces;
+  std::vector<std::size_t> CutOutlines;
 };
 
-/// A side of a face, with the face to its left.
+/// The face lies to the left of the side.
 struct CrackSide
 {
   enum class Kind : unsigned char
   {
-    Cutoff, // an admissible hop
-    Short, // a hop to a neighbour across a cut
-    Long // a longer one: what it leads over may have no cut in it
+    Cutoff,
+    Short, // The hop leads to a neighbour across a cut.
+    Long // The hop is longer; it touches an open block but may cross no cut.
   };
 
   PointId From;
@@ -94,11 +86,11 @@ struct CrackSide
   Kind What;
 };
 
-/// The sides of all faces of cracks, face by face. Takes time for the faces beside hops across cuts.
+/// Sides are grouped by face.
 std::vector<CrackSide> FindCrackFaces(
   PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const PlanarHops& graph);
 
-/// What of them is open between some loops. Points without a patch are missing.
+/// Returns cracks that the loops leave open. A face with a corner in no patch is no crack.
 Cracks FindCracks(std::vector<CrackSide> sides, const Loops& boundary, const std::vector<std::int32_t>& patches);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: the scan that finds all loops where hops lead to neighbours alone (also with the bridges of growth by
-// distance, and with the gaps of seams); the choice between that and the faces of the graph of longer hops
-// (ClockwiseBoundary.h); marks of points by the loops they are on.
+// In this order: the scan that finds all loops for hops to neighbours (also with bridges of growth by distance, and
+// with seams); the choice between this scan and ClockwiseBoundary.h; the classification of points.
 //
-// The surprising part: both ways only ever walk around faces of a plane graph. Which hops belong to the graph is
-// decided before, so that a walk needs no rules of its own, and cannot cross itself.
+// Both methods walk around faces of a plane graph. The graph is decided before the walk, which therefore needs no rules
+// of its own and cannot cross itself.
 
 #include "ExteriorBoundary.h"
 
@@ -30,29 +29,24 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Finds all loops in one pass over the lattice, where patches are connected from column to neighbouring column (Suzuki
-// and Abe, "Topological structural analysis of digitized binary images by border following", 1985).
+// Finds all loops in one pass over the lattice if hops lead to neighbours (Suzuki and Abe, "Topological structural
+// analysis of digitized binary images by border following", 1985). Where a row comes from outside to an unvisited
+// point, a new patch begins and its outline is walked. The walk marks points with the outside to their right, where
+// rows leave the patch. A hole is walked where a row first meets it, and its inside then counts as outside. In a hole
+// without a loop everything belongs to the patch, islands included.
 //
-// The rows are read from left to right, and at every column it is known whether it lies inside a patch. Where a row
-// comes from outside to a point that no walk has visited yet, a new patch begins, and its outline is walked at once.
-// The walk marks the points that have its outer side to their right: there the rows leave the patch. All points between
-// entering and leaving a patch belong to it. The loop of a hole is walked where a row meets the hole first, and what is
-// in the hole counts as outside then. In a hole that gets no loop everything belongs to the patch, islands included.
-//
-//      . . # # # . .        The row in the middle enters the patch at its first point, and leaves it at its second one,
-//      . . # . # . .        which the walk around the patch has marked. The empty column between them is in a hole.
-//      . . # # # . .
+//     . . # # # . .        The middle row enters the patch at its first point and leaves it at its second, which the
+//     . . # . # . .        walk around the patch has marked. The empty column between them is in a hole.
+//     . . # # # . .
 
-/// What a sweep around a point found.
 struct SweepResult
 {
-  HopId Next; // the hop that the walk leaves the point by, or NoHop
-  bool PassedEast; // whether the sweep passed the column to the right, which is empty then
+  HopId Next;
+  bool PassedEast; // The sweep passed the column to the right, which is therefore empty.
 };
 
-/// `Graph` is a plane graph of hops: its Sweep(place, from) gives the first hop of the graph from a place that a
-/// clockwise sweep after `from` meets, where `from` comes last; its LeadsEast(place) tells whether there is a hop to
-/// the column to the right.
+/// Sweep(place, from) returns the first hop of the plane graph after `from` in a clockwise sweep, `from` last.
+/// LeadsEast(place) returns whether a hop leads to the column on the right.
 template <typename Graph>
 class BorderScan
 {
@@ -91,7 +85,6 @@ public:
   }
 
 private:
-  /// Gives the points of a row to their patches, and walks the loops that it meets first.
   void NumberRow(std::int64_t first)
   {
     std::int32_t inside = -1;
@@ -115,7 +108,6 @@ private:
       });
   }
 
-  /// Walks the outline of a new patch from a place with the outside to its left.
   void WalkOutline(std::int64_t start)
   {
     this->Walk(start, this->West);
@@ -124,8 +116,8 @@ private:
     this->Mark(this->OutsideEast);
   }
 
-  /// True when a hole that gets a loop lies to the right of a place. The points around one that gets none are marked,
-  /// so that it is walked once; so are those of islands in it, whose outlines run the other way and so have no size.
+  /// Points around a hole without a loop are marked, so that it is walked once. So are islands in it: their outlines
+  /// run clockwise and have no size.
   bool EntersHole(std::int64_t place, std::int32_t patch)
   {
     if (!this->Options.HoleBoundaries || this->HopGraph.LeadsEast(place) || this->FilledHoleEast[this->Index[place]])
@@ -159,7 +151,6 @@ private:
     WalkFace(this->Index, this->Hops, start, next(start, from), next, this->Steps);
   }
 
-  /// Gives the points of the last walk to a patch.
   void NumberSteps(std::int32_t patch)
   {
     DropStepsInGaps(this->Steps);
@@ -169,7 +160,6 @@ private:
     }
   }
 
-  /// Marks the points of the last walk whose sweeps passed the column to their right.
   void Mark(std::vector<bool>& marks) const
   {
     for (const PointId point : this->PastEast)
@@ -187,23 +177,21 @@ private:
   const HopId East;
   ExteriorBoundary Result;
   Loops HoleLoops;
-  std::vector<bool> OutsideEast; // by point: the outside of its patch begins to the right
-  std::vector<bool> FilledHoleEast; // by point: a hole without a loop begins to the right
-  std::vector<FaceStep> Steps; // of the last walk
-  std::vector<PointId> PastEast; // points of the last walk whose sweeps passed the column to their right
+  std::vector<bool> OutsideEast; // The outside of the patch begins to the right of the point.
+  std::vector<bool> FilledHoleEast; // A hole without a loop begins to the right of the point.
+  std::vector<FaceStep> Steps;
+  std::vector<PointId> PastEast; // Sweeps of the last walk passed the column to the right of these points.
 };
 
 // ---- Growth by distance --------------------------------------------------------------------------------------------
-// The graph whose faces are the loops of growth by distance (thesis Alg. 3.1): all hops to the eight neighbours, and
-// longer ones, called bridges, where those leave parts of a patch unconnected. Bridges are taken from the nearest to
-// the farthest end, each if it joins parts that are not joined yet. So they belong to a shortest spanning tree, cross
-// nothing (PlanarHops.h says why) and enclose nothing, and the walk takes each there and back.
+// Growth by distance (thesis Alg. 3.1) has all hops to the eight neighbours, and bridges from short to long between
+// parts that these leave separate. Bridges belong to a minimum spanning tree, so that they cross and enclose nothing
+// (PlanarHops.h); the walk takes each one out and back.
 
-/// The graph of all hops to the eight neighbours, for BorderScan.
 class NeighbourHops
 {
 public:
-  /// `hops` are those of k = 1.
+  /// `hops` must have k = 1.
   explicit NeighbourHops(const ColumnIndex& index, const HopVectors& hops);
 
   SweepResult Sweep(std::int64_t place, HopId from) const
@@ -229,20 +217,17 @@ private:
   HopId East;
 };
 
-/// The bridges of a horizon.
 class PatchBridges
 {
 public:
-  /// `parts` is the boundary of k = 1, whose patches are the parts to join.
+  /// `parts` is the boundary for k = 1; bridges join its patches.
   PatchBridges(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts);
 
   bool IsEmpty() const { return this->Ends.empty(); }
 
-  /// The first bridge from a place that a clockwise sweep after `from` meets; NoHop when there is none.
   HopId Next(std::int64_t place, HopId from) const;
 
 private:
-  /// One end of a bridge, and the hop from there to the other end.
   struct End
   {
     std::int64_t Place;
@@ -254,11 +239,10 @@ private:
 
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  std::vector<End> Ends; // by place, then hop
-  std::vector<bool> HasEnd; // by point
+  std::vector<End> Ends; // The ends are sorted by place, then hop.
+  std::vector<bool> HasEnd;
 };
 
-/// The graph of the hops to the eight neighbours and of bridges, for BorderScan.
 class BridgedHops
 {
 public:
@@ -268,7 +252,6 @@ public:
   bool LeadsEast(std::int64_t place) const { return this->Index.Has(place + 1); }
 
 private:
-  /// By how many hops a clockwise sweep turns from one to another.
   HopId Between(HopId from, HopId to) const { return (to > from ? to : to + this->Hops.Size()) - from; }
 
   const ColumnIndex& Index;
@@ -278,8 +261,7 @@ private:
   HopId East;
 };
 
-/// The hops that lead further than to a neighbour, those with the nearest ends first. Of two opposite ones only that
-/// which leads upwards or straight to the right.
+/// Of two opposite hops only the rising one is listed. Hops with the nearest ends come first.
 std::vector<HopId> FindLongHops(const HopVectors& hops)
 {
   std::vector<HopId> result;
@@ -296,7 +278,6 @@ std::vector<HopId> FindLongHops(const HopVectors& hops)
   return result;
 }
 
-/// The places that loops visit, row by row.
 std::vector<std::int64_t> FindPlaces(PlanePoints columns, const ColumnIndex& index, const Loops& loops)
 {
   std::vector<std::int64_t> places;
@@ -414,7 +395,7 @@ SweepResult BridgedHops::Sweep(std::int64_t place, HopId from) const
 class SeamedHops
 {
 public:
-  /// `hops` are those of k = 1. Keeps references to the index and the gaps.
+  /// `hops` must have k = 1.
   SeamedHops(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps)
     : Index(index)
     , Gaps(gaps)
@@ -469,7 +450,6 @@ ExteriorBoundary FollowNeighbours(const ColumnIndex& index, const BoundaryOption
   return BorderScan<NeighbourHops>(index.Columns(), index, hops, NeighbourHops(index, hops), options).Run(monitor);
 }
 
-/// By hops to neighbours first. When these leave nothing to bridge, their boundary is the result.
 ExteriorBoundary GrowByDistance(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
 {
   BoundaryOptions allHoles = options;
@@ -530,7 +510,6 @@ void CheckCuts(const BoundaryOptions& options)
   }
 }
 
-/// Without the numbers and the loops of patches that are too small, and the loops of their holes.
 ExteriorBoundary WithoutSmallPatches(const ExteriorBoundary& all, std::int64_t minimumSize)
 {
   std::vector<std::int64_t> size(all.NumberOfPatches, 0);
@@ -570,7 +549,7 @@ void CheckOptions(PlanePoints columns, const BoundaryOptions& options)
 std::vector<BoundaryKind> MarkLoops(const ExteriorBoundary& boundary)
 {
   std::vector<BoundaryKind> marks(boundary.Patch.size(), BoundaryKind::Inside);
-  // Holes first, so that a point on loops of both kinds counts as exterior.
+  // Holes come first, so that a point on loops of both kinds counts as exterior.
   for (std::size_t loop = boundary.Boundary.Size(); loop-- > 0;)
   {
     const BoundaryKind kind = loop < boundary.NumberOfPatches ? BoundaryKind::Exterior : BoundaryKind::Hole;
@@ -580,7 +559,7 @@ std::vector<BoundaryKind> MarkLoops(const ExteriorBoundary& boundary)
   return marks;
 }
 
-/// What a point is that no loop runs through: what the points are that it shares an empty column at its corner with.
+/// A point on no loop is classified like the points that share the empty column at its corner.
 BoundaryKind KindOfCorner(const ColumnIndex& index, const std::vector<BoundaryKind>& marks, std::int64_t place)
 {
   const std::int64_t up = index.Width();
@@ -593,7 +572,7 @@ BoundaryKind KindOfCorner(const ColumnIndex& index, const std::vector<BoundaryKi
       {
         continue;
       }
-      // As no loop runs through the point, both columns between it and the empty one are occupied.
+      // Both columns between the point and the empty one are occupied, since no loop runs through the point.
       for (const std::int64_t beside : { place + aside, place + upright })
       {
         const BoundaryKind other = marks[index[beside]];
@@ -604,7 +583,6 @@ BoundaryKind KindOfCorner(const ColumnIndex& index, const std::vector<BoundaryKi
   return kind;
 }
 
-/// Marks the points that no loop runs through and that have an empty column corner to corner.
 void MarkCorners(const ColumnIndex& index, const std::vector<std::int32_t>& patches, std::vector<BoundaryKind>& marks)
 {
   const std::vector<BoundaryKind> loops = marks;
@@ -623,7 +601,7 @@ void MarkCorners(const ColumnIndex& index, const std::vector<std::int32_t>& patc
 ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options)
 {
   CheckOptions(columns, options);
-  // Cuts are named by columns: these stay where they are.
+  // Cuts refer to columns by position, so that empty bands must not be removed.
   return ColumnIndex(columns, 2 * options.Radius, options.Cuts ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
 }
 

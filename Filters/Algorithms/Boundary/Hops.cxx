@@ -16,7 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Whether a sweep from the south meets the end of a vector in its first half, which is the west.
+/// A sweep from the south meets the west in its first half.
 bool IsInFirstHalf(const PlanePoint& vector)
 {
   return vector.X < 0 || (vector.X == 0 && vector.Y < 0);
@@ -32,9 +32,8 @@ PlanePoint Difference(const PlanePoint& a, const PlanePoint& b)
   return { a.X - b.X, a.Y - b.Y };
 }
 
-/// Whether the hop from the origin to `end`, without its ends, touches a unit square. A hop of length n along its
-/// longer axis meets the next row or column of squares after an n-th part of it or more. So half as much is cut off at
-/// both ends here: what is left touches the same squares.
+/// A hop of length n along its longer axis meets the next squares after a fraction of at least 1 / n. Without half of
+/// this at both ends it touches the same squares, except those at its ends.
 bool Touches(const PlanePoint& end, const PlanePoint& corner)
 {
   const std::int32_t parts = 2 * ChebyshevLength(end);
@@ -53,7 +52,6 @@ bool Touches(const PlanePoint& end, const PlanePoint& corner)
   return *std::min_element(sides.begin(), sides.end()) <= 0 && *std::max_element(sides.begin(), sides.end()) >= 0;
 }
 
-/// Finds the columns that a hop passes over, and those between its ends.
 void FindColumns(const HopVectors& hops, LongHop& hop)
 {
   const PlanePoint& end = hops.Vector(hop.Hop);
@@ -72,11 +70,10 @@ void FindColumns(const HopVectors& hops, LongHop& hop)
   }
 }
 
-/// Finds the unit squares that a hop touches, and the gates that it passes.
 void FindSquares(const HopVectors& hops, LongHop& hop)
 {
   const PlanePoint& end = hops.Vector(hop.Hop);
-  std::vector<std::pair<std::int32_t, Gate>> gates; // with their distance from the nearer end
+  std::vector<std::pair<std::int32_t, Gate>> gates; // The first value is the distance from the nearer end.
   for (std::int32_t y = -1; y <= end.Y; ++y)
   {
     for (std::int32_t x = std::min(0, end.X) - 1; x <= std::max(0, end.X) + 1; ++x)
@@ -143,7 +140,7 @@ HopVectors::HopVectors(int radius, std::int64_t rasterWidth)
     }
   }
   std::sort(this->Vectors.begin(), this->Vectors.end(), IsSweptBefore);
-  this->Hops.assign(this->Vectors.size() + 1, NoHop); // the vector of length 0 has a slot, too
+  this->Hops.assign(this->Vectors.size() + 1, NoHop);
   for (HopId hop = 0; hop < this->Size(); ++hop)
   {
     this->Hops[this->Slot(this->Vector(hop))] = hop;

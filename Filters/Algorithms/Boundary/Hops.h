@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The vectors of hops, the steps that a boundary may take, from a column to any other one at most k columns away along
-// each axis (the thesis's k-square neighbourhood, Def. 3.1). Hops are numbered in the order in which a clockwise sweep
-// from the south meets their ends; of several in one direction the shorter comes first.
+// Hops are the steps of a boundary, from a column to another one at most k columns away along each axis (k-square
+// neighbourhood of the thesis, Def. 3.1), numbered in the order of a clockwise sweep from the south; of several in one
+// direction the shorter comes first. The file also has tables of the columns and squares along long hops, and the walk
+// around a face of a graph of hops.
 //
-//          3  4  5
 //          2  *  6         the 8 hops of k = 1
 //          1  0  7
 //
-// With them the tables of what long hops pass over and between, and the walk around a face of a graph of hops.
 
 #ifndef SeismicHorizonsHops_h
 #define SeismicHorizonsHops_h
@@ -26,7 +25,6 @@
 
 namespace SeismicHorizons
 {
-/// The number of a hop in HopVectors.
 using HopId = std::int32_t;
 
 constexpr HopId NoHop = -1;
@@ -34,26 +32,21 @@ constexpr HopId NoHop = -1;
 class HopVectors
 {
 public:
-  /// All hops of at most `radius` columns along each axis, for a index with rows of `rasterWidth` places.
+  /// An offset is a difference of places in an index with rows of `rasterWidth` places.
   HopVectors(int radius, std::int64_t rasterWidth);
 
   int Radius() const { return this->MostColumns; }
   HopId Size() const { return HopId(this->Vectors.size()); }
 
-  /// From the start of a hop to its end, in columns.
   const PlanePoint& Vector(HopId hop) const { return this->Vectors[hop]; }
-  /// The same as a difference of places in the index.
   std::int64_t Offset(HopId hop) const { return this->Offsets[hop]; }
   std::int64_t OffsetOf(const PlanePoint& vector) const { return vector.Y * this->RasterWidth + vector.X; }
-  /// The hop back.
   HopId Opposite(HopId hop) const { return this->Opposites[hop]; }
-  /// Into how many parts a hop is divided by the columns whose middles it passes through.
+  /// The columns whose centres a hop passes divide it into this number of parts.
   std::int32_t NumberOfParts(HopId hop) const { return this->NumbersOfParts[hop]; }
-  /// The hop with a vector.
   HopId Find(const PlanePoint& vector) const { return this->Hops[this->Slot(vector)]; }
 
 private:
-  /// The position of a vector in the square of all of them, row by row.
   std::size_t Slot(const PlanePoint& vector) const
   {
     return std::size_t((vector.Y + this->MostColumns) * (2 * this->MostColumns + 1) + vector.X + this->MostColumns);
@@ -65,45 +58,39 @@ private:
   std::vector<std::int64_t> Offsets;
   std::vector<HopId> Opposites;
   std::vector<std::int32_t> NumbersOfParts;
-  std::vector<HopId> Hops; // by slot
+  std::vector<HopId> Hops;
 };
 
-/// Whether a clockwise sweep from the south meets the end of vector `a` before that of `b`.
 bool IsSweptBefore(const PlanePoint& a, const PlanePoint& b);
 
-/// Columns along the longer axis.
 std::int32_t ChebyshevLength(const PlanePoint& vector);
 
-/// Whether the end of a vector is nearer than that of another: fewer columns along the longer axis, or as many and
-/// shorter in a straight line. This is the order of a norm whose circles have no straight stretches (the larger
-/// coordinate, plus an infinitely small part of the Euclidean length).
+/// Compares columns along the longer axis, then Euclidean length: the order of a strictly convex norm (the larger
+/// coordinate plus an infinitesimal fraction of the Euclidean length).
 bool IsNearer(const PlanePoint& a, const PlanePoint& b);
 
-// The hops that lead further than to a neighbour, and upwards or straight to the right, with the columns that matter
-// for each: tables that do not depend on the points.
+// Long hops lead further than to a neighbour, and upwards or straight to the right.
 
-/// From a column to four of its neighbours; the opposite steps lead to the other four.
+/// The opposite steps lead to the other four neighbours.
 constexpr std::array<PlanePoint, 4> NeighbourSteps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 } } };
 
-/// Two neighbouring columns that a hop passes between. Columns are vectors from the start of the hop, and offsets are
-/// differences of places in the index from there.
+/// A hop passes between these two neighbouring columns, given from the start of the hop.
 struct Gate
 {
   PlanePoint Column;
-  std::size_t Step; // from this column to the other one, in NeighbourSteps
-  std::int64_t Offset; // of this column
-  std::int64_t OtherOffset; // of the other one
+  std::size_t Step; // The index into NeighbourSteps leads to the other column.
+  std::int64_t Offset;
+  std::int64_t OtherOffset;
 };
 
-/// Columns by their offsets, as in Gate.
 struct LongHop
 {
   HopId Hop = NoHop;
-  std::vector<std::int64_t> Over; // columns that the hop passes over
-  std::vector<PlanePoint> ColumnsOver; // the same as vectors
-  std::vector<Gate> Gates; // pairs of columns that it passes between, those near its ends first
-  std::vector<std::int64_t> Between; // columns nearer to both of its ends than these are to each other
-  std::vector<std::int64_t> Squares; // unit squares it touches other than with its ends, by their least corners
+  std::vector<std::int64_t> Over; // The hop passes over these columns.
+  std::vector<PlanePoint> ColumnsOver;
+  std::vector<Gate> Gates; // Gates near the ends come first.
+  std::vector<std::int64_t> Between; // These columns are nearer to both ends than the ends are to each other.
+  std::vector<std::int64_t> Squares; // The hop touches these unit squares other than with its ends.
 };
 
 class LongHops
@@ -111,14 +98,13 @@ class LongHops
 public:
   explicit LongHops(const HopVectors& hops);
 
-  /// Hops are numbered by their Euclidean length, equal ones in the order of a sweep.
+  /// Hops are numbered by Euclidean length, then in the order of a sweep.
   std::size_t Size() const { return this->Hops.size(); }
   const LongHop& operator[](std::size_t number) const { return this->Hops[number]; }
 
-  /// The number of the hop with a vector for which IsLongAndRising is true.
+  /// IsLongAndRising(vector) must hold.
   std::size_t NumberOf(const PlanePoint& vector) const { return this->Numbers[this->Slot(vector)]; }
 
-  /// Whether a vector leads further than to a neighbour, and upwards or straight to the right.
   static bool IsLongAndRising(const PlanePoint& vector)
   {
     return ChebyshevLength(vector) > 1 && (vector.Y > 0 || (vector.Y == 0 && vector.X > 0));
@@ -132,25 +118,21 @@ private:
 
   const std::int32_t Radius;
   std::vector<LongHop> Hops;
-  std::vector<std::size_t> Numbers; // by slot
+  std::vector<std::size_t> Numbers;
 };
 
-// The walk around one face of a plane graph that connects points of a horizon by hops. At every point the walk sweeps
-// clockwise over the hops of the graph, beginning after the one back to where it came from, and leaves by the first
-// that the sweep meets; the hop back comes last. So the face lies to the left of all hops of the walk: the outer face
-// is walked clockwise around the patch, and the face of a hole counter-clockwise, with the surface to the right in
-// either case.
+// A walk sweeps clockwise at each point from the hop it came by, which comes last, and leaves by the first hop of the
+// plane graph. Its face is on the left: the outer face is walked clockwise, a hole counter-clockwise.
 
-/// A point of a walk, and the hop by which the walk leaves it: NoHop for a point alone. In the gap of a seam there is
-/// no point (SeamGaps.h).
+/// The hop is NoHop at an isolated point. In the break of a seam there is no point (SeamGaps.h).
 struct FaceStep
 {
   PointId Point;
   HopId Hop;
 };
 
-/// Walks from the place `start` by the hop `first` until it is about to repeat that hop. `next(place, from)` gives the
-/// first hop of the graph from a place that a clockwise sweep after `from` meets, or NoHop.
+/// The walk ends before it repeats `first`. `next(place, from)` returns the first hop after `from` in a clockwise
+/// sweep.
 template <typename Next>
 void WalkFace(const ColumnIndex& index, const HopVectors& hops, std::int64_t start, HopId first, Next&& next,
   std::vector<FaceStep>& steps)
@@ -171,8 +153,8 @@ void WalkFace(const ColumnIndex& index, const HopVectors& hops, std::int64_t sta
 
 struct FaceSize
 {
-  std::int64_t TwiceArea = 0; // less than 0 for a face that is walked clockwise
-  std::int64_t OnLoop = 0; // columns that the walk passes through the middles of, each as often as it does
+  std::int64_t TwiceArea = 0; // The area of a face walked clockwise is negative.
+  std::int64_t OnLoop = 0; // Each passage of the walk through the centre of a column counts.
 };
 
 inline FaceSize MeasureFace(const HopVectors& hops, const std::vector<FaceStep>& steps)
@@ -195,24 +177,22 @@ inline FaceSize MeasureFace(const HopVectors& hops, const std::vector<FaceStep>&
   return size;
 }
 
-/// How many columns lie strictly inside a face that is walked counter-clockwise, by Pick's theorem; 0 for one that is
-/// walked clockwise, or has no area. A column that the walk visits twice counts twice, as if the loop had two there.
+/// Pick's theorem gives the columns strictly inside, 0 for a face walked clockwise or without area. A column visited
+/// twice counts as two columns of the loop.
 inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<FaceStep>& steps)
 {
   const FaceSize size = MeasureFace(hops, steps);
   return size.TwiceArea > 0 ? (size.TwiceArea - size.OnLoop) / 2 + 1 : 0;
 }
 
-/// Leaves out the steps in gaps of seams. The columns inside are counted before.
+/// ColumnsInside() must be called before.
 inline void DropStepsInGaps(std::vector<FaceStep>& steps)
 {
   steps.erase(std::remove_if(steps.begin(), steps.end(), [](const FaceStep& step) { return step.Point == NoPoint; }),
     steps.end());
 }
 
-/// Adds a walk as a loop that begins at its point of least x, then least y. When the walk visits that point several
-/// times, the loop begins with the hop from there that a clockwise sweep from the south meets first. No step is in a
-/// gap.
+/// The loop begins at its point of least x, then y, and there with the hop that comes first in a sweep from the south.
 inline void AppendLoop(PlanePoints columns, std::vector<FaceStep>& steps, Loops& loops)
 {
   const auto first = std::min_element(steps.begin(), steps.end(),

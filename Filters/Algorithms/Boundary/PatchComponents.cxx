@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A row is cut into runs whose points follow each other by hops. Every column from k before the first point of a run to
-// k after its last is at most k away from some point of the run. So two runs in rows at most k apart are connected when
-// one, extended in this way, overlaps the other, whatever gaps they have.
+// Points of a run follow each other by hops. Each column from k before a run to k after it is at most k columns from a
+// point of the run, so that two runs in rows at most k apart are connected if one of them, extended by k, overlaps the
+// other.
 //
-// A component lies inside a loop when its first point does. So the rows with first points are read from left to right:
-// at each place it is known inside which loops it is, as every loop that the row crosses is entered or left there.
+// A component is inside a loop if its first point is. Rows with first points are scanned from left to right, while the
+// scan tracks the loops that it enters and leaves.
 
 #include "PatchComponents.h"
 
@@ -19,15 +19,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Points in a row of the index that follow each other by hops.
 struct Run
 {
-  std::int32_t First; // column of the index
+  std::int32_t First;
   std::int32_t Last;
   std::int32_t Set;
 };
 
-/// The runs of all rows, as sets of connected ones.
 class RunList
 {
 public:
@@ -62,7 +60,6 @@ public:
     }
   }
 
-  /// Numbers the components and their points.
   void Number(PatchComponents& result)
   {
     std::vector<std::int32_t> number(this->Runs.size(), -1);
@@ -88,7 +85,7 @@ private:
       {
         this->Sets.Join(runA.Set, runB.Set);
       }
-      // The run that ends first is done: the next one of the other row begins more than k columns further on.
+      // The next run of the other row begins more than k columns after the run that ends first.
       ++(runA.Last < runB.Last ? a : b);
     }
   }
@@ -112,7 +109,6 @@ private:
   DisjointSets Sets;
 };
 
-/// Where a loop crosses a row.
 struct Crossing
 {
   double X;
@@ -149,7 +145,6 @@ private:
   std::int64_t RowOf(std::int64_t place) const { return place / this->Index.Width(); }
   std::int64_t ColumnOf(std::int64_t place) const { return place % this->Index.Width(); }
 
-  /// Numbers the rows that have places.
   void NumberRows()
   {
     std::int32_t rows = 0;
@@ -175,8 +170,8 @@ private:
     }
   }
 
-  /// The row of the upper end is left to the hop that goes on from there. No hop passes a point by less than 1 / k
-  /// columns, so that rounding does not matter.
+  /// The hop that continues at the upper end adds the crossing of that row. Rounding is harmless, as hops miss points
+  /// by at least 1 / k columns.
   void AddCrossings(std::int64_t low, std::int64_t high, std::size_t loop)
   {
     const std::int64_t rows = std::max<std::int64_t>(1, this->RowOf(high) - this->RowOf(low));
@@ -192,11 +187,10 @@ private:
     }
   }
 
-  /// Visits the places in the row of one, and returns the next place.
   std::size_t ReadRow(const std::vector<Crossing>& crossings, std::size_t place, const PlaceVisitor& visit)
   {
     const std::int64_t row = this->RowOf(this->Places[place]);
-    std::vector<std::size_t> around; // loops; few lie around a place
+    std::vector<std::size_t> around;
     auto next = crossings.begin();
     for (; place < this->Places.size() && this->RowOf(this->Places[place]) == row; ++place)
     {
@@ -226,12 +220,11 @@ private:
   const ColumnIndex& Index;
   const std::vector<std::int64_t>& Places;
   const Loops& Boundary;
-  std::vector<std::int32_t> RowNumber; // for each row of the index, or -1
-  std::vector<std::vector<Crossing>> Crossings; // by the number of the row
+  std::vector<std::int32_t> RowNumber; // The value is -1 for rows without places.
+  std::vector<std::vector<Crossing>> Crossings;
 };
 
-/// The patch at a place inside some loops, or -1. From outside to inside, outlines of patches and loops of holes take
-/// turns when those of islands that belong to another patch are left out.
+/// Outlines and holes alternate from outside to inside, once outlines of islands of other patches are ignored.
 std::int32_t InnermostPatch(const std::vector<std::size_t>& around, const std::vector<std::int32_t>& patchOf)
 {
   std::int32_t innermost = -1;
@@ -273,7 +266,7 @@ void ForEachPlaceInLoops(PlanePoints columns, const ColumnIndex& index, const st
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Components are met from below, so that each is met after the one around it, and an island in an island after both.
+// Components are numbered from below, so that each follows the component around it, and nested islands follow both.
 std::vector<std::int32_t> AssignIslands(
   PlanePoints columns, const ColumnIndex& index, const std::vector<std::int64_t>& first, const Loops& loops)
 {

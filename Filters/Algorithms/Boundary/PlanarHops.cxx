@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: the candidates, long hops that no point near their start rules out, as bits of rows; the border,
-// points beside empty columns, which alone have long hops; the hops that are admissible, direct ones first, then the
-// others from short to long; and the list of them by point, in the order of a sweep.
+// In this order: candidates, long hops that no point near their start rules out; the border, points beside empty
+// columns, which alone have long hops; admissible hops, direct hops first, then the rest from short to long; the list
+// of hops by point.
 
 #include "PlanarHops.h"
 
@@ -26,27 +26,23 @@ namespace
 {
 constexpr std::int32_t NoLink = -1;
 
-constexpr std::size_t Batch = 4096; // points from one report of progress to the next
+constexpr std::size_t Batch = 4096;
 }
 
-// Which long hops between points may be admissible (PlanarHops.h). One that passes over a point, or between two
-// neighbouring points, is not. The points in a row of columns are bits of one number, and each point or pair of points
-// near the start of hops rules out all hops whose ends, the columns in its shadow, are behind it:
+// A hop is not admissible (PlanarHops.h) if it passes over a point or between two neighbouring points. The points of a
+// row are bits of one number. Each point or pair of points near the start rules out hops to its shadow:
 //
-//        . . # # # # .        *    the start of hops
-//        . . # # # . .        a, b    two neighbouring points
-//        . . a b . . .        #    their shadow: no hop from * leads between a and b to these columns, nor over one of
-//        . . * . . . .             them
+//       . . # # # # .        *    start of hops
+//       . . # # # . .        a, b two neighbouring points
+//       . . a b . . .        #    their shadow, behind a, b or the line between them
+//       . . * . . . .
 class HopCandidates
 {
 public:
-  /// `points` holds the places of the index that count as points here. The index has an empty rim of at least k
-  /// columns. Keeps references.
+  /// The index needs an empty rim of at least k columns. `points` may add places to its points.
   HopCandidates(const ColumnIndex& index, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops);
 
-  /// Calls visit(number) for the long hops from a place to another point that are not ruled out by points at most
-  /// NearRadius columns away from it, by their numbers in LongHops and row by row. Takes about k steps for each point
-  /// and pair of points that near, and one for each hop.
+  /// Calls visit(number in LongHops), row by row, for hops to points that no point within NearRadius rules out.
   template <typename Visitor>
   void ForEach(std::int64_t from, Visitor&& visit) const
   {
@@ -65,7 +61,6 @@ public:
     }
   }
 
-  /// Whether a long hop passes neither over a point nor between two neighbouring ones.
   bool IsFree(std::int64_t place, const LongHop& hop) const
   {
     const auto has = [this, place](std::int64_t offset) { return this->Index.Has(place + offset); };
@@ -77,21 +72,19 @@ public:
 private:
   static constexpr std::int32_t NearRadius = 3;
   static constexpr std::int32_t NearWidth = 2 * NearRadius + 1;
-  // What is near is known by the bits of so many rows of five columns.
+  // The bits of these rows of five columns index the table of nearest points.
   static constexpr std::int32_t NearestRadius = 2;
   static constexpr int NearestBits = (NearestRadius + 1) * (2 * NearestRadius + 1);
-  // So few are better tried than ruled out by what is farther away.
+  // Fewer ends are tested faster than farther points could rule them out.
   static constexpr int FewEnds = 8;
 
-  using NearRows = std::array<unsigned, NearRadius + 2>; // and an empty one above
-  // What can rule out hops: a point and its neighbour after one of NeighbourSteps, or a point alone.
+  using NearRows = std::array<unsigned, NearRadius + 2>; // The last row is empty.
+  // A hop is ruled out by a point and its neighbour after one of NeighbourSteps, or by a point alone.
   static constexpr std::size_t Itself = NeighbourSteps.size();
   static constexpr std::size_t Kinds = Itself + 1;
 
-  /// A bit for each of 2 k + 1 columns in a row, from the left.
   using Window = PlaceSet::Window;
   static constexpr std::size_t MostRows = LargestRadius + 1;
-  /// One window for each row, from that of a place upwards.
   using Rows = std::array<Window, MostRows>;
 
   static std::int32_t FirstColumn(Window window)
@@ -100,18 +93,14 @@ private:
     return low != 0 ? LowestBit(low) : PlaceSet::WordBits + LowestBit(std::uint64_t(window >> PlaceSet::WordBits));
   }
 
-  /// The position in Shadows of a point, or of a pair of points that begins with it, at a vector from the start.
   static std::size_t Slot(std::size_t kind, std::int32_t x, std::int32_t y)
   {
     return (kind * (NearRadius + 1) + std::size_t(y)) * NearWidth + std::size_t(x + NearRadius);
   }
 
-  /// The points around a place that are at most a radius away along x, in its row and those above, a bit each.
   NearRows NearRowsAt(std::int64_t from, std::int32_t radius) const;
-  /// Takes those ends away that such points are in the way of.
   void RuleOut(const NearRows& near, Rows& ends) const;
-  /// The points that long hops from a place lead to, without those that points at most two columns away are in the way
-  /// of. In a horizon with few gaps that is a look into a table.
+  /// This is a table look-up, unless the pattern of the nearest points is new.
   void FindEndsBeyondNearest(std::int64_t from, Rows& ends) const;
 
   int Count(const Rows& rows) const
@@ -129,10 +118,10 @@ private:
   const PlaceSet& Points;
   const LongHops& Long;
   const std::int32_t Radius;
-  Rows Ends; // the ends of all long hops
-  mutable std::vector<Rows> OpenByNearest; // the ends that the nearest points leave, for what was found so far
-  mutable std::vector<std::int32_t> OpenNumbers; // in that list, by the bits of the nearest points; -1 for none
-  std::vector<Rows> Shadows; // by slot: the ends of the hops that a point or a pair of points rules out
+  Rows Ends;
+  mutable std::vector<Rows> OpenByNearest;
+  mutable std::vector<std::int32_t> OpenNumbers; // This is -1 for patterns that have not occurred.
+  std::vector<Rows> Shadows; // By slot, the ends that a point or pair of points rules out.
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -215,7 +204,7 @@ void HopCandidates::RuleOut(const NearRows& near, Rows& ends) const
   {
     const unsigned here = near[row];
     const unsigned above = near[std::size_t(row) + 1];
-    // In the order of NeighbourSteps.
+    // The order is that of NeighbourSteps.
     const std::array<unsigned, Kinds> found = { here & here >> 1U, here & above >> 1U, here & above, here & above << 1U,
       here };
     for (std::size_t kind = 0; kind < Kinds; ++kind)
@@ -265,8 +254,7 @@ PlanarHops::PlanarHops(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Gives the places of points and of single empty columns. No other long hop than that over such a column leads there,
-// so that it counts as a point when long hops are looked for.
+// A single empty column counts as a point when long hops are searched for, as the only long hop through it is known.
 PlaceSet PlanarHops::FindBorder()
 {
   const PlaceSet& points = this->Index.Occupied();
@@ -292,7 +280,6 @@ PlaceSet PlanarHops::FindBorder()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Calls visit(hop) for the long hops between points that points near their starts do not rule out.
 template <typename Visitor>
 void PlanarHops::ForEachCandidate(const HopCandidates& candidates, const Monitor& monitor, Visitor&& visit) const
 {
@@ -327,7 +314,6 @@ void PlanarHops::AddDirectHops(const HopCandidates& candidates, const Monitor& m
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Gives the candidates across cuts.
 std::vector<PlanarHops::PlacedHop> PlanarHops::AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor)
 {
   std::vector<PlacedHop> left;
@@ -353,8 +339,7 @@ std::vector<PlanarHops::PlacedHop> PlanarHops::AddFurtherHops(const HopCandidate
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// From short to long, each that crosses none before it. Hops with the same vector never cross, so that their order does
-// not matter.
+// Hops with equal vectors never cross, so that their order does not matter.
 void PlanarHops::AddUncrossed(std::vector<PlacedHop>& hops, const Monitor& monitor)
 {
   std::sort(hops.begin(), hops.end(), [](const PlacedHop& a, const PlacedHop& b) { return a.Number < b.Number; });
@@ -429,8 +414,6 @@ void PlanarHops::Add(const PlacedHop& hop)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Calls visit(hop) for the admissible hops from a place to neighbours, over single empty columns, and into the gaps of
-// seams.
 template <typename Visitor>
 void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
 {
@@ -450,8 +433,8 @@ void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Whether a hop between two neighbouring points is admissible. Of the two diagonals between four points that from
-// south-east to north-west is, as a sweep meets it first; between fewer points each is, and where cuts leave just one.
+// Of the two diagonals between four points the south-east to north-west one is admissible, as a sweep meets it first.
+// With fewer points, or if cuts leave one diagonal, that one is.
 bool PlanarHops::IsAdmissible(std::int64_t place, const PlanePoint& step) const
 {
   const bool isOfFour =
@@ -522,7 +505,7 @@ std::vector<HopAcrossCut> PlanarHops::ListAcross(std::size_t admissible) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// For a place beside an open block. Of the diagonals between four points none is taken, as those of open blocks cross.
+// Both diagonals between four points are excluded, as they cross.
 bool PlanarHops::IsShortAcross(std::int64_t place, const PlanePoint& step) const
 {
   const bool isOfFour =
@@ -545,7 +528,6 @@ HopId PlanarHops::Next(std::int64_t place, HopId from) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The same for points that are not beside gaps.
 HopId PlanarHops::NextShort(std::int64_t place, HopId from) const
 {
   HopId first = NoHop;

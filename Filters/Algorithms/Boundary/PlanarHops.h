@@ -1,42 +1,36 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The plane graph whose faces are the loops of clockwise growth (thesis Alg. 3.2) for any k.
+// Plane graph whose faces are the loops of clockwise growth (thesis Alg. 3.2) for any k. The sweep of the thesis may
+// take hops that cross earlier hops. Here it takes admissible hops only, which never cross:
+//  1. Direct hops: no third point is nearer to both ends than these are to each other (IsNearer in Hops.h). If direct
+//     hops a-b and c-d crossed, then ac + bd < ab + cd and ad + bc < ab + cd, so that one of the four points would be
+//     nearer to both ends of the other hop. Direct hops include a minimum spanning tree and thus connect all points
+//     that hops connect (relative neighbourhood graph of Toussaint, 1980, in the norm of the thesis).
+//  2. Other hops by Euclidean length, then in the order of a clockwise sweep from the south, if they pass over no point
+//     and cross no hop admitted before.
 //
-// Taken literally, the thesis's sweep can take hops that cross others it took before. Here it takes only admissible
-// hops, which never cross:
-//  1. Direct hops: no third point is nearer to both ends than they are to each other (IsNearer in Hops.h). Two of
-//     them never cross: if a-b and c-d did, then ac + bd < ab + cd and ad + bc < ab + cd, from which it follows that
-//     one of the four points is nearer to both ends of the other hop than these are to each other. Direct hops include
-//     a shortest spanning tree, so that they connect all that hops of at most k connect (the relative neighbourhood
-//     graph of Toussaint, 1980, in the norm of the thesis's neighbourhoods).
-//  2. Then all others in the order of their Euclidean length, each if it passes over no point and crosses no admissible
-//     hop before it. Of two that are equally long and cross, that which a clockwise sweep from the south meets first.
+//         . . c . . .
+//         . . . . a .     k = 4: hop c-d is shorter than a-b and crosses it. If c-d came first, b would be cut off, as
+//         . . . . . .     it is more than four columns from c and d. But a lies between c and d: c-d is not direct, and
+//         . . . . . d     a-b is.
+//         . . . . . .
+//         b . . . . .
 //
-//          . . c . . .
-//          . . . . a .     k = 4: the hop c-d is shorter than a-b and crosses it. Were it taken first, b would be cut
-//          . . . . . .     off, as c and d are more than four columns away from it. But a lies between c and d: c-d is
-//          . . . . . d     not direct, a-b is.
-//          . . . . . .
-//          b . . . . .
+// All hops to neighbours are admissible, except one of the two diagonals of four points. The eight points around a
+// single empty column admit only one longer hop, from south to north:
 //
-// Hops to neighbours need no search: all are admissible, but for one of the two diagonals of four neighbouring points.
-// And the eight points around a single empty column let no other hops between them than that from south to north over
-// the column:
+//         a - a - a       a    points
+//         | / | \ |       .    empty column, under the hop
+//         a   .   a
+//         | \ | / |
+//         a - a - a
 //
-//          a - a - a       a    points
-//          | / | \ |       .    the empty column, under the hop
-//          a   .   a
-//          | \ | / |
-//          a - a - a
+// Therefore long hops are only tried between points beside two or more adjacent empty columns. Direct hops come first;
+// the rest, a few per point, is tried by length against admissible hops in the same unit squares.
 //
-// So longer hops are only looked for between points beside gaps, which are two or more empty columns side by side.
-// First the direct ones are found, and hops that cross one of these are ruled out. The rest, a few per point, is tried
-// in order of length, and each is compared with the admissible hops that touch the same unit squares.
-//
-// With faulted links, those hops are left out that these bar (CutBlocks.h), and points beside open blocks count as
-// beside gaps. Points that only a barred hop connects are in different components then. With the hops across cuts,
-// which are those that cuts alone keep from being admissible, the graph is plane, too.
+// With faulted links, barred hops are left out (CutBlocks.h), and points beside open blocks count as beside empty
+// columns. The graph stays plane with hops across cuts, which only cuts keep from being admissible.
 
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
@@ -57,7 +51,7 @@ namespace SeismicHorizons
 {
 class HopCandidates;
 
-/// A hop from a place to a point, along a faulted link or over an open block (CutBlocks.h).
+/// The hop follows a faulted link or crosses an open block (CutBlocks.h).
 struct HopAcrossCut
 {
   std::int64_t Place;
@@ -69,22 +63,20 @@ struct HopAcrossCut
   }
 };
 
-/// Takes time, for each point beside a gap, for the rows of 2 k + 1 columns above it, and for each hop to a
-/// point in these that is not ruled out at most about k^2. Takes memory for 4 bytes and 4 bits per column of the
-/// index, 24 bytes per long hop and 8 per unit square that it touches, of which there are about 2 k at most; and
-/// tables of about 8 k^4 bytes.
+/// Each point beside empty columns takes time for the rows of 2 k + 1 columns above it, and about k^2 per remaining
+/// hop. Memory is 4 bytes and 4 bits per column of the index, 24 bytes per long hop, 8 per unit square touched (about 2
+/// k per hop), and tables of 8 k^4 bytes.
 class PlanarHops
 {
 public:
-  /// The index holds `points` points and has an empty rim of at least 2 k columns. Keeps references to it, to `hops`
-  /// and to `gaps`, and to `cuts` when there are some.
+  /// The index needs an empty rim of at least 2 k columns. The object keeps references; `cuts` may be null.
   PlanarHops(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts,
     const Monitor& monitor);
 
-  /// The places of the points beside gaps, row by row. Only these are on outlines, or on faces with columns inside.
+  /// Only these places are on outlines, or on faces with columns inside.
   const std::vector<std::int64_t>& PlacesBesideGaps() const { return this->Border; }
 
-  /// Calls visit(hop) for enough of the admissible hops from a place that those of all places connect what hops do.
+  /// The hops visited from all places together connect all points that hops connect.
   template <typename Visitor>
   void ForEachConnection(std::int64_t place, Visitor&& visit) const
   {
@@ -103,27 +95,25 @@ public:
     }
   }
 
-  /// The first admissible hop from a place that a clockwise sweep after `from` meets, where `from` comes last; NoHop
-  /// when there is none.
+  /// Returns the first hop after `from` in a clockwise sweep, `from` last; NoHop if there is none.
   HopId Next(std::int64_t place, HopId from) const;
 
-  /// The hops from points beside gaps have numbers from 0 to below Size(). For other hops this is Size().
+  /// Hops from points beside empty columns are numbered below Size(); for others this returns Size().
   std::size_t NumberOf(std::int64_t place, HopId hop) const;
   std::size_t Size() const { return this->Listed.Size(); }
 
-  /// The hops across cuts, in both directions, by place and hop.
+  /// Both directions are listed, by place and hop.
   const std::vector<HopAcrossCut>& HopsAcrossCuts() const { return this->Across; }
 
 private:
-  /// A long hop between two points, in columns of the index.
   struct PlacedHop
   {
     PlanePoint From;
     PlanePoint To;
-    std::int32_t Number; // in the long hops
+    std::int32_t Number;
   };
 
-  /// One of the hops that touch a unit square.
+  /// The hops that touch a unit square form a linked list.
   struct Link
   {
     std::int32_t Hop;
@@ -154,19 +144,19 @@ private:
 
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  const SeamGaps& Gaps; // the hops of their columns are those to the left and to the right
+  const SeamGaps& Gaps; // Its columns have hops to the left and right only.
   const CutBlocks* const Cuts;
   const LongHops Long;
-  std::vector<HopId> Short; // hops to the eight neighbours
-  const HopId South; // the hops over a single empty column
+  std::vector<HopId> Short;
+  const HopId South; // These hops pass over a single empty column.
   const HopId North;
-  std::vector<std::int64_t> Border; // places of the points beside gaps, row by row
-  PlaceNumbers BorderNumbers; // their positions in that list
-  // Only while hops are tried.
-  std::vector<PlacedHop> Placed; // admissible long hops, then those across cuts
-  std::vector<std::int32_t> First; // for each unit square the first link of its list
+  std::vector<std::int64_t> Border;
+  PlaceNumbers BorderNumbers;
+  // These exist only while hops are tried.
+  std::vector<PlacedHop> Placed; // Admissible hops come first, then hops across cuts.
+  std::vector<std::int32_t> First;
   std::vector<Link> Links;
-  // Then, for each point beside a gap, its admissible hops in the order of a sweep.
+  // Each point lists its hops in the order of a sweep.
   ItemLists<HopId> Listed;
   std::vector<HopAcrossCut> Across;
 };

@@ -35,7 +35,6 @@ void CheckRows(PlanePoints columns, const SeamRows& seams)
   }
 }
 
-/// Leaves out the numbers that no component has any more.
 void Renumber(const std::vector<std::int32_t>& joined, PatchComponents& parts)
 {
   std::vector<std::int32_t> number(joined.size());

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The seams of a part of a horizon: its lowest or highest row of columns, where another part goes on that has the same
-// row. What connects the points along a seam must follow from this row alone, so that both parts find the same.
+// Seams of a window of a horizon: its lowest or highest row of columns, which the next window repeats. The connections
+// along a seam must follow from this row alone, so that both windows find the same.
 //
-//        # # # . # # # .      Hops of at most k columns along a row at the edge of all points cross no others, and so
-//        # # . . # # # #      are in the graph of any horizon. A gap that is wider, but no wider than the longest edge
-//     ---# # g g # # . #---   of a seam, is closed by gap columns (g): the walk goes straight on through these, and
-//                             they have no other hops. Above them a hole is left, or what is too small for one.
+//       # # # . # # # .      Hops along a row at the edge of all points cross no others, and thus are in the graph of
+//       # # . . # # # #      any horizon. A break that is wider than the radius, up to the longest edge of a seam, is
+//    ---# # g g # # . #---   closed by gap columns (g): the walk passes straight through them, and they have no other
+//                            hops. A hole, if large enough, remains above them.
 
 #ifndef SeismicHorizonsSeamGaps_h
 #define SeismicHorizonsSeamGaps_h
@@ -22,11 +22,9 @@
 
 namespace SeismicHorizons
 {
-/// Throws InputError when a point is beyond a seam, or when the options do not suit one: loops of holes are needed,
-/// patches must not be dropped that continue beyond a seam, and growth by distance does not take all hops along a seam.
+/// Growth by distance with long hops is refused, as it omits some hops along a seam.
 void CheckSeams(PlanePoints columns, const BoundaryOptions& options);
 
-/// Whether there are points on the seams of some options, which are the least and the greatest row then.
 struct SeamPresence
 {
   SeamPresence(PlanePoints columns, const SeamRows& seams);
@@ -35,23 +33,20 @@ struct SeamPresence
   bool AtGreatestRow = false;
 };
 
-/// The columns of gaps in seams that are closed.
 class SeamGaps
 {
 public:
-  /// There are points.
+  /// `columns` must not be empty.
   SeamGaps(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams);
 
   bool Has(std::int64_t place) const { return this->Rows[0].Has(place) || this->Rows[1].Has(place); }
 
-  /// Makes components of points one that are on both sides of a gap.
   void Join(const ColumnIndex& index, PatchComponents& parts) const;
 
 private:
-  /// The columns of a row that are in gaps.
   struct Row
   {
-    std::int64_t First = 0; // place of the first column
+    std::int64_t First = 0;
     std::vector<bool> IsInGap;
 
     bool Has(std::int64_t place) const
@@ -64,7 +59,7 @@ private:
   void Fill(Row& row, const ColumnIndex& index, const BoundaryOptions& options);
 
   std::array<Row, 2> Rows;
-  std::vector<std::array<std::int64_t, 2>> Sides; // of each gap, the places of the points beside it
+  std::vector<std::array<std::int64_t, 2>> Sides; // For each break, the places of the points beside it.
 };
 }
 
