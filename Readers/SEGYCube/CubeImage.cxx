@@ -25,7 +25,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Hides the points of columns at levels where they have no samples.
 void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, vtkImageData* image)
 {
   auto ghosts = NewArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), image->GetNumberOfPoints());
@@ -104,7 +103,7 @@ void FillLine(const SEGYCube& cube, const CubeView& view, vtkImageData* image, v
     return;
   }
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble(); // places of surveys are millions of metres
+  points->SetDataTypeToDouble(); // Coordinates of surveys are millions of metres.
   points->SetNumberOfPoints(image->GetNumberOfPoints());
   const int* const extent = image->GetExtent();
   vtkIdType point = 0;

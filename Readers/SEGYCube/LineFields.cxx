@@ -17,21 +17,21 @@ namespace SeismicHorizons
 {
 namespace
 {
-// In the order in which they are preferred. The first is that of the standard since revision 1.
+// In order of preference; the first pair is the standard since revision 1.
 constexpr std::array<FieldPair, 7> UsualPairs = { { { 189, 193 }, { 9, 21 }, { 5, 21 }, { 9, 13 }, { 17, 13 },
   { 221, 225 }, { 181, 185 } } };
-// Those of lines: 21 is the number of the common depth point, and 17 that of the shot point.
+// Byte 21 is the number of the common depth point, 17 of the shot point.
 constexpr std::array<FieldPair, 3> LinePairs = { { { 189, 193 }, { 9, 21 }, { 9, 17 } } };
 constexpr std::array<FieldPair, 3> PlacePairs = { { { 181, 185 }, { 73, 77 }, { 81, 85 } } };
 
 constexpr double LeastDensity = 0.1;
 constexpr double DensityMargin = 0.15;
-// How many traces may be at the place of another one, as a part of all.
+// Fraction of the traces that may share a bin with another trace.
 constexpr double FewRepeated = 0.05;
 constexpr double MostRepeated = 0.5;
-constexpr std::int64_t LargestLine = 99999; // where x and y may be as well
+constexpr std::int64_t LargestLine = 99999; // x and y may have the same fields.
 
-/// The numbers of a field: least, largest, and the largest step of which all differences are multiples.
+/// Step is the greatest common divisor of all differences.
 struct FieldRange
 {
   std::int64_t First = std::numeric_limits<std::int64_t>::max();
@@ -46,7 +46,6 @@ struct FieldRange
       this->First = this->Last = this->Previous = number;
       return;
     }
-    // The greatest common divisor is looked for only where it changes.
     const std::int64_t difference = number - this->Previous;
     if (difference != 0 && (this->Step == 0 || difference % this->Step != 0))
     {
@@ -58,7 +57,6 @@ struct FieldRange
   }
 
   bool IsConstant() const { return this->Step == 0; }
-  /// How many numbers there can be.
   std::int64_t Slots() const { return this->IsConstant() ? 1 : (this->Last - this->First) / this->Step + 1; }
   std::size_t Slot(std::int64_t number) const
   {
@@ -66,7 +64,6 @@ struct FieldRange
   }
 };
 
-/// What a pair of fields is like.
 class PairFigures
 {
 public:
@@ -83,7 +80,6 @@ public:
       });
   }
 
-  /// The part of the grid that has traces, where none is at the place of another one.
   double Density() const
   {
     return double(this->Traces) / (double(this->Ranges[0].Slots()) * double(this->Ranges[1].Slots()));
@@ -92,7 +88,6 @@ public:
   bool IsConstant(int which) const { return this->Ranges[which].IsConstant(); }
   std::int64_t Slots(int which) const { return this->Ranges[which].Slots(); }
 
-  /// How many traces are at the place of another one on the grid, which is not too large.
   std::int64_t CountRepeated() const
   {
     std::vector<bool> isTaken(std::size_t(this->Ranges[0].Slots() * this->Ranges[1].Slots()), false);
@@ -109,17 +104,15 @@ public:
     return repeated;
   }
 
-  /// The largest number, without its sign.
   std::int64_t Largest() const
   {
     const auto largest = [](const FieldRange& r) { return std::max(std::abs(r.First), std::abs(r.Last)); };
     return std::max(largest(this->Ranges[0]), largest(this->Ranges[1]));
   }
 
-  /// Whether both fields have the same number for some traces.
   bool HaveRepetitions() const { return this->Repeats(0) && this->Repeats(1); }
 
-  /// Whether it is a grid, or, with one field that is the same for all, a line. A single trace may always be twice.
+  /// Accepts grids, and lines, for which one field is constant. Any file may have one repeated trace.
   bool IsFull(double mostRepeated) const
   {
     return this->Traces > 0 && this->Density() >= LeastDensity &&
@@ -178,7 +171,7 @@ bool IsConstant(const TraceTable& table, int byte)
 std::optional<FieldPair> FindGrid(const TraceTable& table, double mostRepeated, const Monitor& monitor)
 {
   std::optional<FieldPair> found;
-  std::vector<double> densities; // of the usual pairs; 0 for what is no grid
+  std::vector<double> densities; // 0 for pairs that form no grid.
   for (const FieldPair& pair : UsualPairs)
   {
     monitor.Progress(double(densities.size()) / double(UsualPairs.size()));
@@ -202,7 +195,7 @@ std::optional<FieldPair> FindGrid(const TraceTable& table, double mostRepeated, 
   return found;
 }
 
-/// The fields of a line. Where both numbers of the standard differ, and make no grid, other fields are no help.
+/// If both numbers of the standard vary without a grid, other fields do not help.
 std::optional<FieldPair> FindLine(const TraceTable& table, double mostRepeated)
 {
   for (const FieldPair& pair : LinePairs)
@@ -221,7 +214,7 @@ std::optional<FieldPair> FindLine(const TraceTable& table, double mostRepeated)
   return std::nullopt;
 }
 
-/// Traces that have different offsets are of gathers, whose shots and channels would make a grid as well.
+/// Shots and channels of gathers would form a grid, too.
 void RefuseGathers(const TraceTable& table)
 {
   const TraceField& offsets = table[TraceByte::Offset];

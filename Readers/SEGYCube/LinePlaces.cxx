@@ -14,11 +14,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A step from a trace to the next that is so many times the usual one is none along the line.
+// In multiples of the usual step.
 constexpr double LongestStep = 10.0;
-// How many traces may be off a line, as a part of all.
+// Fraction of all traces.
 constexpr double MostStrays = 0.1;
-// How far a trace is from the next but one, as a part of the way over the next; of half the traces at least.
+// Distance to the second neighbour, as a fraction of the path through the first (median).
 constexpr double LeastAdvance = 0.7;
 
 using Places = std::vector<Eigen::Vector2d>;
@@ -30,7 +30,6 @@ double Median(std::vector<double> values)
   return *middle;
 }
 
-/// The traces of a line that have a place: column by column, with nan where there is none.
 class TraceLine
 {
 public:
@@ -46,7 +45,6 @@ public:
     }
   }
 
-  /// Takes the places of traces away that are far from both neighbours. False where there is no line.
   bool DropStrays()
   {
     if (this->Columns.size() < 2 || !(this->UsualStep() > 0.0) || this->UsualAdvance() < LeastAdvance)
@@ -74,7 +72,7 @@ public:
 
   std::size_t StrayCount() const { return this->Strays; }
 
-  /// All places, those that are missing on the straight between or beyond the nearest two that are there.
+  /// Missing places are on straight lines through the nearest two.
   Places Complete() const
   {
     Places places = this->All;
@@ -97,7 +95,6 @@ public:
   }
 
 private:
-  /// The step for a column, between two of the traces that have places.
   double Step(std::size_t n, std::size_t m) const
   {
     return this->Distance(n, m) / double(this->Columns[m] - this->Columns[n]);
@@ -118,7 +115,7 @@ private:
     return Median(std::move(steps));
   }
 
-  /// How straight the way over a trace is: 1 where places are on a straight line, some 0.5 where they are anywhere.
+  /// Returns 1 for a straight line, and about 0.5 for random places.
   double UsualAdvance() const
   {
     std::vector<double> parts = { 1.0 };
@@ -131,7 +128,7 @@ private:
   }
 
   const Places All;
-  std::vector<std::size_t> Columns; // that have a place
+  std::vector<std::size_t> Columns;
   std::size_t Strays = 0;
 };
 

@@ -9,10 +9,8 @@
 
 namespace SeismicHorizons
 {
-/// Puts the traces of a cube of one line where their own headers say, which need not be on a straight line. Columns
-/// without a trace, those whose place is 0, and those that are far from both neighbours are put between these; what was
-/// moved is a warning. Looks at the given fields, where there are some, else at those where the cube has its places,
-/// else at the usual ones. Leaves the places empty where no fields have a line.
+/// Positions the traces of a single line, which may be curved, by their headers. Missing places, places of 0 and strays
+/// are interpolated, with a warning. Places stay empty if no fields form a line.
 void PlaceAlongLine(SEGYCube& cube, const TraceTable& table, const FieldPair& given);
 }
 

@@ -21,10 +21,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double MostStrays = 0.1; // of all places
-constexpr std::size_t SampleSize = 1000; // places
+constexpr double MostStrays = 0.1; // Fraction of all places.
+constexpr std::size_t SampleSize = 1000;
 
-/// How far places are from where a map has their columns, in columns.
 class Distances
 {
 public:
@@ -53,7 +52,6 @@ public:
     return largest;
   }
 
-  /// The picks that are farther off, by their numbers.
   std::vector<std::size_t> Beyond(double tolerance) const
   {
     std::vector<std::size_t> strays;
@@ -74,12 +72,12 @@ private:
   const Eigen::Matrix2d ToColumns;
 };
 
-/// A map through some picks that agrees with most others: the best of many through three picks.
+/// The best of many maps through three picks has most inliers.
 std::optional<PlaneMap> FindConsensus(const PickTable& picks, const LineNumbering& numbering, double tolerance)
 {
-  constexpr int tries = 64; // with a tenth of strays one of them fails for each with a probability of a quarter
+  constexpr int tries = 64; // With 10 % of strays each try fails with a probability of a quarter.
   const std::size_t count = picks.X.size();
-  std::mt19937 random(1); // the same everywhere
+  std::mt19937 random(1); // A fixed seed makes results reproducible.
   std::optional<PlaneMap> best;
   std::size_t fewest = count;
   for (int n = 0; n < tries; ++n)
@@ -105,7 +103,6 @@ std::optional<PlaneMap> FindConsensus(const PickTable& picks, const LineNumberin
   return best;
 }
 
-/// A part of picks that is large enough to find the lattice.
 PickTable Sample(const PickTable& picks)
 {
   PickTable some;
@@ -120,12 +117,11 @@ PickTable Sample(const PickTable& picks)
   return some;
 }
 
-/// The least squares of all places but strays; with the largest distance beyond the tolerance where these are too many.
-/// `largest` is that of a fit of all.
+/// If strays are too many, returns a distance beyond the tolerance. `ofAll` is the fit of all places.
 PlaceFit FitWithoutStrays(const PickTable& picks, const LineNumbering& numbering, double tolerance,
   const PlaceFit& ofAll, const Monitor& monitor)
 {
-  // Maps through three places are off by more than their rounding.
+  // Maps through three places exaggerate their rounding.
   const std::optional<PlaneMap> consensus = FindConsensus(Sample(picks), numbering, 2.0 * tolerance);
   if (!consensus)
   {
@@ -189,7 +185,7 @@ double LargestDistance(const PickTable& picks, const LineNumbering& numbering, c
 //----------------------------------------------------------------------------------------------------------------------
 bool FollowsLines(const PlaneMap& map, const LineNumbering& numbering, double scale)
 {
-  constexpr double rounding = 1e-6; // of a step
+  constexpr double rounding = 1e-6; // Fraction of a step.
   const auto follows = [&](const Eigen::Vector2d& step, double lineStep)
   {
     const Eigen::Vector2d size = step.cwiseAbs() / std::abs(lineStep);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The lattice of places whose line numbers are known, a few of which may be wrong.
+// Fits a lattice to places with line numbers, of which a few may be wrong.
 
 #ifndef SeismicHorizonsPlaceFit_h
 #define SeismicHorizonsPlaceFit_h
@@ -19,22 +19,20 @@ namespace SeismicHorizons
 {
 struct PlaceFit
 {
-  PlaneMap ToWorld; // from columns
-  double LargestDistance = 0.0; // of a place to its column, in columns, but for strays
-  std::int64_t Strays = 0; // places farther off
+  PlaneMap ToWorld; // Maps columns to world coordinates.
+  double LargestDistance = 0.0; // In columns, without strays.
+  std::int64_t Strays = 0;
   std::size_t FirstStray = 0;
 };
 
-/// The lattice of places, by least squares without up to a tenth of strays. Only line numbers and places are looked at.
-/// Throws InputError, whose text begins with `what`, where they are on none.
+/// Up to 10 % of strays are excluded. Picks need only line numbers and places. Throws InputError, which begins with
+/// `what`, if the places are on no lattice.
 PlaceFit FitLattice(const PickTable& picks, const LineNumbering& numbering, const std::string& what, double tolerance,
   const Monitor& monitor);
 
-/// How far a place is from its column at most, in columns.
 double LargestDistance(const PickTable& picks, const LineNumbering& numbering, const PlaneMap& map);
 
-/// Whether x and y go by the steps of the line numbers, in either order, or by a part of them, `scale`: they may be
-/// numbers of lines as well.
+/// x and y may repeat the line numbers, in either order, multiplied by `scale`.
 bool FollowsLines(const PlaneMap& map, const LineNumbering& numbering, double scale);
 }
 

@@ -25,7 +25,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int LastFieldByte = SEGYTraceHeaderSize - 3; // where a field of 4 bytes can begin
+constexpr int LastFieldByte = SEGYTraceHeaderSize - 3;
 
 void CheckField(const char* name, int byte)
 {
@@ -51,7 +51,7 @@ void CheckPair(const char* firstName, const char* secondName, const FieldPair& p
   }
 }
 
-/// Traces are read at their places, so that a compressed file is of no use.
+/// Random access to traces rules out compressed files.
 std::ifstream OpenPlainFile(const std::string& name)
 {
   std::ifstream stream(std::filesystem::u8path(name), std::ios::binary);
@@ -67,7 +67,6 @@ std::ifstream OpenPlainFile(const std::string& name)
   return stream;
 }
 
-/// All fields that have to be read.
 std::vector<int> FieldsToRead(const SEGYOptions& options)
 {
   std::vector<int> bytes = ListFields();
@@ -82,11 +81,11 @@ std::vector<int> FieldsToRead(const SEGYOptions& options)
   return bytes;
 }
 
-/// Traces of another length would stand at other places than they are looked for at, where anything may be.
+/// Traces after one of another length would be read at wrong offsets.
 void RefuseOtherLengths(const TraceTable& table)
 {
   const TraceField& samples = table[TraceByte::Samples];
-  std::int64_t first = 0; // with a number; dead traces have none at times
+  std::int64_t first = 0; // Dead traces may state no samples.
   for (std::int64_t trace = 0; trace < table.Traces && !samples.IsConstant(); ++trace)
   {
     first = samples[first] == 0 ? trace : first;
@@ -100,10 +99,9 @@ void RefuseOtherLengths(const TraceTable& table)
   }
 }
 
-/// A pair that makes a grid of the first traces, among all fields of 4 bytes.
 std::optional<FieldPair> SuggestLines(const std::string& name, SEGYHeader header)
 {
-  constexpr std::int64_t most = 1 << 16; // traces
+  constexpr std::int64_t most = 1 << 16;
   header.Traces = std::min(header.Traces, most);
   std::vector<int> bytes;
   for (int byte = 1; byte <= LastFieldByte; byte += 4)
@@ -152,13 +150,13 @@ void WarnOfDuplicates(SEGYCube& cube, DuplicateRule rule)
   }
 }
 
-/// A file that was cut between two traces is a cube whose last line alone is not complete.
+/// If a file was cut between two traces, only its last line is incomplete.
 void WarnOfCut(SEGYCube& cube, const LineNumbers& lines)
 {
   const std::int64_t last = cube.Header.Traces - 1;
   const std::size_t along = cube.IsCrosslineSorted ? 1 : 0;
   const auto length = std::int64_t(cube.Lattice.Columns[along]);
-  const std::int64_t found = length - cube.MissingTraces; // on the last line, where no other one misses any
+  const std::int64_t found = length - cube.MissingTraces;
   if (cube.MissingTraces == 0 || cube.Lattice.Columns[1 - along] < 2 || !lines.IsUsed(last))
   {
     return;

@@ -10,16 +10,13 @@
 
 namespace SeismicHorizons
 {
-/// The part of a cube that the user asks for.
 struct SEGYRanges
 {
-  std::array<int, 2> Inlines = { 0, -1 }; // first and last number; all where the first is the larger one
+  std::array<int, 2> Inlines = { 0, -1 }; // First and last number; all if the first is larger.
   std::array<int, 2> Crosslines = { 0, -1 };
-  std::array<int, 2> Samples = { 0, -1 }; // first and last vertical index; -1 for the last there is
+  std::array<int, 2> Samples = { 0, -1 }; // First and last vertical index; -1 for the last one.
 };
 
-/// The extent of what is in these ranges. Throws InputError, with the names of the reader's properties, on ranges that
-/// cannot be, and where there is nothing in them.
 CubeExtent FindExtent(const SEGYCube& cube, const SEGYRanges& ranges);
 }
 

@@ -14,7 +14,7 @@ SEGYFile::SEGYFile(const std::string& name, const SEGYHeader& header)
   : FirstTrace(header.FirstTrace)
   , TraceSize(std::int64_t(header.TraceSize()))
 {
-  this->Stream.rdbuf()->pubsetbuf(nullptr, 0); // or each header would come with kilobytes of samples
+  this->Stream.rdbuf()->pubsetbuf(nullptr, 0); // With a buffer each header would be read with kilobytes of samples.
   this->Stream.open(std::filesystem::u8path(name), std::ios::binary);
   if (!this->Stream)
   {

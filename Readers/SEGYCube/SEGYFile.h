@@ -12,16 +12,14 @@
 
 namespace SeismicHorizons
 {
-/// The traces of a file, as bytes. For one thread; each takes a file of its own. Throws InputError where reading fails.
+/// Each thread needs its own object.
 class SEGYFile
 {
 public:
   SEGYFile(const std::string& name, const SEGYHeader& header);
 
-  /// The 240 bytes of the header of a trace.
   void ReadTraceHeader(std::int64_t trace, unsigned char* bytes);
 
-  /// Whole traces one after the other, with their headers.
   void ReadTraces(std::int64_t first, std::int64_t count, unsigned char* bytes);
 
 private:

@@ -16,10 +16,10 @@ namespace
 {
 constexpr int HeaderSize = SEGYTextSize + 400;
 constexpr int LineLength = 80;
-constexpr std::int64_t MostTraces = std::int64_t(1) << 31; // as columns keep their numbers
-constexpr std::int64_t MostExtendedTexts = 1 << 15; // as their field holds
+constexpr std::int64_t MostTraces = std::int64_t(1) << 31;
+constexpr std::int64_t MostExtendedTexts = 1 << 15;
 
-// Places of numbers by the byte they begin at, counted from 1 at the begin of the file or trace, as the standard does.
+// Offsets of bytes from 1, as in the standard.
 constexpr int IntervalByte = 3217;
 constexpr int SamplesByte = 3221;
 constexpr int FormatByte = 3225;
@@ -33,12 +33,11 @@ constexpr int AdditionalHeadersByte = 3507;
 constexpr int TrailersByte = 3529;
 constexpr int TraceSamplesByte = 115;
 constexpr int TraceIntervalByte = 117;
-constexpr double IntervalTolerance = 0.0011; // milliseconds; traces have whole microseconds
-constexpr std::uint32_t ByteOrderNumber = 16909060; // 01 02 03 04
+constexpr double IntervalTolerance = 0.0011; // Milliseconds; traces state whole microseconds.
+constexpr std::uint32_t ByteOrderNumber = 16909060;
 
 using HeaderBytes = std::vector<unsigned char>;
 
-/// The 3600 bytes of the header, and the header of the first trace.
 class BinaryHeader
 {
 public:
@@ -53,8 +52,8 @@ public:
   int Integer32(int byte) const { return ReadInteger32(this->At(byte), this->Order); }
   double Double(int byte) const { return ReadDouble(this->At(byte), this->Order); }
 
-  /// Finds the byte order by what makes sense of the format code, or where neither does, of the interval and the number
-  /// of samples: the order in which they are less.
+  /// Finds the byte order in which the format code is valid, or else the one with the smaller interval and number of
+  /// samples.
   void FindOrder()
   {
     const auto isCode = [this](ByteOrder order) { return SampleSize(ReadInteger16(this->At(FormatByte), order)) > 0; };
@@ -66,8 +65,8 @@ public:
     this->Order = isMarked || isSwapped ? ByteOrder::LittleEndian : ByteOrder::BigEndian;
   }
 
-  /// The major number of the revision, which is the first of two bytes; programs that write little-endian files swap
-  /// them at times. 0 for a number that is none of a revision.
+  /// The major revision is the first of two bytes, which some programs of little-endian files swap. Invalid numbers give
+  /// 0.
   int Revision() const
   {
     constexpr int last = 2;
@@ -78,14 +77,13 @@ public:
 
   int ShortSamples() const { return int(this->Unsigned16(SamplesByte)); }
 
-  /// 0 where there is none.
   int Samples() const
   {
     const int extended = this->Revision() >= 2 ? this->Integer32(ExtendedSamplesByte) : 0;
     return extended > 0 ? extended : this->ShortSamples();
   }
 
-  /// In microseconds; 0 where there is none.
+  /// Microseconds; 0 if not stated.
   double Interval() const
   {
     const double extended = this->Revision() >= 2 ? this->Double(ExtendedIntervalByte) : 0.0;
@@ -98,7 +96,6 @@ private:
   const HeaderBytes& Bytes;
 };
 
-/// Reads up to that many bytes at a place.
 HeaderBytes ReadBytes(std::istream& stream, std::int64_t place, int size)
 {
   HeaderBytes bytes(std::size_t(size), 0);
@@ -109,7 +106,7 @@ HeaderBytes ReadBytes(std::istream& stream, std::int64_t place, int size)
   return bytes;
 }
 
-/// Blanks are by far the most frequent characters of such texts.
+/// Blanks are the most frequent characters of headers.
 bool IsEbcdic(const HeaderBytes& bytes)
 {
   constexpr unsigned char ebcdicBlank = 0x40;
@@ -117,13 +114,12 @@ bool IsEbcdic(const HeaderBytes& bytes)
   return std::count(text, text + SEGYTextSize, ebcdicBlank) > std::count(text, text + SEGYTextSize, ' ');
 }
 
-/// The character in ASCII of one in EBCDIC, for those that such texts are made of; a blank for others.
+/// Characters outside the table become blanks.
 char FromEbcdic(unsigned char c)
 {
-  static const std::string_view table = // from 0x40 on
-    "           .<(+|&         !$*);^-/        |,%_>?         `:#@'=\""
-    " abcdefghi       jklmnopqr       ~stuvwxyz                      "
-    "{ABCDEFGHI      }JKLMNOPQR      \\ STUVWXYZ      0123456789      ";
+  static const std::string_view table = "           .<(+|&         !$*);^-/        |,%_>?         `:#@'=\""
+                                        " abcdefghi       jklmnopqr       ~stuvwxyz                      "
+                                        "{ABCDEFGHI      }JKLMNOPQR      \\ STUVWXYZ      0123456789      ";
   return c < 0x40 ? ' ' : table[c - 0x40];
 }
 
@@ -148,7 +144,7 @@ std::vector<std::string> ReadText(const HeaderBytes& bytes, bool isEbcdic)
   return lines;
 }
 
-/// How many texts come up to the one that ends them; -1 where none does.
+/// Returns -1 if no text ends the sequence.
 int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
 {
   const std::string end = "((SEG:ENDTEXT))";
@@ -210,7 +206,7 @@ void CheckWhole(SEGYHeader& header, std::int64_t fileSize, int firstSamples, con
   }
 }
 
-/// What would move the traces to places that are not looked at.
+/// Refuses extensions of revision 2 that move the traces.
 void CheckRevision2(const BinaryHeader& binary)
 {
   if (binary.Revision() < 2)
@@ -226,8 +222,8 @@ void CheckRevision2(const BinaryHeader& binary)
   }
 }
 
-/// The layouts that there may be, the likely ones first. Up to revision 0 there are no texts behind the header, and
-/// anything may stand where their number is; but some programs write texts, and the revision not.
+/// Likely layouts come first. Revision 0 has no extended texts, and any value in their field; but some programs write
+/// texts without the revision.
 std::vector<SEGYLayout> ListLayouts(
   const BinaryHeader& binary, const SEGYExtents& file, int statedTexts, const SEGYHeaderOptions& options)
 {
@@ -242,13 +238,12 @@ std::vector<SEGYLayout> ListLayouts(
       layouts.push_back({ count, options.Samples > 0 ? options.Samples : samples });
     }
   }
-  // Without any number there is nothing to try.
   const auto isEmpty = [](const SEGYLayout& layout) { return layout.Samples == 0; };
   layouts.erase(std::remove_if(layouts.begin(), layouts.end(), isEmpty), layouts.end());
   return layouts;
 }
 
-/// Layouts with texts of which the header does not tell.
+/// The header does not state these texts.
 std::vector<SEGYLayout> ListOtherTexts(int samples)
 {
   constexpr int most = 16;
@@ -260,7 +255,6 @@ std::vector<SEGYLayout> ListOtherTexts(int samples)
   return layouts;
 }
 
-/// Where the traces are, and how long.
 void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& stream, std::int64_t fileSize,
   const SEGYHeaderOptions& options)
 {

@@ -12,7 +12,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr int HeaderSize = 3600;
-constexpr std::int64_t LookedAt = 8; // traces
+constexpr std::int64_t LookedAt = 8;
 
 bool IsWhole(const SEGYExtents& file, const SEGYLayout& layout)
 {
@@ -20,13 +20,12 @@ bool IsWhole(const SEGYExtents& file, const SEGYLayout& layout)
   return layout.Samples > 0 && size > 0 && size % file.TraceSize(layout) == 0;
 }
 
-/// Whether there are some whole traces.
 bool HasTraces(const SEGYExtents& file, const SEGYLayout& layout, std::int64_t least)
 {
   return file.FileSize - file.FirstTrace(layout) >= least * file.TraceSize(layout);
 }
 
-/// Whether traces from begin to end say the same number of samples; dead ones have none at times.
+/// Dead traces may state no samples.
 bool IsRegular(const SEGYExtents& file, const SEGYLayout& layout)
 {
   const std::int64_t traces = (file.FileSize - file.FirstTrace(layout)) / file.TraceSize(layout);
@@ -44,7 +43,6 @@ bool IsRegular(const SEGYExtents& file, const SEGYLayout& layout)
   return said > 0;
 }
 
-/// The one with the shortest traces of the layouts that pass a test; nothing where none does.
 template <typename Test>
 const SEGYLayout* FindShortest(const std::vector<SEGYLayout>& layouts, Test&& test)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the traces of a SEG-Y file begin, and how long they are. Headers are wrong in many files; the traces tell.
+// Finds the first trace and the length of traces, from the traces themselves, as headers are often wrong.
 
 #ifndef SeismicHorizonsSEGYLayout_h
 #define SeismicHorizonsSEGYLayout_h
@@ -16,26 +16,25 @@ namespace SeismicHorizons
 {
 struct SEGYLayout
 {
-  int Texts = 0; // behind the binary header
-  int Samples = 0; // of a trace
+  int Texts = 0;
+  int Samples = 0;
 };
 
-/// What is known of a file, whatever its layout.
 struct SEGYExtents
 {
   std::int64_t FileSize = 0;
   std::size_t SampleSize = 0;
-  /// The number of samples in the header of a trace (byte 115) that begins at a byte; -1 behind the end of the file.
+  /// Returns byte 115 of the trace header at an offset, or -1 after the end of the file.
   std::function<int(std::int64_t)> SamplesAt;
 
   std::int64_t FirstTrace(const SEGYLayout& layout) const;
   std::int64_t TraceSize(const SEGYLayout& layout) const;
 };
 
-/// The layout with the shortest traces of those that fill the file with whole traces which all say the same number of
-/// samples, whatever it is: with a multiple of the true length every second trace, say, would be found. Where none of
-/// the likely ones does, the first of others that does so, else a likely one whose traces say the same but for the end
-/// of the file, else the first that fills the file, else the first.
+/// Chooses the shortest traces that fill the file exactly and state the same number of samples, whatever it is; with a
+/// multiple of the true length only every second trace, say, would be found. Next best are, in order: the first such
+/// layout of `others`, a likely layout that is consistent except at the end of the file, the first that fills the file,
+/// and the first.
 SEGYLayout ChooseLayout(
   const SEGYExtents& file, const std::vector<SEGYLayout>& likely, const std::vector<SEGYLayout>& others);
 }

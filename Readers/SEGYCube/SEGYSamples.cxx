@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Floats of IBM need not be normalised: some programs write a 0 with an exponent, and fractions with leading zeros.
+// IBM floats may be unnormalised: some programs write 0 with an exponent, or fractions with leading zeros.
 
 #include "SEGYSamples.h"
 
@@ -14,13 +14,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t BufferSize = 256; // samples
+constexpr std::size_t BufferSize = 256;
 
-/// Of a number of that many bytes, the whole number that holds its bits.
 template <std::size_t Size>
 using BitsOf = std::conditional_t<Size == 8, std::uint64_t, std::uint32_t>;
 
-/// A whole number from bytes in memory. Compilers make one or two instructions of it.
 template <std::size_t Size, ByteOrder Order>
 BitsOf<Size> Load(const unsigned char* bytes)
 {
@@ -42,10 +40,10 @@ To CopyBits(From bits)
   return value;
 }
 
-/// A sign, an exponent of 16 and a fraction of 24 bits. A double holds any of them.
+/// The format has a sign, an exponent to the base 16 and a fraction of 24 bits; a double holds all values.
 float FromIbm(std::uint32_t bits)
 {
-  constexpr int Bias = 4 * 64 + 24; // of the exponent as a power of 2, for the fraction as a whole number
+  constexpr int Bias = 4 * 64 + 24;
   constexpr int DoubleBias = 1023;
   constexpr int DoubleDigits = 52;
   const auto exponent = std::uint64_t(4 * int(bits >> 24 & 0x7f) - Bias + DoubleBias);
@@ -64,7 +62,7 @@ std::int32_t ExtendSign(std::uint32_t bits)
 template <std::size_t Size, ByteOrder Order, typename FromBits>
 void Convert(const unsigned char* bytes, std::size_t samples, float* values, FromBits&& fromBits)
 {
-  // Through a buffer, as compilers have to take the bytes for those of the values otherwise, and go one by one.
+  // The buffer avoids aliasing of bytes and values, which would prevent vectorisation.
   std::array<BitsOf<Size>, BufferSize> bits;
   for (std::size_t first = 0; first < samples; first += BufferSize)
   {

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The window is cut into tiles of columns. The traces of a tile are read in the order of the file, many at a time, and
-// then strip by strip turned into numbers and written level by level. A strip is some columns along i, so that each
-// level of it is a piece of memory; tiles of files that are sorted by crosslines are long along j, so that their traces
-// come many at a time as well.
+// The window is cut into tiles of columns. A thread reads the traces of a tile in the order of the file, many at a
+// time, and then converts and writes them strip by strip, level by level. A strip lies along i, where a level is
+// contiguous in memory. Tiles of crossline-sorted files are long along j, so that traces are contiguous in the file.
 
 #include "SEGYWindow.h"
 
@@ -25,10 +24,9 @@ namespace
 {
 constexpr std::size_t TileBytes = std::size_t(1) << 22;
 constexpr std::int64_t MostTileColumns = 1024;
-constexpr int StripWidth = 64; // columns
-constexpr int NarrowStrip = 16; // columns: a line of the cache
+constexpr int StripWidth = 64;
+constexpr int NarrowStrip = 16; // A cache line.
 
-/// A rectangle of columns.
 struct Tile
 {
   int FirstI, LastI, FirstJ, LastJ;
@@ -37,7 +35,6 @@ struct Tile
   std::size_t Columns() const { return std::size_t(this->Width()) * std::size_t(this->LastJ - this->FirstJ + 1); }
 };
 
-/// The tiles of an extent, those of a row one after the other.
 std::vector<Tile> CutIntoTiles(const SEGYCube& cube, const CubeExtent& extent)
 {
   const std::int64_t columns =
@@ -57,7 +54,6 @@ std::vector<Tile> CutIntoTiles(const SEGYCube& cube, const CubeExtent& extent)
   return tiles;
 }
 
-/// What the samples of a trace are like.
 struct SampleCheck
 {
   bool AreZero = true;
@@ -73,14 +69,14 @@ SampleCheck CheckSamples(const std::vector<float>& samples)
   {
     std::uint32_t bits;
     std::memcpy(&bits, &sample, sizeof(bits));
-    anyBits |= bits << 1; // without the sign
+    anyBits |= bits << 1;
     notFinite += (bits & exponent) == exponent;
   }
   return { anyBits == 0, std::int64_t(notFinite) };
 }
 
-/// Replaces samples by those at a part of a step behind them, from 0 to 1: on the cubic polynomial between two that has
-/// the slopes of central differences there (Catmull and Rom, 1974). The last one has none behind.
+/// Interpolates at `shift` steps after each sample, by cubic polynomials with central differences as slopes (Catmull and
+/// Rom, 1974). The last sample is lost.
 void ShiftSamples(std::vector<float>& samples, float shift)
 {
   if (samples.size() < 2)
@@ -101,7 +97,6 @@ void ShiftSamples(std::vector<float>& samples, float shift)
   }
 }
 
-/// Reads one tile after the other, for one thread.
 class TileReader
 {
 public:
@@ -139,13 +134,13 @@ public:
   std::int64_t NotFinite() const { return this->Bad; }
 
 private:
-  /// Reads the traces of a tile: those that are next to each other in the file at a time.
+  /// Adjacent traces of the file are read together.
   void LoadTraces(const Tile& tile)
   {
     struct Place
     {
       std::int32_t Trace;
-      std::size_t Column; // of the tile
+      std::size_t Column;
     };
     std::vector<Place> places;
     this->Slots.assign(tile.Columns(), NoTrace);
@@ -182,7 +177,7 @@ private:
     ToFloats(trace + SEGYTraceHeaderSize, samples.size(), header.Format, header.Order, samples.data());
   }
 
-  /// Makes the samples of a column the mean of all its traces but those of zeros. Gives what they are like.
+  /// Averages all traces of the column except zero traces.
   SampleCheck AddDuplicates(std::size_t column, SampleCheck check)
   {
     const std::vector<DuplicateTrace>& all = this->Cube.Duplicates;
@@ -209,7 +204,6 @@ private:
     return CheckSamples(this->Samples);
   }
 
-  /// Writes the samples of a column at the levels of the window.
   void ConvertColumn(const Tile& tile, int i, int j, float* levels)
   {
     const std::int32_t slot =
@@ -276,10 +270,10 @@ private:
   float* const Values;
   SEGYWindow& Window;
   SEGYFile File;
-  RawVector<unsigned char> Bytes; // of the traces of a tile
-  std::vector<std::int32_t> Slots; // where they are, for each column; NoTrace where there is none
-  std::vector<float> Samples; // of a trace
-  RawVector<float> Strip; // column after column
+  RawVector<unsigned char> Bytes;
+  std::vector<std::int32_t> Slots;
+  std::vector<float> Samples;
+  RawVector<float> Strip;
   std::int64_t Bad = 0;
 };
 }
@@ -310,7 +304,7 @@ SEGYWindow ReadSEGYWindow(const SEGYCube& cube, const CubeExtent& extent, float*
 //----------------------------------------------------------------------------------------------------------------------
 float FindStrongAmplitude(const SEGYCube& cube)
 {
-  constexpr std::size_t traces = 200; // enough for colours
+  constexpr std::size_t traces = 200; // Sufficient for a range of colours.
   constexpr double part = 0.98;
   std::vector<std::size_t> columns;
   for (std::size_t column = 0; column < cube.Traces.size(); ++column)

@@ -16,10 +16,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A cube that has less of its cells in the file is taken for one whose headers are wrong: memory for it would be many
-// times the size of the file.
+// With less of its cells in the file a cube probably has wrong headers, and memory would be many times the file.
 constexpr double MostCellsPerSample = 16.0;
-// How far delays may be off whole steps, in steps: intervals such as 2/3 ms are known to some digits only.
+// In steps; intervals such as 2/3 ms are rounded.
 constexpr double DelayTolerance = 1e-3;
 
 double Delay(const TraceTable& table, std::int64_t trace)
@@ -27,7 +26,6 @@ double Delay(const TraceTable& table, std::int64_t trace)
   return Scaled(table[TraceByte::Delay][trace], table[TraceByte::TimeScalar][trace]);
 }
 
-/// The range of the delays of all columns.
 std::array<double, 2> DelayRange(const SEGYCube& cube, const TraceTable& table)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -43,10 +41,10 @@ std::array<double, 2> DelayRange(const SEGYCube& cube, const TraceTable& table)
   return least <= most ? std::array<double, 2>{ least, most } : std::array<double, 2>{ 0.0, 0.0 };
 }
 
-/// One of the delays that are whole steps from those of most columns.
+/// Returns a delay that differs by whole steps from the delay of most columns.
 double CommonDelay(const SEGYCube& cube, const TraceTable& table, double least)
 {
-  constexpr int parts = 1000; // of a step
+  constexpr int parts = 1000;
   std::array<std::int64_t, parts> counts = {};
   const auto partOf = [&](std::int32_t trace)
   {
@@ -63,7 +61,6 @@ double CommonDelay(const SEGYCube& cube, const TraceTable& table, double least)
   return Delay(table, *first);
 }
 
-/// Puts columns on whole steps from a delay, one after the other.
 class DelaySteps
 {
 public:
@@ -95,7 +92,6 @@ public:
     }
   }
 
-  /// Counts indices from the first one on.
   void Finish(double least)
   {
     VerticalSampling& sampling = this->Cube.Sampling;
@@ -124,7 +120,7 @@ private:
   std::int32_t First = std::numeric_limits<std::int32_t>::max();
   std::int32_t End = std::numeric_limits<std::int32_t>::min();
   std::int64_t Uneven = 0;
-  double Farthest = 0.0; // off a whole step, in milliseconds
+  double Farthest = 0.0; // Distance from a whole step, in milliseconds.
 };
 
 void CheckDelaysOfDuplicates(const SEGYCube& cube, const TraceTable& table)
@@ -241,8 +237,7 @@ void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lin
   cube.Traces.assign(columns, NoTrace);
   cube.MissingTraces = std::int64_t(columns);
   std::array<int, 2> previous = { 0, 0 };
-  std::int64_t alongCrosslines =
-    0; // steps from a trace to the next on the same crossline, less those on the same inline
+  std::int64_t alongCrosslines = 0; // Neighbouring traces on a crossline, minus those on an inline.
   for (std::int64_t trace = 0; trace < table.Traces; ++trace)
   {
     if (!lines.IsUsed(trace))
@@ -263,7 +258,7 @@ void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lin
       --cube.MissingTraces;
       continue;
     }
-    ++cube.DuplicateTraces; // a dead one says nothing where there is another
+    ++cube.DuplicateTraces; // Dead traces are ignored where another one exists.
     if (!isDead && number != DeadTrace && rule == DuplicateRule::Refuse)
     {
       std::ostringstream text;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which trace is on which column of the lattice.
 
 #ifndef SeismicHorizonsTraceColumns_h
 #define SeismicHorizonsTraceColumns_h
@@ -13,11 +12,9 @@
 
 namespace SeismicHorizons
 {
-/// The line numbers of traces.
 class LineNumbers
 {
 public:
-  /// The table must outlive it.
   LineNumbers(const TraceTable& table, const FieldPair& fields)
     : Table(table)
     , Fields(fields)
@@ -28,16 +25,13 @@ public:
   std::int32_t Crossline(std::int64_t trace) const { return this->Number(this->Fields.Second, trace); }
   const FieldPair& Bytes() const { return this->Fields; }
 
-  /// False for traces that are on no column.
   bool IsUsed(std::int64_t trace) const { return !IsFiller(this->Table, this->Fields, trace); }
 
-  /// The column of a trace, along i and j.
   std::array<int, 2> Column(const LineNumbering& numbering, std::int64_t trace) const;
 
-  /// The lattice of all traces. Throws InputError where none is used.
   LineNumbering Numbering(const Monitor& monitor) const;
 
-  /// How many columns there are. Throws InputError where they are by far more than traces.
+  /// Throws InputError if the columns are far more than the traces.
   std::array<int, 2> CountColumns(const LineNumbering& numbering) const;
 
 private:
@@ -47,13 +41,10 @@ private:
   const FieldPair Fields;
 };
 
-/// The traces of all columns, and how they are sorted. Throws InputError on two live traces at one place where the rule
-/// refuses them.
 void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines, DuplicateRule rule);
 
-/// The vertical indices, from the earliest sample of any trace of the columns to the last, where the step from one to
-/// the next is known; and the vertical index of the first sample of each column, where they differ. Whole steps are
-/// those from the delay of most traces; others are a warning. Throws InputError on duplicates with other delays.
+/// Finds the vertical indices of all traces and the first index of each column. The grid follows the delay of most
+/// traces; fractional delays cause a warning. Throws InputError for duplicates with different delays.
 void FindSampling(SEGYCube& cube, const TraceTable& table, DelayRule rule);
 }
 

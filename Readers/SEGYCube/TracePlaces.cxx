@@ -17,7 +17,6 @@ namespace
 {
 constexpr std::int64_t SampledPlaces = 1000;
 
-/// The traces that have a place, or every n-th of them.
 PickTable ListPlaces(
   const TraceTable& table, const LineNumbers& lines, const FieldPair& fields, std::int64_t stride = 1)
 {
@@ -41,7 +40,6 @@ std::string FieldsText(const FieldPair& fields)
   return "x and y of traces (bytes " + std::to_string(fields.First) + " and " + std::to_string(fields.Second) + ") ";
 }
 
-/// Throws InputError where the places of a pair of fields are on no lattice.
 PlaceFit TryFields(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
   const FieldPair& fields, double tolerance, const Monitor& monitor)
 {
@@ -57,7 +55,7 @@ PlaceFit TryFields(const TraceTable& table, const LineNumbers& lines, const Line
   return FitLattice(picks, numbering, FieldsText(fields), tolerance, monitor);
 }
 
-/// A warning where another pair of fields is on another lattice; empty else.
+/// Returns a warning if another pair of fields has another lattice.
 std::string CompareFields(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
   const PlacedTraces& placed, const FieldPair& other, double tolerance)
 {
@@ -82,7 +80,7 @@ std::string CompareFields(const TraceTable& table, const LineNumbers& lines, con
   }
   catch (const InputError&)
   {
-    return {}; // they are no places
+    return {};
   }
   std::ostringstream text;
   text.precision(3);
@@ -92,7 +90,6 @@ std::string CompareFields(const TraceTable& table, const LineNumbers& lines, con
   return text.str();
 }
 
-/// The number of the trace that the n-th place is of, from 1.
 std::int64_t TraceOfPlace(const TraceTable& table, const LineNumbers& lines, const FieldPair& fields, std::size_t place)
 {
   std::int64_t trace = 0;
@@ -118,7 +115,6 @@ void WarnOfStrays(PlacedTraces& placed, const TraceTable& table, const LineNumbe
   }
 }
 
-/// The given fields, or the usual ones that are not the same for all traces.
 std::vector<FieldPair> ListCandidates(const TraceTable& table, const FieldPair& given)
 {
   if (given.First != 0)
@@ -131,7 +127,6 @@ std::vector<FieldPair> ListCandidates(const TraceTable& table, const FieldPair& 
   return candidates;
 }
 
-/// Line numbers where no fields have places; what they have is a warning.
 PlacedTraces LinesForPlaces(const std::string& problems, const LineNumbering& numbering)
 {
   PlacedTraces placed;
@@ -144,7 +139,7 @@ PlacedTraces LinesForPlaces(const std::string& problems, const LineNumbering& nu
   return placed;
 }
 
-/// The warning where nothing better was found than fields that follow the line numbers.
+/// Uses fields that follow the line numbers, with a warning, for lack of better ones.
 PlacedTraces UseDoubtful(PlacedTraces doubtful, bool areLineNumbers, const LineNumbering& numbering)
 {
   if (areLineNumbers)
@@ -205,8 +200,8 @@ bool AreLineNumbers(const TraceTable& table, const LineNumbers& lines, const Fie
 //----------------------------------------------------------------------------------------------------------------------
 bool AreFloats(const TraceTable& table, const LineNumbers& lines, const FieldPair& fields)
 {
-  constexpr std::int32_t least = 0x3f800000; // 1 as float of IEEE
-  constexpr std::int32_t largest = 0x4cbebc20; // 1e8; floats of IBM from 1 to 1e8 are between the two
+  constexpr std::int32_t least = 0x3f800000; // 1 as an IEEE float.
+  constexpr std::int32_t largest = 0x4cbebc20; // 1e8 as an IEEE float; IBM floats from 1 to 1e8 are in the same range.
   const auto isFloat = [&](std::int32_t bits) { return bits >= least && bits <= largest; };
   const std::int64_t stride = std::max<std::int64_t>(1, table.Traces / SampledPlaces);
   std::int64_t places = 0;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The numbers in the headers of all traces that say where they belong.
 
 #ifndef SeismicHorizonsTraceTable_h
 #define SeismicHorizonsTraceTable_h
@@ -17,26 +16,25 @@
 
 namespace SeismicHorizons
 {
-/// Fields of a trace header, by the byte where they begin.
+/// Bytes count from 1.
 namespace TraceByte
 {
-constexpr int Kind = 29; // 1 seismic data, 2 dead, 3 dummy
-constexpr int Offset = 37; // from the source to the receiver
+constexpr int Kind = 29; // 1 seismic data, 2 dead, 3 dummy.
+constexpr int Offset = 37;
 constexpr int PlaceScalar = 71;
-constexpr int Delay = 109; // from the shot to the first sample, in milliseconds
+constexpr int Delay = 109; // Milliseconds from the shot to the first sample.
 constexpr int Samples = 115;
 constexpr int TimeScalar = 215;
 }
 
-/// A number for each trace. Most fields are the same for all: parts that are take no memory.
+/// Stores one number per trace, and constant parts without memory.
 class TraceField
 {
 public:
-  static constexpr std::int64_t PartSize = 1 << 12; // traces
+  static constexpr std::int64_t PartSize = 1 << 12;
 
   explicit TraceField(std::int64_t traces = 0);
 
-  /// Sets the numbers of a part, whose last one may be shorter. Parts may be set by several threads.
   void SetPart(std::size_t part, const RawVector<std::int32_t>& values);
 
   std::int32_t operator[](std::int64_t trace) const
@@ -52,13 +50,12 @@ private:
   struct Part
   {
     std::int32_t First = 0;
-    RawVector<std::int32_t> Values; // empty where all are as the first
+    RawVector<std::int32_t> Values; // Empty if all equal First.
   };
   std::vector<Part> Parts;
   std::int64_t Traces = 0;
 };
 
-/// Fields of trace headers by the byte where they begin, counted from 1 as the standard does.
 struct TraceTable
 {
   std::int64_t Traces = 0;
@@ -66,17 +63,17 @@ struct TraceTable
 
   const TraceField& operator[](int byte) const { return this->Fields.at(byte); }
 
-  /// Whether the header of a trace says that there is nothing in it.
+  /// Dead and dummy traces.
   bool IsDead(std::int64_t trace) const;
 };
 
-/// A number by its scalar: a negative one divides, and 0 stands for 1.
+/// A negative scalar divides, and 0 means 1.
 inline double Scaled(double number, int scalar)
 {
   return scalar < 0 ? number / -double(scalar) : scalar > 0 ? number * scalar : number;
 }
 
-/// Reads fields of the headers of all traces: those of TraceByte, which have 2 bytes but for Offset, and others of 4.
+/// Fields of TraceByte have 2 bytes, except Offset; all others have 4.
 TraceTable ReadTraceTable(
   const std::string& name, const SEGYHeader& header, const std::vector<int>& fields, const Monitor& monitor);
 }

@@ -30,7 +30,6 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// What the user says goes before what the file says.
 void Override(std::string& text, const char* given)
 {
   if (given && *given)
@@ -51,7 +50,7 @@ bool AreSame(const SEGYOptions& a, const SEGYOptions& b)
     a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates && a.Delays == b.Delays;
 }
 
-/// Whether there are hardly any control characters among the first 3200 bytes, neither as ASCII nor as EBCDIC.
+/// Few of the first 3200 bytes may be control characters, in ASCII or EBCDIC.
 bool BeginsWithText(std::istream& stream)
 {
   stream.seekg(0);
@@ -72,7 +71,7 @@ std::string NoMemory(const char* fileName)
 struct vtkSEGYCubeReader::FileContent
 {
   FileStamp Stamp;
-  SEGYOptions Options; // with which it was read
+  SEGYOptions Options;
   SEGYCube Cube;
 };
 
@@ -110,7 +109,7 @@ int vtkSEGYCubeReader::CanReadFile(const char* fileName)
     [fileName, isOwn](std::istream&)
     {
       const auto path = std::filesystem::u8path(fileName);
-      std::ifstream stream(path, std::ios::binary); // not what gzip made it from
+      std::ifstream stream(path, std::ios::binary);
       return IsSEGY(stream) &&
         (isOwn ||
           (BeginsWithText(stream) &&
@@ -143,7 +142,7 @@ CubeView vtkSEGYCubeReader::MakeView() const
   survey = cube.Survey;
   if (this->VerticalUnit && *this->VerticalUnit)
   {
-    survey.VerticalDomain.clear(); // it follows from the unit
+    survey.VerticalDomain.clear();
     SeismicHorizons::SetVerticalUnit(survey, this->VerticalUnit);
   }
   Override(survey.VerticalDomain, this->VerticalDomain);
@@ -200,7 +199,7 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
 vtkTypeBool vtkSEGYCubeReader::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Of a series, another cube may be asked for than the one that the information was taken from.
+  // In a file series the request may be for another cube.
   return IsForTime(request) ? this->RequestInformation(request, inputVector, outputVector)
                             : this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -230,7 +229,7 @@ int vtkSEGYCubeReader::RequestInformation(
 //----------------------------------------------------------------------------------------------------------------------
 int vtkSEGYCubeReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  // Both outputs have the extent of the one that is asked for.
+  // Both outputs share the extent of the requested port.
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   vtkImageData* const output = vtkImageData::GetData(outputVector);
   vtkStructuredGrid* const line = vtkStructuredGrid::GetData(outputVector, 1);
@@ -242,8 +241,8 @@ int vtkSEGYCubeReader::RequestData(vtkInformation* request, vtkInformationVector
     {
       StopLikeInformation(this, this->IsInformationStopped);
       line->Initialize();
-      output->Initialize(); // an image keeps its scalars otherwise, next to the new ones
-      // The file may have changed since the information was asked for.
+      output->Initialize(); // Otherwise an image keeps its scalars besides the new ones.
+      // The file may have changed since RequestInformation.
       this->UpdateContent(monitor.Step(0.0, 0.1));
       CubeExtent extent;
       outputVector->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());

@@ -44,12 +44,12 @@
 #ifndef vtkSEGYCubeReader_h
 #define vtkSEGYCubeReader_h
 
-#include "vtkHorizonFileSeries.h" // for the files
+#include "vtkHorizonFileSeries.h"
 #include "vtkImageAlgorithm.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
-#include <memory> // for std::unique_ptr
-#include <string> // for the description
+#include <memory>
+#include <string>
 
 namespace SeismicHorizons
 {
@@ -351,7 +351,7 @@ private:
 
   struct FileContent;
   bool IsInformationStopped = false;
-  std::unique_ptr<FileContent> Content; // what was found when the headers were read last
+  std::unique_ptr<FileContent> Content;
 };
 
 #endif
