@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: what corners can be cut off without a loop coming to cross another (LoopGuard); the passes over
-// straight runs and corners of one loop, or the fewest points of it (FewestPoints.h); on which side of the new loops
-// the points are that were on them.
+// In this order: LoopGuard, which prevents loops from crossing; passes over straight runs and corners of a loop, or the
+// fewest points (FewestPoints.h); the side of the new loops on which dropped points lie.
 
 #include "BoundarySimplification.h"
 
@@ -28,10 +27,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// As fine as sub-voxels can be (Lattice.h).
+// Sub-voxels are not finer than this (Lattice.h).
 constexpr double PartsPerColumn = 1 << 20;
 
-/// The column with each point: that of the greatest whole coordinates that are not greater than its own.
 std::vector<PlanePoint> FindColumns(const SpacePoints& points)
 {
   std::vector<PlanePoint> columns;
@@ -44,7 +42,6 @@ std::vector<PlanePoint> FindColumns(const SpacePoints& points)
   return columns;
 }
 
-/// Where the sides of a triangle are from one y to another.
 RowSegment::Range RangeBetween(const std::array<RowSegment, 3>& sides, double bottom, double top)
 {
   RowSegment::Range range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
@@ -59,40 +56,32 @@ RowSegment::Range RangeBetween(const std::array<RowSegment, 3>& sides, double bo
   return range;
 }
 
-/// 1 when a, b and c turn to the left, -1 when to the right, 0 when they are on one line.
+/// Returns 1 for a left turn, -1 for a right turn, and 0 for points on a line.
 template <typename Point>
 int Turn(const Point& a, const Point& b, const Point& c)
 {
   return Sign(Int128(b.X - a.X) * (c.Y - a.Y) - Int128(b.Y - a.Y) * (c.X - a.X));
 }
 
-// Which corners of the boundary loops of a horizon can be cut off, so that no loops come to cross and every point stays
-// on its side of them.
+// If a loop goes straight from a to b instead of through m, only the triangle a, m, b changes sides:
 //
-// When a loop goes straight from a to b instead of by way of m, only the triangle a, m, b changes sides:
+//         m
+//        / \         If no other point lies in the triangle or on its edges, no other loop does: it would cross a-m or
+//    ---a---b---     m-b, or have a point inside. Thus loops still do not cross, and no point changes sides.
 //
-//          m
-//         / \         As long as no other point lies in the triangle or on its sides, no other loop does: it would have
-//     ---a---b---     to cross a-m or m-b, or to have a point inside. So loops that did not cross still do not, and no
-//                     point changes sides or lies on the new edge.
-//
-/// Points that were dropped from other edges count as well: they stay on their side, too. Answers are exact for places
-/// that are multiples of 2^-20 of a column, as all on a lattice are.
+// Points dropped from other edges count as well. Answers are exact for multiples of 2^-20 of a column.
 class LoopGuard
 {
 public:
-  /// `points` are all points of the horizon, in lattice units, on the boundary or inside.
   explicit LoopGuard(const SpacePoints& points);
 
-  /// Takes a loop that loops visit so many times at each point.
   void SetLoop(const std::vector<PointId>& loop, const std::vector<unsigned char>& visits);
 
-  /// True when no point lies in the triangle of three positions in the loop or on its sides, other than these three and
-  /// what is between them in the loop. The last one can be the loop's length, for its first point.
+  /// Points of the loop between the three positions do not count. `after` may be the length of the loop, for its first
+  /// point.
   bool IsClear(std::size_t before, std::size_t middle, std::size_t after) const;
 
 private:
-  /// A place in the plane, in whole parts of a column.
   struct FinePoint
   {
     std::int64_t X;
@@ -104,11 +93,12 @@ private:
   bool IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const;
 
   const SpacePoints& Points;
-  const std::vector<PlanePoint> Columns; // of each point
+  const std::vector<PlanePoint> Columns;
   const CellGrid Grid;
   const PointLists InColumn;
   std::vector<PointId> Loop;
-  std::vector<std::size_t> Position; // by point, in the loop, from 1 on; 0 for points that are elsewhere, or stay
+  // Positions start at 1; the value is 0 for points elsewhere, and for points that must stay.
+  std::vector<std::size_t> Position;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -156,7 +146,7 @@ bool LoopGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, cons
   const FinePoint p = this->Fine(point);
   const int sides[3] = { Turn(a, m, p), Turn(m, b, p), Turn(b, a, p) };
   const bool isInside = *std::min_element(sides, sides + 3) >= 0 || *std::max_element(sides, sides + 3) <= 0;
-  // For a triangle without area the sides say nothing about how far out on its line the point is.
+  // In a triangle without area, turns do not show whether the point is beyond the ends of the line.
   return isInside && p.X >= std::min({ a.X, m.X, b.X }) && p.X <= std::max({ a.X, m.X, b.X }) &&
     p.Y >= std::min({ a.Y, m.Y, b.Y }) && p.Y <= std::max({ a.Y, m.Y, b.Y });
 }
@@ -177,7 +167,7 @@ bool LoopGuard::IsClear(std::size_t before, std::size_t middle, std::size_t afte
   const double bottom = std::floor(std::min(sides[0].LeastY(), sides[1].LeastY()));
   const std::int64_t firstRow = this->Grid.CellY(bottom);
   const std::int64_t lastRow = this->Grid.CellY(std::max(sides[0].GreatestY(), sides[1].GreatestY()));
-  // Row by row: a triangle can be long, but is thin.
+  // Triangles can be long, but they are thin, so that they are searched row by row.
   for (std::int64_t row = firstRow; row <= lastRow; ++row)
   {
     const double y = bottom + double(row - firstRow);
@@ -195,7 +185,6 @@ bool LoopGuard::IsClear(std::size_t before, std::size_t middle, std::size_t afte
 }
 
 // ---- Loops ---------------------------------------------------------------------------------------------------------
-/// The longest edge of the loops along either axis, in columns.
 int FindLongestHop(const SpacePoints& points, const Loops& boundary)
 {
   double longest = 1.0;
@@ -209,15 +198,12 @@ int FindLongestHop(const SpacePoints& points, const Loops& boundary)
   return int(longest);
 }
 
-/// A point that is no longer on the loops.
 struct SpannedPoint
 {
-  DroppedPoint Point; // with the nearer end, in plan, of the edge that spans it
-  double InHeight; // its vertical distance from that edge
+  DroppedPoint Point;
+  double InHeight;
 };
 
-/// Simplifies one loop after the other. Positions in a loop count from its first point; beyond its end they go on with
-/// the first point again.
 class LoopSimplifier
 {
 public:
@@ -240,7 +226,7 @@ public:
       const int longestHop = FindLongestHop(points, boundary);
       if (!options.Index)
       {
-        // An edge may lead across a band that an index would leave out.
+        // An edge may cross an empty band that an index would remove.
         this->OwnIndex.emplace(points.Columns(), 1,
           longestHop > ColumnIndex::LongestReach ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
       }
@@ -254,7 +240,6 @@ public:
     }
   }
 
-  /// A loop that comes when this part of the work is done.
   void Simplify(const PointId* first, const PointId* last, double part)
   {
     this->Part = part;
@@ -271,8 +256,7 @@ public:
   }
 
 private:
-  /// Runs are taken from the first point that ends one. That of our own loops is their first point, a corner; a loop of
-  /// someone else may begin anywhere.
+  /// The loop is rotated to the end of a run, since loops from other sources may begin within a run.
   void DropStepByStep()
   {
     this->Kept.clear();
@@ -309,7 +293,7 @@ private:
     return { place.X, place.Y, place.Z };
   }
 
-  /// Boundary points stand on whole columns, so that the products below are exact.
+  /// Boundary points have whole coordinates, so that these products are exact.
   bool EndsRun(std::size_t n) const
   {
     if (this->IsShared(n))
@@ -322,7 +306,7 @@ private:
     return in.x() * out.y() != in.y() * out.x() || in.dot(out) <= 0.0;
   }
 
-  /// The first position that ends a run. There is one, as a closed loop turns somewhere.
+  /// A closed loop turns somewhere, so that it has an end of a run.
   std::size_t FirstRunEnd() const
   {
     std::size_t n = 0;
@@ -344,8 +328,8 @@ private:
     }
   }
 
-  /// One pass over a line of positions whose ends stay: after a drop it goes on from the third of three, else from the
-  /// middle one. False when nothing was dropped.
+  /// After a drop, the pass skips the next position, so that no two neighbours are dropped in one pass. Returns whether
+  /// it has dropped any.
   template <typename CanDrop>
   static bool DropOnce(std::vector<std::size_t>& line, CanDrop&& canDrop)
   {
@@ -393,7 +377,6 @@ private:
 
   SpanningEdge EdgeBetween(PointId a, PointId b) const { return { this->Place(a), this->Place(b) }; }
 
-  /// Whether a condition holds for the places of all points that an edge spans.
   template <typename Condition>
   bool AllBetween(std::size_t before, std::size_t after, Condition&& condition) const
   {
@@ -420,8 +403,7 @@ private:
     this->Kept.pop_back();
   }
 
-  /// Drops a corner if it can. It has to stay when loops visit it more than once, and when they so visit both of its
-  /// neighbours: there may be an edge between these already.
+  /// A corner also stays if loops visit both of its neighbours more than once: an edge may already connect these.
   bool DropCorner(std::size_t before, std::size_t middle, std::size_t after)
   {
     const PointId a = this->At(before);
@@ -451,7 +433,6 @@ private:
         });
   }
 
-  /// Adds what is left of the loop to the result.
   void WriteLoop()
   {
     this->Kept.push_back(this->Kept.front() + this->Loop.size());
@@ -484,14 +465,14 @@ private:
   std::vector<SpannedPoint>& Spanned;
   const Monitor& Watch;
   double Part = 0.0;
-  std::vector<unsigned char> Visits; // 0, 1 or 2 for more than one
+  std::vector<unsigned char> Visits; // The value 2 represents any larger number.
   std::optional<LoopGuard> Guard;
   std::optional<ColumnIndex> OwnIndex;
   std::optional<FewestPoints> Fewest;
-  std::vector<PointId> Loop; // that is being simplified
-  std::vector<std::size_t> Run; // the positions that are left of the run that is being simplified
-  std::vector<std::size_t> Kept; // the positions that are left of the loop
-  std::size_t Corners = 0; // how many points the loop still has
+  std::vector<PointId> Loop;
+  std::vector<std::size_t> Run;
+  std::vector<std::size_t> Kept;
+  std::size_t Corners = 0;
 };
 // ---- Sides ---------------------------------------------------------------------------------------------------------
 enum class LoopSide
@@ -501,8 +482,8 @@ enum class LoopSide
   Inside
 };
 
-/// On which side of all loops together points of whole columns are. Row by row, a point is inside when an odd number of
-/// edges crosses the row to its left; an edge counts at its lower end, and not at its upper one.
+/// A point is inside if an odd number of edges crosses its row to the left. An edge includes its lower end, but not its
+/// upper end.
 class SideFinder
 {
 public:
@@ -527,7 +508,6 @@ public:
     this->RowStarts.push_back(this->Columns.size());
   }
 
-  /// In the order of the points given.
   std::vector<LoopSide> Find(const Loops& loops)
   {
     loops.ForEachEdge([this](PointId from, PointId to) { this->Cross(this->ColumnOf(from), this->ColumnOf(to)); });
@@ -568,7 +548,6 @@ private:
     }
   }
 
-  /// The row of the points from `first` to before `last`, which an edge reaches.
   void CrossRow(const PlanePoint& low, const PlanePoint& high, std::size_t first, std::size_t last)
   {
     const bool isLevel = low.Y == high.Y;
@@ -590,11 +569,12 @@ private:
   }
 
   const SpacePoints& Points;
-  std::vector<std::size_t> Order; // of the points, row by row
-  std::vector<PlanePoint> Columns; // in that order
-  std::vector<std::size_t> RowStarts; // in the same, with its end
-  std::vector<LoopSide> Sides; // in the order of the points given
-  std::vector<unsigned char> Crossings; // 1 where an odd number lies between a point of the row and the one before
+  std::vector<std::size_t> Order;
+  std::vector<PlanePoint> Columns;
+  std::vector<std::size_t> RowStarts;
+  std::vector<LoopSide> Sides;
+  // This is 1 if an odd number of edges lies between a point and the previous point of its row.
+  std::vector<unsigned char> Crossings;
 };
 }
 
@@ -622,7 +602,7 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
   {
     left.push_back(one.Point.Point);
   }
-  // Loops that are what they were in plan pass through all of them.
+  // Loops that did not change in plan pass through all of these points.
   const std::vector<LoopSide> sides = result.OutlineDeviation > 0.0 ? SideFinder(points, left).Find(result.Boundary)
                                                                     : std::vector<LoopSide>(left.size(), LoopSide::On);
   for (std::size_t n = 0; n < spanned.size(); ++n)

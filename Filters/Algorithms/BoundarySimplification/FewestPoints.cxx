@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: what may take the place of a chain without a loop coming to cross another (ShortcutGuard); the cone
-// that rules out most starts of an edge (ShortcutCone); the best way along a chain, node by node.
+// In this order: ShortcutGuard, which prevents loops from crossing; ShortcutCone, which excludes most starts of an
+// edge; the best path along a chain, node by node.
 
 #include "FewestPoints.h"
 
@@ -21,7 +21,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Not between the ends of the chain.
+// Position 0 marks points that are not between the ends of the chain.
 constexpr std::size_t NoPosition = 0;
 
 std::int64_t FloorOfPart(std::int64_t numerator, std::int64_t denominator)
@@ -30,9 +30,8 @@ std::int64_t FloorOfPart(std::int64_t numerator, std::int64_t denominator)
   return part - std::int64_t(numerator % denominator < 0);
 }
 
-// A crossing is one number, by which crossings sort row by row, and in a row by x: 31 bits of the row, 32 of x, 1 of
-// the direction.
-constexpr std::int64_t Offset = std::int64_t(1) << 30; // makes rows and places positive
+// A crossing is a number that sorts by row, then x: 31 bits of the row, 32 of x, 1 of the direction.
+constexpr std::int64_t Offset = std::int64_t(1) << 30;
 constexpr int PlaceBits = 32;
 
 std::int64_t RowOf(std::uint64_t crossing)
@@ -40,8 +39,8 @@ std::int64_t RowOf(std::uint64_t crossing)
   return std::int64_t(crossing >> (PlaceBits + 1)) - Offset;
 }
 
-/// The sum of the whole numbers next to x on either side, which are both x when that is whole. So those between two
-/// crossings are known, and in which order crossings come that have none between them does not matter.
+/// A place is the sum of the integers on either side of x, 2 x for an integer. The order of crossings without an
+/// integer between them has no effect.
 std::int64_t PlaceOf(std::uint64_t crossing)
 {
   return std::int64_t(crossing >> 1 & ((std::uint64_t(1) << PlaceBits) - 1)) - 2 * Offset;
@@ -52,8 +51,8 @@ bool IsUpward(std::uint64_t crossing)
   return (crossing & 1) != 0;
 }
 
-/// Of the row of a column to its right with an edge: 1 when that goes upwards, -1 when downwards, 0 without one. Lower
-/// ends of edges count, upper ones do not.
+/// Returns 1 if the edge crosses the row of the column upwards to its right, -1 if downwards, and 0 otherwise. An edge
+/// includes its lower end, but not its upper end.
 int CrossingOf(const PlanePoint& from, const PlanePoint& to, const PlanePoint& column)
 {
   const bool isUpward = from.Y <= column.Y && to.Y > column.Y;
@@ -66,16 +65,15 @@ int CrossingOf(const PlanePoint& from, const PlanePoint& to, const PlanePoint& c
   return side <= 0 ? 0 : isUpward ? 1 : -1;
 }
 
-// Where an edge from a point can go that passes others within a tolerance: a wedge of directions on the map (Imai and
-// Iri 1988; Chan and Chin 1996), and a range of slopes.
+// Edges from a point that pass others within a tolerance lie in a wedge of directions in plan (Imai and Iri 1988; Chan
+// and Chin 1996) and a range of slopes. The cone is conservative: edges inside may still exceed the tolerances.
 //
-//              .  |  .
-//            _____o_____      An edge passes o within the tolerance when its direction lies between the tangents of
-//           .    /|\    .     the circle around o. Its place nearest to o is then at most as far from the start as o
-//           .   / | \   .     is, and nearer by the tolerance at most; so much is known of the slope.
-//              . \|/
-//                 x
-/// What no edge within the tolerances is outside of; one that is inside need not be within them.
+//             .  |  .
+//           _____o_____      An edge passes o within the tolerance if its direction lies between the tangents of the
+//          .    /|\    .     circle around o. Its point nearest to o is at most as far from the start x as o, and closer
+//          .   / | \   .     by the tolerance at most, which bounds the slope.
+//             . \|/
+//                x
 class ShortcutCone
 {
 public:
@@ -85,10 +83,10 @@ public:
   {
   }
 
-  /// Whether no edge of any length is left.
   bool IsEmpty() const { return this->HasNoDirection || this->LeastSlope > this->GreatestSlope; }
 
-  /// Whether an edge can lead to the end of a way from the start; leaves only edges that pass it within the tolerances.
+  /// Returns whether an edge can lead to the end of `way`, and excludes edges that pass this end outside the
+  /// tolerances.
   bool Pass(const Eigen::Vector3d& way)
   {
     const double length = way.head<2>().norm();
@@ -108,20 +106,20 @@ public:
   }
 
 private:
-  // Far more than rounding can be, for coordinates below 2^29, and far too little to matter. The second is a part of
+  // These exceed rounding by far for coordinates below 2^29, and have no practical effect. The second is relative to
   // the height.
   static constexpr double PlanSlack = 1e-6;
   static constexpr double HeightSlack = 1e-9;
 
   static double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-  /// Whether a direction is between two others, of which the second is less than half a turn to the left of the first.
   static bool IsBetween(const Eigen::Vector2d& right, const Eigen::Vector2d& left, const Eigen::Vector2d& direction)
   {
     return Cross(right, direction) >= 0.0 && Cross(direction, left) >= 0.0;
   }
 
-  /// The greatest slope that is at most `height` up at some distance from `nearest` to `farthest`.
+  /// Returns the greatest slope that rises by at most `height` somewhere between the distances `nearest` and
+  /// `farthest`.
   static double GreatestOf(double height, double nearest, double farthest)
   {
     const double distance = height >= 0.0 ? nearest : farthest;
@@ -157,23 +155,22 @@ private:
   double GreatestSlope = std::numeric_limits<double>::infinity();
 };
 
-// How many nodes before one are looked at. Outlines of real horizons hardly ever have edges that span more points, and
-// time grows with it where they run straight.
+// Outlines of real horizons rarely have edges that span more points, and time grows with this number where they are
+// straight.
 constexpr std::size_t LookBack = 512;
 
-// How many columns that were in the way are kept, and how far back along the chain they are good for.
 constexpr std::size_t MostBars = 8;
 constexpr std::size_t ReachOfBar = 2 * LookBack;
 
-// How far from its ends a run that is straight in space has nodes.
+// Runs that are straight in space have nodes only up to this far from their ends.
 constexpr std::size_t RunEnd = 32;
 
-// Columns; wider ones are bays, which tolerances as large may close.
+// In columns; wider openings are bays, which large tolerances may close.
 constexpr std::int32_t WidestGap = 8;
 constexpr std::array<PlanePoint, 8> EightSteps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 }, { -1, 0 }, { -1, -1 },
   { 0, -1 }, { 1, -1 } } };
 
-// More edges than any way has.
+// This exceeds the number of edges of any path.
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 }
 
@@ -257,8 +254,7 @@ bool ShortcutGuard::IsClear(std::size_t from, std::size_t to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Where an edge crosses the rows of columns. Its lower end counts, its upper end does not, so that a line through an
-/// end of two edges crosses one of them, or both, or neither, as a line just above does.
+/// An edge includes its lower end, but not its upper end, like a line just above the row.
 void ShortcutGuard::AddCrossings(const PlanePoint& from, const PlanePoint& to)
 {
   const bool isUpward = from.Y < to.Y;
@@ -276,7 +272,6 @@ void ShortcutGuard::AddCrossings(const PlanePoint& from, const PlanePoint& to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether all columns that the chain and the edge go around, in either direction, are clear.
 bool ShortcutGuard::IsClearBetween()
 {
   std::sort(this->Crossings.begin(), this->Crossings.end());
@@ -336,7 +331,6 @@ bool ShortcutGuard::IsKnownToBeBarred(std::size_t from, std::size_t to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether the columns that an edge passes exactly are clear.
 bool ShortcutGuard::IsClearAlong(const PlanePoint& from, const PlanePoint& to) const
 {
   const std::int64_t x = std::int64_t(to.X) - from.X;
@@ -396,7 +390,6 @@ std::vector<std::size_t> FewestPoints::Simplify(const std::vector<PointId>& loop
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Chain by chain, from a point that stays round to itself.
 std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& loop, std::size_t first)
 {
   std::vector<std::size_t> kept;
@@ -419,9 +412,8 @@ std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The positions that are left of a chain. As long as a loop keeps three points no two of which share two edges, it has
-/// an inside: a chain from a point back to itself keeps two points between, and one between two others keeps one unless
-/// it is straight, as there may be an edge between these already.
+/// A loop has an inside if it keeps three points no two of which share two edges. A closed chain therefore keeps two
+/// inner points, and an open chain one, unless it is straight.
 std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
 {
   this->SetChain(std::move(chain));
@@ -457,15 +449,15 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// How far on the map an edge may be from a point: by the least gap along a row, a column or a diagonal of the lattice.
-/// What is not deeper than it is wide is none.
+/// The tolerance is limited by the narrowest opening along rows, columns and diagonals. A notch that is not deeper than
+/// it is wide does not count.
 double FewestPoints::ToleranceAt(std::size_t position) const
 {
   const PlanePoint column = this->Index.Columns()[std::size_t(this->Chain[position])];
   double tolerance = this->OutlineTolerance;
   for (const PlanePoint& step : EightSteps)
   {
-    const double half = 0.5 * std::hypot(step.X, step.Y); // of a column of the gap
+    const double half = 0.5 * std::hypot(step.X, step.Y);
     std::int32_t missing = 0;
     PointId across = NoPoint;
     for (; missing <= WidestGap && missing * half < tolerance; ++missing)
@@ -486,8 +478,7 @@ double FewestPoints::ToleranceAt(std::size_t position) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// All positions at first, but for those far within runs that are straight in space: which of these a way goes by makes
-/// hardly a difference.
+/// The choice among points far within runs that are straight in space has hardly any effect.
 void FewestPoints::ListNodes()
 {
   this->Nodes.assign(1, 0);
@@ -509,7 +500,6 @@ void FewestPoints::ListNodes()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether the chain does not go straight on, in space, at a position. It ends at its last one.
 bool FewestPoints::IsBend(std::size_t position) const
 {
   if (position + 1 == this->Places.size())
@@ -522,8 +512,7 @@ bool FewestPoints::IsBend(std::size_t position) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Leaves of the nodes those of the best way through them. False when that might not be the best, as some edges were
-/// not looked at.
+/// Returns false if a better path may exist, because LookBack excluded some edges.
 bool FewestPoints::FindPath()
 {
   const std::size_t last = this->Nodes.size() - 1;
@@ -551,7 +540,7 @@ bool FewestPoints::FindPath()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether the chain is straight seen from above, so that there can be no other edge between its ends.
+/// No other edge can exist between the ends of a chain that is straight in plan.
 bool FewestPoints::IsStraight() const
 {
   const SpanningEdge edge(this->Places.front(), this->Places.back());
@@ -560,7 +549,6 @@ bool FewestPoints::IsStraight() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The nodes from which an edge may lead to another, backwards.
 void FewestPoints::FindSources(std::size_t node)
 {
   const Eigen::Vector3d& place = this->Places[this->Nodes[node]];
@@ -580,8 +568,8 @@ void FewestPoints::FindSources(std::size_t node)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The best step to a node, from any of the sources but the first node. Whether an edge is admissible takes longer to
-/// find out than anything else, and what it costs longer than the rest.
+/// Candidates are sorted lazily, since admissibility is expensive to test, and costs are more expensive than the number
+/// of edges.
 FewestPoints::Step FewestPoints::BestStep(std::size_t node, const std::vector<Step>& ways)
 {
   const auto isWorse = [](const Step& a, const Step& b) { return std::tie(a.Cost, a.From) > std::tie(b.Cost, b.From); };
@@ -610,7 +598,6 @@ FewestPoints::Step FewestPoints::BestStep(std::size_t node, const std::vector<St
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The fewest edges, from a number on, of the ways to the sources but the first node.
 std::size_t FewestPoints::LeastEdges(const std::vector<Step>& ways, std::size_t atLeast) const
 {
   std::size_t least = NoWay;
@@ -623,8 +610,8 @@ std::size_t FewestPoints::LeastEdges(const std::vector<Step>& ways, std::size_t 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether an edge between two nodes may take the place of the chain between them. It may between two in succession:
-/// these are neighbours, or have a straight run between them, or were found in the last round.
+/// An edge between successive nodes needs no test: they are neighbours, ends of a straight run, or results of the last
+/// round.
 bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
 {
   if (to == from + 1)
@@ -648,7 +635,7 @@ bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The sum of squared distances in space of the points between two positions from the line through these.
+/// The sum of squared distances in space, in constant time from Moments.
 double FewestPoints::Cost(std::size_t from, std::size_t to) const
 {
   const Eigen::Vector3d start = this->Places[from] - this->Places.front();
@@ -668,7 +655,6 @@ double FewestPoints::Cost(std::size_t from, std::size_t to) const
 void FewestPoints::FollowPath(const Step& last)
 {
   std::vector<std::size_t> path = { this->Nodes.back() };
-  // A chain from a point back to itself has two edges before the last one.
   const bool isClosed = this->Chain.front() == this->Chain.back();
   for (std::size_t node = last.From; node > 0;
        node = (isClosed && path.size() == 2 ? this->TwoOrMore : this->Fewest)[node].From)

@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Boundary loops of the fewest points within tolerances: a shortest path over all edges that may take the place of a
-// part of a loop (Imai and Iri 1988).
+// Boundary loops with the fewest points within tolerances: a shortest path over all edges that can replace a section of
+// a loop (Imai and Iri 1988).
 //
-// Points that loops visit more than once stay, and cut a loop into chains. An edge between two points of a chain may
-// take the place of all between them when these are within the tolerances of it, and ShortcutGuard lets it. Going
-// along a chain, for each point the best way to it is found from those to the points before it, of which ShortcutCone
-// rules out nearly all. Among ways of equally many edges the best is that of the least sum of squared distances in
-// space from dropped points to the lines of their edges.
+// Points that loops visit more than once stay and divide a loop into chains. An edge between two points of a chain is
+// admissible if the points in between are within the tolerances, and ShortcutGuard allows it. Each point in turn takes
+// the best path through the points before it, most of them excluded by ShortcutCone. Among paths with equally many
+// edges the least sum of squared distances in space wins.
 //
-// So that time is near linear, only the last 512 points before each are looked at; where more could have come into
-// question, as on straight sides of a survey, the points that are left are gone along in the same way, and so on. Of
-// runs that are straight in space, points farther than 32 from their ends are not looked at. So the number of points is
-// the least where no edge could span more than 512 and no such run has more than 64, and near it otherwise.
+// For nearly linear time, only 512 points before each point are tried, and within runs that are straight in space only
+// points up to 32 from an end. If this excluded edges, as on straight borders of a survey, the remaining points are
+// processed again. The result is optimal if no edge could span more than 512 points, and no straight run exceeds 64
+// points.
 
 #ifndef SeismicHorizonsFewestPoints_h
 #define SeismicHorizonsFewestPoints_h
@@ -33,7 +32,7 @@
 
 namespace SeismicHorizons
 {
-/// Distances of a place from an edge seen from above, and in height where it is nearest so.
+/// The height difference is taken at the place of the edge that is nearest in plan.
 struct MapDistances
 {
   double InPlan;
@@ -63,8 +62,6 @@ public:
   }
 
 private:
-  /// Where on the segment from the origin to `along` the place nearest to `way` is: 0 at the origin, 1 at its other
-  /// end.
   template <typename Vector>
   static double NearestPart(const Vector& along, const Vector& way)
   {
@@ -72,8 +69,7 @@ private:
     return length > 0.0 ? std::min(1.0, std::max(0.0, along.dot(way) / length)) : 0.0;
   }
 
-  /// Whether the end of a way from our first end is on us, seen from above. Boundary points stand on whole columns, so
-  /// that products are exact, and nothing is lost to rounding on a straight run.
+  /// Products of whole coordinates are exact, so that a straight run has no rounding errors.
   bool IsOnMap(const Eigen::Vector3d& way) const
   {
     const double part = this->Along.head<2>().dot(way.head<2>());
@@ -85,39 +81,32 @@ private:
   Eigen::Vector3d Along;
 };
 
-// Which chains of boundary points can be replaced by straight edges, so that no loops come to cross and every point
-// stays on its side of them.
+// Decides whether a straight edge can replace a chain of boundary points without crossing loops. All answers are exact.
 //
-//        o--o                    When an edge takes the place of a chain, what lies between the two changes sides. No
-//       /    \    o--o           point may lie there, or on the edge, other than those of the chain. Then no edge of
-//   ---o------o--/----o---       another chain crosses the new one: it cannot cross the chain, and would have an end
-//              \o                between the two. For the same reason two new edges never cross, in whatever order they
-//                              are made, as their ends are among the points that may not lie there.
-/// All answers are exact.
+//       o--o                    If an edge replaces a chain, the area between them changes sides. No point may lie there
+//      /    \    o--o           or on the edge, except those of the chain. Then no edge of another chain crosses the new
+//  ---o------o--/----o---       one: it cannot cross the chain, and would have an end in the area. By the same argument
+//             \o                two new edges never cross, in any order.
 class ShortcutGuard
 {
 public:
-  /// `index` is that of all points of the horizon, on the boundary or inside, of which `isOnLoop` has for each 0 when
-  /// no loop visits it. Keeps a reference to it.
+  /// The index must contain all points of the horizon, and is kept by reference. `isOnLoop` is 0 for points that no
+  /// loop visits.
   ShortcutGuard(const ColumnIndex& index, const std::vector<unsigned char>& isOnLoop);
 
-  /// Takes a chain, whose points between its ends no loop visits a second time.
   void SetChain(const std::vector<PointId>& chain);
 
-  /// How many steps lead along the chain from a position to a point: 0 where no loop visits it, as many as a number can
-  /// be where only others do.
+  /// Returns the steps along the chain: 0 if no loop visits the point, the maximum if only other chains do.
   std::size_t StepsTo(std::size_t position, PointId point) const;
 
-  /// Whether the points of the chain between two positions can be dropped.
   bool IsClear(std::size_t from, std::size_t to);
 
-  /// Whether one of the columns that were in the way of edges asked about last is in the way of this one, too. Takes
-  /// hardly any time where many edges to one point, or to the next ones, are asked about.
+  /// Tests the last blocking columns, which is fast for successive edges to the same or the next points.
   bool IsKnownToBeBarred(std::size_t from, std::size_t to);
 
 private:
-  /// A column that was in the way, and how often the chain goes around it, from a first position on to each later one:
-  /// by crossings of the row to the right of the column, upwards less downwards.
+  /// A blocking column has winding counts of the chain from position First to each later one: crossings of the row to
+  /// its right, upwards minus downwards.
   struct Bar
   {
     PlanePoint Column;
@@ -135,46 +124,41 @@ private:
 
   const ColumnIndex& Index;
   const PlanePoints Columns;
-  PlaceNumbers OnLoops; // the places with points of loops
+  PlaceNumbers OnLoops; // Only points of loops have a number, to save memory.
   std::vector<PointId> Chain;
-  std::vector<std::size_t> Position; // in the chain, by the numbers of these places, for points between its ends
-  std::size_t From = 0; // the positions that IsClear was asked about
+  std::vector<std::size_t> Position; // By the numbers in OnLoops, for points between the ends of the chain.
+  std::size_t From = 0;
   std::size_t To = 0;
-  std::vector<std::uint64_t> Crossings; // see AddCrossings
-  std::vector<Bar> Bars; // the last ones
-  std::size_t NextBar = 0; // which of them goes for a new one
+  std::vector<std::uint64_t> Crossings;
+  std::vector<Bar> Bars;
+  std::size_t NextBar = 0;
 };
 
 class FewestPoints
 {
 public:
-  /// `points` are all points of the horizon, which stand on the columns of `index`; loops visit each of them so many
-  /// times, 2 standing for more than one. Tolerances in columns, and in lattice units upwards; beside a gap of at most
-  /// 8 columns, but at least as many as the longest hop of the loops, half of its columns are the largest tolerance, so
-  /// that outlines stay on their sides of its middle. `goOn` is called every so many points; it can
-  /// throw to end the work.
+  /// `visits` saturates at 2. Tolerances are in columns and, vertically, in lattice units; beside an opening of
+  /// `longestHop` to 8 columns, half its width limits the first. `goOn` is called regularly and may throw to abort.
   FewestPoints(const SpacePoints& points, const ColumnIndex& index, const std::vector<unsigned char>& visits,
     double outlineTolerance, double heightTolerance, int longestHop, std::function<void()> goOn);
 
-  /// The positions of the points that a loop keeps, ascending. Of a loop without points that have to stay, one does all
-  /// the same: one that stays when the first of the loop does, half-way round from there.
+  /// Returns the positions that a loop keeps, ascending. A loop without fixed points is processed twice, from its first
+  /// point and from a point kept about half-way round.
   std::vector<std::size_t> Simplify(const std::vector<PointId>& loop);
 
-  /// The positions of the points that an open chain keeps, or one from a point back to itself, ascending. Its ends
-  /// stay.
+  /// Returns the positions that the chain keeps, ascending. Its ends stay; they may be the same point.
   std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
 
 private:
-  /// The last edge of a way from the begin of the chain, and what the way has cost.
   struct Step
   {
     std::size_t Edges;
     double Cost;
-    std::size_t From; // the number of a node
+    std::size_t From;
   };
 
-  /// Sums over the points of the chain before a position: of their ways from the first, of the products of these, and
-  /// of their squared lengths.
+  /// Sums over the points of the chain before a position give costs in constant time: vectors from the first point,
+  /// their outer products and squared lengths.
   struct Moments
   {
     Eigen::Vector3d Ways;
@@ -206,15 +190,15 @@ private:
   const std::function<void()> GoOn;
   ShortcutGuard Guard;
   std::vector<PointId> Chain;
-  std::vector<Eigen::Vector3d> Places; // of the chain
-  std::vector<double> Tolerances; // on the map
+  std::vector<Eigen::Vector3d> Places;
+  std::vector<double> Tolerances;
   std::vector<Moments> Before;
-  std::vector<std::size_t> Nodes; // the positions in the chain that a way may go by
-  std::vector<Step> Fewest; // to each node
-  std::vector<Step> TwoOrMore; // the same, by two edges at least
-  std::vector<std::size_t> Sources; // the nodes from which an edge may lead to the one we are at
-  std::vector<Step> Steps; // from these
-  bool IsLimited = false; // whether nodes were left out of the sources as too many
+  std::vector<std::size_t> Nodes;
+  std::vector<Step> Fewest;
+  std::vector<Step> TwoOrMore; // These paths have at least two edges.
+  std::vector<std::size_t> Sources;
+  std::vector<Step> Steps;
+  bool IsLimited = false; // Nodes beyond LookBack were not tried as sources.
 };
 }
 
