@@ -1,24 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: sort the points into cells, on several threads; find the sides of those that are cut.
+// Points are sorted into cells on several threads, then the cells that faults cut are divided into sides.
 //
-// Sorting: count how many points of each batch go into each band; copy the points to their bands; sort each band by
-// square. A band is a few rows of squares, a batch a range of the input. A band with many more squares than points is
-// sorted by comparing, else by counting; both give the same order.
+// Sorting counts the points of each batch (a range of the input) in each band (a few rows of squares), copies points to
+// their bands, and sorts each band by square: by comparing if it has far more squares than points, else by counting.
 //
-//     input   | batch 0 | batch 1 | ...        Every batch knows where its points begin in every band,
-//     banded  | 0 1 ... | 0 1 ... | ...        so that no thread waits for another, and points keep their order.
-//               band 0    band 1
+//    input   | batch 0 | batch 1 | ...        Each batch knows where its points begin in each band, so that threads
+//    banded  | 0 1 ... | 0 1 ... | ...        need no locks and points keep their order.
+//              band 0    band 1
 //
-// Sides: parts of a cell that links connect which are not cut. A crack that ends in the cell would leave one part
-// around its tip: it is carried on there, straight to the border of the cell or to another crack, so that points of its
-// two cutoffs are never on one side.
+// Links that are not cut connect the columns of a side. A crack that ends in the cell would leave one side around its
+// tip; it is continued straight to the border of the cell or to another crack, so that its cutoffs are on different
+// sides:
 //
-//        a a a a a a
-//        a a a a a a
-//        ====== - - -      a, b    sides of a cell
-//        b b b b b b       =       a crack, carried on by -
+//       a a a a a a
+//       a a a a a a
+//       ====== - - -      a, b    sides of a cell
+//       b b b b b b       =       a crack, continued by -
 
 #include "CellLeaves.h"
 
@@ -37,10 +36,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-// With more bands, the places that a thread writes to in turn would no longer fit into its cache.
+// With more bands, the places that a thread writes to in turn would not fit into its cache.
 constexpr std::int64_t MostBands = 256;
 constexpr std::int64_t PointsPerBatch = 65536;
-// With more squares, their counters and an index of them would take more memory and time than sorting and searching.
+// With more squares, counters and an index of squares would cost more than sorting and searching.
 constexpr std::int64_t MostSquaresPerPoint = 16;
 
 constexpr std::int32_t NoSide = -1;
@@ -60,7 +59,7 @@ CellGrid MakeGrid(const SubVoxelPlaces& places, std::int32_t subVoxelsPerColumn,
 //----------------------------------------------------------------------------------------------------------------------
 // Sorting
 
-/// Finds the squares of places one after the other. Neighbours are likely to share theirs, which saves the divisions.
+/// Neighbouring points mostly share a square, which saves divisions.
 class SquareFinder
 {
 public:
@@ -107,8 +106,6 @@ public:
       monitor.Step(0.5, 1.0), [this](std::uint32_t& next, PointId point) { this->Banded[next++] = point; });
   }
 
-  /// Writes all points to `sorted`, cell by cell, in each cell in the order of the input. Gives the squares that have
-  /// points, and where these begin, band by band.
   std::vector<CellLeaves::Starts> Sort(PointId* sorted, const Monitor& monitor) const
   {
     std::vector<CellLeaves::Starts> starts(this->Bands);
@@ -124,7 +121,6 @@ public:
   }
 
 private:
-  /// Calls visit(next, point) for all points, where `next` is the counter of the point's batch and band.
   template <typename Visitor>
   void ForEachPoint(const Monitor& monitor, Visitor&& visit)
   {
@@ -147,7 +143,7 @@ private:
     const std::size_t end = std::min(this->Plane.size(), std::size_t((batch + 1) * PointsPerBatch));
     for (std::size_t point = std::size_t(batch * PointsPerBatch); point < end;)
     {
-      // Points are likely to come row by row: as long as they stay in one band, its counter can stay in a register.
+      // Points mostly come row by row, so that the counter of a band can stay in a register.
       const std::uint32_t band = std::uint32_t(this->Plane[point].Y - bottom) / height;
       const std::int64_t low = bottom + std::int64_t(band) * height;
       std::uint32_t next = this->Next[batch * this->Bands + band];
@@ -159,7 +155,7 @@ private:
     }
   }
 
-  /// Makes positions out of counts: band by band, and in a band batch by batch.
+  /// Counts become positions, band by band, and batch by batch within a band.
   void AddUp()
   {
     std::uint32_t sum = 0;
@@ -193,8 +189,7 @@ private:
   void SortByCounting(std::int64_t band, std::int64_t firstSquare, std::int64_t squares, CellLeaves::Starts& starts,
     PointId* sorted) const
   {
-    // First the counts, then where each square ends. Points are filled in from the last one to the first, which takes
-    // each of these ends down to where its square begins.
+    // Points are filled in backwards, which moves the end of each square down to its begin.
     std::vector<std::uint32_t> ends(squares, 0);
     SquareFinder squareOf(this->Grid);
     const auto counter = [&](PointId point) -> std::uint32_t&
@@ -228,7 +223,7 @@ private:
     {
       keyed.emplace_back(squareOf(this->Plane[this->Banded[n]]), this->Banded[n]);
     }
-    std::sort(keyed.begin(), keyed.end()); // points of a band ascend
+    std::sort(keyed.begin(), keyed.end()); // The points of a band are in ascending order.
     std::uint32_t next = this->BandEnds[band];
     for (const auto& [square, point] : keyed)
     {
@@ -245,28 +240,24 @@ private:
   const std::int64_t RowsPerBand;
   const std::int64_t Bands;
   const std::int64_t Batches;
-  std::vector<std::uint32_t> Next; // for each batch and band: how many points, then where the next one goes
-  std::vector<std::uint32_t> BandEnds; // where the points of each band begin, and at the end their number
-  std::unique_ptr<PointId[]> Banded; // the points, band by band
+  std::vector<std::uint32_t> Next; // These are counts at first, then the position of the next point.
+  std::vector<std::uint32_t> BandEnds;
+  std::unique_ptr<PointId[]> Banded;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
 // Sides
 
-/// Which columns of a cell are on one side of the cuts in it.
 class CellSides
 {
 public:
-  /// For cells of so many columns along x and along y.
   CellSides(const LinkCuts& cuts, std::int32_t width, std::int32_t height);
 
-  /// Whether a link between two columns of a cell, given by its least column, is cut.
+  /// `cell` is the least column of the cell.
   bool HasCut(const PlanePoint& cell) const;
 
-  /// Finds the sides of a cell.
   void Find(const PlanePoint& cell);
 
-  /// The side of a column of the cell that they were found for, from 0.
   std::int32_t operator[](const PlanePoint& column) const
   {
     return this->Side[this->Place(column.X - this->Cell.X, column.Y - this->Cell.Y)];
@@ -286,11 +277,10 @@ private:
   const std::int32_t Width;
   const std::int32_t Height;
   PlanePoint Cell{};
-  // By the place of a column in the cell: whether the link to the next column, or to the next row, is cut.
   std::vector<unsigned char> East;
   std::vector<unsigned char> North;
   std::vector<std::int32_t> Side;
-  std::vector<std::size_t> Open; // columns whose neighbours are to be looked at
+  std::vector<std::size_t> Open;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -359,13 +349,12 @@ void CellSides::ReadCuts()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Where one side of the block with a column as its least corner is cut, cuts that on the other side of the block, and
-// goes on from there.
+// A cut through one side of a block of four columns is continued through the opposite side.
 void CellSides::CarryOn(std::int32_t x, std::int32_t y)
 {
   while (x >= 0 && y >= 0 && x + 1 < this->Width && y + 1 < this->Height)
   {
-    // Below, above, to the left and to the right; the other side is the other one of a pair.
+    // The order is below, above, left, right, so that the opposite side has the index xor 1.
     const std::array<unsigned char*, 4> sides = { &this->East[this->Place(x, y)], &this->East[this->Place(x, y + 1)],
       &this->North[this->Place(x, y)], &this->North[this->Place(x + 1, y)] };
     if (std::count_if(sides.begin(), sides.end(), [](const unsigned char* side) { return *side != 0; }) != 1)
@@ -420,7 +409,7 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
 {
   assert(horizon.Height.size() == this->Given.size() && horizon.Patch.size() == this->Given.size());
   monitor.Progress(0.0);
-  this->Points.reset(new PointId[this->Given.size()]); // not a vector, which would write to all of it on one thread
+  this->Points.reset(new PointId[this->Given.size()]); // A vector would write to all of its memory on one thread.
   const CellSorter sorter(this->Cells, this->Given, monitor.Step(0.0, 0.5));
   this->MakeCells(sorter.Sort(this->Points.get(), monitor.Step(0.5, 1.0)));
   this->IndexSquares();
@@ -431,7 +420,6 @@ CellLeaves::CellLeaves(const BoundedHorizon& horizon, int columns, const Monitor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Puts the squares of all bands one after the other.
 void CellLeaves::MakeCells(const std::vector<Starts>& bands)
 {
   std::vector<std::size_t> firsts;
@@ -479,7 +467,6 @@ void CellLeaves::IndexSquares()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The first side of each patch in a cell has the number of the patch, and all others have numbers of their own.
 void CellLeaves::FindSides()
 {
   this->Sides = this->Input.Patch;
@@ -499,7 +486,7 @@ void CellLeaves::FindSides()
       continue;
     }
     sides.Find(least);
-    std::map<std::int32_t, std::map<std::int32_t, std::int32_t>> numbers; // by patch, then by side of the cell
+    std::map<std::int32_t, std::map<std::int32_t, std::int32_t>> numbers;
     for (const PointId* point = this->Begin(cell); point != this->Begin(cell + 1); ++point)
     {
       const std::int32_t patch = this->Patch(*point);
@@ -521,7 +508,7 @@ void CellLeaves::FindSides()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The column nearest to a point, of those of its cell.
+// Only columns of the cell that contains the point are candidates.
 PlanePoint CellLeaves::ColumnOf(PointId point) const
 {
   const std::int64_t column = this->Input.SubVoxelsPerColumn;

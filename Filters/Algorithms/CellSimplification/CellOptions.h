@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The options that all simplifications of the inside have.
+// The options that all simplifications of the inside share.
 
 #ifndef SeismicHorizonsCellOptions_h
 #define SeismicHorizonsCellOptions_h
 
 namespace SeismicHorizons
 {
-/// What represents the points of a cell: their mean, or the input point nearest to that.
+/// The mean, or the input point nearest to it, represents the points of a cell.
 enum class RepresentativeKind
 {
   Barycentre = 0,
@@ -24,9 +24,9 @@ struct CellOptions
   {
   }
 
-  int CellSize; // columns, at least 1
+  int CellSize; // In columns, at least 1.
   RepresentativeKind Representative;
-  bool ListCells; // whether the result says which cells there were
+  bool ListCells;
 };
 }
 

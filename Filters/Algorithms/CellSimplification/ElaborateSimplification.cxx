@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: sort the points into patch cubes, and number their rings; cut the patch cubes into leaves, ring by ring; write
-// the points that stand for the leaves. Patch cubes of one ring read the sizes of leaves in the rings before and write
-// their own, so that all of them can be cut at the same time.
+// Points are sorted into patch cubes with ring numbers, the cubes are cut into leaves ring by ring, and the
+// representatives of leaves are written. Cubes of a ring read sizes of leaves in earlier rings only, so that they can
+// be cut in parallel.
 //
-// Terms: space is cut into cubes with the side of a cell, one layer above the other, over the cells of the grid. A
-// patch cube is the points of one side, mostly a patch, in one cube, which is what CellLeaves.h calls a group. A tower
-// is the patch cubes of one side over one cell. The ring of a patch cube is the number of steps to it from the
-// boundary:
+// Space is divided into cubes over the cells of the grid, as high as wide. A patch cube holds the points of one side in
+// one cube (a group of CellLeaves.h); a tower holds the patch cubes of one side over one cell. The ring of a patch cube
+// is its number of steps from the boundary:
 //
 //    ring  1  1  1  1  1  1
 //          1  2  2  2  2  1
@@ -35,17 +34,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-// How many patch cubes a thread takes at a time: to cut, which takes long, and to copy numbers.
 constexpr std::int64_t GrainOfCutting = 64;
 constexpr std::int64_t GrainOfCopying = 256;
 
-// From a size to the middle, by ratio, between it and the next one: sizes of levels differ by a factor of 2.
+// The ratio between a size and the geometric mean with the next one, as sizes of levels differ by a factor of 2.
 constexpr double HalfALevel = 1.4142135623730951;
 
-/// The sizes of some cells, of which the mean is taken.
 struct CellSizes
 {
-  double Sum = 0.0; // in units of the smallest size that halving can give: sums of sizes of leaves are exact
+  double Sum = 0.0; // In units of the smallest possible size, sums of sizes of leaves are exact.
   std::int64_t Number = 0;
 
   double Mean() const { return this->Sum / double(this->Number); }
@@ -57,16 +54,15 @@ struct CellSizes
   }
 };
 
-/// A cube, or an octant of one: its least corner and its side. Its own octants begin at the middle.
+/// A cube is given by its least corner; X, Y and PlaneSize are in sub-voxels, Z and Size in lattice units.
 struct CubeBox
 {
-  std::int64_t X = 0; // sub-voxels
+  std::int64_t X = 0;
   std::int64_t Y = 0;
-  double Z = 0.0; // lattice units
-  std::int64_t PlaneSize = 0; // the side in sub-voxels
-  double Size = 0.0; // the side in lattice units
+  double Z = 0.0;
+  std::int64_t PlaneSize = 0;
+  double Size = 0.0;
 
-  /// In which octant a place is, 0 to 7.
   int OctantOf(const PlanePoint& place, double height) const
   {
     const std::int64_t half = this->PlaneSize / 2;
@@ -89,56 +85,48 @@ struct CubeBox
 //----------------------------------------------------------------------------------------------------------------------
 // Cubes and rings
 
-/// The points of one side in one cube.
 struct PatchCube
 {
   PointId* First = nullptr;
   PointId* Last = nullptr;
-  std::int64_t Cell = 0; // its number
+  std::int64_t Cell = 0;
   std::int32_t Layer = 0;
   std::int32_t Patch = 0;
-  std::int32_t Ring = 0; // from 1; 0 while rings are numbered
-  std::uint32_t Tower = 0; // its number
-  CellSizes Sizes; // what counts in the mean of its neighbours' sizes, once it is cut
+  std::int32_t Ring = 0;
+  std::uint32_t Tower = 0;
+  CellSizes Sizes; // Once the cube is cut, these count in the mean of its neighbours.
 };
 
 class PatchCubes
 {
 public:
-  /// The numbers of the patch cubes of one ring.
   using Ring = std::vector<std::size_t>;
 
-  /// Makes groups of the points, and numbers the rings. `size` is the side of a cube in lattice units. Keeps a
-  /// reference to the leaves.
   PatchCubes(CellLeaves& leaves, int size, const Monitor& monitor);
 
   std::size_t Size() const { return this->Cubes.size(); }
   PatchCube& operator[](std::size_t n) { return this->Cubes[n]; }
   const PatchCube& operator[](std::size_t n) const { return this->Cubes[n]; }
 
-  /// All rings, that at the boundary first.
   const std::vector<Ring>& Rings() const { return this->AllRings; }
 
-  /// Says that the patch cubes of a ring are cut: their sizes then count for SizesBefore.
+  /// Marks the ring as cut, so that SizesBefore() can use its sizes.
   void EndRing(const Ring& ring);
 
-  /// The sizes of the neighbours of a patch cube that are of the ring before; where there are none, of the neighbours
-  /// in plan that are of any ring before.
+  /// Returns sizes of neighbours in the previous ring, or if there are none, of neighbours in plan in any earlier ring.
   CellSizes SizesBefore(const PatchCube& cube) const;
 
   CubeBox BoxOf(const PatchCube& cube) const { return this->BoxOf(this->Leaves.Square(cube.Cell), cube.Layer); }
-  /// The cube that a point is in.
   CubeBox BoxOf(PointId point) const;
 
 private:
-  /// The patch cubes of one side over one cell, from the bottom up.
   struct PatchTower
   {
     std::size_t First = 0;
     std::size_t End = 0;
     std::int32_t Patch = 0;
-    bool IsTaken = false; // all of them have a ring
-    CellSizes Sizes; // of those in the rings that have ended
+    bool IsTaken = false;
+    CellSizes Sizes;
   };
 
   std::int32_t LayerOf(PointId point) const;
@@ -157,13 +145,13 @@ private:
   void ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const;
 
   CellLeaves& Leaves;
-  const int CubeSize; // lattice units
-  const double Bottom; // of the lowest layer
-  std::vector<PatchCube> Cubes; // in the order of the groups
-  std::vector<PatchTower> Towers; // in the same order
-  std::vector<std::size_t> FirstTowers; // for each cell its first tower, and at the end their number
+  const int CubeSize;
+  const double Bottom;
+  std::vector<PatchCube> Cubes;
+  std::vector<PatchTower> Towers;
+  std::vector<std::size_t> FirstTowers;
   std::vector<Ring> AllRings;
-  std::size_t FirstRingWithCliffs = 0; // where TakeBeyondCliffs goes on
+  std::size_t FirstRingWithCliffs = 0;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -232,7 +220,6 @@ void PatchCubes::MakeTowers()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Calls visit(number) for the towers of the same patch that touch that of a cube, itself included.
 template <typename Visitor>
 void PatchCubes::ForEachTower(const PatchCube& cube, Visitor&& visit) const
 {
@@ -255,7 +242,6 @@ void PatchCubes::ForEachTower(const PatchCube& cube, Visitor&& visit) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Calls visit(number) for the patch cubes of the same patch that touch one, itself included.
 template <typename Visitor>
 void PatchCubes::ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const
 {
@@ -294,7 +280,7 @@ void PatchCubes::NumberRings()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// What touches the last ring; where nothing is left, what touches any ring in plan; and in the end all others.
+/// The next ring touches the last one; if nothing does, it touches any ring in plan; finally it is all remaining cubes.
 PatchCubes::Ring PatchCubes::FindNextRing()
 {
   const std::int32_t number = std::int32_t(this->AllRings.size()) + 1;
@@ -326,8 +312,7 @@ PatchCubes::Ring PatchCubes::FindNextRing()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Calls take(number) for what touches any ring in plan. Rings that an earlier call has looked at have no neighbours
-/// left to take.
+/// Rings that an earlier call has visited have no neighbours left to take.
 template <typename Take>
 void PatchCubes::TakeBeyondCliffs(Take&& take)
 {
@@ -396,7 +381,7 @@ CubeBox PatchCubes::BoxOf(std::int64_t square, std::int32_t layer) const
 //----------------------------------------------------------------------------------------------------------------------
 // Cutting
 
-constexpr std::ptrdiff_t MostPointsOfPlane = 3; // so many are always on a plane
+constexpr std::ptrdiff_t MostPointsOfPlane = 3; // Up to three points always lie on a plane.
 
 Eigen::Matrix3d CovarianceOf(const CellLeaves& leaves, const PointId* first, const PointId* last)
 {
@@ -405,14 +390,13 @@ Eigen::Matrix3d CovarianceOf(const CellLeaves& leaves, const PointId* first, con
   return covariance.Matrix();
 }
 
-/// The flatness (thesis eq. 4.5) of some points, at least one: from 0, which is a plane, to 1/3. Wrong by 1e-6 at most.
-/// Each point weighs as much as it represents.
+/// The flatness (thesis eq. 4.5) is 0 for a plane and at most 1/3, with an error below 1e-6. Points are weighted by the
+/// number that they represent.
 double FlatnessOf(const CellLeaves& leaves, const PointId* first, const PointId* last)
 {
   return last - first <= MostPointsOfPlane ? 0.0 : QuickFlatness(CovarianceOf(leaves, first, last));
 }
 
-/// Whether it is at most `threshold`, up to rounding.
 bool AreFlat(const CellLeaves& leaves, const PointId* first, const PointId* last, double threshold)
 {
   return last - first <= MostPointsOfPlane || IsFlatWithin(CovarianceOf(leaves, first, last), threshold);
@@ -428,12 +412,9 @@ double Distance(const SpacePoint& a, const SpacePoint& b)
   return std::sqrt(x * x + y * y + z * z);
 }
 
-/// Cuts the group of one cube after the other (thesis 4.3.2). Each thread has its own; they may cut different groups at
-/// the same time.
 class OctreeCutter
 {
 public:
-  /// Cells of level `deepest` are not halved any more. Keeps references to the leaves and the options.
   OctreeCutter(CellLeaves& leaves, const ElaborateOptions& options, int deepest)
     : Leaves(leaves)
     , Options(options)
@@ -441,8 +422,7 @@ public:
   {
   }
 
-  /// Cuts the group of a cube into leaves, and gives their sizes. `leastLevel` is the least level of leaves without
-  /// boundary points.
+  /// `leastLevel` is the least level of leaves without boundary points.
   CellSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel);
 
 private:
@@ -459,9 +439,8 @@ private:
   CellLeaves& Leaves;
   const ElaborateOptions& Options;
   const int Deepest;
-  int LeastLevel = 0; // of the group at hand
-  CellSizes Sizes; // of its leaves so far
-  // Memory to work with.
+  int LeastLevel = 0;
+  CellSizes Sizes;
   std::vector<PointId> BoundaryPoints;
   std::vector<PointId> Order;
   std::vector<unsigned char> Octants;
@@ -498,7 +477,6 @@ void OctreeCutter::CutAny(PointId* first, PointId* last, const CubeBox& box, int
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Points without boundary points among them: cuts them until they are flat, and then on to the least level.
 void OctreeCutter::CutInner(PointId* first, PointId* last, const CubeBox& box, int level)
 {
   if (level == this->Deepest || AreFlat(this->Leaves, first, last, this->Options.FlatnessThreshold))
@@ -519,7 +497,7 @@ void OctreeCutter::CutFlat(PointId* first, PointId* last, const CubeBox& box, in
   {
     this->MakeLeaf(first, level, false, false);
   }
-  else if (last - first == 1) // the one octant it is in at the least level
+  else if (last - first == 1) // A single point needs no cutting, since its cell at the least level is known.
   {
     this->MakeLeaf(first, this->LeastLevel, false, false);
   }
@@ -531,7 +509,7 @@ void OctreeCutter::CutFlat(PointId* first, PointId* last, const CubeBox& box, in
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether a cell with boundary points is a leaf (thesis eq. 4.2): these lie densely, and far apart.
+/// A cell with dense and extended boundary points stays a leaf (thesis eq. 4.2).
 bool OctreeCutter::StaysWhole(const PointId* first, const PointId* last, std::ptrdiff_t boundaryPoints, double size)
 {
   if (!(double(boundaryPoints) / size > this->Options.BoundaryDensityThreshold))
@@ -545,10 +523,9 @@ bool OctreeCutter::StaysWhole(const PointId* first, const PointId* last, std::pt
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether any two of BoundaryPoints, in a cell of that size, are farther apart than that (thesis eq. 4.1).
 bool OctreeCutter::AnyApart(double extent, double size) const
 {
-  if (extent > 2.0 * size) // more than the diagonal
+  if (extent > 2.0 * size) // The diagonal of a cell is shorter than this.
   {
     return false;
   }
@@ -565,7 +542,7 @@ bool OctreeCutter::AnyApart(double extent, double size) const
       }
       reach = std::max(reach, distance);
     }
-    if (a == 0 && 2.0 * reach <= extent) // all are so near to the first one that no two can be far apart
+    if (a == 0 && 2.0 * reach <= extent) // All points are so close to the first one that no two can be far apart.
     {
       return false;
     }
@@ -574,8 +551,7 @@ bool OctreeCutter::AnyApart(double extent, double size) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Sorts points into the octants of a box, each in the order they came in, and calls visit(first, last, octant) for
-/// those that have some.
+/// Points keep their order within an octant.
 template <typename Visitor>
 void OctreeCutter::Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit)
 {
@@ -611,7 +587,7 @@ void OctreeCutter::MakeLeaf(PointId* first, int level, bool hasBoundary, bool ke
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The whole
+// Simplification
 
 void CheckOptions(const ElaborateOptions& options)
 {
@@ -623,7 +599,6 @@ void CheckOptions(const ElaborateOptions& options)
   CheckAtLeast("growth per ring", options.GrowthPerRing, 1.0, " (cells as large as their neighbours)");
 }
 
-/// How many times a cell can be halved before its side falls below the smallest.
 int Halvings(double size, double smallest)
 {
   return 0.5 * size < smallest ? 0 : 1 + Halvings(0.5 * size, smallest);
@@ -680,16 +655,14 @@ private:
     }
   }
 
-  /// How many times the leaves of a patch cube are halved at least: to the level whose size is nearest, by ratio, to
-  /// the mean of its neighbours before (thesis eq. 4.3). Rounding down would make cells shrink from ring to ring, as
-  /// the mean of different sizes is below the largest of them.
+  /// The level whose size is nearest, by ratio, to the mean of the neighbours in the previous ring (thesis eq. 4.3).
+  /// Rounding down would shrink cells from ring to ring, as the mean of different sizes is below the largest.
   int LeastLevel(const PatchCube& cube) const
   {
     const CellSizes before = this->Cubes.SizesBefore(cube);
     const double largest = HalfALevel * this->Options.GrowthPerRing * before.Sum;
     for (int level = 0; level < this->Deepest; ++level)
     {
-      // As many cells of this level, in units of the smallest size.
       const double sum = std::ldexp(double(before.Number), this->Deepest - level);
       if (!(sum > largest))
       {
@@ -699,7 +672,6 @@ private:
     return this->Deepest;
   }
 
-  /// The bottom of the octant of that level that a point is in.
   double BottomOf(PointId point, int level) const
   {
     CubeBox box = this->Cubes.BoxOf(point);
@@ -710,8 +682,7 @@ private:
     return box.Z;
   }
 
-  /// Writes the rings of leaves, and how flat they are. Each output point belongs to one leaf, so that no two threads
-  /// write to the same place.
+  /// Each output point belongs to one leaf, so that threads do not write to the same place.
   void DescribeLeaves(Reduction& result) const
   {
     result.Flatness.resize(result.Source.size());
@@ -739,7 +710,7 @@ private:
   }
 
   const ElaborateOptions Options;
-  const int Deepest; // the level of the smallest cells
+  const int Deepest;
   CellLeaves Leaves;
   PatchCubes Cubes;
 };

@@ -1,32 +1,29 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fewer points where a horizon is flat and far from its boundary (thesis 4.3.2, Alg. 4.2 and 4.3, eq. 4.1 to 4.5).
+// Reduces points where a horizon is flat and far from its boundary (thesis 4.3.2, Alg. 4.2 and 4.3, eq. 4.1 to 4.5).
 //
-// The points of each patch are sorted into cubes. Cubes are cut into octants, and these again where need be; both are
-// called cells. For the points in each cell that is not cut any further, a leaf, their barycentre stands, or the input
-// point nearest to that. Cubes with boundary points, the first ring, are cut by how densely these lie. Each further
-// ring is the cubes that touch the one before. It is cut by curvature, and at least to the size that is nearest to the
-// mean of its neighbours in the ring before, so that sizes change gradually from the boundary to the inside.
+// Points of each patch are sorted into cubes, which are cut into octants; both are called cells. The barycentre, or the
+// input point nearest to it, represents the points of each leaf. Cubes with boundary points, the first ring, are cut by
+// the density of these points. Each further ring, the cubes that touch the previous one, is cut by curvature, and at
+// least to the mean size of its neighbours in the previous ring, so that sizes change gradually.
 //
-// How eq. 4.3 is read: size(C) = 1/m sum of size(C_j) over the m neighbouring *cells* of the ring before. Rings are
-// made of cubes, so that C_j is a cube, and counts once, however often it was cut. The size of one that was cut into
-// leaves of different sizes is their mean. The text speaks of an average *level*, the equation of sizes: we go by the
-// equation. (The mean of levels is the geometric mean of sizes, which is smaller: with it cells shrink more from ring
-// to ring.)
+// Interpretation of eq. 4.3, size(C) = 1/m sum of size(C_j) over m neighbouring cells of the previous ring: C_j is a
+// cube, which counts once; its size is the mean of its leaves. The text averages levels, the equation sizes; the
+// equation is used. (The mean of levels is a geometric mean of sizes, which shrinks cells faster.)
 //
-// Beyond the thesis:
-//  - A cell is not halved to a side below the smallest cell size, at least one column; one that would have to be stays
-//    as it is. (4.3.2.4.1 has a threshold of size for inner cells alone; but a cell with one boundary point never meets
-//    the criterion, so that the pseudo-code does not end.)
-//  - Points that all lie in one place, on a line or on a plane have no curvature, whatever the threshold.
-//  - Where a cube of the first ring is cut, octants without boundary points have no ring before them: curvature alone
-//    decides.
-//  - At a cliff higher than a cube, the cubes beyond it touch none of the ring before. Once no other cubes are left,
-//    they are taken as the next ring, and those beside them in plan count as touching them. Cubes that nothing leads to
-//    come last, and are cut by curvature alone.
-//  - Where a cell is cut, the points on each side of the cuts are in cubes of their own (CellLeaves.cxx).
-//  - Leaves can lie above each other. No two points are made in one place in plan all the same (LeafWriter.cxx).
+// Differences from the thesis:
+//  - No cell is halved below the smallest cell size, at least one column. (4.3.2.4.1 limits inner cells alone, but a
+//    cell with one boundary point never meets the criterion, so that the pseudo-code does not end.)
+//  - Points in one place, on a line or on a plane have no curvature, whatever the threshold.
+//  - Octants without boundary points in the first ring have no previous ring, and are cut by curvature alone.
+//  - Cubes beyond a cliff higher than a cube touch no ring. Once no other cubes remain, those next to a ring in plan
+//    follow, then isolated cubes, which are cut by curvature alone.
+//  - Points on different sides of cuts are in different cubes (CellLeaves.cxx).
+//  - Leaves can lie above each other, but no two new points share a place in plan (LeafWriter.cxx).
+//
+// Time is linear in the points times the number of halvings, but boundary points are compared in pairs if the extent
+// threshold is about the cell size. Results are bitwise identical for any number of threads.
 
 #ifndef SeismicHorizonsElaborateSimplification_h
 #define SeismicHorizonsElaborateSimplification_h
@@ -38,7 +35,7 @@
 
 namespace SeismicHorizons
 {
-/// What counts once in the mean size of the neighbours: each cube (eq. 4.3), or each of the leaves it was cut into.
+/// The mean size of neighbours counts each cube once (eq. 4.3), or each leaf.
 enum class NeighbourMeanKind
 {
   OverCubes = 0,
@@ -53,30 +50,26 @@ struct ElaborateOptions : CellOptions
   {
   }
 
-  /// A cell is flat when the least eigenvalue of the covariance of its points is at most this part of the sum of the
-  /// three (eq. 4.5). From 0, only a plane is flat, to 1/3, everything is.
+  /// The least eigenvalue of the covariance, as a fraction of the sum of all three (eq. 4.5), is compared with this: 0
+  /// for a plane, 1/3 for any points.
   double FlatnessThreshold;
-  /// A cell with boundary points is not cut when it has more of them than this per lattice unit of its side, and two of
-  /// them are farther apart than the extent (eq. 4.1, 4.2), in lattice units. Both at least 0.
+  /// A cell stays whole if it has more boundary points per lattice unit of its size, and two of them are farther apart
+  /// than the extent (eq. 4.1, 4.2), in lattice units.
   double BoundaryDensityThreshold = 0.25;
   double BoundaryExtentThreshold = 2.0;
-  /// When the side of a leaf with boundary points is larger than this, in lattice units, one point represents its other
-  /// points; else they go. At least 0.
+  /// One point represents the inner points of leaves with boundary points above this size, in lattice units; they are
+  /// dropped in smaller leaves.
   double BoundaryCellSizeThreshold = 2.0;
-  /// No cell is halved to a side below this, in lattice units. At least 1; where it is more than half of the cell size
-  /// no cell is halved at all.
+  /// In lattice units, at least 1. Above half of the cell size, no cell is halved.
   double SmallestCellSize = 1.0;
   NeighbourMeanKind NeighbourMean = NeighbourMeanKind::OverCubes;
-  /// How many times as large as its neighbours in the ring before, in the mean, a cell may be, rounded to the nearest
-  /// level. At least 1, which is eq. 4.3.
+  /// A cell may exceed the mean size of its neighbours in the previous ring by this factor, rounded to a level; 1 is
+  /// eq. 4.3.
   double GrowthPerRing = 1.0;
 };
 
-/// Throws InputError on options out of range. Boundary points come first, in their order, then the points that stand
-/// for leaves: row by row in plan, in each cell of the grid by patch, and from the bottom up. Linear in the points and
-/// the boundary, times the number of halvings of a cell, and in the cells of the bounding box where many have points;
-/// where the extent threshold is about as large as the cell, boundary points in it are compared in pairs. Cubes of one
-/// ring run in parallel; results are the same to the bit on every machine, for any number of threads.
+/// Throws InputError for options out of range. Boundary points come first, then representatives of leaves by cell,
+/// patch and height.
 Reduction SimplifyElaborate(
   const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor = Monitor());
 }

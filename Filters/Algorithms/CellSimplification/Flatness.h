@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much a set of points deviates from a plane: principal component analysis (thesis 4.3.2.4.1, eq. 4.4 and 4.5).
-// The measure is known as surface variation (Pauly, Gross, Kobbelt 2002).
+// Deviation of points from a plane by principal component analysis (thesis 4.3.2.4.1, eq. 4.4 and 4.5), also known as
+// surface variation (Pauly, Gross, Kobbelt 2002).
 
 #ifndef SeismicHorizonsFlatness_h
 #define SeismicHorizonsFlatness_h
@@ -17,11 +17,10 @@
 
 namespace SeismicHorizons
 {
-/// Sums up weighted points.
 class Covariance
 {
 public:
-  /// Sums are taken relative to `origin`: one of the points, so that little is lost to rounding.
+  /// `origin` should be one of the points, since sums relative to it lose little to rounding.
   explicit Covariance(const SpacePoint& origin)
     : Origin(origin)
   {
@@ -44,7 +43,6 @@ public:
     this->ZZ += weight * z * z;
   }
 
-  /// The covariance matrix (eq. 4.4) of the points, at least one.
   Eigen::Matrix3d Matrix() const
   {
     const Eigen::Vector3d mean = Eigen::Vector3d(this->X, this->Y, this->Z) / this->Weight;
@@ -55,7 +53,6 @@ public:
 
 private:
   SpacePoint Origin;
-  // Sums of weights, of weighted places and of their weighted products.
   double Weight = 0.0;
   double X = 0.0;
   double Y = 0.0;
@@ -68,22 +65,20 @@ private:
   double ZZ = 0.0;
 };
 
-/// The least eigenvalue of a covariance matrix, divided by the sum of the three (eq. 4.5): 0 on a plane, 1/3 at most.
-/// 0 for a matrix without extent.
+/// Returns the least eigenvalue divided by the sum of all three (eq. 4.5): 0 for a plane, at most 1/3.
 inline double LeastPart(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver, double sum)
 {
-  return sum > 0.0 ? std::max(0.0, solver.eigenvalues()[0] / sum) : 0.0; // rounding can make it negative
+  return sum > 0.0 ? std::max(0.0, solver.eigenvalues()[0] / sum) : 0.0; // Rounding can make the quotient negative.
 }
 
-/// That of a matrix.
 inline double Flatness(const Eigen::Matrix3d& covariance)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
   return LeastPart(solver, covariance.trace());
 }
 
-/// The same by a closed formula, which is several times faster, and wrong by 1e-6 at most: by the root of rounding,
-/// some 1e-8, where two eigenvalues are nearly equal.
+/// The closed formula is several times faster. Its error is below 1e-6, and about 1e-8 (the root of rounding) if two
+/// eigenvalues are nearly equal.
 inline double QuickFlatness(const Eigen::Matrix3d& covariance)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
@@ -91,10 +86,10 @@ inline double QuickFlatness(const Eigen::Matrix3d& covariance)
   return LeastPart(solver, covariance.trace());
 }
 
-/// Whether Flatness(covariance) <= threshold, up to rounding: a plane is flat with a threshold of 0.
+/// Tests Flatness(covariance) <= threshold with tolerance for rounding, so that a plane is flat for a threshold of 0.
 inline bool IsFlatWithin(const Eigen::Matrix3d& covariance, double threshold)
 {
-  // The sums and the iterative solver are rounded to some 1e-15 of the sum of the eigenvalues; this is well above.
+  // Rounding of the sums and of the iterative solver is about 1e-15 of the sum of eigenvalues.
   constexpr double rounding = 1e-12;
   constexpr double roundingOfClosedFormula = 1e-6;
   if (threshold >= 1.0 / 3.0)
@@ -106,7 +101,6 @@ inline bool IsFlatWithin(const Eigen::Matrix3d& covariance, double threshold)
   {
     return quick < threshold;
   }
-  // Only near the threshold the iterative solver has to decide.
   return Flatness(covariance) <= threshold + rounding;
 }
 }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: number the boundary points; count the new points of each cell, and add the counts up; let every cell write its
-// points to the places that it knows by then. So no thread waits for another, and the order is that of the cells.
+// Boundary points are numbered, the new points of each cell are counted, and all cells write their points in parallel
+// to known positions.
 //
-// The representative of the inner points of a leaf is their barycentre when that is wanted, lies strictly inside the
-// boundary and is alone in its place. Else it is the inner point that is nearest to the barycentre in plan: inner
-// points of a horizon lie strictly inside its boundary, and no two of them share a place.
+// The barycentre represents the inner points of a leaf if it is requested, lies strictly inside the boundary, and
+// shares its place with no other. Otherwise the inner point nearest to it in plan does, which is always strictly inside
+// and alone in its place.
 
 #include "LeafWriter.h"
 
@@ -29,26 +29,23 @@ namespace SeismicHorizons
 namespace
 {
 //----------------------------------------------------------------------------------------------------------------------
-// The nearest of some points in plan: by a tree of boxes, each halved across its longer side.
+// Boxes of the tree are halved across their longer side.
 
 class NearestPoint
 {
 public:
-  /// Brings `points`, at least one, into the order of the tree. Takes about n log n steps. Keeps references; `plane`
-  /// holds the place of each point by its number.
   NearestPoint(const SubVoxelPlaces& plane, std::vector<PointId>& points);
 
-  /// The point nearest to a place; of several that of least number. Takes about log n steps, except where very many are
-  /// about equally near.
+  /// The least number wins among equally near points. Time is logarithmic, unless very many points are about equally
+  /// near.
   PointId Find(const PlanePoint& place) const;
 
 private:
-  /// Points that follow each other, and their box: node n is halved into 2 n + 1 and 2 n + 2.
   struct Range
   {
     std::size_t Node;
     std::size_t First;
-    std::size_t Last; // one beyond
+    std::size_t Last;
 
     bool IsLeaf() const { return this->Last - this->First <= Few; }
     std::size_t Middle() const { return this->First + (this->Last - this->First) / 2; }
@@ -66,11 +63,11 @@ private:
   void Search(const Range& range, const PlanePoint& place, Best& best) const;
   std::int64_t SquaredDistanceToBox(const Range& range, const PlanePoint& place) const;
 
-  static constexpr std::size_t Few = 8; // points that are not divided
+  static constexpr std::size_t Few = 8;
 
   const SubVoxelPlaces Plane;
   std::vector<PointId>& Points;
-  std::vector<PlaneBox> Boxes; // by node; none when there are few points
+  std::vector<PlaneBox> Boxes;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -137,7 +134,7 @@ void NearestPoint::Search(const Range& range, const PlanePoint& place, Best& bes
     std::swap(nearer, farther);
     std::swap(near, far);
   }
-  // Not less: a point as near as the best may have a lesser number.
+  // Equality is included, as an equally near point may have a lower number.
   if (near <= best.SquaredDistance)
   {
     this->Search(nearer, place, best);
@@ -159,20 +156,17 @@ std::int64_t NearestPoint::SquaredDistanceToBox(const Range& range, const PlaneP
 //----------------------------------------------------------------------------------------------------------------------
 // Writing
 
-/// The point that represents the inner points of a leaf.
 struct CellRepresentative
 {
-  // The leaf.
   const PointId* First = nullptr;
   const PointId* Last = nullptr;
-  // Its place: sub-voxels in plan, lattice units upwards.
   PlanePoint Plane;
   double Height = 0.0;
-  PointId Nearest = NoPoint; // the inner point nearest to the barycentre; of several the first one
-  bool Averaged = false; // whether it is the barycentre, or Nearest
+  PointId Nearest = NoPoint;
+  bool Averaged = false;
 };
 
-/// The nearest integer; halves go up.
+/// Halves are rounded up.
 std::int32_t RoundedQuotient(std::int64_t sum, std::int64_t count)
 {
   const std::int64_t numerator = 2 * sum + count;
@@ -180,9 +174,8 @@ std::int32_t RoundedQuotient(std::int64_t sum, std::int64_t count)
   return std::int32_t(numerator % (2 * count) < 0 ? quotient - 1 : quotient);
 }
 
-/// Whether the segment between two places that are not on the edge a-b crosses it. An end of the edge that lies on the
-/// segment counts as lying to its left. So a loop that the segment only touches in a point is crossed there twice or
-/// not at all, and one that it passes through in a point is crossed once.
+/// The segment must not end on the edge. An end of the edge on the segment counts as left of it, so that a loop that
+/// touches the segment is crossed twice or never, and a loop that passes through it once.
 bool Crosses(const PlanePoint& a, const PlanePoint& b, const PlanePoint& from, const PlanePoint& to)
 {
   return (SignedArea(from, to, a) >= 0) != (SignedArea(from, to, b) >= 0) &&
@@ -202,10 +195,9 @@ public:
   Reduction Run(const Monitor& monitor);
 
 private:
-  /// What a thread needs to work on a cell.
   struct Scratch
   {
-    std::vector<PointId> Kept; // the boundary points of a leaf
+    std::vector<PointId> Kept;
     std::vector<CellRepresentative> Found;
     std::vector<PlanePoint> Places;
   };
@@ -226,12 +218,11 @@ private:
 
   const CellLeaves& Leaves;
   const RepresentativeKind Representative;
-  const EdgeLists Edges; // the boundary edges that cross each cell
+  const EdgeLists Edges;
   Reduction Result;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Calls add(cell, edge) for the boundary edges that touch a cell.
 template <typename Add>
 void LeafWriter::ForEachCrossing(Add& add) const
 {
@@ -279,7 +270,7 @@ void LeafWriter::NumberBoundaryPoints()
 {
   const std::vector<unsigned char>& flags = this->Leaves.BoundaryFlags();
   this->Result.Target = LargeVector(flags.size(), NoPoint);
-  // Few points are on the boundary: memchr finds them many times faster than a loop over all flags.
+  // Few points are on the boundary, and memchr finds them many times faster than a loop over all flags.
   const unsigned char* const begin = flags.data();
   const unsigned char* const end = begin + flags.size();
   const auto find = [end](const unsigned char* from)
@@ -293,7 +284,6 @@ void LeafWriter::NumberBoundaryPoints()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// For each cell the number of its first new point, and at the end the number of all points.
 std::vector<std::uint32_t> LeafWriter::CountNewPoints(const Monitor& monitor) const
 {
   std::vector<std::uint32_t> next(this->Leaves.NumberOfCells() + 1, 0);
@@ -444,9 +434,8 @@ CellRepresentative LeafWriter::FindBarycentre(const PointId* first, const PointI
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Whether a place in the hull of points of one cell and patch is strictly inside the boundary, as the point `inner`
-/// among them is: the segment between the two must cross the boundary of the patch an even number of times, and with
-/// cuts not at all, as it may cross both cutoffs of a crack.
+/// `place` must be in the convex hull of a cell and patch. The segment from `inner` must cross the boundary of the
+/// patch an even number of times; with cuts never, as it may cross both cutoffs of a crack.
 bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId inner) const
 {
   const PlanePoint from = this->Leaves.Plane(inner);
@@ -474,8 +463,8 @@ bool LeafWriter::IsInside(std::int64_t cell, const PlanePoint& place, PointId in
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Leaves above each other can have their barycentres in one place. Then all of them use their nearest points. These
-/// may in turn be in the place of another barycentre, so that the search goes on until nothing changes.
+/// Barycentres of stacked leaves that share a place are replaced by nearest points. These may coincide with other
+/// barycentres, hence the iteration.
 void LeafWriter::SeparatePlaces(std::vector<CellRepresentative>& representatives, std::vector<PlanePoint>& places) const
 {
   bool changed = representatives.size() > 1;
@@ -508,7 +497,7 @@ void LeafWriter::UseNearest(CellRepresentative& representative) const
   representative.Height = this->Leaves.Height(representative.Nearest);
 }
 
-/// The cell of a leaf, at height 0: the cell of the grid, halved as often as the leaf says, towards its first point.
+/// The cell of the grid is halved towards the first point of the leaf, and has height 0.
 SimplificationCell DescribeCell(
   const CellLeaves& leaves, const Reduction& result, const PointId* first, const PointId* last)
 {

@@ -16,12 +16,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double AllFlat = 1.0 / 3.0; // no flatness is larger
-constexpr double Enough = 0.97; // of the number
-constexpr int MostHalvings = 12; // of the range of flatness thresholds
-constexpr double PartOfRest = 0.15; // that a run is of what is still to be done, as far as that can be known
+constexpr double AllFlat = 1.0 / 3.0;
+constexpr double Enough = 0.97; // A result with at least this fraction of the requested points is accepted.
+constexpr int MostHalvings = 12;
+// This fraction of the remaining progress is assigned to each run, as the number of runs is unknown.
+constexpr double PartOfRest = 0.15;
 
-/// Beyond a size that a cell has the whole horizon in it, nothing changes.
+/// The result does not change once a cell contains the whole horizon.
 int LargestCell(const BoundedHorizon& horizon)
 {
   constexpr std::int64_t Largest = 1 << 28;
@@ -38,12 +39,10 @@ int LargestCell(const BoundedHorizon& horizon)
   return int(std::min({ Largest, std::max(inPlan, std::int64_t(std::min(height, double(Largest)))) + 1, Largest }));
 }
 
-/// Runs a simplification again and again; of those that left few enough, the one that left most is kept.
 template <typename Options, typename Simplify>
 class TargetSearch
 {
 public:
-  /// simplify(options, monitor) runs it.
   TargetSearch(std::size_t most, Options& options, const Monitor& monitor, Simplify simplify)
     : Most(most)
     , Given(options)
@@ -52,7 +51,6 @@ public:
   {
   }
 
-  /// Whether options leave few enough points.
   bool Try(const Options& options)
   {
     const double next = this->Part + PartOfRest * (1.0 - this->Part);
@@ -86,12 +84,12 @@ private:
   Options& Given;
   const Monitor& Watch;
   Simplify Run;
-  double Part = 0.0; // of the work, which is done
-  std::size_t Left = 0; // by the last try
+  double Part = 0.0;
+  std::size_t Left = 0;
   Reduction Found;
 };
 
-/// By halving, the smallest cell size that leaves few enough, as that of `tried` does; `tooSmall` leaves too many.
+/// Bisects for the smallest cell size with few enough points; `tooSmall` has too many.
 template <typename Search, typename Options>
 int FindSmallest(Search& search, Options tried, int tooSmall)
 {
@@ -133,7 +131,7 @@ Reduction SimplifyElaborateTo(
   TargetSearch search(most, options, monitor,
     [&](const ElaborateOptions& tried, const Monitor& step) { return SimplifyElaborate(horizon, tried, step); });
   ElaborateOptions tried = options;
-  // With the coarsest threshold, the smallest cells that leave few enough, unless those given do.
+  // With the largest threshold, the given cell size, or else the smallest one with few enough points, is used.
   tried.FlatnessThreshold = AllFlat;
   int tooSmall = tried.CellSize;
   if (!search.Try(tried))
@@ -149,18 +147,18 @@ Reduction SimplifyElaborateTo(
     } while (!search.Try(tried));
     tried.CellSize = FindSmallest(search, tried, tooSmall);
   }
-  // With the finest one, the same.
+  // With a threshold of 0 and too few points, cells can be smaller.
   tried.FlatnessThreshold = 0.0;
   if (search.Try(tried) && !search.IsNear())
   {
     tried.CellSize = FindSmallest(search, tried, 0);
-    --tried.CellSize; // which leaves too many with that threshold
+    --tried.CellSize; // This size has too many points for a threshold of 0.
   }
   if (tried.CellSize < 1)
   {
     return search.Take();
   }
-  double tooMany = 0.0; // a threshold that leaves too many, or the least one there is
+  double tooMany = 0.0;
   double enough = AllFlat;
   for (int n = 0; n < MostHalvings && !search.IsNear(); ++n)
   {

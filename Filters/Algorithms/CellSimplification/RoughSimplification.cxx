@@ -22,7 +22,7 @@ Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& option
   Reduction result = WriteLeaves(leaves, options.Representative, monitor.Step(0.6, 1.0));
   if (options.ListCells)
   {
-    // Squares have no bottom: they are shown at the mean height of their points.
+    // Squares have no bottom and are shown at the mean height of their points.
     ListCells(leaves, result,
       [&horizon](const PointId* first, const PointId* last, int)
       {
