@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: what a mesh is as a result; and from the mesh of the loops alone to an error or to a number of points.
+// In this order: the result of a mesh; refinement to an error or to a number of points.
 
 #include "Decimation.h"
 
@@ -33,11 +33,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-// How many points a thread looks at at a time.
 constexpr std::int64_t PointGrain = 1 << 14;
 
 // ---- The result ----------------------------------------------------------------------------------------------------
-/// Of a mesh whose vertices are sorted.
+/// Vertices must be sorted by point.
 class Collector
 {
 public:
@@ -89,7 +88,6 @@ private:
     }
   }
 
-  /// Measures every triangle, and gives each dropped point to a vertex.
   void AssignPoints(const Monitor& monitor)
   {
     this->Result.Errors.assign(std::size_t(this->Mesh.Size()), 0.0);
@@ -106,7 +104,7 @@ private:
     this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
   }
 
-  /// The sum of the errors of the columns that count for it.
+  /// Returns the sum of errors of the columns that the triangle owns.
   double AssignPointsOf(TriangleId triangle)
   {
     double sum = 0.0;
@@ -142,10 +140,9 @@ private:
       });
   }
 
-  /// Each side once.
   void MeasureSides(const Monitor& monitor)
   {
-    std::vector<std::array<double, 2>> errors(std::size_t(this->Mesh.Size()), { 0.0, 0.0 }); // of inner sides, of loops
+    std::vector<std::array<double, 2>> errors(std::size_t(this->Mesh.Size()), { 0.0, 0.0 });
     this->Surface.ForEachTriangle(monitor,
       [&](TriangleId triangle)
       {
@@ -173,8 +170,7 @@ private:
 };
 
 // ---- From the loops to the mesh ------------------------------------------------------------------------------------
-// With the best effort, so many times the inner vertices that may be left are inserted, and then removed again. Twice
-// as many more make the mean error 1 to 2 % smaller.
+// Twice as many would lower the mean error by only 1 to 2 %.
 constexpr double Surplus = 4.0;
 
 void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
@@ -188,13 +184,12 @@ void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Mo
   }
 }
 
-/// Whether sides are flipped with the effort Fast, as heights are fitted for a number of points.
+/// Fitting heights for a number of points flips edges even with the effort Fast.
 bool IsFlipped(const DecimationOptions& options)
 {
   return options.FitHeights && options.MaximumNumberOfPoints > 0;
 }
 
-/// Inserts more points than may be left, and removes as many.
 void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
   const std::size_t inside = options.MaximumNumberOfPoints - mesh.NumberOfVertices();
@@ -240,7 +235,6 @@ void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
   }
 }
 
-/// Calls finish(mesh, monitor) with the mesh that it comes to.
 template <typename Finish>
 void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Finish&& finish)
 {
@@ -250,7 +244,7 @@ void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor
   Refine(mesh, options, monitor.Step(0.1, 0.9));
   if (most > 0 && most < mesh.NumberOfVertices())
   {
-    // No vertex can go to a neighbour any more, as none of these sees all of what is around it. That is rare.
+    // Rarely, no vertex can be collapsed, as no neighbour sees all of its ring.
     DecimationOptions fast = options;
     fast.Effort = DecimationEffort::Fast;
     Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), finish);

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The columns of triangles, four neighbours of a row at a time, as floats or doubles.
+// Visits the columns of a triangle, four of a row at a time.
 //
-// The weights of the corners are twice the areas of the triangles with the opposite sides: whole numbers, which change
-// by the same amount from column to column.
+// Weights of corners are twice the areas opposite to them: integers that change by constants from column to column.
 
 #ifndef SeismicHorizonsFourColumns_h
 #define SeismicHorizonsFourColumns_h
@@ -21,12 +20,10 @@
 
 namespace SeismicHorizons
 {
-/// Four neighbouring columns of a row.
 template <typename Real>
 using FourColumns = Eigen::Array<Real, 4, 1>;
 
-/// The larger of each number and 0, which is 0 where the number is nan. Eigen's maximum is that of the processor unless
-/// it is told to prefer numbers: with NEON it would be nan, and with SSE depend on the order.
+/// Returns 0 for NaN. Eigen's default maximum would be NaN with NEON, and depend on the order with SSE.
 template <typename Four>
 auto AtLeastZero(const Four& four)
 {
@@ -34,13 +31,13 @@ auto AtLeastZero(const Four& four)
   return Four::Zero().binaryExpr(four, Eigen::internal::scalar_max_op<Real, Real, Eigen::PropagateNumbers>());
 }
 
-/// Which columns in a triangle and on its sides count for it: those inside always do.
+/// Inner columns always count.
 struct SideColumns
 {
   bool AreAll() const { return this->WithCorners && this->Opposite[0] && this->Opposite[1] && this->Opposite[2]; }
 
   bool WithCorners = true;
-  std::array<bool, 3> Opposite = { true, true, true }; // to each corner
+  std::array<bool, 3> Opposite = { true, true, true };
 };
 
 struct CornerWeights
@@ -55,7 +52,6 @@ struct CornerWeights
 
   double OfB(const PlanePoint& place) const { return double(SignedArea(this->C, this->A, place)); }
   double OfC(const PlanePoint& place) const { return double(SignedArea(this->A, this->B, place)); }
-  /// From column to column of a row, and from row to row.
   double StepOfB() const { return double(this->C.Y) - this->A.Y; }
   double StepOfC() const { return double(this->A.Y) - this->B.Y; }
   double RowStepOfB() const { return double(this->A.X) - this->C.X; }
@@ -67,7 +63,7 @@ struct CornerWeights
   double Area;
 };
 
-/// The plane of a triangle over these, heights less a middle one.
+/// The height is Start + PerB * b + PerC * c for weights b and c, relative to the middle height.
 struct WeightPlane
 {
   WeightPlane(const RaisedTriangle& triangle, double area, double middle)
@@ -83,7 +79,6 @@ struct WeightPlane
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-// All columns of the bounding box; those outside have a negative weight.
 template <typename Real, typename PlaceOf, typename Visitor>
 void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, double middle, const SideColumns& sides,
   const PlaceOf& placeOf, Visitor&& visit)
@@ -96,7 +91,7 @@ void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, doubl
   const Real perB = Real(plane.PerB);
   const Real perC = Real(plane.PerC);
   const Real area = Real(weights.Area);
-  // What the weights are above of columns that count, and what below: they are whole numbers.
+  // Weights are integers, so a column counts or is short of these by at least 1.
   const Real aboveA = sides.Opposite[0] ? 0 : 1;
   const Real aboveB = sides.Opposite[1] ? 0 : 1;
   const Real aboveC = sides.Opposite[2] ? 0 : 1;
@@ -167,7 +162,7 @@ void ForEachFourOfRows(
       visitFour(n, (Real(size - n) - columns).max(Real(0)).min(Real(1)));
     }
   };
-  // Only the ends of a row can be on sides, or all of it.
+  // Only the ends of a row, or all of it, can lie on edges.
   const bool areAll = sides.AreAll();
   const auto counts = [&](const PlanePoint& column)
   {
@@ -194,15 +189,13 @@ void ForEachFourOfRows(
     });
 }
 
-/// Calls visit(place, heights, b, c, isIn) for the columns of a triangle that count, four of a row at a time, until
-/// that gives false: the place of the first one, as placeOf(x, y) has it at the first column of a row; the heights of
-/// the triangle less a middle one; the weights of the second and third corner; and 1 for columns that count, else 0.
+/// Calls visit(place, heights, b, c, isIn) until it returns false: placeOf(x, y) of the first column; heights less
+/// `middle`; weights of the second and third corner; and 1 for columns that count, else 0.
 template <typename Real, typename PlaceOf, typename Visitor>
 void ForEachFourOf(
   const RaisedTriangle& triangle, double middle, const SideColumns& sides, const PlaceOf& placeOf, Visitor&& visit)
 {
-  // Most rows of such triangles are so short that finding their ends would take longer; and of as many rows, floats
-  // have the whole numbers of all weights.
+  // Narrow triangles are faster without the ends of rows; fewer rows keep weights exact in floats.
   constexpr std::int64_t MostColumnsOfBox = 8;
   constexpr std::int64_t MostRowsOfBox = 1 << 19;
   PlaneBox box;

@@ -20,7 +20,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The power of each step.
 std::vector<double> Powers(FitAim aim)
 {
   switch (aim)
@@ -34,13 +33,12 @@ std::vector<double> Powers(FitAim aim)
   }
 }
 
-// What an error of a side counts, beside one of a column, for a small mean error: that is of columns alone.
+// Edges weigh less where the mean error is minimized, which counts columns alone.
 constexpr double PartOfSides = 0.1;
 
-// The least error that a point is weighed by, in parts of how far heights may move: none is without weight.
+// Relative to the reach, smaller errors weigh alike: no weight is 0.
 constexpr double LeastError = 1e-2;
 
-/// The corners of triangles among the vertices that can move.
 class MovableCorners
 {
 public:
@@ -64,7 +62,6 @@ public:
       });
   }
 
-  /// The number of each corner among the vertices, or None.
   const std::array<int, 3>& operator[](TriangleId triangle) const { return this->Corners[triangle]; }
 
 private:
@@ -72,8 +69,7 @@ private:
 };
 
 // ---- Equations -----------------------------------------------------------------------------------------------------
-/// The part of one triangle: what its corners weigh, alone and together with the corner at the other end of a side, and
-/// with the errors of its points.
+/// A triangle adds terms to the diagonal, to its edges and to the right-hand sides.
 struct Element
 {
   std::array<double, 3> Corners = {};
@@ -81,7 +77,6 @@ struct Element
   std::array<double, 3> Right = {};
 };
 
-/// Symmetric equations with an unknown for each vertex that can move, and an entry for each side between two of them.
 class MeshEquations
 {
 public:
@@ -96,7 +91,7 @@ public:
   {
   }
 
-  /// Of all triangles, and of each vertex by the error at its column, which counts for no triangle.
+  /// Errors at the vertices' own columns count for no triangle and are added here.
   template <typename Weight>
   void Set(const std::vector<Element>& elements, const std::vector<double>& errors, const Weight& weight)
   {
@@ -131,7 +126,7 @@ public:
       });
   }
 
-  /// By conjugate gradients (Hestenes and Stiefel 1952), each unknown divided by its entry of the diagonal.
+  /// Conjugate gradients (Hestenes and Stiefel 1952) are preconditioned by the diagonal.
   std::vector<double> Solve()
   {
     std::vector<double> solution(this->Right.size(), 0.0);
@@ -139,7 +134,7 @@ public:
     std::vector<double> image(this->Right.size());
     const double enough =
       Precision * Precision * this->ForEachRow([&](std::int64_t row) { return this->Squared(row); });
-    double product = 1.0; // any, as there is no direction yet
+    double product = 1.0; // arbitrary, as there is no direction yet
     double rest = enough;
     for (int iteration = 0; iteration < MostIterations && rest >= enough && enough > 0.0; ++iteration)
     {
@@ -171,15 +166,15 @@ public:
   }
 
 private:
-  // Solutions need not be exact, as each step goes a part of the way.
+  // Solutions need not be exact, as each step is damped.
   static constexpr double Precision = 1e-3;
   static constexpr int MostIterations = 100;
 
-  // Sums are those of blocks of rows, added up in their order: the same for any number of threads.
+  // Sums of blocks are added in order, whatever the number of threads.
   static constexpr std::size_t RowsOfBlock = 512;
-  static constexpr std::int64_t BlockGrain = 4; // that a thread looks at at a time
+  static constexpr std::int64_t BlockGrain = 4;
 
-  /// Of a row, at another unknown: the sides of two triangles.
+  /// Two triangles share the edge of an entry.
   struct Entry
   {
     int Other;
@@ -209,7 +204,6 @@ private:
     }
   }
 
-  /// The sum of what call(row) gives.
   template <typename Call>
   double ForEachRow(Call&& call)
   {
@@ -244,18 +238,17 @@ private:
   const PlaneMesh& Mesh;
   const MovableCorners& Corners;
   const ItemLists<Entry> Rows;
-  std::vector<double> Values; // of the entries
+  std::vector<double> Values; // by entry
   std::vector<double> Diagonal;
-  std::vector<double> Right; // what is left of it while the equations are solved
-  std::vector<double> Sums; // by block
+  std::vector<double> Right; // residual during the solution
+  std::vector<double> Sums;
 };
 
 // ---- Fit -----------------------------------------------------------------------------------------------------------
-/// A power of errors, which weighs them.
 class ErrorWeight
 {
 public:
-  /// Of errors that are divided by a unit.
+  /// Errors are divided by the unit.
   ErrorWeight(double power, double unit)
     : Power(power)
     , PerUnit(1.0 / unit)
@@ -282,7 +275,6 @@ private:
   double PerUnit;
 };
 
-/// Sums over columns, four at a time, of what the corners of a triangle weigh there.
 template <typename Real>
 class ElementSums
 {
@@ -318,13 +310,11 @@ private:
   std::array<Four, 3> Right = Corners;
 };
 
-// How many columns a thread looks up at a time.
 constexpr std::int64_t ColumnGrain = 1024;
 
 class HeightFitter
 {
 public:
-  /// Of these vertices, from these heights on.
   HeightFitter(const HeightMesh& mesh, double reach, std::size_t horizon, InnerHeights heights)
     : Surface(mesh)
     , Horizon(horizon)
@@ -357,7 +347,7 @@ public:
   }
 
 private:
-  /// Solves for how far heights have to move, and moves them a part of it.
+  /// Moves a fraction of the solution.
   void Improve(double power)
   {
     this->Surface.ForEachTriangle(
@@ -377,7 +367,6 @@ private:
     }
   }
 
-  /// Of the columns that count for a triangle, and its sides.
   Element MakeElement(TriangleId triangle, double power) const
   {
     RaisedTriangle raised = this->Surface.RaisedCorners(this->Horizon, triangle);
@@ -416,7 +405,6 @@ private:
     return sums.Sum();
   }
 
-  /// Each inner side once.
   template <typename Real>
   void AddSides(
     TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, double power, Element& element) const
@@ -451,12 +439,12 @@ private:
   InnerHeights Inner;
   const MovableCorners Corners;
   MeshEquations Equations;
-  std::vector<Element> Elements; // by triangle
-  std::vector<double> Columns; // the heights of the vertices' columns
+  std::vector<Element> Elements;
+  std::vector<double> Columns; // column heights of the vertices
 };
 
 // ---- Moves ---------------------------------------------------------------------------------------------------------
-// What part of its way a vertex moves at least, if it moves.
+// A vertex moves at least this fraction, or stays.
 constexpr double LeastPart = 0.25;
 
 class MoveLimit
@@ -475,8 +463,7 @@ public:
   {
   }
 
-  /// What one vertex moves less can put a triangle beside it off: all around those that did are measured until nothing
-  /// is off.
+  /// A vertex that moves less can push its triangles off, so they are measured again.
   void Run()
   {
     do
@@ -488,12 +475,11 @@ public:
   }
 
 private:
-  using FarSides = std::uint8_t; // a bit for each, and one for the columns of the triangle
+  using FarSides = std::uint8_t; // a bit per edge, and one for the columns
 
   static constexpr int ColumnsBit = 3;
 
-  /// What is too far of a triangle with a corner that has just moved; of inner sides those of the first of two
-  /// triangles.
+  /// Only triangles with a corner that has just moved are measured.
   FarSides FindFar(TriangleId triangle) const
   {
     const auto isMoved = [&](int corner)
@@ -521,7 +507,7 @@ private:
     return far;
   }
 
-  /// The corners of triangles that are too far, and the ends of sides; false when none of them can go back.
+  /// Returns false if no corner and no end can go back.
   bool MoveBack()
   {
     std::fill(this->IsMoved.begin(), this->IsMoved.end(), 0);
@@ -571,13 +557,13 @@ private:
 
   HeightMesh& Mesh;
   const double Error;
-  const std::vector<InnerHeights> Before; // by horizon, of the same vertices as those below
+  const std::vector<InnerHeights> Before; // by horizon, of the same vertices as Heights
   const std::vector<InnerHeights>& After;
   std::vector<InnerHeights> Heights;
   const MovableCorners Corners;
-  std::vector<double> Parts; // by vertex
-  std::vector<unsigned char> IsMoved; // by vertex, just now
-  std::vector<FarSides> IsFar; // by triangle
+  std::vector<double> Parts;
+  std::vector<unsigned char> IsMoved; // in this pass
+  std::vector<FarSides> IsFar;
 };
 }
 
@@ -589,7 +575,6 @@ InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const 
 
 namespace
 {
-/// Those vertices whose heights a rule has left as they were fitted, by horizon.
 std::vector<InnerHeights> FindUnruled(const std::vector<InnerHeights>& fitted, const std::vector<InnerHeights>& ruled)
 {
   std::vector<InnerHeights> free(fitted.size());
@@ -622,7 +607,7 @@ void Write(const InnerHeights& some, InnerHeights& all)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// What a rule has moved no longer fits what was fitted around it: that is fitted once more.
+// Heights around a height that the rule has moved are fitted again.
 std::vector<InnerHeights> FitAllHeights(
   HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor)
 {

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Heights of the vertices of a mesh for which it is nearer to the horizon than with those of their columns.
+// Fits heights of vertices to columns, and to grid lines that inner edges cross.
 //
-// Errors are those at columns, each of which counts once, and where inner sides of the mesh cross lines between
-// columns.
-//
-// The sum of the squares of all errors is made least; or, for a small mean error, then also that of their p-th powers
-// small, p being 1.5 and then 1: squares alone are made less by many small errors, where heights are whole numbers that
-// a mesh could have. For a small largest error p is 4, twice. Each step is one of least squares, in which a point
-// weighs as much as the (p - 2)-th power of its error so far (iteratively reweighted least squares; Lawson 1961), and
-// goes a (p - 1)-th part of the way where p is above 2.
+// Squares of errors are minimized; for a small mean error, powers 1.5 and 1 follow, because squares prefer many small
+// errors to integer heights that a mesh could meet. For a small largest error, the power is 4, twice. A step of power p
+// weighs points by errors to the power p - 2 (iteratively reweighted least squares; Lawson 1961), and is divided by p -
+// 1 if p > 2.
 
 #ifndef SeismicHorizonsHeightFit_h
 #define SeismicHorizonsHeightFit_h
@@ -24,27 +20,25 @@
 
 namespace SeismicHorizons
 {
-/// Which error of a mesh becomes small.
 enum class FitAim
 {
   LargestError,
-  Squares, // their sum
+  Squares,
   Mean
 };
 
-/// The heights of the vertices of the mesh that are on no loop: none is farther than `reach` from that of its column.
+/// Vertices on loops stay; heights stay within `reach` of their columns.
 InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor);
 
-/// May change heights that were fitted, those of each horizon at the same vertices.
+/// A rule may change fitted heights, which have the same vertices in each horizon.
 using HeightRule = std::function<void(std::vector<InnerHeights>&)>;
 
-/// The same of each horizon, with a rule for all of them. The mesh is what it was afterwards.
+/// The mesh is unchanged afterwards.
 std::vector<InnerHeights> FitAllHeights(
   HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor);
 
-/// Gives the mesh new heights, for which no triangle and no inner side has an error above the one given, but where all
-/// its corners have the heights they had: a vertex moves all the way, a half, a quarter, or stays, in all horizons
-/// alike.
+/// Moves vertices all the way, a half, a quarter, or not at all, in all horizons alike, so that no triangle and no
+/// inner edge with a moved corner exceeds the error.
 void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<InnerHeights>& heights);
 }
 

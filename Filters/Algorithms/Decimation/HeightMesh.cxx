@@ -21,16 +21,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Heights of a triangle are right to some units in the last place of those of its corners.
+// Interpolated heights are exact to some units in the last place of the corners' heights.
 constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
 
-// How many triangles a thread measures at a time.
 constexpr std::int64_t Grain = 64;
 
-/// Patches numbered from 0 on without gaps, by point. Points without a patch stay so.
+/// Points without a patch keep negative numbers.
 std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 {
-  // Numbers come in long runs.
+  // Equal numbers come in long runs.
   std::map<std::int32_t, std::int32_t> numbers;
   std::int32_t last = 0;
   std::int32_t* number = nullptr;
@@ -95,7 +94,6 @@ BoundedHorizon HeightMesh::TakeHorizon()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The mesh of the loops alone.
 void HeightMesh::MeshLoops(const Monitor& monitor)
 {
   BoundedHorizon outline;
@@ -143,7 +141,7 @@ void HeightMesh::AddRounding(double lowest, double highest)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// One for each patch: they can be far apart, and one can lie in a hole of another one.
+// Patches can be far apart or lie in holes of each other, so each has its own raster.
 std::vector<HeightRaster> HeightMesh::MakeRasters() const
 {
   std::vector<HeightRaster> rasters;
@@ -364,7 +362,6 @@ void HeightMesh::Measure(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The largest error of all, where that of the first horizon is known.
 HeightError HeightMesh::MeasureOthers(TriangleId triangle, double bound, HeightError error) const
 {
   for (std::size_t horizon = 1; horizon < this->NumberOfHorizons(); ++horizon)
@@ -454,7 +451,7 @@ HeightError HeightMesh::MeasureSides(TriangleId triangle, double bound, bool isE
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Each side once: of the first of its two triangles. Nothing that is not above the bound.
+// Errors up to the bound are ignored.
 HeightError HeightMesh::MeasureSides(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const
 {
   const HeightRaster& raster = this->RasterOf(horizon, triangle);
@@ -498,7 +495,7 @@ SideColumns HeightMesh::OwnedColumns(TriangleId triangle) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A column without the weight of a corner is on the side opposite to it, without those of two in the third corner.
+// A zero weight means the opposite edge, two mean the third corner.
 bool HeightMesh::Owns(TriangleId triangle, const std::array<double, 3>& weights) const
 {
   if (std::count(weights.begin(), weights.end(), 0.0) > 1)

@@ -26,7 +26,6 @@ double SumOf(const Four& four)
   return (double(four[0]) + four[1]) + (double(four[2]) + four[3]);
 }
 
-/// Which is 0, 2 or 4.
 template <int Power, typename Four>
 Four RaiseTo(const Four& four)
 {
@@ -34,17 +33,15 @@ Four RaiseTo(const Four& four)
   return Power == 2 ? square : Four(square * square);
 }
 
-// How many columns a thread fills at a time.
 constexpr std::int64_t ColumnGrain = 1 << 15;
 
-// How often a measure is looked at that may end early: every so many times four columns.
+// Measures that may end early are checked after this number of steps.
 constexpr int StepsBetweenLooks = 4;
 
-// Of the largest height, and in units in the last place, how far errors are wrong that floats have: those of the
-// corners, of their slopes, of the sums and of the column's height.
+// Relative to the height range, this bounds the rounding of corners, slopes, sums and the column.
 constexpr double UnitsOfFloats = 16.0 * std::numeric_limits<float>::epsilon();
 
-// Below such a part of a bound, that is no matter to sums.
+// Rounding below this fraction of the bound is negligible in sums.
 constexpr double PartOfFloats = 1.0 / 64;
 
 struct HeightRange
@@ -65,7 +62,7 @@ RawVector<PointId> HeightRaster::MakePlaces()
 {
   this->Width = std::int64_t(this->Box.Greatest.X) - this->Box.Least.X + 1;
   const std::int64_t rows = std::int64_t(this->Box.Greatest.Y) - this->Box.Least.Y + 1;
-  constexpr std::int64_t Beyond = 3; // read four at a time
+  constexpr std::int64_t Beyond = 3; // for reads of four columns
   RawVector<PointId> points;
   points.resize(std::size_t(this->Width * rows + Beyond));
   ParallelFor(std::int64_t(points.size()), ColumnGrain,
@@ -132,8 +129,7 @@ bool HeightRaster::IsFloatEnough(double bound) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The largest error and the sum, without a point. Ends early when the one is above the bound, or the other not below
-// the most it may be.
+// Ends early if an error exceeds the bound or the sum reaches `most`.
 template <int Power, typename Real>
 HeightError HeightRaster::MeasureAs(const RaisedTriangle& triangle, double perUnit, double bound, double most) const
 {
@@ -205,7 +201,7 @@ HeightError HeightRaster::Measure(const RaisedTriangle& triangle, const ErrorPow
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The point is looked for while what it is among is still in the caches.
+// The point is searched at once, while its columns are cached.
 HeightError HeightRaster::MeasureAbove(const RaisedTriangle& triangle, double bound) const
 {
   const bool isFloatEnough = this->IsFloatEnough(bound);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The heights of one patch by column, and how far triangles and their sides are from them.
+// Rasterizes the heights of a patch, and measures the vertical distance of triangles and edges from them.
 
 #ifndef SeismicHorizonsHeightRaster_h
 #define SeismicHorizonsHeightRaster_h
@@ -29,17 +29,14 @@
 
 namespace SeismicHorizons
 {
-/// The largest vertical distance from the points of a patch, and the point where it is, or NoPoint where that was not
-/// looked for.
 struct HeightError
 {
   double Largest = 0.0;
   PointId Point = NoPoint;
-  double Sum = 0.0; // of the powers of all distances, where asked for
+  double Sum = 0.0; // of powers, if requested
 };
 
-/// Which powers of distances are summed: each is divided by the unit first, so that high powers stay within what
-/// numbers can hold.
+/// Division by the unit keeps high powers from overflowing.
 struct ErrorPower
 {
   int Power = 0; // 2 or 4; 0 for no sum
@@ -52,25 +49,22 @@ struct ErrorPower
   }
 };
 
-/// Where a side crosses the line between two neighbouring columns that both have points.
 struct Crossing
 {
-  std::int64_t Place = 0; // of the first column
-  std::int64_t Beyond = 0; // and of the second one
-  double PartOfColumn = 0.0; // how far from the first to the second
-  double PartOfSide = 0.0; // and from the side's beginning to its end
-  double Error = 0.0; // the side's height less that of the line
+  std::int64_t Place = 0;
+  std::int64_t Beyond = 0;
+  double PartOfColumn = 0.0; // from the first to the second
+  double PartOfSide = 0.0; // from its start to its end
+  double Error = 0.0; // edge minus segment
 };
 
-/// Heights are kept as floats, less the middle one. They decide wherever their rounding leaves no doubt, and the
-/// heights themselves elsewhere: so that all bounds are exact.
+/// Heights are floats relative to the middle height. Where float rounding could change a decision, doubles are read, so
+/// that all bounds are exact.
 class HeightRaster
 {
 public:
-  /// For some points of a horizon, at least one: forEachPoint(add) calls add(point) for each of them, and is run twice.
-  /// `columns` and `heights`, which are finite, are those of all its points. Takes 8 bytes per column of the bounding
-  /// box. Throws InputError when two stand in the same column. Nothing is measured at links that are cut. The heights,
-  /// and `cuts`, null for none, must outlive it.
+  /// forEachPoint(add) calls add(point) for at least one point, and is run twice. Heights must be finite and, like
+  /// cuts, outlive the raster. Throws InputError if two points share a column.
   template <typename ForEachPoint>
   HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const double* heights, const LinkCuts* cuts = nullptr)
     : Heights(heights)
@@ -83,8 +77,7 @@ public:
     this->SetFloats(nullptr);
   }
 
-  /// Another horizon over the points of `other`, with 4 bytes per column. Columns of points that are not marked as
-  /// known, where that is given, have no height.
+  /// Shares points with `other`. Columns not marked in isKnown, if given, have no height.
   HeightRaster(const HeightRaster& other, const double* heights, const std::vector<unsigned char>* isKnown)
     : Box(other.Box)
     , Width(other.Width)
@@ -95,10 +88,9 @@ public:
     this->SetFloats(isKnown);
   }
 
-  /// Of a column with a point.
   double HeightAt(const PlanePoint& column) const { return this->At<double>(this->Place(column.X, column.Y)); }
 
-  /// The point of a column, which may lie anywhere, or NoPoint.
+  /// The column may lie outside the raster.
   PointId PointAt(const PlanePoint& column) const
   {
     return this->Box.Contains(column) ? (*this->Points)[this->Place(column.X, column.Y)] : NoPoint;
@@ -107,51 +99,44 @@ public:
   double LowestHeight() const { return this->Lowest; }
   double HighestHeight() const { return this->Highest; }
 
-  /// At the columns inside a triangle and on its sides.
+  /// Edges of the triangle are included.
   HeightError Measure(const RaisedTriangle& triangle, const ErrorPower& power = ErrorPower()) const;
 
-  /// The largest of these errors with its point where it is above a bound, as floats have it; else none.
+  /// Returns no error up to the bound.
   HeightError MeasureAbove(const RaisedTriangle& triangle, double bound) const;
 
-  /// The first point, row by row, with the largest error, as it was measured with or without a bound (0).
+  /// Returns the first point, row by row, with an error that was measured with this bound.
   PointId FindPoint(const RaisedTriangle& triangle, double error, double bound) const;
 
-  /// Whether no error of a triangle is above a bound.
   bool IsWithin(const RaisedTriangle& triangle, double bound) const
   {
     return this->SumWithin(triangle, { 0, bound }, bound) < Infinity;
   }
 
-  /// The sum of powers of the errors as floats have it, each divided by the unit; infinite when an error is above a
-  /// bound, or as soon as the sum is seen not to stay below `most`.
+  /// Returns infinity if an error exceeds the bound or the sum reaches `most`.
   double SumWithin(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most = Infinity) const;
 
-  /// Where a side crosses the line between two neighbouring columns that both have points, its distance from the
-  /// straight line between these. Gives the nearer of the two points that is not marked, and nothing for crossings
-  /// between two marked ones.
+  /// Measures crossings that have an unmarked column, and finds the nearer of these columns.
   HeightError MeasureSide(
     const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const;
 
-  /// The same without a point, of all crossings, with the sum.
   HeightError MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const;
 
-  /// Whether none of these errors is above a bound.
   bool IsSideWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const;
 
-  /// Calls visit(point, error, weights) for the columns with a point inside a triangle and on its sides: the triangle's
-  /// height less that of the point, and the weights of the three corners, whose sum is twice the triangle's area.
+  /// Calls visit(point, error, weights): triangle minus point, and corner weights that sum to twice the area.
   template <typename Visitor>
   void ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const;
 
-  /// Whether floats tell errors apart of corners that are no farther from their columns than a bound.
+  /// Floats suffice if they round little beside the bound, for corners within it of their columns.
   bool IsFloatEnough(double bound) const;
 
-  /// Calls visit(errors, b, c, isIn) for the columns that count, four at a time, floats or doubles: errors, 0 where
-  /// there is no point; the weights of the second and third corner; and 1 for columns with a point that count, else 0.
+  /// Calls visit(errors, b, c, isIn): errors, 0 without a point; weights of the second and third corner; and 1 for
+  /// columns with a point that count, else 0.
   template <typename Real, typename Visitor>
   void ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
 
-  /// Calls visit(crossing) for those of a side, with heights as floats or doubles have them, until that gives false.
+  /// Stops when visit(crossing) returns false.
   template <typename Real, typename Visitor>
   void ForEachCrossing(const RaisedPoint& from, const RaisedPoint& to, Visitor&& visit) const;
 
@@ -162,10 +147,9 @@ private:
   void Add(PointId point, const PlanePoint& column, RawVector<PointId>& points) const;
   void SetFloats(const std::vector<unsigned char>* isKnown);
 
-  /// How far an error is wrong at most that floats have, of corners no farther from their columns than a bound.
   double FloatRounding(double bound) const;
 
-  /// nan where there is no point, or an unknown one.
+  /// Returns NaN without a known point.
   template <typename Real>
   Real At(std::int64_t place) const
   {
@@ -191,7 +175,7 @@ private:
       return { this->At<Real>(place), this->At<Real>(place + 1), this->At<Real>(place + 2), this->At<Real>(place + 3) };
     }
   }
-  /// What these are less.
+  /// Floats are relative to this height.
   template <typename Real>
   double MiddleAs() const
   {
@@ -203,8 +187,8 @@ private:
   HeightError MeasureAs(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const;
   template <typename Real>
   PointId FindPointAs(const RaisedTriangle& triangle, double error) const;
-  /// Calls visit(place, heights, b, c, isIn) for four columns at a time, from the place of the first one on, until that
-  /// gives false: heights of the triangle, less the middle one, and weights as for ForEachFour.
+  /// Calls visit(place, heights, b, c, isIn) until it returns false, with heights of the triangle relative to
+  /// MiddleAs().
   template <typename Real, typename Visitor>
   void ForEachHeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
   {
@@ -220,9 +204,9 @@ private:
 
   PlaneBox Box;
   std::int64_t Width = 0;
-  std::shared_ptr<const RawVector<PointId>> Points; // by place
+  std::shared_ptr<const RawVector<PointId>> Points; // by Place()
   const double* Heights; // by point
-  RawVector<float> Floats; // these less the middle one, by place; nan where there is no point, or an unknown one
+  RawVector<float> Floats; // by Place(), relative to the middle; NaN without a known point
   double Lowest = Infinity;
   double Highest = -Infinity;
   const LinkCuts* Cuts;
@@ -236,7 +220,7 @@ void HeightRaster::ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit
   const RaisedPoint& b = triangle[1];
   const RaisedPoint& c = triangle[2];
   const double perArea = 1.0 / double(SignedArea(a.Column, b.Column, c.Column));
-  // By how much weights change from column to column. They are whole numbers: sums are exact.
+  // Weights are integers, so their sums are exact.
   const std::array<double, 3> steps = { double(b.Column.Y) - c.Column.Y, double(c.Column.Y) - a.Column.Y,
     double(a.Column.Y) - b.Column.Y };
   ForEachRow({ a.Column, b.Column, c.Column },
@@ -268,7 +252,7 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
 {
   const double start = from.Height - this->MiddleAs<Real>();
   const double rise = to.Height - from.Height;
-  // First the rows between the ends, then, with rows and columns exchanged, the columns.
+  // The second pass exchanges rows and columns.
   for (const bool isTurned : { false, true })
   {
     const auto turn = [isTurned](const PlanePoint& column) {
@@ -277,7 +261,7 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
     const bool isUp = turn(from.Column).Y < turn(to.Column).Y;
     const PlanePoint low = turn(isUp ? from.Column : to.Column);
     const PlanePoint high = turn(isUp ? to.Column : from.Column);
-    if (high.Y - low.Y < 2) // most sides of small triangles
+    if (high.Y - low.Y < 2) // most edges of small triangles
     {
       continue;
     }

@@ -48,8 +48,8 @@ bool KeptSides::Keep(VertexId from, VertexId to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Calls visit(triangle, corner) for the triangles around a vertex until it gives true: counter-clockwise, and from the
-// first one clockwise where the boundary is met. Whether it did.
+// Calls visit(triangle, corner) around a vertex until it returns true: counter-clockwise, then clockwise from the
+// first.
 template <typename Visitor>
 bool KeptSides::AnyAround(VertexId vertex, Visitor&& visit) const
 {
@@ -81,7 +81,7 @@ bool KeptSides::AnyAround(VertexId vertex, Visitor&& visit) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The same for all triangles at a vertex, which it has in several rows where the boundary touches itself. That is rare.
+// AnyAround misses triangles where the boundary touches itself. This is rare.
 template <typename Visitor>
 bool KeptSides::AnyBeside(VertexId vertex, Visitor&& visit) const
 {
@@ -97,8 +97,7 @@ bool KeptSides::AnyBeside(VertexId vertex, Visitor&& visit) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Where a line leaves its first vertex: along a side, to the vertex at whose end, or across the side opposite to it.
-// False where it leaves the mesh.
+// A line leaves its first vertex along an edge to `next`, or across the edge `crossed`.
 bool KeptSides::FindStart(VertexId from, VertexId to, Side& crossed, VertexId& next) const
 {
   const PlanePoint& a = this->Mesh.Place(from);
@@ -122,7 +121,7 @@ bool KeptSides::FindStart(VertexId from, VertexId to, Side& crossed, VertexId& n
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The sides across a line up to the next vertex on it. False where one of them has to stay.
+// Returns false if an edge across the line must stay.
 bool KeptSides::FindCrossed(VertexId from, VertexId to, Side side, VertexId& end)
 {
   const PlanePoint& a = this->Mesh.Place(from);
@@ -145,7 +144,7 @@ bool KeptSides::FindCrossed(VertexId from, VertexId to, Side side, VertexId& end
       end = apex;
       return true;
     }
-    // The triangle beyond is left, right, apex: on goes the side between the apex and the corner across the line.
+    // The next edge joins the apex to the corner across the line.
     side = { beyond, turn > 0 ? NextCorner(back) : PreviousCorner(back) };
   }
 }
@@ -176,7 +175,7 @@ void KeptSides::FlipCrossed(VertexId from, VertexId end)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// From a to b, of the triangle that it has to its left.
+// The triangle lies left of the edge.
 KeptSides::Side KeptSides::FindSide(VertexId a, VertexId b) const
 {
   Side side;
@@ -194,7 +193,7 @@ KeptSides::Side KeptSides::FindSide(VertexId a, VertexId b) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Whether the other diagonal of its two triangles lies strictly inside them.
+// The other diagonal must lie strictly inside.
 bool KeptSides::IsConvex(const Side& side) const
 {
   return ProperlyCross(this->Mesh.Place(this->Mesh.Corner(side.Triangle, side.Number)),

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Makes lines between vertices of a mesh sides that stay: the mesh remains constrained Delaunay, with these among the
-// constraints. Sides in the way of a line are flipped until it is one itself (Sloan 1993, "A fast algorithm for
-// generating constrained Delaunay triangulations").
+// Forces lines between vertices into the mesh, which remains constrained Delaunay: crossed edges are flipped until the
+// line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
 
 #ifndef SeismicHorizonsKeptSides_h
 #define SeismicHorizonsKeptSides_h
@@ -20,14 +19,13 @@ namespace SeismicHorizons
 class KeptSides
 {
 public:
-  /// Keeps a reference to the mesh, which is changed by nobody else meanwhile, and has so many vertices.
+  /// Nothing else may change the mesh meanwhile.
   KeptSides(PlaneMesh& mesh, std::size_t vertices);
 
-  /// Keeps the line between two vertices, piece by piece where it runs through others. False when the boundary or a
-  /// side that is kept already crosses it: pieces before the one that is crossed are kept, the others not.
+  /// Splits the line at vertices on it. Returns false, and keeps the segments so far, if it crosses the boundary or a
+  /// kept edge.
   bool Keep(VertexId from, VertexId to);
 
-  /// Flips other sides until all are Delaunay again.
   void Legalize();
 
 private:
@@ -55,8 +53,8 @@ private:
   bool AnyBeside(VertexId vertex, Visitor&& visit) const;
 
   PlaneMesh& Mesh;
-  std::vector<TriangleId> TriangleAt; // by vertex: one of its triangles
-  std::deque<Line> Crossed; // the sides across the line, or those that are left of them
+  std::vector<TriangleId> TriangleAt;
+  std::deque<Line> Crossed; // left of the edges across the line
 };
 }
 

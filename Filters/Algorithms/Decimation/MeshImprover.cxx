@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: what a change to a mesh may cost; flips of sides; removal of vertices; insertion to an error; and the
-// rounds of flips and removals with fitted heights in between.
+// In this order: costs; flips of edges; removal of vertices; insertion; rounds of all.
 
 #include "MeshImprover.h"
 
@@ -28,8 +27,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// What a change to a mesh may cost: the sum of powers of its errors, at columns and where inner sides cross the lines
-// between columns, which slivers between columns do too.
+// The cost sums powers of errors at columns, and where inner edges cross grid lines, as slivers between columns do.
 struct MeshCost
 {
   /// Errors are divided by the unit; the angle is in degrees.
@@ -39,13 +37,12 @@ struct MeshCost
   {
   }
 
-  /// Of a triangle, at its columns; infinite when it is not below `most`, or an error too large.
+  /// Returns infinity if the cost reaches `most` or an error is too large.
   double Of(const HeightRaster& raster, const RaisedTriangle& triangle, double most = Infinity) const
   {
     return raster.SumWithin(triangle, this->Power, this->LargestError, most);
   }
 
-  /// The same over all horizons of a mesh.
   double Of(const HeightMesh& mesh, const std::array<VertexId, 3>& corners, double most = Infinity) const
   {
     double sum = 0.0;
@@ -58,8 +55,7 @@ struct MeshCost
     return sum < most ? sum : Infinity;
   }
 
-  /// Of a side. The sum counts for a part: at a cliff, where a mesh is far from lines between columns whatever it does,
-  /// points would be given up for them. Beside a largest error it does not count.
+  /// Edges weigh less: at a cliff every edge is far from the grid lines it crosses, and would dominate.
   double OfSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
   {
     if (this->LargestError < Infinity)
@@ -79,13 +75,12 @@ struct MeshCost
     return sum;
   }
 
-  /// The same of a side that is there, whose errors are no larger.
+  /// Existing edges keep the largest error already.
   double OfPresentSide(const HeightMesh& mesh, VertexId from, VertexId to) const
   {
     return this->LargestError < Infinity ? 0.0 : this->OfSide(mesh, from, to);
   }
 
-  /// Of all triangles of a mesh.
   std::vector<double> OfTriangles(const HeightMesh& mesh, const Monitor& monitor) const
   {
     std::vector<double> costs(std::size_t(mesh.Triangles().Size()));
@@ -101,20 +96,18 @@ struct MeshCost
     return costs;
   }
 
-  /// Whether an angle, given as the square of its sine, is not too small.
   bool IsWide(double squaredSine) const { return squaredSine >= this->SmallestSine * this->SmallestSine; }
 
   ErrorPower Power;
-  /// No change may make a smaller angle in plan than this sine's, but where there was a smaller one before.
+  /// No change makes a smaller angle in plan, unless one was smaller before.
   double SmallestSine;
-  /// No change may make an error larger than this.
   double LargestError = Infinity;
 
 private:
   static constexpr double PartOfSides = 0.1;
 };
 
-/// Of the smallest angle of a triangle; at most 0 when it is flat or clockwise.
+/// Returns 0 for a flat or clockwise triangle.
 double SquaredSineOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {
   const double ab = double(SquaredDistance(a, b));
@@ -125,17 +118,15 @@ double SquaredSineOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint&
 }
 
 // ---- Flips ---------------------------------------------------------------------------------------------------------
-// Flips sides of a mesh for which it comes nearer to the horizon: data-dependent triangulation (Dyn, Levin and Rippa
-// 1990, "Data dependent triangulations for piecewise linear interpolation").
+// Flips bring a mesh nearer to the horizon: data-dependent triangulation (Dyn, Levin and Rippa 1990, "Data dependent
+// triangulations for piecewise linear interpolation").
 
-// Sides of about equal cost would be flipped to and fro.
+// Without a minimum gain, edges of nearly equal cost flip back and forth.
 constexpr double LeastGain = 1e-3;
 
-// How many sides a thread tries at a time.
 constexpr std::int64_t FlipGrain = 64;
 
-/// In rounds: all sides whose triangles have changed are tried at once, then those that gain are flipped, but for those
-/// of triangles that a flip of the round has changed. Each flip makes the sum of all costs less, so that this ends.
+/// A round flips by gain, except in triangles that it has changed. Rounds end, as every flip lowers the total cost.
 class EdgeFlips
 {
 public:
@@ -167,10 +158,9 @@ private:
   {
     SideId Side = 0;
     double Gain = 0.0;
-    std::array<double, 2> Costs = {}; // of the two new triangles
+    std::array<double, 2> Costs = {};
   };
 
-  /// The inner sides of triangles that have changed: each by the first of its two triangles.
   std::vector<SideId> FindSides() const
   {
     std::vector<SideId> sides;
@@ -189,7 +179,6 @@ private:
     return sides;
   }
 
-  /// Those that gain, the largest gain first.
   std::vector<Candidate> FindCandidates(const std::vector<SideId>& sides) const
   {
     std::vector<Candidate> candidates(sides.size());
@@ -268,8 +257,8 @@ private:
   HeightMesh& Mesh;
   PlaneMesh& Triangles;
   const MeshCost& Cost;
-  std::vector<double> Costs; // by triangle
-  std::vector<unsigned char> IsChanged; // by triangle, in the last round
+  std::vector<double> Costs;
+  std::vector<unsigned char> IsChanged;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -279,31 +268,26 @@ void FlipEdges(HeightMesh& mesh, const MeshCost& cost, const Monitor& monitor)
 }
 
 // ---- Removal -------------------------------------------------------------------------------------------------------
-// Removes vertices inside a mesh by collapsing a side each, the cheapest first: half-edge collapses (Hoppe 1996,
-// "Progressive meshes").
-//
-// This is done in rounds. In each, all vertices around which triangles have changed are tried at once. Then the cheaper
-// ones are removed, the cheapest first, but for those beside one that the round has removed.
+// Half-edge collapses remove inner vertices (Hoppe 1996, "Progressive meshes"), the cheapest first, except beside
+// vertices that the round has removed.
 
-// What part of the candidates a round looks at: of neighbours the cheaper one should go.
+// This fraction of the candidates per round is small, so that the cheaper of two neighbours goes first.
 constexpr double PartOfRound = 0.25;
 
-// What a vertex costs in whose triangles an angle is too small, beside others: it goes early.
+// Vertices of slivers cost this fraction, so that they go early.
 constexpr double PartOfSlivers = 0.01;
 
-// How many vertices a thread tries at a time.
 constexpr std::int64_t RemovalGrain = 16;
 
-/// The triangles around a vertex, counter-clockwise, and the ends of the sides that go from it, one between each two:
-/// ends[n] is between the triangles n - 1 and n.
+/// Both are counter-clockwise; Ends[n] lies between triangles n - 1 and n.
 struct Ring
 {
   std::vector<TriangleId> Triangles;
   std::vector<VertexId> Ends;
-  double Sum = 0.0; // of the errors now
-  double Sine = 1.0; // the square, of the smallest angle now
+  double Sum = 0.0;
+  double Sine = 1.0; // square, of the smallest angle
 
-  /// Of numbers up to twice as many as there are.
+  /// The number n may be up to twice the number of ends.
   VertexId End(std::size_t n) const { return this->Ends[n < this->Ends.size() ? n : n - this->Ends.size()]; }
 };
 
@@ -340,12 +324,12 @@ public:
 private:
   struct Candidate
   {
-    double Cost; // by how much the sum of errors grows; infinite where the vertex cannot go
+    double Cost; // growth of the sum of errors; infinite if the vertex is needed
     VertexId Vertex;
-    std::int32_t Side; // of its ring, that is collapsed
+    std::int32_t Side; // collapsed edge of its ring
   };
 
-  /// An end of a ring to which the vertex could go, and what the sum of errors is then at least: that of its own point.
+  /// Least is a lower bound: the error of the vertex's own point.
   struct End
   {
     double Least;
@@ -362,7 +346,7 @@ private:
       for (int corner = 0; corner < 3; ++corner)
       {
         this->TriangleAt[mesh.Corner(triangle, corner)] = triangle;
-        if (mesh.IsKeptSide(triangle, corner)) // one of its ends may have cut it
+        if (mesh.IsKeptSide(triangle, corner)) // its ends may lie on a longer kept line
         {
           this->Mesh.Fix(mesh.Corner(triangle, corner));
           this->Mesh.Fix(mesh.Corner(triangle, NextCorner(corner)));
@@ -379,7 +363,6 @@ private:
     }
   }
 
-  /// The cheapest of those that can go, in their order.
   std::vector<Candidate> FindCheapest() const
   {
     const auto isCheaper = [](const Candidate& a, const Candidate& b)
@@ -416,7 +399,6 @@ private:
       });
   }
 
-  /// In the memory of the one before.
   Candidate Try(VertexId vertex, Ring& ring, std::vector<End>& ends) const
   {
     this->FindRing(vertex, ring);
@@ -436,7 +418,7 @@ private:
     return best;
   }
 
-  /// Those with the least first: that of the best one is compared with those of the others.
+  /// The least bounds come first, so that most ends are skipped.
   void FindEnds(const Ring& ring, VertexId vertex, std::vector<End>& ends) const
   {
     ends.clear();
@@ -455,8 +437,7 @@ private:
       [](const End& a, const End& b) { return std::tie(a.Least, a.Number) < std::tie(b.Least, b.Number); });
   }
 
-  /// What a vertex's own point adds to the sum where the triangle is that would be there; infinite where that is too
-  /// far.
+  /// Looks only at the triangle that would cover the vertex.
   double LeastCostOf(VertexId vertex, const Ring& ring, std::size_t end) const
   {
     const VertexId to = ring.End(end);
@@ -475,7 +456,6 @@ private:
     return cost;
   }
 
-  /// The distance of a point from a triangle.
   double ErrorOf(std::size_t horizon, VertexId vertex, const std::array<VertexId, 3>& corners) const
   {
     const PlanePoint& place = this->Place(vertex);
@@ -511,8 +491,7 @@ private:
     }
   }
 
-  /// Whether all triangles around could have their corner at one of the ends instead. Angles that are too small may
-  /// become larger ones that still are.
+  /// Angles that are too small may grow without becoming large enough.
   bool KeepsAngles(const Ring& ring, std::size_t end) const
   {
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size(); ++n)
@@ -527,21 +506,20 @@ private:
     return true;
   }
 
-  /// What the sum of errors is then; infinite when it is not below `most`, or an error too large.
+  /// Returns infinity from `most` on.
   double SumAt(const Ring& ring, std::size_t end, double most) const
   {
     const VertexId to = ring.End(end);
     double sum = 0.0;
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size() && sum < most; ++n)
     {
-      const bool isInner = n > end + 1; // the side to this end: the first one is that of the ring
+      const bool isInner = n > end + 1; // the first edge is in the ring
       sum += this->Cost.Of(this->Mesh, { to, ring.End(n), ring.End(n + 1) }, most - sum);
       sum += isInner && sum < most ? this->Cost.OfSide(this->Mesh, to, ring.End(n)) : 0.0;
     }
     return sum < most ? sum : Infinity;
   }
 
-  /// Those of a round, until so many vertices are left.
   void RemoveAll(const std::vector<Candidate>& cheapest, std::size_t leastVertices)
   {
     this->IsChanged.assign(std::size_t(this->Mesh.Triangles().Size()), 0);
@@ -569,7 +547,7 @@ private:
       this->Candidates.end());
   }
 
-  /// Unless a neighbour was removed in this round.
+  /// A neighbour may have been removed in this round.
   void Remove(const Candidate& candidate)
   {
     PlaneMesh& mesh = this->Mesh.Triangles();
@@ -599,12 +577,12 @@ private:
 
   HeightMesh& Mesh;
   const MeshCost& Cost;
-  std::vector<double> Costs; // by triangle
+  std::vector<double> Costs;
   std::vector<TriangleId> TriangleAt; // by vertex: one of its triangles
-  std::vector<Candidate> Candidates; // the vertices inside, in their order: those next are near
-  std::vector<unsigned char> IsOld; // by vertex: triangles around have changed since it was tried
-  std::vector<unsigned char> IsChanged; // by triangle, in one round
-  std::vector<TriangleId> Changed; // in one round
+  std::vector<Candidate> Candidates; // neighbours are close together
+  std::vector<unsigned char> IsOld; // by vertex: its triangles have changed
+  std::vector<unsigned char> IsChanged;
+  std::vector<TriangleId> Changed;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -614,22 +592,19 @@ void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVer
 }
 
 // ---- Insertion -----------------------------------------------------------------------------------------------------
-// With fitted heights, points are inserted for an error so much larger, and then, once heights are fitted, for the
-// error itself. What was not fitted again then needs some room: heights move less than the error.
+// Heights are fitted at a larger error, and move less than the error, to leave room for points that are not fitted.
 constexpr double ErrorBeforeFit = 1.3;
 constexpr double ReachOfFit = 0.9;
 
 // ---- Rounds of both ------------------------------------------------------------------------------------------------
-// Rounds go on as long as each takes such a part of the inner vertices, which the first one of smooth horizons does not
-// quite. Where heights are rounded to whole numbers it takes several.
+// Smooth horizons stop after the first round; integer heights take several.
 constexpr double LeastPartOfRound = 0.04;
 constexpr int MostRounds = 4;
 
-// How often the smallest angle is halved where no vertex can go otherwise, before any angle will do.
+// After this number of halvings, any angle will do.
 constexpr int MostHalvings = 12;
 
-// Half-way to a number, there are so many times the inner vertices that are left. Two or three such stops make errors
-// 0.5 % smaller and take a fifth longer.
+// Two or three stops instead of one lower errors by 0.5 % and take a fifth longer.
 constexpr double HalfWay = 1.5;
 }
 
@@ -641,7 +616,7 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
   if (options.FitHeights && error > 0.0)
   {
     refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
-    mesh.SortByPlace(); // what is read next is near then
+    mesh.SortByPlace();
     mesh.SetAllHeights(FitAllHeights(mesh, FitAim::LargestError, ReachOfFit * error, rule, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
@@ -673,7 +648,7 @@ void ImproveWithinError(
       MoveHeightsWithin(mesh, cost.LargestError, FitAllHeights(mesh, aim, error, rule, step));
     }
   };
-  // What is flipped and fitted is the smaller mesh, which also leaves the fewest vertices.
+  // The smaller mesh is faster, and leaves the fewest vertices.
   mesh.SortByPlace();
   RemoveVertices(mesh, cost, 0, monitor.Step(0.0, 0.3));
   bool isWorthIt = true;
@@ -696,7 +671,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   mesh.SortByPlace();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
-  // What is flipped and fitted half-way shows better which vertices can go.
+  // A mesh flipped and fitted half-way shows better which vertices can go.
   const std::size_t onLoops = mesh.NumberOfVertices() - mesh.NumberOfInnerVertices();
   const std::size_t halfWay = onLoops + std::size_t(HalfWay * double(vertices - onLoops));
   const auto improve = [&](const Monitor& step)
@@ -710,7 +685,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   RemoveVertices(mesh, cost, halfWay, monitor.Step(0.2, 0.5));
   improve(monitor.Step(0.5, 0.65));
   RemoveVertices(mesh, cost, vertices, monitor.Step(0.65, 0.8));
-  // Where angles are in the way of that, they may be smaller.
+  // Angles that prevent removal may become smaller.
   const double sine = cost.SmallestSine;
   for (int halving = 1; mesh.NumberOfVertices() > vertices && cost.SmallestSine > 0.0; ++halving)
   {

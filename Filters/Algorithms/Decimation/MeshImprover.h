@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is done to a mesh for an error, and then for fewer vertices: points are inserted, heights fitted, sides flipped,
-// vertices removed.
+// Inserts, fits, flips and removes, for an error or for a number of vertices.
 
 #ifndef SeismicHorizonsMeshImprover_h
 #define SeismicHorizonsMeshImprover_h
@@ -16,25 +15,23 @@
 
 namespace SeismicHorizons
 {
-/// Inserts points until the error of the options is kept, for all horizons: the effort Fast. Fitted heights keep to a
-/// rule.
+/// The rule applies to fitted heights.
 void InsertToError(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule = HeightRule());
 
-/// Of a mesh that keeps the error of the options, at columns and at inner sides, for all its horizons, and still does
-/// so after it. Fitted heights keep to a rule; the sides and vertices that have to stay do.
+/// The mesh must keep the error, at columns and inner edges of all horizons, and still does so. Kept edges and fixed
+/// vertices stay.
 void ImproveWithinError(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule = HeightRule());
 
-/// Until so many vertices are left, or none can go. All triangles were measured after the last change.
+/// Stops early if none can go. Errors of all triangles must be current.
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
 
-/// Flips sides for which the mesh is nearer to the horizon. All triangles were measured after the last change.
+/// Errors of all triangles must be current.
 void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor);
 
-/// Fits heights, so that the largest error becomes no larger, or,
-/// with the other priority, when neither the mean error nor that of squares does: heights that are whole numbers can
-/// fit best as they are, as many points then lie right on the mesh.
+/// Undoes the fit if the largest error or, with the other priority, the mean or squared error grows: integer heights
+/// can fit best as they are, with many points exactly on the mesh.
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor);
 }
 

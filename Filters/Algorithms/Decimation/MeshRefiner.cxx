@@ -17,7 +17,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Of the largest error, what part is still inserted in the same rounds; and of sums of squares.
+// A round refines triangles above this fraction of the largest error; sums of squares take its square.
 constexpr double PartOfLargest = 0.6;
 constexpr double PartOfSum = PartOfLargest * PartOfLargest;
 }
@@ -45,7 +45,7 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
   double limit = std::numeric_limits<double>::infinity();
   for (std::vector<TriangleId> urgent; !this->IsFull() && this->FindUrgent(limit, urgent);)
   {
-    // While the error falls, the number of triangles grows by factors: by the last rounds most is still to come.
+    // Triangles multiply as the error falls, so the last rounds take longest.
     part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
     monitor.Progress(part);
     this->Mesh.FindPoints(urgent, bound);
@@ -72,7 +72,7 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
     monitor.Progress(0.8);
     this->Mesh.FindPoints(far, bound);
     this->InsertRound(far);
-    if (this->New.empty()) // all points lie beyond the boundary, where nothing can be inserted
+    if (this->New.empty()) // all points lie beyond the boundary
     {
       std::for_each(
         far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
@@ -94,7 +94,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
   {
     this->New.clear();
     this->IsNew.assign(std::size_t(mesh.Size()) + 2 * slivers.size(), 0);
-    std::vector<TriangleId> left; // for the next round
+    std::vector<TriangleId> left;
     for (const TriangleId sliver : slivers)
     {
       if (this->IsNew[sliver] != 0 || !this->IsSliver(sliver, sine))
@@ -127,8 +127,8 @@ bool MeshRefiner::IsSliver(TriangleId triangle, double sine) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The column nearest to the centre of the circle of a sliver or, where that is farther, to the place from which the
-// shortest side is seen under the smallest angle (Ungor 2004, "Off-centers").
+// Takes the column nearest to the circumcentre or, if nearer, to the place that sees the shortest edge under the
+// smallest angle (Ungor 2004, "Off-centers").
 PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle) const
 {
   const PlaneMesh& mesh = this->Mesh.Triangles();
@@ -139,7 +139,7 @@ PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle) con
   const PlanePoint a = place(shortest);
   const PlanePoint b = place(NextCorner(shortest));
   const PlanePoint c = place(PreviousCorner(shortest));
-  // In units of the side: how far the centre is from its middle, across it, by the cotangent of the angle opposite.
+  // Distances from the middle of the edge are in lengths of the edge.
   const double ofCentre = 0.5 * double(ScalarProduct(c, a, b)) / double(SignedArea(a, b, c));
   const double ofAngle = 0.5 / std::tan(0.5 * smallestAngle * std::atan(1.0) / 45.0);
   const double across = std::min(ofCentre, ofAngle);
@@ -151,8 +151,7 @@ PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle) con
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Not where a side that stays would get a blunt corner over it: one of those around the triangles whose circles hold the
-// place, which go.
+// Refuses a place from which a fixed edge around the cavity would be seen under 90 degrees or more.
 bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle) const
 {
   const PointId point = this->Mesh.RasterOf(triangle).PointAt(place);
@@ -201,8 +200,7 @@ void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// By the points that made them, which come row by row: what is measured next is near then, for large horizons a fifth
-// of the time.
+// The order of points, row by row, saves a fifth of the time of measuring large horizons.
 void MeshRefiner::SortNew()
 {
   const auto point = [this](TriangleId triangle)
@@ -224,7 +222,6 @@ void MeshRefiner::StartWith(double bound)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// After a round: those that were not changed, and of those that were, which are measured, the ones that are still far.
 void MeshRefiner::KeepFar(double bound)
 {
   this->Far.erase(
@@ -236,8 +233,7 @@ void MeshRefiner::KeepFar(double bound)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The triangles whose urgency is not below a limit, the most urgent ones first. When there is none, the limit falls;
-// false when no triangle is far.
+// If no triangle reaches the limit, it falls.
 bool MeshRefiner::FindUrgent(double& limit, std::vector<TriangleId>& urgent) const
 {
   urgent.clear();
@@ -270,9 +266,7 @@ double MeshRefiner::UrgencyOf(TriangleId triangle) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Inserts the worst points of triangles, but for those that an insertion before has changed. Of as many as there may
-// still be half at most: what an insertion brings about can be more urgent than the last ones of a round.
-// False when there was none that could be.
+// A round fills at most half of the vertices left, as new errors can be more urgent than its last.
 bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
 {
   const std::size_t before = this->Mesh.NumberOfVertices();
@@ -293,7 +287,7 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
     }
     else if (this->Mesh.IsVertex(point))
     {
-      this->AddNew(triangle); // the point, beside a side, was inserted from another triangle
+      this->AddNew(triangle); // inserted from another triangle
     }
     else if (this->IsNew[triangle] == 0 && this->Mesh.NumberOfVertices() < most)
     {
@@ -321,7 +315,7 @@ void MeshRefiner::Insert(PointId point, TriangleId triangle)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// To the height of its column, a vertex that is farther from that than the bound: it cannot be inserted once more.
+// A vertex that is too far from its column cannot be inserted again.
 void MeshRefiner::PutBack(VertexId vertex, TriangleId triangle)
 {
   this->Mesh.PutBack(vertex);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Inserts points into a mesh where it is far from the horizon, in rounds (see Decimation.h).
+// Inserts points into a mesh where its error is large, in rounds (see Decimation.h).
 
 #ifndef SeismicHorizonsMeshRefiner_h
 #define SeismicHorizonsMeshRefiner_h
@@ -19,18 +19,15 @@ namespace SeismicHorizons
 class MeshRefiner
 {
 public:
-  /// Keeps a reference to the mesh, which is constrained Delaunay and remains so. Inserts until it has so many vertices
-  /// (0 for no limit): first those of the triangles with the largest error, or with the largest sum.
+  /// The mesh must be constrained Delaunay and remains so. A limit of 0 vertices means none.
   MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority);
 
-  /// Inserts points until no column is farther from the mesh than `error`, or there are as many as there may be.
   void InsertWhereFar(double error, const Monitor& monitor);
-  /// Then the same where inner sides of the mesh cross lines between columns.
+  /// Continues where inner edges cross grid lines.
   void InsertAtSides(double error, const Monitor& monitor);
-  /// Inserts points until no triangle has a smaller angle, in degrees, but where sides of the boundary, or those that
-  /// stay, leave no other or no column is in the right place. Errors may grow by that.
+  /// Angles, in degrees, remain smaller where fixed edges force them or no column is suitable. Errors may grow.
   void InsertAtSlivers(double smallestAngle);
-  /// Inserts all points that are marked, whatever their error, and however many.
+  /// Ignores errors; the refiner must have no limit of vertices.
   void InsertMarked(const std::vector<unsigned char>& marks);
 
 private:
@@ -52,10 +49,10 @@ private:
   const std::size_t MostVertices;
   const DecimationPriority Priority;
   ErrorPower Power;
-  std::vector<TriangleId> Far; // triangles with an error above the bound
-  std::vector<TriangleId> New; // triangles that are still to be measured
-  std::vector<unsigned char> IsNew; // by triangle
-  std::vector<TriangleId> Around; // the point that was inserted last
+  std::vector<TriangleId> Far; // triangles above the bound
+  std::vector<TriangleId> New;
+  std::vector<unsigned char> IsNew;
+  std::vector<TriangleId> Around;
 };
 }
 

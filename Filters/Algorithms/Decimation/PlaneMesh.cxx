@@ -18,13 +18,12 @@ namespace
 {
 constexpr int MostSteps = 100;
 
-// How many rows of columns triangles are sorted together in: about as many as stay in the caches.
+// Bands of this number of rows fit the cache.
 constexpr std::uint64_t TileSide = 32;
 
-// The side of a triangle that is opposite to its third corner.
+// This edge is opposite to the third corner.
 constexpr int Opposite = 0;
 
-/// For each of so many numbers its position in an order of them, or -1.
 std::vector<std::int32_t> NumbersIn(const std::vector<std::int32_t>& order, std::size_t size)
 {
   std::vector<std::int32_t> numbers(size, -1);
@@ -52,7 +51,7 @@ PlaneMesh::PlaneMesh(std::vector<PlanePoint> places, const RawVector<VertexId>& 
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Connect()
 {
-  // Sides by their lesser and greater vertex, so that those of two triangles follow each other.
+  // Sorting brings the two triangles of an edge together.
   std::vector<std::tuple<VertexId, VertexId, TriangleId, int>> sides;
   sides.reserve(3 * this->Triangles.size());
   for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
@@ -77,7 +76,6 @@ void PlaneMesh::Connect()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Twice the signed area of a place and a side: positive to the left, where the triangle is.
 std::int64_t PlaneMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int side) const
 {
   return SignedArea(
@@ -88,7 +86,7 @@ std::int64_t PlaneMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int
 TriangleId PlaneMesh::Locate(const PlanePoint& place, TriangleId near) const
 {
   TriangleId triangle = near;
-  // Around the boundary a walk could go in circles.
+  // Around the boundary, a walk can run in circles.
   for (int steps = 0; steps < MostSteps; ++steps)
   {
     bool isInside = true;
@@ -136,7 +134,7 @@ void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector
   this->Split(vertex, triangle, around);
   if (onSide >= 0)
   {
-    // The triangle between the side and the vertex has no area. Its third corner is the vertex.
+    // The triangle between edge and vertex is flat; the vertex is its third corner.
     const TriangleId flat = around[onSide];
     around.push_back(this->Neighbour(flat, Opposite));
     this->Flip(flat, Opposite);
@@ -154,7 +152,7 @@ void PlaneMesh::CutKept(VertexId a, VertexId b, VertexId between)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Makes three triangles of one: number n has the side n of the old one first, and the vertex as its third corner.
+/// Triangle n gets the old edge n first, and the vertex as third corner.
 void PlaneMesh::Split(VertexId vertex, TriangleId triangle, std::vector<TriangleId>& around)
 {
   const Triangle old = this->Triangles[triangle];
@@ -233,7 +231,7 @@ bool PlaneMesh::IsDelaunay(TriangleId triangle, int side) const
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Legalize(std::vector<TriangleId>& around)
 {
-  // A flip adds one triangle to those around the vertex, and changes another one. Both are looked at again.
+  // A flip changes this triangle and adds another, so both are tested again.
   for (std::size_t n = 0; n < around.size(); ++n)
   {
     const TriangleId triangle = around[n];
@@ -340,7 +338,6 @@ void PlaneMesh::SortByPlace()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The triangles so far, in the order they shall have.
 void PlaneMesh::Reorder(const std::vector<TriangleId>& order)
 {
   const std::vector<TriangleId> numbers = NumbersIn(order, this->Triangles.size());

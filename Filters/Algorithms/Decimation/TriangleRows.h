@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangles over columns: the columns row by row, those on sides and corners counted.
+// Visits the columns of a triangle row by row, including its edges.
 
 #ifndef SeismicHorizonsTriangleRows_h
 #define SeismicHorizonsTriangleRows_h
@@ -15,7 +15,7 @@
 
 namespace SeismicHorizons
 {
-/// Where a side is in each row, upwards: the whole columns at or beside it, without rounding.
+/// Follows an edge upwards, in integers.
 class SideWalk
 {
 public:
@@ -35,7 +35,7 @@ public:
   std::int32_t AtOrLeft() const { return this->Floor; }
   std::int32_t AtOrRight() const { return this->Floor + (this->Part > 0 ? 1 : 0); }
   bool IsAtColumn() const { return this->Part == 0; }
-  /// How far from AtOrLeft() to the next column the side is, in parts of which a column has as many as the side rows.
+  /// The fraction of a column from AtOrLeft() to the edge is Parts() divided by the rows that the edge spans.
   std::int32_t Parts() const { return this->Part; }
 
   void GoUp()
@@ -53,11 +53,11 @@ private:
   std::int32_t Height;
   std::int32_t Floor;
   std::int32_t Slope; // whole columns per row
-  std::int32_t Rest; // and so many parts of one, of which a column has Height
-  std::int32_t Part = 0; // by how many the side is to the right of Floor
+  std::int32_t Rest; // in columns / Height per row
+  std::int32_t Part = 0;
 };
 
-/// Calls visit(y, first, last) for the rows of a triangle that have columns, from below.
+/// Calls visit(y, first, last) upwards for rows with columns.
 template <typename Visitor>
 void ForEachRow(std::array<PlanePoint, 3> corners, Visitor&& visit)
 {
@@ -88,7 +88,6 @@ void ForEachRow(std::array<PlanePoint, 3> corners, Visitor&& visit)
   walk(SideWalk(middle, high), middle.Y, high.Y);
 }
 
-/// A corner of a triangle, or an end of its sides: the column, and the height there.
 struct RaisedPoint
 {
   PlanePoint Column;
