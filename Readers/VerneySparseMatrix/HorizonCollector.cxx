@@ -12,7 +12,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// What a block has of a horizon, and where that goes in it.
 struct HorizonPart
 {
   const LatticeHorizon* Part;

@@ -13,21 +13,19 @@
 
 namespace SeismicHorizons
 {
-/// Puts the horizons of blocks together, in the order of the blocks.
 class HorizonCollector
 {
 public:
-  /// Adds the horizons of the first `count` blocks, on all threads.
   void Add(const std::vector<HorizonSorter>& blocks, std::size_t count);
 
-  /// All horizons of at least that many voxels, by ascending surface ID.
+  /// Returns the horizons with enough voxels, by ascending surface ID.
   std::vector<LatticeHorizon> Take(std::int64_t smallestSize);
 
 private:
   LatticeHorizon& HorizonOf(int surfaceId);
 
-  std::unordered_map<int, std::size_t> Positions; // by surface ID
-  std::deque<LatticeHorizon> Horizons; // they stay where they are
+  std::unordered_map<int, std::size_t> Positions;
+  std::deque<LatticeHorizon> Horizons;
 };
 }
 

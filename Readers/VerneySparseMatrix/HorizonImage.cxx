@@ -19,7 +19,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Adds the point data of an image. There is at least one voxel.
 void AddPixels(const LatticeHorizon& voxels, const LatticeFrame& frame, vtkImageData* image)
 {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -36,7 +35,7 @@ void AddPixels(const LatticeHorizon& voxels, const LatticeFrame& frame, vtkImage
   pixels.Add<vtkDoubleArray>(PointArray::Thickness, voxels.Thickness, missing);
   pixels.Add<vtkDoubleArray>(PointArray::Amplitude, voxels.Amplitude, missing);
   pixels.Add<vtkDoubleArray>(PointArray::RealZ, voxels.RealZ, missing);
-  data->SetActiveScalars(PointArray::Elevation); // what ParaView colours by at first
+  data->SetActiveScalars(PointArray::Elevation);
 }
 }
 
@@ -44,7 +43,8 @@ void AddPixels(const LatticeHorizon& voxels, const LatticeFrame& frame, vtkImage
 vtkSmartPointer<vtkImageData> MakeHorizonImage(const LatticeHorizon& voxels, const LatticeFrame& frame)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  PlaceImage(image, MakeMapFrame(frame.ToWorld())); // below the columns: warping it by world z gives the surface
+  // The image is at z 0, so that warping it by world z gives the surface.
+  PlaceImage(image, MakeMapFrame(frame.ToWorld()));
   AddFrameFields(image->GetFieldData(), frame);
   AddValue<vtkIdTypeArray>(
     image->GetFieldData(), FieldArray::DroppedDuplicates, static_cast<vtkIdType>(voxels.DroppedDuplicates));

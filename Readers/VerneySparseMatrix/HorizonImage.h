@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Turns the voxels of a horizon into a map.
 
 #ifndef SeismicHorizonsHorizonImage_h
 #define SeismicHorizonsHorizonImage_h
@@ -14,8 +13,8 @@ class vtkImageData;
 
 namespace SeismicHorizons
 {
-/// Makes an image with a pixel for each column of the horizon's bounding box. Pixels without a voxel are blanked, and
-/// their attributes are nan. Throws InputError when the steps of the lattice are not perpendicular.
+/// The image has a pixel per column of the bounding box; pixels without voxel are blanked, with nan as attributes.
+/// Throws InputError if the steps of the lattice are not perpendicular.
 vtkSmartPointer<vtkImageData> MakeHorizonImage(const LatticeHorizon& voxels, const LatticeFrame& frame);
 }
 

@@ -14,14 +14,12 @@
 
 namespace SeismicHorizons
 {
-/// Finds the position of a horizon, in a list of them, by its surface ID. All columns of a file have the same few IDs,
-/// so the last answers are kept: looking at them is quicker than the map.
+/// Caches answers, because all columns have the same few IDs and the map is slower.
 class SurfacePositions
 {
 public:
   static constexpr int None = -1;
 
-  /// The position of a surface ID, or None.
   int Find(int surfaceId)
   {
     Answer& answer = this->LastAnswer(surfaceId);
@@ -53,12 +51,11 @@ private:
   }
 
   std::unordered_map<int, int> Positions;
-  std::array<Answer, 64> Answers; // one for all IDs of the same remainder
+  std::array<Answer, 64> Answers;
 };
 
-/// Deals the voxels of columns out to their horizons, and leaves one in each column of a horizon unless they are to be
-/// sheets, in the ranges of the options only. Functions are defined inside the class, where compilers inline them: they
-/// take a part of the time of reading.
+/// Resolves duplicates unless they become sheets. Functions are inside the class so that compilers inline them, since
+/// they affect the time of reading.
 class HorizonSorter
 {
 public:
@@ -67,7 +64,7 @@ public:
   {
   }
 
-  /// Takes the voxels out, but not the memory they had: the next ones have it.
+  /// Memory is kept for the next voxels.
   void Clear()
   {
     if (this->Horizons.size() > MostKept)
@@ -81,7 +78,6 @@ public:
     }
   }
 
-  /// Adds a voxel of column (i, j). All voxels of a column come one after the other.
   void Add(int i, int j, const SparseMatrixVoxel& voxel)
   {
     if (!IsWithin(i, this->Options.ColumnRange) || !IsWithin(j, this->Options.RowRange) ||
@@ -90,7 +86,7 @@ public:
       return;
     }
     LatticeHorizon& horizon = this->HorizonOf(voxel.SurfaceId);
-    // All voxels of a column come at once, so a duplicate can only be one of the voxel added last.
+    // A duplicate can only be the voxel added last, since the voxels of a column are consecutive.
     if (this->Options.Policy != DuplicatePolicy::Sheets && !horizon.Column.empty() && horizon.Column.back().X == i &&
       horizon.Column.back().Y == j)
     {
@@ -113,11 +109,10 @@ public:
     horizon.RealZ.push_back(voxel.RealZ);
   }
 
-  /// The horizons, in the order in which their first voxels came; some may have none.
   const std::vector<LatticeHorizon>& List() const { return this->Horizons; }
 
 private:
-  // Of more horizons the memory is given back.
+  // With more horizons their memory is released.
   static constexpr std::size_t MostKept = 256;
 
   static bool IsWithin(int n, const std::array<int, 2>& range) { return n >= range[0] && n <= range[1]; }
@@ -140,7 +135,7 @@ private:
     return this->Horizons[position];
   }
 
-  /// Makes the last voxel of the horizon the mean of those before and another one, whose index is rounded.
+  /// The mean index is rounded.
   void Average(const SparseMatrixVoxel& voxel, LatticeHorizon& horizon)
   {
     const PlanePoint column = horizon.Column.back();
@@ -158,7 +153,6 @@ private:
     average(horizon.RealZ.back(), voxel.RealZ);
   }
 
-  /// Whether a voxel replaces the last one of the horizon.
   bool Prefers(const SparseMatrixVoxel& voxel, const LatticeHorizon& horizon) const
   {
     const bool isAbove = voxel.VerticalIndex < horizon.K.back();
@@ -171,17 +165,16 @@ private:
     return isAbove == (this->Options.Policy == DuplicatePolicy::Topmost);
   }
 
-  /// Of some voxels of a column.
   struct MeanVoxel
   {
     PlanePoint Column;
     double Voxels = 0.0;
-    double Index = 0.0; // not rounded
+    double Index = 0.0;
   };
 
   SparseMatrixOptions Options;
   SurfacePositions Positions;
-  std::unordered_map<int, MeanVoxel> Means; // by surface ID, of the columns last averaged
+  std::unordered_map<int, MeanVoxel> Means;
   std::vector<LatticeHorizon> Horizons;
 };
 }

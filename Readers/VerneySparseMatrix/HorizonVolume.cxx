@@ -27,12 +27,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 1 << 16; // points or voxels that a thread does at a time
+constexpr std::int64_t Grain = 1 << 16;
 constexpr double BytesOfMB = 1024.0 * 1024.0;
 
 using VoxelValues = HeapArray<double> LatticeHorizon::*;
 
-/// The image data of a volume: the point of each voxel, and arrays for all of them.
 class VolumePoints
 {
 public:
@@ -49,7 +48,7 @@ public:
   const std::array<std::int64_t, 3>& Dimensions() const { return this->Sizes; }
   std::int64_t Number() const { return this->Sizes[0] * this->Sizes[1] * this->Sizes[2]; }
 
-  /// The number of the point, or -1 outside.
+  /// Returns -1 for points outside.
   std::int64_t Find(int i, int j, int k) const
   {
     const std::int64_t x = std::int64_t(i) - this->Extent[0];
@@ -65,7 +64,7 @@ private:
   std::array<std::int64_t, 3> Sizes = {};
 };
 
-/// An array with the same value everywhere. Each thread writes a part, and so gets its memory from the system.
+/// Threads write, and so allocate, the memory in parallel.
 template <typename T>
 HeapArray<T> Fill(std::int64_t size, T value)
 {
@@ -75,7 +74,7 @@ HeapArray<T> Fill(std::int64_t size, T value)
   return values;
 }
 
-/// Calls write(point, voxel) for all voxels of a horizon in the volume, on all threads: each has a point of its own.
+/// Voxels of a horizon have different points, so that threads write independently.
 template <typename Write>
 void ForEachVoxel(const LatticeHorizon& horizon, const VolumePoints& points, Write&& write)
 {
@@ -190,7 +189,7 @@ vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeH
   const VolumePoints points(imageExtent, place.VerticalSign);
   CheckBackground(horizons, options.Background);
   auto image = vtkSmartPointer<vtkImageData>::New();
-  VoxelExtent extent = imageExtent; // VTK takes it as if it changed it
+  VoxelExtent extent = imageExtent;
   image->SetExtent(extent.data());
   PlaceImage(image, place);
   AddFrameFields(image->GetFieldData(), frame);

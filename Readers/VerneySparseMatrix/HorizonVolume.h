@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Turns the voxels of horizons into a volume.
 
 #ifndef SeismicHorizonsHorizonVolume_h
 #define SeismicHorizonsHorizonVolume_h
@@ -18,7 +17,6 @@ class vtkImageData;
 
 namespace SeismicHorizons
 {
-/// What a volume holds besides the surface ID.
 enum class VolumeAttribute
 {
   None,
@@ -29,18 +27,16 @@ enum class VolumeAttribute
 struct VolumeOptions
 {
   VolumeAttribute Attribute = VolumeAttribute::None;
-  int Background = 0; // the surface ID where there is no voxel
-  int MemoryLimit = 0; // 2^20 bytes
+  int Background = 0; // Surface ID of points without a voxel.
+  int MemoryLimit = 0;
 };
 
-/// The extent of image data for a box of voxels, and the other way round.
+/// The conversion is its own inverse.
 VoxelExtent ToImageExtent(const VoxelExtent& extent, const ImageFrame& frame);
 
-/// Throws InputError when a volume takes more memory than allowed.
 void CheckVolumeMemory(const VoxelExtent& imageExtent, const VolumeOptions& options);
 
-/// Makes image data of that extent with a point for each cell of the lattice. Throws InputError when the background is
-/// the ID of a horizon, and when an attribute is too large for single precision.
+/// Throws InputError if the background is the ID of a horizon, or an attribute exceeds single precision.
 vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeHorizon*>& horizons,
   const LatticeFrame& frame, const VoxelExtent& imageExtent, const VolumeOptions& options, const Monitor& monitor);
 }

@@ -18,26 +18,23 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t HeaderLines = 1;
-constexpr std::size_t BlockSize = 256 * 1024; // bytes that a thread parses at a time
+constexpr std::size_t BlockSize = 256 * 1024;
 
 constexpr std::size_t ValuesPerVoxel = 5;
 constexpr std::array<const char*, ValuesPerVoxel> ValueNames = { "vertical index ", "surface ID ", "thickness ",
   "amplitude ", "real z " };
 
-/// What is wrong with a line.
 struct ColumnError
 {
-  std::int64_t Line = 0; // counted from 0 within the lines that were parsed
+  std::int64_t Line = 0; // From 0, within the parsed lines.
   std::string Text;
 };
 
-/// Parses lines behind the header, of which the last character is a newline, and gives their voxels to a sorter. Blocks
-/// of lines do not depend on each other, so that several are parsed at a time. The functions are defined inside the
-/// class, where compilers inline them: outside, reading takes a tenth longer.
+/// Lines must be complete. Functions are inside the class so that compilers inline them, without which reading takes 10
+/// % longer.
 class ColumnParser
 {
 public:
-  /// The first line is that of column number `firstColumn`, in the order of the file.
   ColumnParser(const SparseMatrixSize& size, std::int64_t firstColumn, HorizonSorter& horizons)
     : Size(size)
     , NumberOfColumns(std::int64_t(size[0]) * size[1])
@@ -48,7 +45,6 @@ public:
   {
   }
 
-  /// Ends at the first error.
   std::optional<ColumnError> Parse(std::string_view lines)
   {
     std::int64_t line = 0;
@@ -68,8 +64,6 @@ public:
   }
 
 private:
-  // Each of these takes the text at the start of what it parses and returns where that ends.
-
   const char* ParseColumn(const char* text)
   {
     this->Voxels.clear();
@@ -92,7 +86,6 @@ private:
     return text + 1;
   }
 
-  /// A line after the last column.
   const char* ParseRest(const char* text)
   {
     text = SkipBlanks(text);
@@ -134,12 +127,11 @@ private:
     return this->ParseRareInteger(text, position, least, largest, value);
   }
 
-  /// One with many digits, with a point, or none.
   const char* ParseRareInteger(const char* text, std::size_t position, int least, int largest, int& value)
   {
     double number = 0.0;
     const char* const next = this->ParseNumber(text, position, number);
-    const bool inRange = number >= least && number <= largest; // a conversion of other numbers is undefined
+    const bool inRange = number >= least && number <= largest; // Converting other numbers is undefined.
     value = inRange ? static_cast<int>(number) : 0;
     if (!inRange || value != number)
     {
@@ -149,7 +141,7 @@ private:
     return next;
   }
 
-  /// What ReadPlainNumber does not take: a number with an exponent or of many digits, or no number at all.
+  /// ReadPlainNumber refuses exponents, many digits, and text.
   const char* ParseRareNumber(const char* text, std::size_t position, double& value)
   {
     const std::string_view token = TokenAt(text);
@@ -188,11 +180,11 @@ private:
 
   const SparseMatrixSize Size;
   const std::int64_t NumberOfColumns;
-  std::int64_t Column; // how many came before the line at hand
+  std::int64_t Column;
   int I;
   int J;
-  std::vector<SparseMatrixVoxel> Voxels; // of the column at hand
-  std::vector<int> Indices; // theirs, sorted
+  std::vector<SparseMatrixVoxel> Voxels;
+  std::vector<int> Indices;
   HorizonSorter& Horizons;
 };
 }
@@ -255,7 +247,6 @@ void PieceParser::RequireEnd() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// How many lines come before each block.
 std::vector<std::int64_t> PieceParser::CountLinesBefore(const std::vector<std::string_view>& blocks)
 {
   std::vector<std::int64_t> lines(blocks.size());

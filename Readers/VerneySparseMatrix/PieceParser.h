@@ -16,14 +16,12 @@
 
 namespace SeismicHorizons
 {
-/// Parses the lines of a file piece by piece, and each piece block by block on all threads.
 class PieceParser
 {
 public:
-  /// Takes the horizons of the first `count` blocks, in their order.
+  /// Receives the horizons of the first `count` blocks, in their order.
   using Taker = std::function<void(const std::vector<HorizonSorter>& blocks, std::size_t count)>;
 
-  /// Begins at the line of a column.
   PieceParser(const SparseMatrixSize& size, const SparseMatrixOptions& options, std::int64_t firstColumn = 0)
     : Size(size)
     , Options(options)
@@ -31,11 +29,10 @@ public:
   {
   }
 
-  /// Parses all pieces, as long as goOn(column) says so at the first column of a piece that was read.
+  /// Stops when goOn(first column of a piece) is false.
   void ParseAll(
     LineBuffer& lines, const Monitor& monitor, const Taker& take, const std::function<bool(std::int64_t)>& goOn);
 
-  /// Throws InputError when lines are missing at the end of the file.
   void RequireEnd() const;
 
 private:
@@ -44,8 +41,8 @@ private:
 
   const SparseMatrixSize Size;
   const SparseMatrixOptions Options;
-  std::int64_t Lines; // parsed so far, and before the first one
-  std::vector<HorizonSorter> Parsed; // for each block of a piece
+  std::int64_t Lines;
+  std::vector<HorizonSorter> Parsed;
 };
 }
 

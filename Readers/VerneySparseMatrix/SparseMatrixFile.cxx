@@ -16,7 +16,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The bounding box of a horizon.
 VoxelExtent FindExtent(const LatticeHorizon& horizon)
 {
   if (horizon.Column.empty())
@@ -28,7 +27,6 @@ VoxelExtent FindExtent(const LatticeHorizon& horizon)
   return { box.Least.X, box.Greatest.X, box.Least.Y, box.Greatest.Y, *k.first, *k.second };
 }
 
-/// Reads all horizons for the list, and keeps their voxels until they are taken.
 class WholeFile : public SparseMatrixFile
 {
 public:
@@ -53,7 +51,7 @@ public:
     }
   }
 
-  /// What the list was made from is used once: kept, it would take as much memory as the output.
+  /// The voxels are used once: kept, they would double the memory of the output.
   SparseMatrix Take(const std::vector<int>&, const Monitor& monitor) override
   {
     if (std::optional<SparseMatrix> kept = std::exchange(this->Matrix, std::nullopt))
@@ -67,7 +65,6 @@ private:
   std::optional<SparseMatrix> Matrix;
 };
 
-/// Keeps how many voxels each horizon has in each row, and reads the rows of chosen horizons.
 class FileWithOverview : public SparseMatrixFile
 {
 public:

@@ -32,7 +32,6 @@ void Count(const LatticeHorizon& voxels, HorizonOverview& horizon)
   }
 }
 
-/// The line of the last one that is listed before those of a row.
 SparseMatrixOverview::Line FindLine(const SparseMatrixOverview& overview, int row)
 {
   const std::int64_t column = std::int64_t(row) * overview.Size[0];

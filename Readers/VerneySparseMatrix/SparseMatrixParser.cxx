@@ -24,16 +24,15 @@ namespace SeismicHorizons
 namespace
 {
 constexpr const char* ExpectedHeader = ", expected three positive integers \"nX nY nZ\" below 2^31";
-constexpr std::size_t MaximumHeader = 4096; // characters, the end of the line included
+constexpr std::size_t MaximumHeader = 4096;
 
-/// Whether the number of cells fits into 63 bits.
+/// The number of cells must fit 63 bits.
 bool IsCountable(const SparseMatrixSize& size)
 {
   const std::int64_t columns = std::int64_t(size[0]) * size[1];
   return columns <= std::numeric_limits<std::int64_t>::max() / size[2];
 }
 
-/// Takes the first line, without byte order mark and with a newline at its end.
 SparseMatrixSize ParseHeader(const std::string& line)
 {
   const std::string header = "header " + Quote(std::string_view(line).substr(0, line.size() - 1));
@@ -60,7 +59,6 @@ SparseMatrixSize ParseHeader(const std::string& line)
   return size;
 }
 
-/// Some voxels of a horizon, in their order.
 LatticeHorizon TakeVoxels(const LatticeHorizon& horizon, const std::vector<std::int32_t>& voxels)
 {
   LatticeHorizon some;
@@ -73,7 +71,7 @@ LatticeHorizon TakeVoxels(const LatticeHorizon& horizon, const std::vector<std::
   return some;
 }
 
-/// All sheets of at least that many voxels. The first sheet of a horizon counts the voxels that are dropped.
+/// The first sheet of a horizon counts the dropped voxels.
 std::vector<LatticeHorizon> SplitAll(std::vector<LatticeHorizon> horizons, std::int64_t smallestSize)
 {
   std::vector<LatticeHorizon> all;
@@ -105,7 +103,7 @@ std::vector<LatticeHorizon> SplitAll(std::vector<LatticeHorizon> horizons, std::
 //----------------------------------------------------------------------------------------------------------------------
 SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream)
 {
-  // A file of another kind may have no newline at all, so the search for it is limited.
+  // Files of other formats may have no newline at all.
   std::array<char, MaximumHeader> text;
   stream.getline(text.data(), text.size());
   if (stream.bad())

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads the sparse-matrix text format: a header "nX nY nZ", then one line per column of the lattice (i runs fastest)
-// with five values per voxel. Documentation/FileFormat.md has the grammar and all messages.
+// Reads the sparse-matrix text format: a header "nX nY nZ", then one line per column of the lattice (i fastest) with
+// five values per voxel. Documentation/FileFormat.md has the grammar and all messages.
 //
-// A file is parsed piece by piece: some megabytes of it are in memory at a time, beside the result. So memory follows
-// what is in the file, and not what its header says. Time is linear in the bytes. Numbers are read independently of the
-// locale and rounded correctly.
-//
-// A file that breaks the format gives an InputError whose text starts with the number of the line, as "line 17: ".
+// A few megabytes of the file are in memory besides the result, whatever its header says; time is linear in its size.
+// Numbers are read independently of the locale and rounded correctly. Errors are InputError, with the number of the
+// line: "line 17: ".
 
 #ifndef SeismicHorizonsSparseMatrixParser_h
 #define SeismicHorizonsSparseMatrixParser_h
@@ -26,7 +24,6 @@
 
 namespace SeismicHorizons
 {
-/// nX, nY and nZ: the cells of the lattice along i, j and k.
 using SparseMatrixSize = std::array<int, 3>;
 
 struct SparseMatrixVoxel
@@ -38,34 +35,32 @@ struct SparseMatrixVoxel
   double RealZ = 0.0;
 };
 
-/// How many bytes of a file are held at a time. A longer line makes the buffer grow.
 constexpr std::size_t SparseMatrixBufferSize = 4 * 1024 * 1024;
 
-/// Reads the first line and leaves the stream behind it.
 SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream);
 
-/// The straight line real z = Offset + Step * vertical index.
+/// Real z is Offset + Step * vertical index.
 struct SparseMatrixVerticalFit
 {
   double Offset = 0.0;
-  double Step = 0.0; ///< 0 when there is no such line: real z is the same everywhere, or vertical indices are
+  double Step = 0.0; ///< 0 if real z or the vertical index is constant.
 };
 
 struct SparseMatrix
 {
   SparseMatrixSize Size = {};
-  std::vector<LatticeHorizon> Horizons; ///< by ascending surface ID, sheets of one in their order; none is empty
-  SparseMatrixVerticalFit VerticalFit; ///< by least squares, through the voxels of all horizons
+  std::vector<LatticeHorizon> Horizons; ///< By ascending surface ID, then in the order of sheets; none is empty.
+  SparseMatrixVerticalFit VerticalFit;
 };
 
-/// What is taken of a file. All of it is checked.
+/// Excluded data are checked, too.
 struct SparseMatrixOptions
 {
   DuplicatePolicy Policy = DuplicatePolicy::StrongestAmplitude;
-  std::array<int, 2> ColumnRange = { 0, std::numeric_limits<int>::max() }; ///< first and last i
-  std::array<int, 2> RowRange = { 0, std::numeric_limits<int>::max() }; ///< first and last j
-  std::int64_t SmallestSize = 1; ///< horizons of fewer voxels, those in the ranges, are left out
-  std::vector<int> Surfaces = {}; ///< only these are kept, by their IDs, ascending; empty for all
+  std::array<int, 2> ColumnRange = { 0, std::numeric_limits<int>::max() };
+  std::array<int, 2> RowRange = { 0, std::numeric_limits<int>::max() };
+  std::int64_t SmallestSize = 1; ///< In voxels within the ranges.
+  std::vector<int> Surfaces = {}; ///< Ascending surface IDs; empty for all.
 
   bool operator==(const SparseMatrixOptions& other) const
   {
@@ -74,7 +69,7 @@ struct SparseMatrixOptions
   }
 };
 
-/// Reads a whole file, on all threads. Progress is by bytes, where the stream can tell its length.
+/// Progress is by bytes, if the length of the stream is known.
 SparseMatrix ReadSparseMatrix(std::istream& stream, const SparseMatrixOptions& options = SparseMatrixOptions(),
   const Monitor& monitor = Monitor(), std::size_t bufferSize = SparseMatrixBufferSize);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The line through the voxels of all horizons of a file, by least squares: of voxels in memory, or block by block, with
-// the same result to the bit.
+// Fits a line to the voxels of all horizons by least squares. Voxels in memory and blocks of a file give bitwise equal
+// results.
 
 #ifndef SeismicHorizonsVerticalFit_h
 #define SeismicHorizonsVerticalFit_h
@@ -17,8 +17,7 @@
 
 namespace SeismicHorizons
 {
-/// Sums over voxels, relative to one of them: the differences between sums of large, nearly equal numbers would be
-/// mostly rounding.
+/// Sums are relative to a voxel, as differences between large sums would lose digits.
 struct VerticalSums
 {
   double Count = 0.0;
@@ -46,7 +45,7 @@ struct VerticalSums
   }
 };
 
-/// The voxel that sums are relative to: of the first column that has one, that of the least surface ID.
+/// The voxel with the lowest surface ID in the first column that has voxels.
 struct ReferenceVoxel
 {
   double K = 0.0;
@@ -55,17 +54,15 @@ struct ReferenceVoxel
 
 SparseMatrixVerticalFit FitVertically(const std::vector<LatticeHorizon>& horizons);
 
-/// For the blocks of a file in their order.
+/// Blocks must be added in the order of the file.
 class VerticalFitter
 {
 public:
-  /// Adds the horizons of the first `count` blocks.
   void Add(const std::vector<HorizonSorter>& blocks, std::size_t count);
 
   SparseMatrixVerticalFit Fit() const;
 
 private:
-  /// Those of a horizon: added up, and of the chunk at hand.
   struct Sums
   {
     VerticalSums All;
@@ -76,7 +73,7 @@ private:
   void Add(const LatticeHorizon& voxels, Sums& sums) const;
 
   std::optional<ReferenceVoxel> Reference;
-  std::map<int, Sums> Horizons; // by surface ID
+  std::map<int, Sums> Horizons;
 };
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// SparseMatrixFile reads files, and HorizonDataSet, HorizonImage and HorizonVolume make datasets of what it gives; here
-// parameters become what they are asked for.
+// Translates parameters for SparseMatrixFile, which reads, and for HorizonDataSet, HorizonImage and HorizonVolume,
+// which make datasets.
 
 #include "vtkVerneySparseMatrixReader.h"
 
@@ -47,7 +47,7 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// The number of voxels in a line; -1 where it is none of this format, in which lines have five numbers for each.
+/// Lines have five numbers per voxel; others give -1.
 int CountVoxels(std::string_view line, int indices)
 {
   FieldCursor fields(line, FieldSeparator::Blanks);
@@ -65,10 +65,9 @@ int CountVoxels(std::string_view line, int indices)
   return numbers % 5 == 0 ? numbers / 5 : -1;
 }
 
-/// Whether the lines behind the header have voxels, and nothing else, as far as one looks.
 bool HasVoxels(std::istream& stream, int indices)
 {
-  constexpr std::size_t lookedAt = 64 * 1024; // bytes
+  constexpr std::size_t lookedAt = 64 * 1024;
   const std::string text = PeekLines(stream, lookedAt);
   int voxels = 0;
   for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
@@ -77,7 +76,7 @@ bool HasVoxels(std::istream& stream, int indices)
     const int found = CountVoxels(std::string_view(text).substr(start, end - start), indices);
     if (end == std::string::npos)
     {
-      return voxels + std::max(found, 0) > 0; // the last line of a file that was cut may be of any length
+      return voxels + std::max(found, 0) > 0; // The last line of a truncated file may have any length.
     }
     if (found < 0)
     {
@@ -88,7 +87,7 @@ bool HasVoxels(std::istream& stream, int indices)
   return voxels > 0;
 }
 
-/// Nothing of a range would be there, without a word, when it begins behind the lattice.
+/// A range that begins outside the lattice would silently give nothing.
 void CheckBegins(const char* range, int first, const char* lines, int size)
 {
   if (first > 0 && first >= size)
@@ -98,7 +97,6 @@ void CheckBegins(const char* range, int first, const char* lines, int size)
   }
 }
 
-/// The bounding box of two boxes.
 VoxelExtent Unite(const VoxelExtent& a, const VoxelExtent& b)
 {
   if (a == EmptyExtent || b == EmptyExtent)
@@ -109,7 +107,6 @@ VoxelExtent Unite(const VoxelExtent& a, const VoxelExtent& b)
     std::max(a[5], b[5]) };
 }
 
-/// All voxels of a lattice.
 VoxelExtent WholeExtent(const SparseMatrixSize& size)
 {
   return { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
@@ -200,7 +197,7 @@ LatticeFrame vtkVerneySparseMatrixReader::MakeGivenFrame() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// With real z, heights are those of the line that fits it; where there is none, those of the parameters.
+/// Heights follow the line fitted to real z, or else the parameters.
 LatticeFrame vtkVerneySparseMatrixReader::MakeFrame() const
 {
   LatticeFrame frame = this->MakeGivenFrame();
@@ -227,7 +224,7 @@ void vtkVerneySparseMatrixReader::CheckParameters()
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> vtkVerneySparseMatrixReader::ListHorizons(const Monitor& monitor)
 {
-  // A volume takes far more memory than what it is made from.
+  // A volume takes far more memory than its source.
   const bool withOverview = this->LeastMemory && this->OutputType != Volume;
   if (withOverview && this->DuplicatePolicy == Sheets)
   {
@@ -279,7 +276,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHor
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
-    // Moved out of the list, so that the voxels of each horizon are freed once it is made.
+    // Moving frees the voxels of a horizon once it is converted.
     LatticeHorizon& voxels = matrix.Horizons[number];
     horizons.push_back(MakeHorizon(this->OutputType == Images, std::move(voxels), frame));
     monitor.Progress(0.8 + 0.2 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
@@ -290,7 +287,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkVerneySparseMatrixReader::MakeHor
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // which one depends on OutputType
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // The type depends on OutputType.
   return 1;
 }
 
@@ -310,7 +307,7 @@ int vtkVerneySparseMatrixReader::RequestDataObject(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The extent of a volume, which the pipeline cuts into pieces. A collection has none.
+/// The pipeline splits a volume by its extent; a collection has none.
 void vtkVerneySparseMatrixReader::DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -328,7 +325,7 @@ void vtkVerneySparseMatrixReader::DescribeOutput(const std::vector<int>& numbers
   }
   const ImageFrame frame = MakeVolumeFrame(this->MakeFrame().ToWorld());
   AnnounceImage(ToImageExtent(extent, frame), frame, outputInformation);
-  // After an error the pipeline would still ask for what could not be made then.
+  // After an error the pipeline would otherwise request an output that cannot be made.
   outputInformation->Remove(Pipeline::COMBINED_UPDATE_EXTENT());
   outputInformation->Remove(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
 }

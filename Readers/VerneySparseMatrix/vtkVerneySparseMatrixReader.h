@@ -51,11 +51,11 @@
 #ifndef vtkVerneySparseMatrixReader_h
 #define vtkVerneySparseMatrixReader_h
 
-#include "vtkHorizonFileSeries.h" // for the files
+#include "vtkHorizonFileSeries.h"
 #include "vtkHorizonSource.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory>
 
 namespace SeismicHorizons
 {
@@ -393,7 +393,7 @@ private:
   int DuplicatePolicy = StrongestAmplitude;
 
   bool FileHasOverview = false;
-  std::unique_ptr<SeismicHorizons::SparseMatrixFile> File; // the one that was read last, and what was found in it
+  std::unique_ptr<SeismicHorizons::SparseMatrixFile> File;
 };
 
 #endif

@@ -64,7 +64,7 @@ TSurf::Triangle ToTriangle(std::size_t polygon, vtkIdType size, const vtkIdType*
   return { PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) };
 }
 
-/// Turned around where z is, so that they face the same side.
+/// Triangles are reversed if z is, so that they keep their orientation.
 std::vector<TSurf::Triangle> ReadTriangles(vtkPolyData* horizon, bool isTurned)
 {
   if (horizon->GetNumberOfStrips() > 0)
@@ -94,7 +94,6 @@ std::vector<TSurf::Triangle> ReadTriangles(vtkPolyData* horizon, bool isTurned)
   return triangles;
 }
 
-/// Of each triangle the number that the cell data give as its part; empty where they do not.
 std::vector<std::int32_t> ReadParts(vtkPolyData* horizon)
 {
   auto* const parts = vtkIntArray::SafeDownCast(horizon->GetCellData()->GetArray(CellArray::Part));
@@ -103,7 +102,8 @@ std::vector<std::int32_t> ReadParts(vtkPolyData* horizon)
     return {};
   }
   RequireTuples(parts, horizon->GetNumberOfCells(), "cells");
-  const vtkIdType first = horizon->GetNumberOfVerts() + horizon->GetNumberOfLines(); // cells come in this order
+  // Polygons follow vertices and lines in cell data.
+  const vtkIdType first = horizon->GetNumberOfVerts() + horizon->GetNumberOfLines();
   std::vector<std::int32_t> numbers;
   for (vtkIdType cell = first; cell < first + horizon->GetNumberOfPolys(); ++cell)
   {

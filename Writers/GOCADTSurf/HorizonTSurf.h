@@ -13,11 +13,11 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// The triangles of a horizon with its colour and what its field data say of its coordinates, as a TSurf without
-/// properties whose z grows as `positive` says. Throws InputError when there are no triangles, or other polygons.
+/// Converts triangles, colour and coordinate system; z increases in the direction of `positive`. Throws InputError
+/// unless all polygons are triangles.
 TSurf MakeTSurf(vtkPolyData* horizon, const std::string& name, VerticalPositive positive);
 
-/// Its point arrays of numbers; those of readers and stages only for `withOwn`.
+/// Arrays of readers and stages are included only for `withOwn`.
 std::vector<TSurfProperty> ReadProperties(vtkPolyData* horizon, bool withOwn);
 }
 

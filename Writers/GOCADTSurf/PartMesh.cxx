@@ -15,7 +15,6 @@ namespace
 {
 using TriangleLists = ItemLists<std::int32_t, std::uint32_t>;
 
-/// The triangles of each part, parts by ascending number.
 TriangleLists SortByPart(const TSurf& surface, std::size_t& numberOfParts)
 {
   std::vector<std::int32_t> numbers = surface.Parts;
@@ -38,7 +37,6 @@ TriangleLists SortByPart(const TSurf& surface, std::size_t& numberOfParts)
     });
 }
 
-/// Lists parts one after the other.
 class PartLister
 {
 public:
@@ -79,7 +77,7 @@ private:
   {
     for (const PointId vertex : this->Surface.Triangles[std::size_t(triangle)])
     {
-      // What earlier parts listed lies before this part, and so counts as not listed yet.
+      // Entries of earlier parts are before this part, and count as not listed.
       PointId& listed = this->Listed[std::size_t(vertex)];
       if (listed < PointId(this->Mesh.Places.size()))
       {
@@ -90,15 +88,15 @@ private:
   }
 
   const TSurf& Surface;
-  std::vector<PointId> First; // of each vertex where it is listed first, or NoPoint
-  std::vector<PointId> Listed; // the same for the last time
+  std::vector<PointId> First;
+  std::vector<PointId> Listed;
 };
 
-/// A side of a triangle, at its end of lower number.
+/// An edge of a triangle, stored at its end of lower number.
 struct Side
 {
-  PointId High; // the other end
-  bool IsForward; // whether the triangle goes from the lower end to the other one
+  PointId High;
+  bool IsForward;
 };
 
 using Sides = ItemLists<Side, std::uint32_t>;
@@ -126,7 +124,7 @@ Sides FindSides(const std::vector<TSurf::Triangle>& triangles, std::size_t numbe
   return sides;
 }
 
-/// Of each vertex the ends of the border edges that leave it: sides of one triangle, turned around.
+/// Border edges belong to a single triangle, and are reversed.
 Ends FindBorderEdges(const Sides& sides, std::size_t numberOfVertices)
 {
   return Ends(std::int64_t(numberOfVertices),
@@ -167,7 +165,7 @@ std::vector<std::array<PointId, 2>> FindBorders(
   const std::vector<TSurf::Triangle>& triangles, std::size_t numberOfVertices)
 {
   const Ends edges = FindBorderEdges(FindSides(triangles, numberOfVertices), numberOfVertices);
-  std::vector<const PointId*> next(numberOfVertices); // of each vertex its first edge that no loop has yet
+  std::vector<const PointId*> next(numberOfVertices);
   for (std::size_t vertex = 0; vertex < numberOfVertices; ++vertex)
   {
     next[vertex] = edges.begin(std::int64_t(vertex));

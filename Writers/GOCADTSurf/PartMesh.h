@@ -12,28 +12,25 @@
 
 namespace SeismicHorizons
 {
-/// The vertices and triangles of a TSurf as a file lists them, part after part. Vertices are those of triangles only,
-/// by ascending number within a part. One that several parts have in common is listed in each of them: from the second
-/// time on it stands at the place of the first.
+/// The vertices and triangles of a TSurf in the order of the file, part by part. Vertices of triangles come by ascending
+/// number within a part. A vertex of several parts is repeated in each, with a reference to its first entry.
 struct PartMesh
 {
   struct Part
   {
-    std::size_t LastVertex, LastTriangle; // one behind its last; it begins where the part before it ends
+    std::size_t LastVertex, LastTriangle;
   };
 
-  std::vector<PointId> Sources; // of each vertex the vertex of the TSurf
-  std::vector<PointId> Places; // of each vertex the one before it at whose place it stands, or NoPoint
+  std::vector<PointId> Sources;
+  std::vector<PointId> Places; // Earlier vertex at the same place, or NoPoint.
   std::vector<TSurf::Triangle> Triangles;
   std::vector<Part> Parts;
 };
 
-/// Linear but for the sorting of the numbers of the parts.
 PartMesh MakePartMesh(const TSurf& surface);
 
-/// The sections of the border: one for each loop of the sides that belong to one triangle alone, as its first two
-/// vertices. It runs against the triangles beside it, as it does in files of others: seen from where they are
-/// counter-clockwise, the surface lies to its right. Linear but for the sorting of the neighbours of each vertex.
+/// Returns the first two vertices of each border loop. Loops run against their triangles, as GOCAD writes them. Time is
+/// linear, except for sorting the neighbours of each vertex.
 std::vector<std::array<PointId, 2>> FindBorders(
   const std::vector<TSurf::Triangle>& triangles, std::size_t numberOfVertices);
 }

@@ -20,7 +20,6 @@ namespace
 {
 constexpr std::size_t LinesBetweenReports = 1 << 16;
 
-/// Text that goes on a line as it is.
 std::string_view RequireLine(const char* what, std::string_view text)
 {
   if (std::any_of(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }))
@@ -30,7 +29,6 @@ std::string_view RequireLine(const char* what, std::string_view text)
   return text;
 }
 
-/// Text that is one word of several on a line: in quotes where it has to be.
 std::string ToWord(const char* what, const std::string& text)
 {
   RequireLine(what, text);
@@ -41,7 +39,7 @@ std::string ToWord(const char* what, const std::string& text)
   return text.empty() || text.find_first_of(" \t{}") != std::string::npos ? '"' + text + '"' : text;
 }
 
-/// Whether readers would take something off the ends of a name.
+/// Readers trim names.
 bool NeedsQuotes(const std::string& name)
 {
   constexpr std::string_view blanks = " \t";
@@ -50,10 +48,9 @@ bool NeedsQuotes(const std::string& name)
   return hasBlanks || (name.size() >= 2 && name.front() == '"' && name.back() == '"');
 }
 
-/// A number that no value of the property is taken for.
 double ChooseNull(const std::vector<double>& values)
 {
-  double null = -99999.0; // as nearly all files have it
+  double null = -99999.0; // Nearly all files use it.
   while (std::any_of(values.begin(), values.end(), [null](double value) { return IsNullValue(value, null); }))
   {
     null = 10.0 * null - 9.0;
@@ -102,7 +99,7 @@ public:
     this->Out.Print("\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT");
     for (const std::string* const unit : { &survey.HorizontalUnit, &survey.HorizontalUnit, &survey.VerticalUnit })
     {
-      ToWord("unit", *unit); // refuses what no quotes can hold
+      ToWord("unit", *unit); // Refuses quotes within the unit.
       this->Out.Print(" \"");
       this->Out.Print(*unit);
       this->Out.Print('"');
@@ -228,7 +225,7 @@ private:
       this->Out.Print(coordinate);
     }
     this->PrintValues(source);
-    this->Out.Print(this->Surface.Properties.empty() ? " CNXYZ\n" : "\n"); // some readers know such lines alone
+    this->Out.Print(this->Surface.Properties.empty() ? " CNXYZ\n" : "\n"); // Some readers accept no other ending.
   }
 
   void PrintValues(std::size_t source)
@@ -255,7 +252,7 @@ private:
 
   const TSurf& Surface;
   const PartMesh Mesh;
-  std::vector<double> Nulls; // by property
+  std::vector<double> Nulls;
   TextPrinter Out;
 };
 }

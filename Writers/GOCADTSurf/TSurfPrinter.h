@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints triangulated surfaces in GOCAD's text format (Documentation/GOCADTSurfWriter.md). Ids count up from 1.
-// Coordinates and values have all digits that reading them back takes.
+// Prints triangulated surfaces in GOCAD's text format (Documentation/GOCADTSurfWriter.md). Ids start at 1. Numbers have
+// the digits that restore them exactly.
 
 #ifndef SeismicHorizonsTSurfPrinter_h
 #define SeismicHorizonsTSurfPrinter_h
@@ -14,10 +14,9 @@
 
 namespace SeismicHorizons
 {
-/// Prints the object of a surface: vertices that no triangle has are left out, values that are not finite become a
-/// number that no vertex has as a value. `withBorders` adds the border, as FindBorders makes it out of the triangles;
-/// what the surface itself says of borders is not looked at. Throws InputError on coordinates that are not finite, on
-/// names and units that the format cannot hold, and when the stream takes no more.
+/// Vertices without triangles are omitted, and values that are not finite become a null value. `withBorders` adds
+/// FindBorders instead of the surface's own borders. Throws InputError for coordinates that are not finite, for names
+/// and units that the format cannot hold, and if writing fails.
 void PrintTSurf(const TSurf& surface, bool withBorders, std::ostream& stream, const Monitor& monitor = Monitor());
 }
 

@@ -20,9 +20,8 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr const char* NoUnit = "none"; // as GOCAD has it for properties
+constexpr const char* NoUnit = "none"; // GOCAD's word for properties without unit.
 
-/// The first of these that says something.
 std::string Choose(const char* parameter, const std::string& field, const std::string& otherwise)
 {
   if (parameter && *parameter)

@@ -14,13 +14,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t LongestName = 31; // of AC1009
+constexpr std::size_t LongestName = 31; // Limit of AC1009.
 constexpr std::size_t TrianglesBetweenReports = 1 << 14;
-constexpr int NumberOfColours = 6; // 1 to 6: red, yellow, green, cyan, blue, magenta
+constexpr int NumberOfColours = 6; // Colours 1 to 6 are red, yellow, green, cyan, blue and magenta.
 
 bool IsContinued(char c)
 {
-  return (static_cast<unsigned char>(c) & 0xc0) == 0x80; // of a character of several bytes in UTF-8
+  return (static_cast<unsigned char>(c) & 0xc0) == 0x80; // A continuation byte of UTF-8.
 }
 
 bool IsAllowed(char c)
@@ -41,7 +41,7 @@ std::string ToLayerName(const std::string& name)
   return layer.empty() ? "_" : layer;
 }
 
-/// A group of the format: its code, and its value in a line of its own.
+/// A group of the format is a code and, on the next line, a value.
 template <typename Value>
 void PrintGroup(int code, const Value& value, TextPrinter& out)
 {
@@ -131,7 +131,7 @@ void PrintDXFFaces(const TSurf& surface, const std::string& layer, TextPrinter& 
     }
     PrintText(0, "3DFACE", out);
     PrintText(8, layer, out);
-    for (int corner = 0; corner < 4; ++corner) // the fourth is the third again, as faces have four
+    for (int corner = 0; corner < 4; ++corner) // Faces have four corners; the fourth repeats the third.
     {
       const PointId point = triangle[std::size_t(corner < 3 ? corner : 2)];
       const std::array<double, 3>& vertex = surface.Vertices[std::size_t(point)];

@@ -21,7 +21,7 @@
 #define vtkHorizonDXFWriter_h
 
 #include "vtkHorizonWriter.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonDXFWriter : public vtkHorizonWriter
 {
