@@ -15,8 +15,8 @@
 
 namespace SeismicHorizons
 {
-/// Data in an XML format of VTK, by its writer but not into a file, which it would destroy where a disk is full. Not with
-/// appended bytes, the default: readers of VTK up to 9.2 stumble over them with a recent Expat library.
+/// VTK's writer would destroy an existing file if the disk is full. Appended data, the default, fail in readers of VTK
+/// up to 9.2 with a recent Expat library.
 template <typename Writer>
 void PrintXML(vtkDataObject* data, std::ostream& stream)
 {

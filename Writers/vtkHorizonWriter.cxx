@@ -27,13 +27,12 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// All processes where they write together, else this one alone.
 Ranks RanksOf(bool areTogether)
 {
   return areTogether ? Ranks(vtkMultiProcessController::GetGlobalController()) : Ranks();
 }
 
-/// The same text with underscores for what names of files cannot have on some system; bytes of other alphabets stay.
+/// Underscores replace characters that some file systems forbid; other alphabets remain.
 std::string MakeFileName(std::string text)
 {
   const auto isKept = [](char c)
@@ -46,7 +45,6 @@ std::string MakeFileName(std::string text)
   return text;
 }
 
-/// The beginning of a text in UTF-8, of whole characters and at most so many bytes.
 std::string Shorten(const std::string& text, std::size_t most)
 {
   std::size_t size = std::min(text.size(), most);
@@ -57,13 +55,12 @@ std::string Shorten(const std::string& text, std::size_t most)
   return text.substr(0, size);
 }
 
-/// A file for each horizon beside the given one. Names that differ in case alone are one on some systems: they get a
-/// number, as equal ones do. Too long ones are shortened.
+/// Names that differ in case alone are equal on some systems, and get a number, as equal names do.
 template <typename Horizons>
 std::vector<std::string> NameFiles(const std::string& file, const Horizons& horizons)
 {
   const std::filesystem::path path = std::filesystem::u8path(file);
-  constexpr std::size_t longest = 255; // bytes of a name, on all usual systems
+  constexpr std::size_t longest = 255; // Bytes of a name that all usual systems allow.
   constexpr std::size_t numberSize = 12;
   const std::string stem = path.stem().u8string() + '_';
   const std::string extension = path.extension().u8string();
@@ -118,7 +115,7 @@ void vtkHorizonWriter::WriteFiles(const std::vector<std::string>& names, const s
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// As many pieces are asked for as there are processes: those of a writer without a word would all ask for everything.
+/// By default each process of a writer would request all data.
 vtkTypeBool vtkHorizonWriter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -17,12 +17,12 @@
 #ifndef vtkHorizonWriter_h
 #define vtkHorizonWriter_h
 
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 #include "vtkWriter.h"
 
-#include <ostream> // for the file
-#include <string> // for names
-#include <vector> // for the horizons
+#include <ostream>
+#include <string>
+#include <vector>
 
 namespace SeismicHorizons
 {

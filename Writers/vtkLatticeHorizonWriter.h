@@ -13,7 +13,7 @@
 #define vtkLatticeHorizonWriter_h
 
 #include "vtkHorizonWriter.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkLatticeHorizonWriter : public vtkHorizonWriter
 {

@@ -14,9 +14,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t PieceSize = 256 * 1024; // bytes
+constexpr std::size_t PieceSize = 256 * 1024;
 
-// Numbers between these are written without an exponent.
+// Other numbers are written with an exponent.
 constexpr double SmallestPlain = 1e-5;
 constexpr double LargestPlain = 1e16;
 

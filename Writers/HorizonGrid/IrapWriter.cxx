@@ -19,19 +19,19 @@ namespace
 {
 constexpr double TextNull = 9999900.0;
 constexpr float BinaryNull = 1e30f;
-constexpr double FirstBinaryNull = 9.9999e29; // from here on values may be rounded to it
+constexpr double FirstBinaryNull = 9.9999e29; // Larger values may be rounded to the null value.
 constexpr std::size_t UnusedNumbers = 7;
-constexpr int ValuesInLine = 9; // more are too many for some programs
-constexpr double LargestShift = 0.01; // of a step, that a node may be off for steps not quite at right angles
+constexpr int ValuesInLine = 9; // Some programs accept no more.
+constexpr double LargestShift = 0.01; // Fraction of a step by which nodes may move to make steps perpendicular.
 
 struct IrapLattice
 {
   double ColumnStep = 0.0;
-  double RowStep = 0.0; // negative when the lattice is seen in a mirror
-  double Degrees = 0.0; // of the rotation, counterclockwise
+  double RowStep = 0.0; // Negative for left-handed lattices.
+  double Degrees = 0.0;
 };
 
-/// Throws InputError when the steps are so far from right angles that the farthest node would move.
+/// Throws InputError if the farthest node would move.
 IrapLattice FindLattice(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;
@@ -45,9 +45,9 @@ IrapLattice FindLattice(const SurveyLattice& lattice)
       "steps at " + ShortestText(std::round(100.0 * degrees) / 100.0) + " degrees, expected right angles for IRAP");
   }
   IrapLattice irap;
-  irap.ColumnStep = i.stableNorm(); // squares of steps may be too large
+  irap.ColumnStep = i.stableNorm(); // Squares of steps may overflow.
   irap.RowStep = std::copysign(j.stableNorm(), cross);
-  irap.Degrees = std::atan2(i.y(), i.x()) * (180.0 / std::acos(-1.0)) + 0.0; // not -0
+  irap.Degrees = std::atan2(i.y(), i.x()) * (180.0 / std::acos(-1.0)) + 0.0; // Avoids -0.
   return irap;
 }
 
@@ -78,7 +78,6 @@ std::uint32_t BitsOf(float number)
   return bits;
 }
 
-/// A Fortran record of numbers, big-endian, with its length on both sides.
 void WriteRecord(GridOutput& output, const std::vector<std::uint32_t>& numbers)
 {
   const auto write = [&output](std::uint32_t bits)
@@ -95,7 +94,6 @@ void WriteRecord(GridOutput& output, const std::vector<std::uint32_t>& numbers)
   write(length);
 }
 
-/// Throws InputError where single precision has no such number.
 float ToSingle(double number)
 {
   const auto single = static_cast<float>(number);

@@ -17,16 +17,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double Nearness = 1e-6; // columns: what world coordinates of surveys are rounded by
-// A grid may have so many nodes in all, or so many for each column.
+constexpr double Nearness = 1e-6; // In columns; world coordinates are rounded.
+// The larger of both limits on nodes applies.
 constexpr double EnoughNodes = 1 << 22;
 constexpr double MostNodesPerColumn = 100;
 
-/// A place along one axis of a lattice: between a column and the next, or on one.
 struct Position
 {
   int First = 0;
-  double Part = 0.0; // of the way to the next; 0 on the last column
+  double Part = 0.0; // Fraction of a step; 0 on the last column.
   bool IsInside = false;
 
   Position(double place, int columns)
@@ -42,7 +41,7 @@ struct Position
   }
 };
 
-/// nan where a column that counts has no value.
+/// Returns nan if a column with a weight has no value.
 double Interpolate(const HorizonGrid& grid, const Position& i, const Position& j)
 {
   double z = 0.0;
@@ -59,7 +58,6 @@ double Interpolate(const HorizonGrid& grid, const Position& i, const Position& j
   return z;
 }
 
-/// The lattice along the axes that covers another.
 SurveyLattice FindUpright(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;

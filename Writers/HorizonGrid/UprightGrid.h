@@ -9,11 +9,9 @@
 
 namespace SeismicHorizons
 {
-/// The grid on a lattice along the axes with the same steps, which begins at the south-western corner of what the
-/// lattice covers, so that all grids of one lattice come to the same nodes. Values are bilinear between the four
-/// columns around a node; a node has none where one of those that count has none. Lines of the survey are lost. Linear
-/// in the nodes. Throws InputError on a lattice that fills a tiny part of its extent only, and where no node gets a
-/// value.
+/// Resamples a grid onto the axes from the south-western corner of the lattice, so that all grids of a lattice share
+/// nodes. Values are bilinear; a node is null if a column with a weight is. Line numbers are lost. Throws InputError for
+/// a lattice that fills a tiny fraction of its extent, and for a result without values.
 HorizonGrid MakeUpright(const HorizonGrid& grid, const Monitor& monitor = Monitor());
 }
 

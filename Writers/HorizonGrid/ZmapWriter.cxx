@@ -14,26 +14,25 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double FirstNull = 9.9e29; // readers compare in single precision
-// What stands for no value: the first that is well below all values. In single precision all are exact but the last,
-// which some readers, comparing the text with what they read, take for a value.
+constexpr double FirstNull = 9.9e29; // Readers compare in single precision.
+// The first one well below all values is used. Single precision holds all but the last, which some readers take for a
+// value.
 constexpr std::array<double, 3> Nulls = { -99999.0, -999999.0, -9999999.0 };
 constexpr std::string_view LastNull = "1.0E+30";
 constexpr int ValuesInLine = 5;
-constexpr std::size_t SmallestWidth = 15; // of a value, as other programs have it
-constexpr double LargestShift = 0.01; // of a step, that a node may be off for steps not quite along the axes
+constexpr std::size_t SmallestWidth = 15;
+constexpr double LargestShift = 0.01; // Fraction of a step by which nodes may move to be along the axes.
 
-/// The nodes along an axis, from its smallest coordinate on.
 struct Axis
 {
   int Count = 0;
   double First = 0.0;
   double Last = 0.0;
-  std::int64_t FirstIndex = 0; // of HorizonGrid::Z
+  std::int64_t FirstIndex = 0; // Index in HorizonGrid::Z.
   std::int64_t IndexStep = 0;
 };
 
-/// `along` is the part of the step on the axis.
+/// `along` is the component of the step on the axis.
 Axis MakeAxis(int count, double origin, double along, std::int64_t indexStep)
 {
   const double end = origin + (count - 1) * along;
@@ -47,7 +46,7 @@ Axis MakeAxis(int count, double origin, double along, std::int64_t indexStep)
   return axis;
 }
 
-/// Whether the farthest node is on the axis, when the step goes `along` it and `beside` it.
+/// Tests the farthest node of a step with components `along` and `beside` the axis.
 bool IsAlong(double along, double beside, int count, double otherStep)
 {
   return std::fabs(beside) * (count - 1) <= LargestShift * std::min(std::fabs(along), otherStep);
@@ -59,7 +58,7 @@ struct Axes
   Axis Y;
 };
 
-/// Either step may be the one along x. None where steps are along no axes.
+/// Either step may be along x.
 std::optional<Axes> FindAxes(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;
@@ -78,7 +77,6 @@ std::optional<Axes> FindAxes(const SurveyLattice& lattice)
   return {};
 }
 
-/// What the header says of all values.
 struct Layout
 {
   std::size_t Width = SmallestWidth;

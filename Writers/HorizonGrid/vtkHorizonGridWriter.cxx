@@ -22,7 +22,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr double LargestRounding = 0.01; // of places, as a part of a step, without a word
+constexpr double LargestRounding = 0.01; // Fraction of a step by which nodes may move without a warning.
 }
 
 vtkStandardNewMacro(vtkHorizonGridWriter);

@@ -16,7 +16,7 @@
 #define vtkHorizonGridWriter_h
 
 #include "vtkLatticeHorizonWriter.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonGridWriter : public vtkLatticeHorizonWriter
 {

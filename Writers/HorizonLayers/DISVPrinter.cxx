@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Columns of level cells, as MODFLOW has them.
+// MODFLOW has columns of horizontal cells.
 
 #include "LayersPrinter.h"
 
@@ -15,12 +15,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// A cell over a triangle of the plan, as a level one.
 struct LevelCell
 {
   std::int64_t Triangle;
   int Layer;
-  std::array<std::int64_t, 3> Vertices; // ascending
+  std::array<std::int64_t, 3> Vertices;
   double Top;
   double Base;
 
@@ -42,10 +41,10 @@ public:
   }
 
   std::vector<std::array<double, 2>> Vertices;
-  std::vector<std::array<std::int64_t, 3>> Triangles; // by column
+  std::vector<std::array<std::int64_t, 3>> Triangles;
   std::vector<double> Tops;
-  std::vector<std::vector<double>> Bases; // by layer and column
-  std::vector<std::vector<int>> Domain; // the same
+  std::vector<std::vector<double>> Bases; // Indexed by layer and column.
+  std::vector<std::vector<int>> Domain;
 
 private:
   void FindVertices()
@@ -79,7 +78,7 @@ private:
 
   LevelCell MakeCell(std::size_t cell) const
   {
-    std::vector<std::pair<std::int64_t, double>> corners; // by vertex and height
+    std::vector<std::pair<std::int64_t, double>> corners;
     for (std::int64_t n = this->Cells.FirstCorner(cell); n < this->Cells.Ends[cell]; ++n)
     {
       const auto point = std::size_t(this->Cells.Corners[std::size_t(n)]);
@@ -140,7 +139,7 @@ private:
     }
   }
 
-  /// Where there is no cell, a level that closes up to the next one that there is.
+  /// Missing cells have no height, at the level of the next cell.
   void AddColumn(std::size_t first, std::size_t end)
   {
     this->Triangles.push_back(this->Levels[first].Vertices);
@@ -169,11 +168,10 @@ private:
   }
 
   const VolumeCells& Cells;
-  std::vector<std::int64_t> VertexOf; // by point
+  std::vector<std::int64_t> VertexOf;
   std::vector<LevelCell> Levels;
 };
 
-/// An array of the block of grid data, ten values on a line.
 template <typename Value>
 void PrintArray(const std::vector<Value>& values, const Monitor& monitor, LinePrinter& out)
 {
@@ -199,7 +197,7 @@ void PrintLayered(
   }
 }
 
-/// Clockwise, as MODFLOW wants them.
+/// MODFLOW wants clockwise order.
 void PrintColumn(const LevelGrid& grid, std::size_t column, LinePrinter& out)
 {
   std::array<std::int64_t, 3> corners = grid.Triangles[column];

@@ -17,15 +17,14 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t Kinds = 3;
-constexpr int GmshVolume = 3; // the dimension
-constexpr std::size_t BetweenReports = 1 << 14; // cells
+constexpr int GmshVolume = 3;
+constexpr std::size_t BetweenReports = 1 << 14;
 
 std::size_t KindOf(std::size_t corners)
 {
   return 6 - corners;
 }
 
-/// The cells of each layer, by their kinds.
 class CellGroups
 {
 public:
@@ -56,9 +55,9 @@ private:
   std::vector<std::vector<std::size_t>> Groups;
 };
 
-using CellNodes = std::vector<std::int64_t>; // from 1
+using CellNodes = std::vector<std::int64_t>;
 
-/// As Gmsh has them: of wedges the other triangle comes first.
+/// In Gmsh's wedges the other triangle comes first.
 CellNodes NodesOf(const VolumeCells& cells, std::size_t cell)
 {
   CellNodes nodes;
@@ -71,7 +70,7 @@ CellNodes NodesOf(const VolumeCells& cells, std::size_t cell)
   return nodes;
 }
 
-/// The same with pyramids as wedges of which the apex is two nodes: pyramids are unknown to many solvers.
+/// Pyramids become wedges with a repeated apex, since many solvers have no pyramids.
 CellNodes NodesWithoutPyramids(const VolumeCells& cells, std::size_t cell)
 {
   const CellNodes nodes = NodesOf(cells, cell);
@@ -81,12 +80,11 @@ CellNodes NodesWithoutPyramids(const VolumeCells& cells, std::size_t cell)
   }
   const auto at = [&](std::size_t n) { return cells.Points[std::size_t(nodes[n] - 1)]; };
   const bool areOver =
-    at(0)[0] == at(3)[0] && at(0)[1] == at(3)[1]; // each other; else the first and the second one are
+    at(0)[0] == at(3)[0] && at(0)[1] == at(3)[1]; // Otherwise the first and the second corner are above each other.
   return areOver ? CellNodes{ nodes[4], nodes[1], nodes[0], nodes[4], nodes[2], nodes[3] }
                  : CellNodes{ nodes[4], nodes[0], nodes[3], nodes[4], nodes[1], nodes[2] };
 }
 
-/// Prints the cells of a group, each on a line with its number; `printed` counts cells.
 template <typename Nodes>
 void PrintCells(const VolumeCells& cells, const std::vector<std::size_t>& group, std::string_view between,
   Nodes&& nodesOf, std::int64_t& printed, LinePrinter& out, const Monitor& monitor)
@@ -106,7 +104,6 @@ void PrintCells(const VolumeCells& cells, const std::vector<std::size_t>& group,
   }
 }
 
-/// Of letters, digits and underscores, and each once.
 std::vector<std::string> MakeSetNames(const std::vector<std::string>& names)
 {
   constexpr std::size_t longest = 60;
@@ -136,7 +133,7 @@ void CheckCorners(const VolumeCells& cells, std::size_t cell)
   }
 }
 
-/// The physical volumes and the entities that they consist of, one for each layer that has cells.
+/// Each layer with cells is a physical volume of one entity.
 void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& layers, LinePrinter& out)
 {
   std::array<double, 6> box = { HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
@@ -155,14 +152,14 @@ void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& 
   }
   out.Add("$EndPhysicalNames\n$Entities\n");
   out.Line(" ", 0, 0, 0, layers.size());
-  for (const std::size_t layer : layers) // the box is that of all
+  for (const std::size_t layer : layers) // All entities share one bounding box.
   {
     out.Line(" ", layer + 1, box[0], box[1], box[2], box[3], box[4], box[5], 1, layer + 1, 0);
   }
   out.Add("$EndEntities\n");
 }
 
-/// Gmsh knows the owner of each point, which need not be the only one that has cells there.
+/// Gmsh wants one owner, although cells of several layers may share the node.
 void PrintGmshNodes(const VolumeCells& cells, std::size_t owner, const Monitor& monitor, LinePrinter& out)
 {
   const std::size_t count = cells.Points.size();

@@ -18,7 +18,6 @@
 
 namespace SeismicHorizons
 {
-/// A text file of words and numbers.
 class LinePrinter
 {
 public:
@@ -45,7 +44,6 @@ public:
     return *this;
   }
 
-  /// Values with something between them.
   template <typename First, typename... Others>
   void Line([[maybe_unused]] std::string_view between, const First& first, const Others&... others)
   {
@@ -60,7 +58,6 @@ private:
   TextPrinter Out;
 };
 
-/// Calls work(n) for each n below `count`, and tells progress now and then.
 template <typename Work>
 void ForEach(std::size_t count, const Monitor& monitor, Work&& work)
 {
@@ -75,7 +72,6 @@ void ForEach(std::size_t count, const Monitor& monitor, Work&& work)
   }
 }
 
-/// A name that can stand between quotes, or on a line.
 inline std::string WithoutQuotes(std::string name)
 {
   std::replace_if(

@@ -34,7 +34,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr int MostLayers = 1 << 20; // no array of numbers that mean something else
+constexpr int MostLayers = 1 << 20;
 
 vtkDataArray* RequireArray(vtkUnstructuredGrid* grid, const char* name)
 {
@@ -47,7 +47,6 @@ vtkDataArray* RequireArray(vtkUnstructuredGrid* grid, const char* name)
   return array;
 }
 
-/// Adds the corners of a cell. VTK itself takes any number of them.
 void AddCorners(vtkUnstructuredGrid* grid, vtkIdType cell, VolumeCells& cells)
 {
   const int type = grid->GetCellType(cell);
@@ -182,10 +181,10 @@ void vtkHorizonLayersWriter::WriteData()
     vtkMultiProcessController* const processes = vtkMultiProcessController::GetGlobalController();
     if (processes && processes->GetLocalProcessId() > 0 && grid->GetNumberOfCells() == 0)
     {
-      return; // the first one has them
+      return; // The first process has all data.
     }
     const std::string format = ExtensionOf(file);
-    if (format == "vtu") // of any cells
+    if (format == "vtu") // This format holds any cells.
     {
       WriteOutputFile(file, [&](std::ostream& stream) { PrintXML<vtkXMLUnstructuredGridWriter>(grid, stream); });
       return;

@@ -17,7 +17,7 @@
 #ifndef vtkHorizonLayersWriter_h
 #define vtkHorizonLayersWriter_h
 
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 #include "vtkWriter.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayersWriter : public vtkWriter

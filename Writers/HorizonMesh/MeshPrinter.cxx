@@ -34,7 +34,6 @@ void RequireFinite(const TSurf& surface)
   }
 }
 
-/// Calls print(triangle) for each, and tells progress now and then.
 template <typename Print>
 void PrintTriangles(const TSurf& surface, const Monitor& monitor, Print&& print)
 {
@@ -60,7 +59,7 @@ void PrintVertex(const Vertex& vertex, TextPrinter& out)
   out.Print('\n');
 }
 
-/// The direction that a triangle faces, of length 1; 0 where it has no area.
+/// Returns a unit vector, or 0 for a triangle without area.
 Vertex NormalOf(const Vertex& a, const Vertex& b, const Vertex& c)
 {
   const Vertex u = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
@@ -69,7 +68,7 @@ Vertex NormalOf(const Vertex& a, const Vertex& b, const Vertex& c)
   const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   for (double& coordinate : normal)
   {
-    coordinate = length > 0.0 ? coordinate / length + 0.0 : 0.0; // no -0
+    coordinate = length > 0.0 ? coordinate / length + 0.0 : 0.0; // Avoids -0.
   }
   return normal;
 }
@@ -88,7 +87,6 @@ bool IsLittleEndian()
   return first == 1;
 }
 
-/// What stands in a line of its own as a name.
 std::string LineOf(std::string name)
 {
   for (char& c : name)

@@ -17,7 +17,7 @@
 #define vtkHorizonMeshWriter_h
 
 #include "vtkHorizonWriter.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonMeshWriter : public vtkHorizonWriter
 {

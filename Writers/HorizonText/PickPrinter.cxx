@@ -13,10 +13,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Numbers from here on are read as none.
+// Larger numbers are read as null.
 constexpr double LeastHuge = 0.999999e30;
 
-/// Text in quotes, in which quotes and characters that cannot be printed have no place.
 std::string Quoted(std::string text)
 {
   std::replace(text.begin(), text.end(), '"', '\'');
@@ -39,7 +38,6 @@ void PrintNumber(TextPrinter& printer, double number, const std::string& name)
   printer.Print(number);
 }
 
-/// The values of an attribute, or null where a horizon has none of that name.
 const std::vector<double>* FindAttribute(const HorizonColumns& horizon, const std::string& name)
 {
   const auto found = std::find_if(horizon.Attributes.begin(), horizon.Attributes.end(),
@@ -47,7 +45,6 @@ const std::vector<double>* FindAttribute(const HorizonColumns& horizon, const st
   return found == horizon.Attributes.end() ? nullptr : &found->Values;
 }
 
-/// Prints the lines of one horizon.
 class LinePrinter
 {
 public:

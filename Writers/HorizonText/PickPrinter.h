@@ -13,21 +13,18 @@
 
 namespace SeismicHorizons
 {
-/// What a file of picks has in its columns.
 struct PrintedColumns
 {
-  bool HasNames = false; // of the horizons
-  bool HasLines = false; // inline and crossline
+  bool HasNames = false;
+  bool HasLines = false;
   std::vector<std::string> Attributes;
 };
 
-/// Prints the names of the columns as OpendTect does: a single-line header, in which that of the horizons' names is
-/// left out.
+/// OpendTect's single-line header has no name for the field of horizon names.
 void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns);
 
-/// Prints a line for each column of the lattice that has a z: perhaps the name in quotes, inline and crossline, x, y, z
-/// and the attributes, separated by tabs; 1e30 where there is no value. Throws InputError on a z or an attribute that
-/// would be read as none.
+/// A line has, separated by tabs: the name in quotes, inline and crossline (both optional), x, y, z and attributes. Null
+/// values are 1e30. Throws InputError for values that would be read as null.
 void PrintPicks(std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns,
   const Monitor& monitor = Monitor());
 }

@@ -32,7 +32,7 @@ void AddNew(std::vector<std::string>& names, const std::vector<PickAttribute>& a
 vtkStandardNewMacro(vtkHorizonTextWriter);
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The header names the columns of all horizons, so that all are sampled before the first is printed.
+/// The header names the attributes of all horizons, so that all are sampled before the first is printed.
 void vtkHorizonTextWriter::PrintHorizons(
   const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
 {

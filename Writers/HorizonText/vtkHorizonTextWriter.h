@@ -17,7 +17,7 @@
 #define vtkHorizonTextWriter_h
 
 #include "vtkLatticeHorizonWriter.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonTextWriter : public vtkLatticeHorizonWriter
 {

@@ -23,7 +23,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// A point array with one number for each point; null when there is none.
 vtkDataArray* FindArray(vtkPolyData* horizon, const char* name)
 {
   vtkDataArray* const array = horizon->GetPointData()->GetArray(name);
@@ -44,7 +43,6 @@ HeapArray<double> CopyNumbers(vtkDataArray* array)
   return copy;
 }
 
-/// The numbers of an array, or the same one for each point when there is none of that name.
 HeapArray<double> ReadNumbers(vtkPolyData* horizon, const char* name, double otherwise)
 {
   vtkDataArray* const array = FindArray(horizon, name);
@@ -72,7 +70,7 @@ int ToInteger(double number, const char* name, std::size_t point)
   return int(number);
 }
 
-/// By the array, or where there is none the nearest to each point on the lattice.
+/// Without an array the nearest indices are used.
 HeapArray<int> ReadIndices(vtkPolyData* horizon, const std::vector<double>& heights)
 {
   vtkDataArray* const array = FindArray(horizon, PointArray::VerticalIndex);
@@ -85,7 +83,7 @@ HeapArray<int> ReadIndices(vtkPolyData* horizon, const std::vector<double>& heig
   return indices;
 }
 
-/// By the array, or where there is none what the reader makes world z of.
+/// Without an array the reader's conversion of real z is inverted.
 HeapArray<double> ReadRealZ(vtkPolyData* horizon)
 {
   if (vtkDataArray* const array = FindArray(horizon, PointArray::RealZ))
@@ -98,7 +96,7 @@ HeapArray<double> ReadRealZ(vtkPolyData* horizon)
   for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
   {
     const double z = horizon->GetPoint(point)[2];
-    realZ.push_back(isUp ? z : 0.0 - z); // no -0
+    realZ.push_back(isUp ? z : 0.0 - z); // Avoids -0.
   }
   return realZ;
 }
@@ -107,7 +105,7 @@ HeapArray<double> ReadRealZ(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 SparseMatrixSize ReadMatrixSize(vtkPolyData* horizon)
 {
-  ReadLattice(horizon); // refuses what is no lattice
+  ReadLattice(horizon); // Refuses horizons without a valid lattice.
   return ReadLatticeDimensions(horizon);
 }
 

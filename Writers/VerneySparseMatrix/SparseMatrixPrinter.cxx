@@ -19,12 +19,11 @@ namespace
 {
 constexpr std::int64_t ColumnsBetweenReports = 1 << 16;
 
-/// A voxel, to be sorted by its place in the file.
 struct VoxelReference
 {
-  std::int64_t Column; // i + nX * j
-  std::uint32_t Horizon; // its position in the list
-  std::uint32_t Voxel; // its position in the horizon
+  std::int64_t Column;
+  std::uint32_t Horizon;
+  std::uint32_t Voxel;
 };
 
 class MatrixPrinter
@@ -117,7 +116,7 @@ private:
     }
   }
 
-  /// Voxels of a column are sorted, so that two of a cell follow each other.
+  /// Voxels of a column are sorted, so that duplicates are adjacent.
   void CheckCell(Reference firstOfColumn, Reference voxel) const
   {
     if (voxel != firstOfColumn && this->IndexOf(*voxel) == this->IndexOf(*(voxel - 1)))
@@ -159,7 +158,7 @@ private:
   }
 
   const SparseMatrix& Matrix;
-  std::vector<VoxelReference> Voxels; // by column, and there by vertical index
+  std::vector<VoxelReference> Voxels;
   TextPrinter Out;
 };
 }

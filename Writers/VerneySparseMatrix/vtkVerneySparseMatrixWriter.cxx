@@ -25,7 +25,6 @@ std::string ToText(const SparseMatrixSize& size)
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
 }
 
-/// The least positive ID that is not in the set, which it is added to.
 int TakeFreeId(std::set<int>& ids)
 {
   int id = 1;

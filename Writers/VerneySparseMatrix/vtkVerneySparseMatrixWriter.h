@@ -28,7 +28,7 @@
 #define vtkVerneySparseMatrixWriter_h
 
 #include "vtkHorizonWriter.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkVerneySparseMatrixWriter : public vtkHorizonWriter
 {
