@@ -27,7 +27,7 @@ public:
     }
   }
 
-  /// Follows the atoms from one to the next up to a vertex that has a place, and brings the place back.
+  /// Follows atoms to a vertex with a place, and copies the place to all of them.
   void Place(std::size_t atom)
   {
     std::vector<std::size_t> chain;
@@ -44,7 +44,7 @@ public:
     for (auto next = chain.rbegin(); next != chain.rend(); ++next)
     {
       this->Copy(this->PlaceOf(*next), this->Atoms[*next]);
-      this->AtomOfVertex[std::size_t(this->Atoms[*next].Vertex)] = None; // it has a place now
+      this->AtomOfVertex[std::size_t(this->Atoms[*next].Vertex)] = None;
     }
   }
 
@@ -79,7 +79,7 @@ private:
   const std::vector<Atom>& Atoms;
   const VertexIds& Ids;
   TSurf& Surface;
-  std::vector<std::size_t> AtomOfVertex; // None for vertices that have a place
+  std::vector<std::size_t> AtomOfVertex; // None for vertices that have a place.
 };
 }
 

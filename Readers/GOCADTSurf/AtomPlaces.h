@@ -12,17 +12,17 @@
 
 namespace SeismicHorizons
 {
-/// A vertex that stands at the place of another one, which may come later in the file.
+/// A vertex at the place of another one, which may follow in the file.
 struct Atom
 {
   PointId Vertex;
-  std::int64_t PlaceId; // the id of the other one
+  std::int64_t PlaceId;
   std::int64_t Line;
-  bool HasValues; // of its own; else it has those of the other one
+  bool HasValues; // Without own values the atom takes those of the other vertex.
 };
 
-/// Gives atoms the places, and the values, of the vertices that they name, which may be atoms themselves. Linear.
-/// Throws InputError where there is no such vertex, and where atoms name each other in a circle.
+/// Copies places and values of vertices, which may be atoms themselves, in linear time. Throws InputError for missing
+/// vertices and cycles.
 void PlaceAtoms(const std::vector<Atom>& atoms, const VertexIds& ids, TSurf& surface);
 }
 

@@ -11,11 +11,10 @@
 
 namespace SeismicHorizons
 {
-/// The words of a line, one after the other.
 class LineTokens
 {
 public:
-  /// Begins at `text`, which a newline ends.
+  /// A newline ends the text.
   explicit LineTokens(const char* text)
     : Text(SkipBlanks(text))
   {
@@ -23,13 +22,11 @@ public:
 
   bool AtEnd() const { return *this->Text == '\n'; }
 
-  /// Where the next word begins.
   const char* Here() const { return this->Text; }
 
-  /// Goes on behind a word, which ends at `text`.
   void MoveTo(const char* text) { this->Text = SkipBlanks(text); }
 
-  /// The next word; empty at the end of the line.
+  /// Empty at the end of the line.
   std::string_view Next()
   {
     const std::string_view token = TokenAt(this->Text);
@@ -37,7 +34,7 @@ public:
     return token;
   }
 
-  /// The next word, or what stands between quotes, which may have blanks in it.
+  /// A quoted word may contain blanks.
   std::string_view NextQuoted()
   {
     if (*this->Text != '"')
@@ -54,7 +51,6 @@ public:
     return std::string_view(first, static_cast<std::size_t>(last - first));
   }
 
-  /// The rest of the line without blanks at its ends.
   std::string_view Rest() const
   {
     const char* last = this->Text;

@@ -21,7 +21,7 @@ constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 3> CoordinateNames = { "x", "y", "z" };
 constexpr auto MostVertices = static_cast<std::size_t>(std::numeric_limits<PointId>::max());
 
-/// Whether a word comes that says which coordinates of a vertex are fixed, as CNXYZ.
+/// Flags such as CNXYZ mark fixed coordinates of a vertex.
 bool AtFlag(const LineTokens& line)
 {
   return (line.Here()[0] == 'C' && line.Here()[1] == 'N') || (line.Here()[0] == 'c' && line.Here()[1] == 'n');
@@ -91,7 +91,7 @@ void TSurfBuilder::TakeVertex(LineTokens& line, bool hasValues)
   }
   if (hasValues || !(line.AtEnd() || AtFlag(line) || this->Description.Properties.empty()))
   {
-    this->ReadValues(line); // some programs put them behind VRTX, too
+    this->ReadValues(line); // Some programs write values after VRTX, too.
   }
   this->SkipFlags(line);
 }
@@ -125,7 +125,7 @@ void TSurfBuilder::TakeTriangle(LineTokens& line)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The id of the border itself is of no use here.
+/// The id of the border is not used.
 void TSurfBuilder::TakeBorder(LineTokens& line)
 {
   this->ReadId(line);
@@ -135,7 +135,7 @@ void TSurfBuilder::TakeBorder(LineTokens& line)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Triangles get their parts from the second TFACE on.
+/// Triangles have parts from the second TFACE on.
 void TSurfBuilder::StartPart()
 {
   ++this->Part;
@@ -193,7 +193,7 @@ double TSurfBuilder::ReadNumber(std::string_view what, LineTokens& line, bool ma
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The values of the last vertex. Those of vertices before it that have none become nan.
+/// Reads the values of the last vertex; earlier vertices without values get nan.
 void TSurfBuilder::ReadValues(LineTokens& line)
 {
   const std::size_t vertex = this->Surface.Vertices.size() - 1;
@@ -245,7 +245,7 @@ void TSurfBuilder::SkipFlags(LineTokens& line) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// A property that no vertex has a value of is left out.
+/// Drops properties without any value.
 void TSurfBuilder::CompleteValues()
 {
   std::vector<TSurfProperty>& properties = this->Description.Properties;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Makes a TSurf of the lines of its object in a file. All functions that take a line, which is given behind its keyword
-// and with its number, throw InputError.
+// Makes a TSurf from the lines of its object, which are passed after their keyword. Functions throw InputError with the
+// number of the line.
 
 #ifndef SeismicHorizonsTSurfBuilder_h
 #define SeismicHorizonsTSurfBuilder_h
@@ -18,14 +18,13 @@ namespace SeismicHorizons
 class TSurfBuilder
 {
 public:
-  /// Takes a line of vertices, triangles or borders; false when it is none.
+  /// Returns false unless the line is a vertex, triangle or border.
   bool TakeGeometry(std::string_view keyword, LineTokens& line, std::int64_t number);
 
-  /// Take a line of the coordinate system, and any other line. Each passes over what it does not know.
+  /// Unknown lines are ignored.
   void TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number);
   void TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number);
 
-  /// The surface, after the last line of the object.
   TSurf Finish(TSurfHeader header);
 
 private:
@@ -48,9 +47,9 @@ private:
   TSurfDescription Description;
   VertexIds Ids;
   std::vector<Atom> Atoms;
-  std::int64_t Line = 0; // the line that is taken
-  std::string_view Keyword; // its first word
-  std::int32_t Part = -1; // the TFACE that lines belong to
+  std::int64_t Line = 0;
+  std::string_view Keyword;
+  std::int32_t Part = -1;
 };
 }
 

@@ -65,7 +65,7 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const TSurf& surface)
   return triangles;
 }
 
-/// Frees the values of each property as soon as they were copied.
+/// Frees each property after copying it.
 void AddProperties(std::vector<TSurfProperty>& properties, vtkPointData* data)
 {
   std::vector<std::string> names(properties.size());

@@ -12,8 +12,8 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// The triangles of a TSurf with z upwards, and what else is known of it as arrays (Documentation/GOCADTSurfReader.md).
-/// Where z of the file grows downwards, triangles are turned around with it, so that they face the same side.
+/// Arrays are described in Documentation/GOCADTSurfReader.md. If z of the file increases downwards, triangles are
+/// reversed with it and keep their orientation.
 vtkSmartPointer<vtkPolyData> MakeTSurfDataSet(TSurf surface);
 }
 

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 
-// More numbers for each vertex than any program writes. It keeps a short file from asking for much memory.
+// No program writes more numbers per vertex; limits the memory of a short file.
 constexpr int LargestSize = 1024;
 
 std::vector<std::string> ReadWords(LineTokens& line)
@@ -26,7 +26,7 @@ std::vector<std::string> ReadWords(LineTokens& line)
   return words;
 }
 
-/// One of the two digits of a part of a colour "#rrggbb"; -1 for anything else.
+/// Returns -1 for other characters.
 int HexDigit(char c)
 {
   const std::string_view digits = "0123456789abcdef";
@@ -34,7 +34,7 @@ int HexDigit(char c)
   return digit == std::string_view::npos ? -1 : static_cast<int>(digit);
 }
 
-/// The parts of a colour "#rrggbb" or "red green blue alpha", where alpha may be missing; none when it is no colour.
+/// Accepts "#rrggbb" and "red green blue alpha" with optional alpha.
 std::optional<std::array<double, 3>> ReadColour(std::string_view text)
 {
   std::array<double, 3> colour = {};
@@ -55,14 +55,14 @@ std::optional<std::array<double, 3>> ReadColour(std::string_view text)
   return colour;
 }
 
-/// Words of programs for none are no unit.
+/// Words such as "none" are no units.
 std::string UnitOf(std::string_view text)
 {
   const std::string unit = ToLower(text);
   return unit == "none" || unit == "unitless" || unit == "unknown" ? std::string() : std::string(text);
 }
 
-/// What z measures when it has that unit; empty for units that do not tell.
+/// Empty unless the unit is a length or time.
 std::string DomainOf(const std::string& text)
 {
   const std::string unit = ToLower(text);
@@ -110,7 +110,7 @@ void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& l
   else if (keyword == "AXIS_UNIT")
   {
     this->Survey.HorizontalUnit = UnitOf(line.NextQuoted());
-    line.NextQuoted(); // of y, which is that of x
+    line.NextQuoted(); // The unit of y equals that of x.
     this->Survey.VerticalUnit = UnitOf(line.NextQuoted());
     this->Survey.VerticalDomain = DomainOf(this->Survey.VerticalUnit);
   }
@@ -141,11 +141,11 @@ void TSurfDescription::TakeOfProperties(std::string_view keyword, LineTokens& li
   std::vector<std::string> words = ReadWords(line);
   if (keyword == "NO_DATA_VALUES" && words.size() == 1)
   {
-    words.resize(this->Properties.size(), words.front()); // one for all, as some programs have it
+    words.resize(this->Properties.size(), words.front()); // Some programs write a single word for all.
   }
   if (keyword == "UNITS" && words.size() != this->Properties.size())
   {
-    return; // units may have blanks in them, and then it is not known which belongs to which property
+    return; // Units with blanks cannot be assigned to properties.
   }
   this->RequireOneEach(keyword, words.size());
   for (std::size_t n = 0; n < words.size(); ++n)

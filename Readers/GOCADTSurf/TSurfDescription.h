@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a TSurf says of itself before its vertices come. All functions that take a line, which is given behind its
-// keyword and with its number, throw InputError.
+// Collects the description of a TSurf before its vertices. Lines are passed after their keyword; functions throw
+// InputError with the number of the line.
 
 #ifndef SeismicHorizonsTSurfDescription_h
 #define SeismicHorizonsTSurfDescription_h
@@ -19,30 +19,27 @@
 
 namespace SeismicHorizons
 {
-/// What the header of an object says that is used here: its name and the colour of its triangles.
 struct TSurfHeader
 {
   std::string Name;
   std::optional<std::array<double, 3>> Colour;
 
-  /// Takes a line "key: value". Keys are free, and so are values: a colour that is none is passed over.
+  /// Takes "key: value"; unknown keys and invalid colours are ignored.
   void Take(std::string_view line);
 };
 
-/// The coordinate system and the properties.
 class TSurfDescription
 {
 public:
   VerticalPositive Positive = VerticalPositive::Elevation;
   SurveyDescription Survey;
-  std::vector<TSurfProperty> Properties; // without values
-  std::vector<double> Nulls; // by property, the number that stands for no value; nan where there is none
+  std::vector<TSurfProperty> Properties;
+  std::vector<double> Nulls; // Null value per property, or nan.
 
-  /// Each passes over what it does not know.
+  /// Unknown lines are ignored.
   void TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number);
   void TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number);
 
-  /// Whether a line of that keyword says what vertices have.
   static bool IsOfProperties(std::string_view keyword);
 
 private:
@@ -50,7 +47,7 @@ private:
   void TakeSize(std::string_view text, TSurfProperty& property) const;
   void RequireOneEach(std::string_view keyword, std::size_t found) const;
 
-  std::int64_t Line = 0; // the line that is taken
+  std::int64_t Line = 0;
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Here a file is cut into objects and blocks; TSurfBuilder takes the lines of a TSurf.
+// Splits a file into objects and blocks; TSurfBuilder takes the lines of a TSurf.
 
 #include "TSurfParser.h"
 
@@ -22,7 +22,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t HeadSize = 4096; // bytes
+constexpr std::size_t HeadSize = 4096;
 constexpr const char* ExpectedObject = ", expected \"GOCAD TSurf 1\"";
 
 bool SaysNothing(const LineTokens& line)
@@ -30,7 +30,6 @@ bool SaysNothing(const LineTokens& line)
   return line.AtEnd() || *line.Here() == '#';
 }
 
-/// The first word of a line, which an opening brace may follow without a blank.
 std::string_view TakeKeyword(LineTokens& line)
 {
   const char* const first = line.Here();
@@ -44,7 +43,6 @@ std::string_view TakeKeyword(LineTokens& line)
   return keyword.substr(0, brace);
 }
 
-/// Whether a word is the first of an object.
 bool IsGOCAD(std::string_view keyword)
 {
   return keyword.size() == 5 && (keyword.front() == 'G' || keyword.front() == 'g') && ToLower(keyword) == "gocad";
@@ -59,8 +57,7 @@ enum class BlockKind
   Unknown
 };
 
-/// The word that ends the block which a line opens; empty for a line that opens none. Lines within a block mean
-/// nothing outside of it, END among them.
+/// Returns the word that ends a block, or an empty text. Words within a block, such as END, have no meaning outside.
 std::string EndOfBlock(std::string_view keyword, std::string_view rest)
 {
   constexpr std::string_view begin = "BEGIN_";
@@ -79,7 +76,6 @@ std::string EndOfBlock(std::string_view keyword, std::string_view rest)
   return !rest.empty() && rest.back() == '{' ? "}" : "";
 }
 
-/// Holds the state between the lines.
 class ObjectParser
 {
 public:
@@ -91,7 +87,7 @@ public:
   {
   }
 
-  /// Takes complete lines: the last character is a newline.
+  /// Lines must be complete.
   void ParseLines(const char* text, const char* last)
   {
     while (text != last)
@@ -102,7 +98,6 @@ public:
     }
   }
 
-  /// For the end of the file.
   void Finish() const
   {
     const std::int64_t last = std::max<std::int64_t>(this->Line - 1, 1);
@@ -125,11 +120,9 @@ public:
     }
   }
 
-  /// The number of the line that comes next.
   std::int64_t NextLine() const { return this->Line; }
 
 private:
-  /// A keyword in capitals, as the format has them. Some programs write small letters.
   std::string_view InCapitals(std::string_view keyword)
   {
     const auto isSmall = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -226,7 +219,7 @@ private:
     return "expected END of the GOCAD object of line " + std::to_string(line);
   }
 
-  /// A line that is none of the geometry: it may open a block.
+  /// A block may open here.
   void ParseDescription(std::string_view keyword, LineTokens& line)
   {
     const std::string_view rest = line.Rest();
@@ -236,7 +229,7 @@ private:
     this->IsHeaderOpen = false;
     if (keyword == "BEGIN_MEMBERS" && !this->IsTSurf)
     {
-      this->GroupLines.push_back(this->ObjectLine); // objects come, as they do outside
+      this->GroupLines.push_back(this->ObjectLine); // Members of a group are objects, as outside.
       this->ObjectLine = 0;
     }
     else if (!end.empty())
@@ -275,7 +268,7 @@ private:
     }
     else if (this->Block == BlockKind::Header)
     {
-      const bool isLast = this->IsHeaderOpen && text.back() == '}'; // else of the value
+      const bool isLast = this->IsHeaderOpen && text.back() == '}'; // Otherwise the brace belongs to the value.
       this->Header.Take(text.substr(0, text.size() - (isLast ? 1 : 0)));
       this->BlockLine = isLast ? 0 : this->BlockLine;
     }
@@ -286,18 +279,18 @@ private:
   }
 
   const TSurfChoice Choice;
-  std::int64_t Line = 1; // the line that is parsed
-  std::string Capitals; // its keyword
-  std::int64_t ObjectLine = 0; // where the object began; 0 outside
-  std::int64_t BlockLine = 0; // where the block began; 0 outside
-  std::string BlockEnd; // the word that ends the block
+  std::int64_t Line = 1;
+  std::string Capitals;
+  std::int64_t ObjectLine = 0;
+  std::int64_t BlockLine = 0;
+  std::string BlockEnd;
   BlockKind Block = BlockKind::Unknown;
-  std::int64_t HeaderLine = 0; // of the word HEADER, whose brace comes in the next line; else 0
-  bool IsHeaderOpen = false; // whether values stand beside the brace of the header, and so may do at its end
-  std::vector<std::int64_t> GroupLines; // of the objects within whose members lines are
+  std::int64_t HeaderLine = 0; // Line of HEADER if its brace is on the next line, else 0.
+  bool IsHeaderOpen = false; // Values follow the opening brace, and may precede the closing one.
+  std::vector<std::int64_t> GroupLines;
   bool IsTSurf = false;
-  TSurfHeader Header; // of the object
-  std::optional<TSurfBuilder> Builder; // for a TSurf that is to be loaded
+  TSurfHeader Header;
+  std::optional<TSurfBuilder> Builder;
 };
 
 void SkipByteOrderMark(std::istream& stream)
@@ -312,7 +305,7 @@ void SkipByteOrderMark(std::istream& stream)
   }
 }
 
-/// The type of the first object, in lower case; nothing where the file is not of GOCAD.
+/// Returns the type in lower case, or nothing for other formats.
 std::optional<std::string> FirstTypeOfGOCAD(const std::string& head)
 {
   const std::string text = head + '\n';
@@ -334,7 +327,7 @@ ObjectParser ParseObjects(
   const std::string head = PeekText(stream, HeadSize);
   if (!FirstTypeOfGOCAD(head))
   {
-    // A file of another kind may have no newline at all, so its first lines have to do for the error.
+    // Files of other formats may have no newline; their first lines suffice for the error.
     const std::size_t newline = head.rfind('\n');
     const std::string text = head.substr(0, newline) + '\n';
     ObjectParser(choice).ParseLines(text.data(), text.data() + text.size());
@@ -350,7 +343,8 @@ ObjectParser ParseObjects(
     parser.ParseLines(lines.First(), lines.Last());
     monitor.Progress(lines.PartRead());
   }
-  if (parser.List.Names.empty() && !StartsWith("tsurf", FirstTypeOfGOCAD(head).value_or(""))) // which may be cut off
+  // The type may be truncated.
+  if (parser.List.Names.empty() && !StartsWith("tsurf", FirstTypeOfGOCAD(head).value_or("")))
   {
     RefuseOtherFormats(head, "a surface of GOCAD (TSurf)");
   }

@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads triangulated surfaces from GOCAD's text format: objects of the type TSurf, of which a file may hold several
-// (Documentation/GOCADTSurfReader.md). Objects of other types are skipped.
+// Reads objects of type TSurf from GOCAD's text format (Documentation/GOCADTSurfReader.md), and skips others.
 //
-// A file is parsed piece by piece: some megabytes of it are in memory at a time, beside the result. Time is linear in
-// the bytes. Numbers are read independently of the locale and rounded correctly.
-//
-// A file that breaks the format gives an InputError whose text starts with the number of the line, as "line 17: ".
+// A few megabytes of the file are in memory besides the result; time is linear in its size. Numbers are read
+// independently of the locale and rounded correctly. Errors are InputError, with the number of the line: "line 17: ".
 
 #ifndef SeismicHorizonsTSurfParser_h
 #define SeismicHorizonsTSurfParser_h
@@ -25,28 +22,27 @@
 
 namespace SeismicHorizons
 {
-/// How many bytes of a file are held at a time. A longer line makes the buffer grow.
+/// A longer line enlarges the buffer.
 constexpr std::size_t TSurfBufferSize = 4 * 1024 * 1024;
 
-/// The type of the first object, in lower case, where the first line that is neither blank nor a comment begins with
-/// the word GOCAD, within the first 4096 bytes. Leaves the stream where it was.
+/// Returns the type in lower case if the first line that is neither blank nor a comment starts with GOCAD, within 4096
+/// bytes. Leaves the stream where it was.
 std::optional<std::string> FirstTypeOfGOCAD(std::istream& stream);
 
 struct TSurfList
 {
-  std::vector<std::string> Names; ///< of all TSurfs in the order of the file; empty for one without a name
-  std::vector<std::int64_t> Lines; ///< how many each of them has, with blank ones: mostly vertices and triangles
-  std::int64_t OtherObjects = 0; ///< how many objects of other types the file has
+  std::vector<std::string> Names; ///< Names in the order of the file; empty if missing.
+  std::vector<std::int64_t> Lines; ///< Lines of each object, as an estimate of its size.
+  std::int64_t OtherObjects = 0;
 };
 
-/// Lists the TSurfs of a file. Of their content only the headers are looked at.
+/// Parses headers only.
 TSurfList ListTSurfs(
   std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = TSurfBufferSize);
 
-/// Whether a TSurf is to be loaded, by its position among those of the file, from 0.
+/// Selects TSurfs by their position in the file, from 0.
 using TSurfChoice = std::function<bool(std::size_t)>;
 
-/// Loads the chosen TSurfs, in the order of the file.
 std::vector<TSurf> LoadTSurfs(std::istream& stream, const TSurfChoice& choice, const Monitor& monitor = Monitor(),
   std::size_t bufferSize = TSurfBufferSize);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the ids that a file gives vertices to their numbers, from 0. Ids may begin anywhere and have gaps. Nearly always
-// they count up from the first one, so that a vertex of such a run is found without a table.
+// Maps ids of vertices to indices. Ids may start anywhere and have gaps, but are mostly consecutive; such a run needs
+// no table.
 
 #ifndef SeismicHorizonsVertexIds_h
 #define SeismicHorizonsVertexIds_h
@@ -18,7 +18,7 @@ namespace SeismicHorizons
 class VertexIds
 {
 public:
-  /// Gives the next vertex an id. False when another one has it.
+  /// Returns false if the id exists.
   bool Add(std::int64_t id)
   {
     if (this->Size == 0)
@@ -41,7 +41,6 @@ public:
     return true;
   }
 
-  /// The vertex of an id, or NoPoint.
   PointId Find(std::int64_t id) const
   {
     if (id >= this->FirstId && id - this->FirstId < this->Run)
@@ -53,7 +52,7 @@ public:
   }
 
 private:
-  /// Spreads all bits, so that no pattern of ids fills a single bucket of the table (the mixer of splitmix64).
+  /// The mixer of splitmix64 prevents patterns of ids from filling a single bucket.
   struct Hash
   {
     std::size_t operator()(std::int64_t id) const
@@ -66,9 +65,9 @@ private:
   };
 
   std::int64_t FirstId = 0;
-  PointId Run = 0; // vertices from the first on whose ids count up one by one
+  PointId Run = 0; // Vertices with consecutive ids from the first.
   PointId Size = 0;
-  std::unordered_map<std::int64_t, PointId, Hash> Others; // all vertices behind the run
+  std::unordered_map<std::int64_t, PointId, Hash> Others;
 };
 }
 

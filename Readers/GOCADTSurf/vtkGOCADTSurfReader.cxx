@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parser reads files, and TSurfDataSet makes datasets of what it gives.
 
 #include "vtkGOCADTSurfReader.h"
 
@@ -26,7 +25,6 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// A name for each surface of a file.
 std::vector<std::string> NamesOf(const TSurfList& list)
 {
   std::vector<std::string> names = list.Names;
@@ -46,7 +44,7 @@ struct vtkGOCADTSurfReader::FileList
 {
   FileStamp Stamp;
   std::vector<std::string> Names;
-  std::vector<std::int64_t> Lines; // of each surface
+  std::vector<std::int64_t> Lines;
 };
 
 vtkStandardNewMacro(vtkGOCADTSurfReader);
@@ -89,7 +87,7 @@ std::vector<std::string> vtkGOCADTSurfReader::ListHorizons(const Monitor& monito
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// How much of the file is theirs: vertices are known only when they are read.
+/// Lines estimate sizes, since vertices are known only after reading.
 std::vector<std::int64_t> vtkGOCADTSurfReader::CountHorizonPoints()
 {
   return this->List->Lines;
@@ -110,7 +108,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
   std::vector<vtkSmartPointer<vtkDataObject>> datasets;
   for (TSurf& surface : surfaces)
   {
-    // Moved out of the list, so that each surface is freed once its dataset is made.
+    // Moving frees each surface after its conversion.
     datasets.push_back(MakeTSurfDataSet(std::move(surface)));
     monitor.Progress(0.9 + 0.1 * static_cast<double>(datasets.size()) / static_cast<double>(surfaces.size()));
   }
