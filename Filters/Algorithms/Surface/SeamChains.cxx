@@ -16,10 +16,10 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int32_t NotOnSeam = -1;
-// Of loops that visit a point otherwise than along a seam: what FewestPoints takes as a number of visits to stay.
+// FewestPoints keeps points with this number of visits.
 constexpr unsigned char Stays = 2;
 
-/// The points of a seam from left to right, by which they are numbered.
+/// Points are numbered from left to right.
 class Seam
 {
 public:
@@ -45,7 +45,6 @@ public:
     this->IsNode.assign(this->Points.size(), 0);
   }
 
-  /// Finds the points that stay whatever is beside the seam.
   void FindNodes(const std::vector<double>& height, double heightTolerance)
   {
     std::vector<PlanePoint> places;
@@ -76,7 +75,7 @@ public:
     this->IsKept = this->IsNode;
   }
 
-  /// Keeps the points where a loop turns, and those beside gaps that it goes along on the side of the surface.
+  /// Turns of loops are kept, and ends of gaps that loops follow on the side of the surface.
   void KeepTurns(const PointId* loop, std::size_t length)
   {
     for (std::size_t n = 0; n < length; ++n)
@@ -88,7 +87,7 @@ public:
       {
         this->IsKept[here] = 1;
       }
-      // Along the other side loops go to the right on an upper seam, and to the left on a lower one.
+      // Along the other side, loops run right on an upper seam, left on a lower seam.
       const bool isInside = here != NotOnSeam && after != NotOnSeam && after - here == (this->IsUpper ? -1 : 1);
       if (isInside && this->StepTo(std::size_t(std::max(here, after))) > this->Radius)
       {
@@ -132,7 +131,7 @@ private:
   std::int32_t X(PointId point) const { return this->Columns[point].X; }
   std::int32_t StepTo(std::size_t n) const { return this->X(this->Points[n]) - this->X(this->Points[n - 1]); }
 
-  /// The nearest points beside one that are marked. The ends of a seam are.
+  /// The ends of a seam are marked, which ends the search.
   static std::size_t Before(std::size_t n, const std::vector<unsigned char>& marks)
   {
     for (--n; marks[n] == 0; --n)
@@ -174,7 +173,7 @@ private:
   const std::int32_t LongestEdge;
   std::vector<PointId> Points;
   std::vector<std::int32_t> Number; // by point
-  std::vector<unsigned char> IsNode; // stays whatever is beside the seam
+  std::vector<unsigned char> IsNode;
   std::vector<unsigned char> IsKept;
   std::vector<PointId> OpenGaps;
 };

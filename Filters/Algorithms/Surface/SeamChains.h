@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fewer points on the seams of a part of a horizon (Boundary/SeamGaps.h), so that the parts on both sides of one fit.
+// Simplifies the seams of a part of a horizon (Boundary/SeamGaps.h), so that neighbouring parts fit.
 //
-//     P  .  .  Q  .  P  .  .  .  .  P        P    points that stay whatever is beside the seam
-//     |_____________|_______________|        Q    a point that this part alone needs, as a loop turns there
+//     P  .  .  Q  .  P  .  .  .  .  P        P    nodes, kept by both parts
+//     |_____________|_______________|        Q    a pin, where a loop of this part turns
 //
-// Which points stay follows from the row of the seam alone: as few as keep all others within a height tolerance of the
-// line between them, gap by gap. A loop of one part may turn at one of those others. It has to stay there, but the
-// other part does not know of it; so it is put onto the line, and its edge in the other part can be cut there without a
-// change of the surface.
+// Nodes follow from the row alone: the fewest within a height tolerance, gap by gap. The other part does not know pins,
+// so they move onto the line, where its edge can be split without changing the surface.
 
 #ifndef SeismicHorizonsSeamChains_h
 #define SeismicHorizonsSeamChains_h
@@ -22,7 +20,6 @@
 
 namespace SeismicHorizons
 {
-/// A point that was put onto the line of a seam.
 struct SeamPin
 {
   PointId Point = NoPoint;
@@ -31,22 +28,18 @@ struct SeamPin
 
 struct SeamChains
 {
-  /// The loops without the points of seams that were dropped.
   Loops Boundary;
-  /// The points of seams that stay.
   std::vector<PointId> Kept;
-  /// Each with the nearer one beside it that stays; in no order.
+  /// Each comes with the nearer kept point, in no order.
   std::vector<DroppedPoint> Dropped;
   std::vector<SeamPin> Pins;
-  /// The points to the left of gaps wider than the radius that this part has no surface beside.
+  /// Gaps are wider than the radius, without surface beside them, and right of their points.
   std::vector<PointId> OpenGaps;
-  /// The largest distance in space, in lattice units, from a point to the line of its seam.
   double Deviation = 0.0;
-  /// The same upwards.
   double HeightDeviation = 0.0;
 };
 
-/// Of a boundary with seams that was found for `options`; `columns` and `height` are those of all points it numbers.
+/// The boundary must have been found with `options`.
 SeamChains SimplifySeams(PlanePoints columns, const std::vector<double>& height, const Loops& boundary,
   const BoundaryOptions& options, double heightTolerance);
 }

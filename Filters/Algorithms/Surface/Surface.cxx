@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: the gaps between points, for the radius; the search for the error of a number of triangles; the points
-// that outlines keep beside slivers; and the three methods one after the other.
+// In this order: gaps and radius; search for an error; points beside slivers; the methods in sequence.
 
 #include "Surface.h"
 
@@ -27,15 +26,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double SpannedShare = 0.95; // of the steps along either axis
+constexpr double SpannedShare = 0.95; // along either axis
 
-/// Of two places, the one that comes first row by row.
 bool IsBefore(const PlanePoint& a, const PlanePoint& b)
 {
   return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
 }
 
-/// The same places row by row.
 std::vector<PlanePoint> SortByRows(PlanePoints columns, const PlaneBox& box)
 {
   using Lines = ItemLists<PlanePoint, std::uint32_t>;
@@ -66,8 +63,8 @@ GapHistograms Count(PlanePoints columns)
     columns = sorted;
   }
   GapHistograms steps;
-  constexpr auto None = std::numeric_limits<std::int32_t>::max(); // no point is below this row
-  std::vector<std::int32_t> rows(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), None); // of the last ones
+  constexpr auto None = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::int32_t> rows(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), None); // by x
   for (std::size_t n = 0; n < columns.size(); ++n)
   {
     const PlanePoint& column = columns[n];
@@ -117,27 +114,25 @@ int ChooseRadius(PlanePoints columns)
 
 namespace
 {
-constexpr double Power = 1.5; // the number of triangles is as the error to the power of minus this
-// How far a first guess goes beyond where that leads, as a factor of the error: it is to come out on the other side.
+constexpr double Power = 1.5; // see the search in Surface.h
+// The first guess overshoots by this factor, to reach the other side of the number.
 constexpr double Beyond = 1.3;
-// As long as all errors come out on one side, the search goes on as the last two lead: by this factor at most, and each
-// time by the square of the one before; to the end when the numbers are as good as level there.
+// While all errors are on one side, steps grow up to this factor, squared each time. Below the least power, the search
+// jumps to the end.
 constexpr double FarthestStep = 8.0;
 constexpr double LeastPower = 0.2;
-// Below this error, in lattice units, numbers are level as nearly all points are vertices; above, as outlines alone are
-// left, and then they rise faster towards smaller errors.
+// Below this error, in lattice units, nearly all points are vertices; above, outlines are left, and numbers rise
+// faster.
 constexpr double ErrorOfAllPoints = 0.1;
 constexpr double PowerOfOutlines = 0.75;
-// The search ends with so much of the number, or when its ends are so near to each other, as a factor. The error is
-// that of outlines alone, and a tenth of the number is some hundredths of it. Secants aim at the middle of what is
-// enough.
+// A tenth of the number is some hundredths of the error, which only outlines use. Secants aim half-way to the number.
 constexpr double EnoughOfNumber = 0.9;
 constexpr double Aim = 0.95;
 constexpr double NearEnough = 1.05;
-// Secants keep so far away from their ends, as a part of the way: the line is not quite straight.
+// Secants keep this fraction away from their ends, as the line is not quite straight.
 constexpr double KeptAway = 0.1;
 
-/// Logarithms of an error, and of the part that its triangles are of the number.
+/// Values are logarithms; Part is relative to the number wanted.
 struct Sample
 {
   bool IsKnown = false;
@@ -158,7 +153,6 @@ public:
 
   double NextError() const { return std::exp(this->Next); }
 
-  /// What the next error gives.
   void Add(std::size_t triangles)
   {
     const double part = std::log(double(std::max<std::size_t>(triangles, 1)) / this->Most);
@@ -182,7 +176,6 @@ public:
   double Found() const { return std::exp(this->Coarse.Error); }
 
 private:
-  /// From the last of the errors, which are all on one side, to where the number should be on the other one.
   double GoBeyond(const Sample& before, const Sample& last)
   {
     double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : Power;
@@ -216,8 +209,8 @@ private:
   const double Largest;
   double Next;
   double Farthest = std::log(FarthestStep);
-  Sample Fine; // the largest error that gave more triangles than the number
-  Sample Coarse; // the least one that did not
+  Sample Fine; // largest error with too many triangles
+  Sample Coarse; // least error with few enough
 };
 }
 
@@ -247,7 +240,6 @@ double FindErrorForTriangles(std::size_t most, double first, double largest, con
 
 namespace
 {
-/// The points that were dropped from loops, to be found by their places.
 class DroppedPlaces
 {
 public:
@@ -267,7 +259,7 @@ public:
       this->Points.begin(), this->Points.end(), [&](PointId a, PointId b) { return IsBefore(columns[a], columns[b]); });
   }
 
-  /// The nearest to a place, or NoPoint when none is so near.
+  /// Returns NoPoint if none is within reach.
   PointId FindNearest(const PlanePoint& place, std::int32_t reach) const
   {
     PointId nearest = NoPoint;
@@ -294,8 +286,7 @@ private:
   std::vector<PointId> Points; // row by row
 };
 
-/// Where a sliver wants another corner: where its blunt corner is, on the side opposite to that; where it has none,
-/// half-way along the longer one of the other two sides.
+/// A sliver is split near its obtuse corner or, without one, half-way along the longer edge at its largest angle.
 PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
 {
   const auto opposite = [&](std::size_t n) { return SquaredDistance(corners[(n + 1) % 3], corners[(n + 2) % 3]); };
@@ -312,7 +303,6 @@ PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
   return { (here.X + end.X) / 2, (here.Y + end.Y) / 2 };
 }
 
-/// The points, of so many, that only one of the two has.
 std::vector<PointId> FindChanged(const Loops& before, const Loops& after, std::size_t points)
 {
   const std::vector<unsigned char> were = before.MarkPoints(points);
@@ -328,7 +318,7 @@ std::vector<PointId> FindChanged(const Loops& before, const Loops& after, std::s
   return changed;
 }
 
-/// The squares of the lattice near some points: all columns within 8, and none from 16 on, along both axes.
+/// Columns within 8 of the points are included, and none from 16 on, along both axes.
 class SquaresNear
 {
 public:
@@ -346,7 +336,6 @@ public:
     this->Squares.erase(std::unique(this->Squares.begin(), this->Squares.end()), this->Squares.end());
   }
 
-  /// Marks the points whose columns are in them.
   std::vector<unsigned char> Mark(PlanePoints columns) const
   {
     std::vector<unsigned char> marks(columns.size());
@@ -354,7 +343,7 @@ public:
       [&](std::int64_t first, std::int64_t last)
       {
         marks[first] = this->Has(columns[first]) ? 1 : 0;
-        for (std::int64_t n = first + 1; n < last; ++n) // of most, the one before is in the same square
+        for (std::int64_t n = first + 1; n < last; ++n) // most columns share the square of the one before
         {
           const bool isSame = SquareOf(columns[n]) == SquareOf(columns[n - 1]);
           marks[n] = isSame ? marks[n - 1] : this->Has(columns[n]) ? 1 : 0;
@@ -366,7 +355,7 @@ public:
 private:
   using Square = std::pair<std::int32_t, std::int32_t>;
 
-  static constexpr int Bits = 3; // of the number of columns along a side
+  static constexpr int Bits = 3; // of the columns along a side
   static constexpr std::int64_t Grain = 1 << 14;
 
   static Square SquareOf(const PlanePoint& column) { return { column.Y >> Bits, column.X >> Bits }; }
@@ -378,14 +367,14 @@ private:
   std::vector<Square> Squares;
 };
 
-// What the first mesh brings back can leave slivers of its own.
+// Points kept after the first mesh can leave new slivers.
 constexpr int SliverRounds = 2;
-// Larger angles, in degrees, meshes within an error do not keep inside either.
+// Meshes within an error do not keep larger angles (degrees) either.
 constexpr double LargestKeptAngle = 10.0;
-// Beyond so many columns from an outline, its points do nothing for a sliver.
+// Points of outlines this far (columns) do nothing for a sliver.
 constexpr double FarthestReach = 16.0;
 
-/// Runs the methods one after the other; a boundary is found again only when its holes change.
+/// The boundary is found again only if its smallest hole changes.
 class SurfaceMaker
 {
 public:
@@ -399,7 +388,7 @@ public:
   Surface Run(const Monitor& monitor)
   {
     const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
-    const double last = isByNumber ? 0.6 : 0.0; // the part of the work where the last run begins
+    const double last = isByNumber ? 0.6 : 0.0;
     const double error = isByNumber ? this->FindError(monitor.Step(0.0, last)) : this->Options.MaximumError;
     this->Simplify(error, monitor.Step(last, last + 0.3 * (1.0 - last)));
     if (!this->Result.Kept.empty())
@@ -411,7 +400,7 @@ public:
   }
 
 private:
-  /// The error that outlines are simplified for when the mesh has a number of triangles.
+  /// Returns 0 if no tolerance depends on the error.
   double FindError(const Monitor& monitor)
   {
     if (this->Options.OutlineTolerance && this->Options.DistanceThreshold)
@@ -424,8 +413,8 @@ private:
     const double width = double(box.Greatest.X) - box.Least.X + double(box.Greatest.Y) - box.Least.Y;
     const auto heights = std::minmax_element(this->Points.Height.begin(), this->Points.Height.end());
     const double height = *heights.second - *heights.first;
-    // Of a rough horizon, the error is about this first one. That of a smooth one is smaller, and large errors are
-    // tried in little time. No point is farther from another one than the largest one along all axes together.
+    // Rough horizons need about the first error, smooth horizons less, and large errors are fast. No points are farther
+    // apart than the largest.
     return FindErrorForTriangles(most, height / std::sqrt(double(most)), width + height,
       [&](double error)
       {
@@ -447,16 +436,14 @@ private:
   {
     DecimationOptions options = this->MakeDecimationOptions();
     options.Effort = DecimationEffort::Fast;
-    options.SmallestAngle = 0.0; // slivers of the best effort are other ones
+    options.SmallestAngle = 0.0; // the best effort leaves other slivers
     options.FitHeights = fitHeights;
     options.MaximumError = error;
     return options;
   }
 
-  /// A long side of an outline beside ground that takes many vertices leaves nothing but slivers between the two. Where
-  /// that is, a mesh of the points near outlines tells: outlines keep the points next to its slivers, so that what gets rid
-  /// of those inside finds none that it has to leave. Then the same where that changed
-  /// outlines.
+  /// A long outline edge beside rough ground leaves only slivers in between. A mesh near outlines finds them, outlines
+  /// keep points next to them, and changed outlines are examined again.
   void KeepBesideSlivers(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
@@ -466,7 +453,7 @@ private:
       return;
     }
     std::vector<PointId> changed =
-      FindChanged(this->Result.Boundary.Boundary, Loops(), this->Columns().size()); // all of its points
+      FindChanged(this->Result.Boundary.Boundary, Loops(), this->Columns().size()); // all points of the boundary
     for (int round = 0; round < SliverRounds; ++round)
     {
       const Monitor step = monitor.Step(double(round) / SliverRounds, double(round + 1) / SliverRounds);
@@ -482,7 +469,7 @@ private:
     }
   }
 
-  /// The points of the horizon in some squares, and those of its outlines.
+  /// Points dropped from outlines are left out.
   KeptPoints Select(const SquaresNear& squares) const
   {
     std::vector<unsigned char> isKept = squares.Mark(this->Columns());
@@ -499,7 +486,7 @@ private:
     return kept;
   }
 
-  /// Points that were dropped from outlines, next to slivers with a corner at one of these points, ascending.
+  /// Slivers need a corner at one of `points`.
   std::vector<PointId> FindBesideSlivers(const std::vector<PointId>& points, const Monitor& monitor)
   {
     const KeptPoints near = this->Select(SquaresNear(this->Columns(), points));
@@ -530,7 +517,6 @@ private:
     return found;
   }
 
-  /// A mesh within the error of some points of the horizon at these places.
   RawVector<PointId> MeshOfSome(const KeptPoints& points, PlanePoints places, const Monitor& monitor)
   {
     BoundedHorizon horizon;
@@ -542,7 +528,6 @@ private:
     return MeshOf(std::move(horizon), this->FastOptions(this->Result.Parameters.MaximumError, false), monitor);
   }
 
-  /// Finds the boundary with the holes that an error leaves open, and simplifies it for that error.
   void Simplify(double error, const Monitor& monitor)
   {
     SurfaceParameters& parameters = this->Result.Parameters;
@@ -565,15 +550,13 @@ private:
     this->Outlines = std::move(simplified.Boundary);
   }
 
-  /// Of the points that have a patch.
   PlanePoints Columns() const
   {
     return this->Result.Kept.AreAll() ? this->Points.Columns : PlanePoints(this->KeptColumns);
   }
   std::vector<double>& Height() { return this->Result.Kept.AreAll() ? this->Points.Height : this->KeptHeight; }
 
-  /// The horizon within its simplified outlines, to be decimated. Points that were dropped from these are without
-  /// patch. Links that are cut have no line that the mesh would have to keep near to.
+  /// Points dropped from outlines have no patch.
   BoundedHorizon MakeHorizon(std::vector<double> height) const
   {
     BoundedHorizon horizon;
@@ -589,7 +572,7 @@ private:
     return horizon;
   }
 
-  /// Someone else's.
+  /// The options own the links.
   std::shared_ptr<const LinkCuts> FaultedLinks() const
   {
     return { std::shared_ptr<const LinkCuts>(), this->Options.Cuts };
@@ -598,7 +581,6 @@ private:
   BoundedHorizon CopyHorizon() { return this->MakeHorizon(this->Height()); }
   BoundedHorizon MoveHorizon() { return this->MakeHorizon(std::move(this->Height())); }
 
-  /// Seams first, then what is left of the loops.
   BoundarySimplification SimplifyLoops(const Monitor& monitor)
   {
     const SurfaceParameters& parameters = this->Result.Parameters;
@@ -615,7 +597,7 @@ private:
     {
       return simplify(this->Result.Boundary.Boundary);
     }
-    if (!this->Seams) // once, as points are put onto their lines
+    if (!this->Seams) // pins change heights, so this runs once
     {
       this->Seams = SimplifySeams(this->Columns(), this->Height(), this->Result.Boundary.Boundary,
         this->BoundaryParameters, parameters.DistanceThreshold);
@@ -689,7 +671,7 @@ private:
       options.MaximumError = parameters.MaximumError;
     }
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
-    this->Index.reset(); // memory that the mesh can use
+    this->Index.reset(); // frees memory for the mesh
     this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
@@ -706,8 +688,7 @@ private:
     }
   }
 
-  /// So many points that the mesh has no more triangles than it may. With those of the loops alone it has a number of
-  /// triangles that depends on nothing else, and two more for each point inside.
+  /// The mesh of the loops has a fixed number of triangles; each inner point adds two.
   std::size_t FindNumberOfPoints(const Monitor& monitor)
   {
     const std::size_t onLoops = this->Outlines.CountPoints(this->Result.Kept.size());
@@ -733,14 +714,14 @@ private:
   SurfacePoints Points; // moved away by the last run
   const SurfaceOptions& Options;
   Surface Result;
-  std::optional<ColumnIndex> Index; // of all points
+  std::optional<ColumnIndex> Index;
   bool HasBoundary = false;
-  BoundaryOptions BoundaryParameters; // with which it was found
-  std::vector<PlanePoint> KeptColumns; // of the points that have a patch, where some have none
+  BoundaryOptions BoundaryParameters;
+  std::vector<PlanePoint> KeptColumns; // empty if all points have a patch
   std::vector<double> KeptHeight;
-  DroppedPoints Dropped; // from the outlines of these
-  Loops Outlines; // without them
-  std::optional<SeamChains> Seams; // of the boundary, where it has some
+  DroppedPoints Dropped;
+  Loops Outlines;
+  std::optional<SeamChains> Seams;
 };
 }
 
@@ -749,7 +730,7 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 {
   constexpr double Widest = 1 << 14; // no lattice has as many columns as its square
   const double narrow = std::ceil(std::min(2.0 * outlineTolerance, Widest));
-  const std::int64_t span = 2 * std::int64_t(std::min(radius, LargestRadius)) + 1; // larger ones are refused
+  const std::int64_t span = 2 * std::int64_t(std::min(radius, LargestRadius)) + 1; // larger radii are refused
   const std::int64_t side = std::max(span, std::int64_t(narrow));
   return side * side;
 }

@@ -1,18 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the points of a horizon to a mesh: its boundary, fewest points on that, decimation; with the parameters of all
-// three chosen for an error, or for a number of triangles.
+// Makes a mesh from points: boundary, fewest points on outlines, decimation. An error or a number of triangles
+// determines:
+// - radius: the least that spans nearly all gaps between points
+// - tolerances: the error, for outlines of a given error at most 2 columns
+// - smallest hole: a square of side 2 radius + 1, as narrower holes are gaps that the radius spans, or of twice the
+// tolerance, as outlines may close narrower holes
 //
-//   radius            spans the gaps between points (GapHistogram.h)
-//   tolerances        of the boundary: the error of the mesh, so that outlines are as near as the rest of it
-//   smallest hole     holes that no square of side s fits in are closed, where s is the larger one of two lengths:
-//                     2 radius + 1, since what a square of fewer columns leaves out is a hop from the points around it,
-//                     and so no more than the gaps that the radius passes over; and twice the tolerance, since loops of
-//                     narrower holes may move by half their width
-//
-// For a number of triangles, the error is the one for which a mesh of the fast effort has about as many. Outlines are
-// simplified for it, and the mesh then gets as many vertices inside as the number leaves: each is two triangles more.
+// For a number of triangles, outlines are simplified for the error at which a mesh of the effort Fast has that many.
+// Inner vertices, two triangles each, fill up the number.
 
 #ifndef SeismicHorizonsSurface_h
 #define SeismicHorizonsSurface_h
@@ -35,13 +32,12 @@
 
 namespace SeismicHorizons
 {
-/// Parameters of the boundary and of its simplification without a value are chosen. Messages about wrong ones are those
-/// of the methods.
+/// Parameters without a value are chosen.
 struct SurfaceOptions : DecimationQuality
 {
-  /// In lattice units, at least 0.
+  /// The error is in lattice units, at least 0.
   double MaximumError = 0.75;
-  /// Not 0, the target instead of the error, which counts for nothing then.
+  /// If not 0, it replaces the error as the target.
   std::size_t MaximumNumberOfTriangles = 0;
   std::optional<int> Radius;
   GrowthStrategy Growth = GrowthStrategy::Clockwise;
@@ -50,23 +46,21 @@ struct SurfaceOptions : DecimationQuality
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;
   std::optional<double> DistanceThreshold;
-  /// For a part of a horizon, to be joined to others (SurfaceJoin.h). The longest edge is chosen. The parameters above
-  /// then suit a seam (BoundaryOptions), and an error is the target.
+  /// A part to be joined (SurfaceJoin.h) must have an error as the target; the longest edge is chosen.
   SeamRows Seams;
-  /// Where the horizon is cut, or null (BoundaryOptions). Cracks stay open, whatever their size.
+  /// Cracks along cut links stay open, whatever their size. Null means no faults.
   const LinkCuts* Cuts = nullptr;
 };
 
-/// What the three methods were run with.
 struct SurfaceParameters
 {
   int Radius = 1;
   std::int64_t SmallestHoleSize = 1;
   double OutlineTolerance = 0.0;
   double DistanceThreshold = 0.0;
-  /// That of the mesh, or, for a number of triangles, the one that tolerances follow: 0 when none does.
+  /// For a number of triangles, tolerances follow it; it is 0 if none does.
   double MaximumError = 0.0;
-  /// The number of points that the mesh was made with; 0 with an error as the target.
+  /// The target is an error if this is 0.
   std::size_t MaximumNumberOfPoints = 0;
 };
 
@@ -76,8 +70,7 @@ struct SurfacePoints
   std::vector<double> Height; // lattice units
 };
 
-/// How far outlines of a mesh within an error may be off on the map, in columns: where vertical indices are short, an
-/// error may be many of them, and outlines stay all the same.
+/// Columns limit outlines, which should stay even if an error spans many short vertical indices.
 inline double ToleranceOfOutlines(double error)
 {
   constexpr double Most = 2.0;
@@ -87,44 +80,38 @@ inline double ToleranceOfOutlines(double error)
 struct Surface
 {
   SurfaceParameters Parameters;
-  /// The points that have a patch, by which the boundary numbers them.
+  /// Points without a patch are dropped; the boundary numbers the rest.
   KeptPoints Kept;
   ExteriorBoundary Boundary;
-  /// How far points are from the simplified outlines, and how many outside (BoundarySimplification.h).
   double BoundaryDeviation = 0.0;
   double OutlineDeviation = 0.0;
   double OutlineHeightDeviation = 0.0;
   std::int64_t NumberOutside = 0;
-  /// Points, numbered as the boundary does, that outlines kept only since there would be slivers next to them.
+  /// Outlines kept these points beside slivers.
   std::vector<PointId> BesideSlivers;
-  /// The mesh; its reduction is that of the points that have a patch. Empty when there are none.
+  /// The mesh is empty if no point has a patch.
   Decimation Mesh;
-  /// Of a part with seams: points that were put onto their lines, and those to the left of open gaps (SeamChains.h); as
-  /// the boundary numbers them.
+  /// Pinned points moved onto lines of seams; open gaps lie right of their points (SeamChains.h).
   std::vector<SeamPin> Pins;
   std::vector<PointId> OpenGaps;
 };
 
-/// Gives what the methods give one after the other, to the bit. Throws InputError where they do, and for a number of
-/// triangles below those that outlines take alone. At most MostSearchRuns (ErrorSearch.h) decimations of the fast
-/// effort come before the last one for a number of triangles.
+/// Equals the three methods in sequence only if SmallestAngle is 0; otherwise outlines keep points beside slivers.
+/// Throws InputError as they do, and if outlines alone need more triangles.
 Surface MakeSurface(
   SurfacePoints points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
 
-/// The longest edge along a seam: the side of a square of so many columns, so that what the seam cuts of a smaller hole
-/// is closed as that is; at most 64.
+/// A seam should close its cut through holes below the smallest size, so an edge spans the side of that; at most 64.
 int ChooseLongestSeamEdge(std::int64_t smallestHoleSize);
 
-/// The columns of the smallest hole that is left open.
 std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);
 
-// How far apart the points of a horizon are, and the radius of its boundary that follows.
+// Steps between neighbouring points determine the radius.
 //
 //     a row of the lattice     #  #  #  .  #  .  .  #
 //     its steps                 1  1   2      3
 
-/// How many steps of each length lead from a point of a row to the next one: [n] counts those of n columns, the last
-/// entry all that are longer than LargestRadius.
+/// Entry n counts steps of n columns, the last entry all beyond LargestRadius.
 using GapHistogram = std::array<std::int64_t, LargestRadius + 2>;
 
 struct GapHistograms
@@ -133,36 +120,25 @@ struct GapHistograms
   GapHistogram AlongColumns = {};
 };
 
-/// Linear in the points, and in the rows and columns of the lattice between the outermost ones; where these are far
-/// more than points, n log n. 4 bytes per such column; for points that do not come row by row 24 per point more, and 8
-/// per row and column.
 GapHistograms CountGaps(PlanePoints columns);
 
-/// The least radius that spans 95 % of the steps along rows, and of those along columns; LargestRadius when none does.
-/// Horizons with a point in every column have 99 % of their steps from neighbour to neighbour, whatever their outlines
-/// and holes are like, and those on every n-th line none that is shorter than n; a radius for the last steps, too,
-/// would bridge holes and bays.
+/// Returns the least radius that spans 95 % of the steps along both axes. Full horizons have 99 % single steps, lines
+/// at every n-th column none below n; a radius for the last steps would bridge holes and bays.
 int ChooseRadius(PlanePoints columns);
 
-// The error for which a mesh has a number of triangles.
-//
-// The number falls with the error, about as its power of -1.5. So the search takes logarithms of both, in which that is
-// a line: from a first error on to one on the other side of the number, and then by secants between the two.
+// The number of triangles falls about as the error to the power of -1.5, a line in logarithms. The search follows it
+// until errors on both sides of the number are known, then takes secants.
 
-/// How many triangles a mesh within an error has.
 using TriangleCounter = std::function<std::size_t(double)>;
 
-/// The most runs of the counter.
 constexpr int MostSearchRuns = 10;
-/// What no horizon of voxels can be told apart by, in lattice units.
+/// Smaller errors, in lattice units, make no difference.
 constexpr double SmallestSearchedError = 1.0 / 1024;
 
-/// An error from SmallestSearchedError to `largest` for which `count` gives at most `most`: as a rule from 90 % of it,
-/// unless the smallest one gives less. The search begins at `first`. Throws InputError with the number for the largest
-/// error when that is more than `most`. The number need not fall everywhere.
+/// Finds an error up to `largest` for which `count` usually gives 90 to 100 % of `most`; it need not fall everywhere.
+/// Throws InputError if `largest` gives more.
 double FindErrorForTriangles(std::size_t most, double first, double largest, const TriangleCounter& count);
 
-/// What is thrown when even the outlines take more triangles than there may be.
 InputError TooFewTriangles(std::size_t most, std::size_t least);
 }
 

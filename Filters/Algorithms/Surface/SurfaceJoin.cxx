@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: loops out of edges; the rows that two parts share; and the parts put together along them.
+// In this order: loops assembled from edges; the parts joined along their rows.
 
 #include "SurfaceJoin.h"
 
@@ -31,11 +31,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Loops out of edges in any order, with the patches that they and the triangles of a mesh connect.
 struct AssembledLoops
 {
-  /// First an outline for each patch, then loops of holes, in the order in which rows from the least y meet them. Each
-  /// begins at its point of least x, then least y.
+  /// Outlines, one per patch, precede holes, both by rows from the least y. Each begins at its point of least x, then
+  /// least y.
   Loops Boundary;
   std::vector<std::int32_t> Patch; // by vertex
   std::size_t NumberOfPatches = 0;
@@ -43,7 +42,6 @@ struct AssembledLoops
 
 using Path = std::vector<PointId>;
 
-/// Rows first, as they are met from below.
 bool IsMetBefore(const PlanePoint& a, const PlanePoint& b)
 {
   return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
@@ -102,7 +100,7 @@ private:
     this->IsUsed[b] = true;
   }
 
-  /// Goes around the face to the left of an edge (Boundary/Hops.h).
+  /// Follows the face to the left of an edge (Boundary/Hops.h).
   Path Walk(std::size_t edge)
   {
     Path path;
@@ -120,7 +118,7 @@ private:
     return path;
   }
 
-  /// The first edge from the end of another one that a clockwise sweep after it meets; that back comes last.
+  /// Returns the edge that a clockwise sweep meets first; the edge back comes last.
   std::size_t Next(const Edge& edge) const
   {
     const auto first = std::lower_bound(
@@ -135,8 +133,7 @@ private:
     return std::size_t(next - this->Edges.begin());
   }
 
-  /// The quarter of a clockwise sweep in which it meets the direction to a vertex: less than half a turn, half a turn,
-  /// more, a whole turn.
+  /// Sorts directions by the clockwise angle: less than half a turn, half, more, a whole turn.
   int QuarterOf(const Edge& edge, PointId vertex) const
   {
     const PlanePoint& here = this->At(edge.To);
@@ -222,26 +219,25 @@ private:
   }
 
   const std::vector<PlanePoint>& Vertices;
-  std::vector<Edge> Edges; // by their first and then their second vertex
-  std::vector<bool> IsWalked; // by edge
-  std::vector<bool> IsUsed; // by vertex: it has an edge or a triangle
-  DisjointSets Connected; // vertices
+  std::vector<Edge> Edges; // by first, then second vertex
+  std::vector<bool> IsWalked;
+  std::vector<bool> IsUsed; // has an edge or a triangle
+  DisjointSets Connected;
   std::vector<Path> Outlines;
   std::vector<Path> Holes;
 };
 
-/// `edges` are those of loops, with the surface of the triangles to their right; no two cross or are the same. A vertex
-/// without edges and triangles is a patch, and a loop, of its own. Throws InputError when the edges are no such loops.
+/// Edges must be loops with triangles to their right, without crossings, else InputError. A vertex without edges and
+/// triangles is a patch.
 AssembledLoops AssembleLoops(
   const std::vector<PlanePoint>& vertices, const std::vector<Edge>& edges, const RawVector<PointId>& triangles)
 {
   return Assembler(vertices, edges, triangles).Run();
 }
 
-// How far a vertex may be off the line of a seam that it was put onto, in lattice units and as a part of its height.
+// Heights on the line of a seam may differ by this, in lattice units, or relative to heights above 1.
 constexpr double Rounding = 1e-6;
 
-/// Vertices of a seam by their x.
 using SeamVertices = std::map<std::int32_t, PointId>;
 
 std::string RowText(const std::optional<std::int32_t>& row)
@@ -302,7 +298,7 @@ private:
     }
   }
 
-  /// The seam that a vertex of a part is on, by the number of the part below it; the number of parts when on none.
+  /// Seams have the number of the part below; the number of parts means none.
   std::size_t SeamOf(std::size_t part, PointId vertex) const
   {
     const SurfacePart& here = this->Parts[part];
@@ -342,7 +338,6 @@ private:
     return this->Parts[source.Part].Height[source.Item];
   }
 
-  /// A vertex of one part against what another part has there.
   void CheckHeight(PointId vertex, double height, double size) const
   {
     const double off = std::abs(this->HeightOf(vertex) - height);
@@ -356,7 +351,7 @@ private:
     }
   }
 
-  /// Those that are open on both sides, by the vertex to their left.
+  /// A gap is known by the vertex to its left.
   void FindOpenGaps()
   {
     for (std::size_t part = 0; part < this->Parts.size(); ++part)
@@ -369,7 +364,7 @@ private:
     }
   }
 
-  /// Calls visit(from, to) for an edge of a part, or, along a seam, for each of its pieces.
+  /// Splits edges along a seam at its vertices.
   template <typename Visitor>
   void ForEachPiece(std::size_t part, PointId from, PointId to, Visitor&& visit) const
   {
@@ -423,8 +418,7 @@ private:
     this->CheckCovered(part, covered);
   }
 
-  /// Whether a piece of a loop along a seam is one of the joined mesh: it has the part on its left, and is not across a
-  /// gap that is open.
+  /// Loops along a seam with the part on their left belong to the joined mesh, except across open gaps.
   bool IsLeft(std::size_t part, std::size_t seam, PointId from, PointId to) const
   {
     const bool isRightward = this->Result.Vertices[from].X < this->Result.Vertices[to].X;
@@ -433,7 +427,7 @@ private:
     return isOwn && !(this->OpenBelow.count(left) != 0 && this->OpenAbove.count(left) != 0);
   }
 
-  /// Vertices that cut an edge of a part stand on it.
+  /// Vertices that split an edge must lie on it.
   void CheckLine(std::size_t part, PointId from, PointId to) const
   {
     const SurfacePart& here = this->Parts[part];
@@ -453,7 +447,7 @@ private:
       });
   }
 
-  /// A part goes along its seams wherever the other part does.
+  /// Both parts must run along a seam at the same columns.
   void CheckCovered(std::size_t part, const std::set<PointId>& covered) const
   {
     for (std::size_t seam = part > 0 ? part - 1 : part; seam <= part; ++seam)
@@ -470,7 +464,6 @@ private:
     }
   }
 
-  /// A triangle with a side along a seam becomes one for each piece of that.
   void AddTriangles(std::size_t part)
   {
     const SurfacePart& here = this->Parts[part];
@@ -516,7 +509,6 @@ private:
     this->Keep(patchNumber);
   }
 
-  /// Leaves out what is of patches without a number.
   void Keep(const std::vector<std::int32_t>& patchNumber)
   {
     JoinedSurface all = std::exchange(this->Result, JoinedSurface());
@@ -569,11 +561,11 @@ private:
   }
 
   const std::vector<SurfacePart>& Parts;
-  std::vector<SeamVertices> Seams; // by the number of the part below
-  std::vector<std::vector<PointId>> Number; // by part and its vertex
+  std::vector<SeamVertices> Seams; // by the part below
+  std::vector<std::vector<PointId>> Number; // by part and vertex
   std::set<PointId> OpenBelow;
   std::set<PointId> OpenAbove;
-  std::vector<Edge> Edges; // of loops that are left
+  std::vector<Edge> Edges; // of remaining loops
   JoinedSurface Result;
 };
 }

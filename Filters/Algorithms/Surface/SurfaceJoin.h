@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One mesh out of those of the parts of a horizon, which share the rows of their seams (SeamChains.h).
+// Joins meshes of parts of a horizon along their seams (SeamChains.h).
 //
-// Vertices of a seam that both parts have become one. Where only one part has a vertex, it stands on an edge of the
-// other one, which is cut there, and its triangle with it. Loops along a seam end: with the outside on their left they
-// only went there because the part did. What is left of all loops is put together anew, so that holes and patches that
-// the seams cut are whole again. A gap of a seam without surface on both sides is open again.
+// Vertices of both parts become one; a vertex of one part splits the edge and triangle of the other. Loops along seams
+// vanish, and the rest is assembled anew, so that holes and patches are whole again. Gaps without surface on both sides
+// stay open.
 
 #ifndef SeismicHorizonsSurfaceJoin_h
 #define SeismicHorizonsSurfaceJoin_h
@@ -21,19 +20,17 @@
 
 namespace SeismicHorizons
 {
-/// The mesh of a part of a horizon.
 struct SurfacePart
 {
   std::vector<PlanePoint> Vertices; // whole columns
   std::vector<double> Height; // lattice units
-  std::vector<std::int64_t> Count; // how many points each vertex represents, those on the lower seam aside
+  std::vector<std::int64_t> Count; // represented points, without the lower seam
   Loops Boundary;
   RawVector<PointId> Triangles; // counter-clockwise on the lattice
   SeamRows Seams;
-  std::vector<PointId> OpenGaps; // the vertices to the left of these
+  std::vector<PointId> OpenGaps; // vertices to the left of gaps
 };
 
-/// A vertex or a triangle of a part.
 struct PartItem
 {
   std::int32_t Part = 0;
@@ -42,26 +39,22 @@ struct PartItem
 
 struct JoinedSurface
 {
-  /// For each vertex one that it was, and its column.
   std::vector<PartItem> Sources;
   std::vector<PlanePoint> Vertices;
   std::vector<std::int64_t> Count;
   std::vector<std::int32_t> Patch;
   RawVector<PointId> Triangles;
-  /// For each triangle the one that it is, or is a piece of.
   std::vector<PartItem> TriangleSources;
-  /// First an outline for each patch, then the loops of holes.
+  /// Outlines come first, one per patch, then holes.
   Loops Boundary;
   std::size_t NumberOfPatches = 0;
-  /// How many vertices of seams are not on a loop.
   std::size_t SeamVertices = 0;
-  /// How many points patches stood for that were left out as too small.
+  /// Dropped patches represented these points.
   std::int64_t DroppedPoints = 0;
 };
 
-/// The parts come in the order of their rows, the upper seam of each is the lower one of the next. Patches of fewer
-/// points are left out. Throws InputError when parts do not fit. Near linear; needs a few times the memory of the
-/// parts.
+/// The upper seam of a part is the lower seam of the next. Throws InputError if parts do not fit. Takes near linear
+/// time, and a few times the memory of the parts.
 JoinedSurface JoinSurface(const std::vector<SurfacePart>& parts, std::int64_t minimumPatchSize = 1);
 }
 
