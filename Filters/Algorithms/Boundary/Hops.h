@@ -6,9 +6,9 @@
 // direction the shorter comes first. The file also has tables of the columns and squares along long hops, and the walk
 // around a face of a graph of hops.
 //
+//          3  4  5
 //          2  *  6         the 8 hops of k = 1
 //          1  0  7
-//
 
 #ifndef SeismicHorizonsHops_h
 #define SeismicHorizonsHops_h

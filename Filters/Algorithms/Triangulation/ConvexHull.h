@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The convex hull, which is an outline for points that have none: a chain along the upper side, and one back along the
-// lower side (Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
+// The convex hull serves as the outline of points that have none (Andrew, "Another efficient algorithm for convex hulls
+// in two dimensions", 1979).
 
 #ifndef SeismicHorizonsConvexHull_h
 #define SeismicHorizonsConvexHull_h
@@ -19,7 +19,7 @@ namespace SeismicHorizons
 {
 namespace Detail
 {
-/// A chain of points from the first to the last that has all others to its right or on it, and turns to the right only.
+/// The chain turns only right, with all other points on it or to its right.
 template <typename Iterator>
 std::vector<PointId> MakeHullChain(Iterator first, Iterator last, const std::vector<PlanePoint>& places)
 {
@@ -36,9 +36,8 @@ std::vector<PointId> MakeHullChain(Iterator first, Iterator last, const std::vec
 }
 }
 
-/// The convex hull of the places as one loop, clockwise from the place of least x, then least y, with all places that
-/// lie on its edges. Places on one line give a loop there and back. There must be at least one place, and no two the
-/// same.
+/// The loop is clockwise from the least x, then y, and includes all places on its edges; places on one line give a loop
+/// out and back. `places` must be distinct and not empty.
 inline Loops FindConvexHull(const std::vector<PlanePoint>& places)
 {
   assert(!places.empty());

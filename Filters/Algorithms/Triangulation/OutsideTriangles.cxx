@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. The triangles at the edges of the boundary that exceed a limit are candidates, in a queue by the lengths of the
-//    edges.
-// 2. The one with the longest edge comes off: the boundary now runs along its other two edges, whose triangles may
-//    become candidates. A triangle stays when the point that faces its edge is on the boundary already, so that the
-//    mesh stays in one piece. Points never leave the boundary: no candidate has to be looked at twice.
-// 3. The gaps in the list of triangles are closed.
+// Triangles at boundary edges beyond a limit are candidates, in a queue by the length of the edge. Once one is removed,
+// the boundary follows its other two edges. A triangle stays if the opposite point is on the boundary, which keeps the
+// mesh connected.
 //
-// The thesis (5.3.8) looks at the angle between two consecutive edges of a known outline, on its outer side: wherever
-// it is below 180 degrees, it contains a triangle that lies outside. Here no outline is known, only the mesh. A
-// triangle with an edge on the boundary lies outside when the outline should run along its other two edges instead. The
-// angle between these, at the point that faces the boundary edge, is the thesis's; how large it may be, and how long
-// the boundary edge, is up to the user. The order in which triangles go, and the rule that keeps the mesh in one piece,
-// are those of Duckham et al., "Efficient generation of simple polygons for characterizing the shape of a set of points
-// in the plane", 2008.
+// The thesis (5.3.8) removes triangles where edges of a known outline enclose less than 180 degrees on the outside.
+// Here the outline is unknown: the user limits the angle that faces a boundary edge, and the length of this edge. The
+// order and the rule for connectivity are from Duckham et al., "Efficient generation of simple polygons for
+// characterizing the shape of a set of points in the plane", 2008.
 
 #include "OutsideTriangles.h"
 
@@ -35,14 +29,12 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The length of the vector, in whole numbers, that stands for an angle. So angles are cut to 2^-30 in radians, which is
-// finer than the 10^-7 degrees that BoundaryLimits promises, and products with squared distances fit 128 bits.
+// Angles are rounded to 2^-30 radians, which is finer than the 10^-7 degrees of BoundaryLimits, and products with
+// squared distances fit into 128 bits.
 constexpr double DirectionLength = 1 << 30;
 
-// Coordinates are below 2^29 in size, so no edge is as long as this.
-constexpr double LongerThanAnyEdge = 2147483648.0; // 2^31
+constexpr double LongerThanAnyEdge = 2147483648.0;
 
-/// The limits in whole numbers, so that comparisons with them are exact.
 class WholeLimits
 {
 public:
@@ -58,17 +50,15 @@ public:
     }
   }
 
-  /// Whether the triangle a, b, c, which turns counter-clockwise, has too long an edge from a to b or too large an
-  /// angle at c.
+  /// The triangle must be counter-clockwise. The limits apply to the edge a-b and the angle at c.
   bool AreExceeded(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
   {
     return SquaredDistance(a, b) > this->SquaredLength || this->IsAngleExceeded(a, b, c);
   }
 
 private:
-  /// The scalar and the cross product of two vectors are the coordinates of a direction at the angle between them. It
-  /// is beyond the limit when the turn from the limit's direction to it is to the left, as both are from 0 to 180
-  /// degrees.
+  /// The scalar and cross product are the coordinates of a direction at the angle. Both angles are within 180 degrees,
+  /// so that a left turn from the limit exceeds it.
   bool IsAngleExceeded(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
   {
     const std::int64_t along = ScalarProduct(c, a, b);
@@ -81,7 +71,6 @@ private:
   std::int64_t SquaredLength = std::numeric_limits<std::int64_t>::max();
 };
 
-/// The position of a corner in the list of triangles. A mesh of less than 2^29 points has less than 2^32 corners.
 using CornerId = std::uint32_t;
 
 CornerId NextInTriangle(CornerId corner)
@@ -89,7 +78,6 @@ CornerId NextInTriangle(CornerId corner)
   return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-/// For each point the corners that triangles have there.
 using CornersOfPoints = ItemLists<CornerId, CornerId>;
 
 CornersOfPoints ListCorners(std::size_t points, const RawVector<PointId>& triangles)
@@ -104,7 +92,6 @@ CornersOfPoints ListCorners(std::size_t points, const RawVector<PointId>& triang
     });
 }
 
-/// Takes triangles off the mesh of a hull, one after the other, and keeps track of its boundary.
 class OutsideRemover
 {
 public:
@@ -152,7 +139,6 @@ public:
   }
 
 private:
-  /// A triangle to take off: that at the boundary edge between two of its points.
   struct Candidate
   {
     std::int64_t SquaredLength;
@@ -161,9 +147,9 @@ private:
     PointId From;
     PointId To;
     PointId Third;
-    CornerId FirstCorner; // of the triangle
+    CornerId FirstCorner;
 
-    /// By places and not by numbers, so that the order of the points does not matter.
+    /// Comparing places makes the result independent of the order of the points.
     bool operator<(const Candidate& other) const
     {
       return std::tie(this->SquaredLength, this->FromPlace, this->ToPlace) <
@@ -175,7 +161,6 @@ private:
 
   bool IsOnBoundary(PointId point) const { return this->Next[point] != NoPoint; }
 
-  /// The corner at `from` of the triangle to the left of an edge.
   CornerId Find(PointId from, PointId to) const
   {
     const CornerId* const corner = std::find_if(this->Corners.begin(from), this->Corners.end(from),
@@ -184,8 +169,6 @@ private:
     return *corner;
   }
 
-  /// Looks at the triangle of a boundary edge. The surface lies to the right of the edge, so the triangle has the
-  /// reverse of it.
   void Consider(PointId from, PointId to)
   {
     const CornerId corner = this->Find(to, from);
@@ -206,7 +189,6 @@ private:
     this->Consider(outside.Third, outside.To);
   }
 
-  /// Closes the gaps in the list of triangles. Those that were taken off have no first point.
   void Compact()
   {
     std::size_t kept = 0;
@@ -227,7 +209,7 @@ private:
   RawVector<PointId>& Triangles;
   const WholeLimits Limits;
   const CornersOfPoints Corners;
-  std::vector<PointId> Next; // for each point of the boundary the next one along it
+  std::vector<PointId> Next;
   std::priority_queue<Candidate> Outside;
 };
 }

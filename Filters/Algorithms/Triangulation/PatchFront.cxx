@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. The voxels are cut into strips of rows.
-// 2. Triangles that reach across the line between two strips make a wall; the walls part the rest, so that fronts can
-//    grow in each strip without regard to the others. The wall on the middle line is made first, then in either half
-//    the one on its middle line, and so on (Cignoni, Montani, Scopigno, "DeWall: A fast divide and conquer Delaunay
-//    triangulation algorithm in E^d", 1998):
+// The search grid is divided into strips of rows. Triangles across the line between two strips form a wall, which
+// separates fronts so that they can grow in parallel. The wall on the middle line comes first, then walls in both
+// halves, and so on (Cignoni, Montani, Scopigno, "DeWall: A fast divide and conquer Delaunay triangulation algorithm in
+// E^d", 1998):
 //
 //     +-----------------+
 //     |  front          |
@@ -17,14 +16,9 @@
 //     |  front          |
 //     +-----------------+
 //
-//    A wall is made by a front, too: of the edges that cross the line. It begins at those of the boundary, where the
-//    line enters the patch, and ends where it leaves it. Sides of its triangles that do not cross the line go to one of
-//    the halves.
-// 3. In each strip a front grows until no edge waits.
-//
-// A region is a range of strips with the sides that wait in it: first the whole patch, in the end single strips. It may
-// surprise that the triangles are those of a single front: each third point follows from the edge alone. And as strips
-// depend on the points alone, triangles are in the same order for any number of threads.
+// A wall grows from boundary edges across its line; other edges of its triangles go to one of the halves. Triangles
+// equal those of a single front, as each third point depends on its edge alone, and their order does not depend on the
+// number of threads.
 
 #include "PatchFront.h"
 
@@ -39,19 +33,17 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A strip has at least so many points, and on average so many rows of voxels: in thinner ones walls are most of it.
+// In thinner strips walls would be most of the work.
 constexpr std::int64_t LeastPointsPerStrip = 2048;
 constexpr std::int64_t LeastRowsPerStrip = 8;
 
-// Where points are crowded in few voxels, as along an outline without points inside, triangles reach across many
-// strips, and to find them from sides as long takes more time than threads save.
+// With many points per search cell, as along an outline without points inside, triangles cross many strips, and their
+// search costs more than threads save.
 constexpr std::int64_t MostPointsPerVoxel = 4;
 
-// Between so many triangles of a front, and between so many regions, the monitor is called.
 constexpr std::size_t TrianglesPerCall = 4096;
 constexpr std::size_t RegionsPerCall = 16;
 
-/// How many voxels have points.
 std::int64_t CountVoxels(const SearchGrid& points)
 {
   const PointId* const starts = points.VoxelStarts();
@@ -125,7 +117,6 @@ void PatchFront::Grow(std::size_t most, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Gives the halves of those that are more than a strip.
 std::vector<PatchFront::Region> PatchFront::GrowRegions(const std::vector<Region>& regions, const Monitor& monitor)
 {
   std::vector<Growth> grown(regions.size());
@@ -201,7 +192,7 @@ void PatchFront::GrowStrip(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Until no edge waits. No third point is outside the region, unless the boundary is not one.
+// A third point outside the region indicates an invalid boundary.
 template <typename SideAdder>
 void PatchFront::GrowTriangles(AdvancingFront& front, const Region& region, std::size_t most, const Monitor& monitor,
   RawVector<PointId>& triangles, SideAdder&& addSide)

@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Space: the area inside the boundary for each point. The side of a voxel is the power of two that is nearest to it.
-// 2. Points are sorted by voxel, and edges listed for each voxel that they touch.
-// 3. Input is checked, as a search would make wrong triangles of it: points in one place are in one voxel, edges that
-//    cross share one, and so do an edge and a point on it.
-// 4. For each voxel, how far the nearest edge is. Most lines of sight are shorter, and need no look at edges.
+// The size of a search cell is the power of two nearest to the spacing of points inside the boundary. Invalid input is
+// refused, as it would give a wrong mesh. Each cell stores the distance to the nearest boundary edge: most lines of
+// sight are shorter and need no test.
 //
-// The pyramid has two kinds of boxes: of squares of voxels, and of runs, points whose numbers follow each other.
-// Squares lead to where points are near, and runs to the near ones of the many points that a single row of voxels can
-// have along an outline.
+// The pyramid has boxes of squares of cells for near regions, and boxes of runs of successive points for the many
+// points that one row of cells can have along an outline.
 
 #include "SearchGrid.h"
 
@@ -25,19 +22,18 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // voxels that a thread takes at a time
+constexpr std::int64_t Grain = 16384;
 
-// Bounds the memory of the grid where points are crowded in a small part of their box.
+// This limits memory if points are crowded in a small part of their box.
 constexpr double MostVoxelsPerPoint = 4.0;
 
-// The largest distance to boundary edges that differs from larger ones: distances are kept in bytes.
+// Distances are stored in bytes, saturated at this value.
 constexpr unsigned char FarFromEdges = 255;
 
-/// The side of a square with the area that there is for each point inside the boundary.
 double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
 {
   assert(!points.empty());
-  const PlanePoint size = PlaneBox(points).Greatest; // no coordinate is below 0
+  const PlanePoint size = PlaneBox(points).Greatest;
   const double box = (double(size.X) + 1.0) * (double(size.Y) + 1.0);
   std::int64_t doubledArea = 0;
   boundary.ForEachEdge(
@@ -48,13 +44,12 @@ double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
   return std::sqrt(std::min(box, inside) / double(points.size()));
 }
 
-/// The power of two that is nearest to the spacing of points: then places in units of voxels are exact.
+/// With a power of two, positions in units of cells are exact.
 std::int64_t VoxelSizeFor(double spacing)
 {
   return std::int64_t(1) << std::max(0L, std::lround(std::log2(spacing)));
 }
 
-/// Calls check(voxel) for all voxels.
 template <typename Check>
 void ForEachVoxel(std::int64_t voxels, Check&& check)
 {
@@ -68,10 +63,10 @@ void ForEachVoxel(std::int64_t voxels, Check&& check)
     });
 }
 
-/// Lowers the distances of a row to one more than the least of the three beside each in the next row.
+/// A distance is at most one more than the least of its three neighbours in the next row.
 void LowerTo(const unsigned char* next, std::int64_t size, unsigned char* row)
 {
-  // Most rows are long, so that compilers make this loop work on many distances at a time.
+  // Most rows are long, so that compilers vectorize this loop.
   for (std::int64_t x = 1; x + 1 < size; ++x)
   {
     const unsigned char nearest = std::min(std::min(next[x - 1], next[x]), next[x + 1]);
@@ -84,7 +79,6 @@ void LowerTo(const unsigned char* next, std::int64_t size, unsigned char* row)
   }
 }
 
-/// Lowers the distances of a row to those along the row.
 void LowerAlong(std::int64_t size, unsigned char* row)
 {
   int distance = FarFromEdges;
@@ -138,12 +132,11 @@ SearchGrid::SortedPoints::SortedPoints(
     this->Places[number] = points[point];
     this->Names[number] = names[point];
   }
-  // A search that looks at places after the last point then finds no better ones than that of the point.
+  // A search that reads beyond the last point finds copies of it, which are not better.
   std::fill_n(this->Places.end() - Padding, Padding, this->Places[points.size() - 1]);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Whether a voxel has at most eight points, no two of them in one place.
 bool SearchGrid::AreFewAndApart(std::int64_t voxel) const
 {
   constexpr PointId few = 8;
@@ -187,7 +180,6 @@ void SearchGrid::CheckEdges(std::int64_t voxel) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// With the edges before it in a voxel, and the points there.
 void SearchGrid::CheckEdge(const Edge* edge, std::int64_t voxel) const
 {
   const PlanePoint& from = this->At(edge->From);
@@ -216,8 +208,8 @@ std::string SearchGrid::Describe(const Edge& edge) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A shortest way from an edge goes along a row first, and then from row to row, straight or across corners. So
-// distances along the rows come first, and then two passes over the rows, upwards and downwards.
+// A shortest path from an edge follows its row first, then crosses rows. Hence one pass along rows and two passes
+// across them, upwards and downwards.
 void SearchGrid::MeasureEdgeDistances()
 {
   this->EdgeDistances.assign(this->Grid.Size(), FarFromEdges);

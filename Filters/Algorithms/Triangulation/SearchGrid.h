@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The points and boundary edges that a search looks through: in a grid of square voxels with about one point each, and
-// in boxes of points, for what is far away.
+// Points and boundary edges for a search, in a grid of square search cells with about one point each, and in a pyramid
+// of boxes for distant points.
 
 #ifndef SeismicHorizonsSearchGrid_h
 #define SeismicHorizonsSearchGrid_h
@@ -20,16 +20,14 @@
 
 namespace SeismicHorizons
 {
-/// Points get new numbers here, voxel by voxel and row by row, so that those in a row of voxels are in one range.
+/// Points are renumbered by cell, row by row, so that points in a row of cells have successive numbers.
 class SearchGrid
 {
 public:
-  /// There must be at least one point, and coordinates are at least 0 and below 2^29. Throws InputError when two points
-  /// are in one place, a point lies on a boundary edge, or two boundary edges cross; `names` are the numbers by which
-  /// messages call the points.
+  /// Coordinates must be from 0 to below 2^29. Throws InputError for equal places, points on boundary edges, and
+  /// crossing boundary edges; messages use `names`.
   SearchGrid(const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names);
 
-  /// The new number of a point, and the name of the point that has a new number.
   PointId NumberOf(PointId point) const { return this->Sorted.Numbers[point]; }
   PointId NameOf(PointId number) const { return this->Sorted.Names[number]; }
 
@@ -37,45 +35,39 @@ public:
 
   const PlanePoint& At(PointId number) const { return this->Sorted.Places[number]; }
 
-  /// At() may be asked for so many numbers after the last: a search can look at this many points at once.
+  /// At() may read this many places after the last point.
   static constexpr PointId Padding = 4;
 
   const CellGrid& Voxels() const { return this->Grid; }
 
-  /// The points in a voxel have the numbers from the first to before the end.
   PointId FirstIn(std::int64_t voxel) const { return this->Sorted.Voxels.First(voxel); }
   PointId EndOf(std::int64_t voxel) const { return this->Sorted.Voxels.End(voxel); }
 
-  /// The first points of all voxels, row by row: those of a row of voxels end at the first point of the next voxel.
   const PointId* VoxelStarts() const { return this->Sorted.Voxels.Firsts(); }
 
-  /// The column and the row of voxels at a coordinate; for one outside the grid, of the nearest voxel in it. Quicker
-  /// than CellX and CellY of the grid, as coordinates are whole and the side of a voxel is a power of two.
+  /// Coordinates outside the grid give the nearest cell. Bit shifts are faster than CellX() and CellY() of the grid.
   std::int64_t VoxelX(std::int32_t x) const { return std::clamp((x - this->Origin.X) >> this->Shift, 0, this->Last.X); }
   std::int64_t VoxelY(std::int32_t y) const { return std::clamp((y - this->Origin.Y) >> this->Shift, 0, this->Last.Y); }
 
-  /// How far apart points are on average: the side of a square with the area that there is for one point.
   double Spacing() const { return this->PointSpacing; }
 
-  /// The boundary edges in each voxel.
   const EdgeLists& Edges() const { return this->EdgesInVoxel; }
 
-  /// How many steps from voxel to voxel, also across corners, it is to the nearest one with boundary edges, up to 255.
+  /// Counts steps between cells, also diagonal, to the nearest cell with boundary edges, at most 255.
   std::int64_t EdgeDistance(std::int64_t x, std::int64_t y) const
   {
     return this->EdgeDistances[this->Grid.Index(x, y)];
   }
 
 private:
-  /// The points in the order of their new numbers.
   struct SortedPoints
   {
     SortedPoints(const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names);
 
     CountingSort<PointId> Voxels;
-    std::vector<PlanePoint> Places; // by new number
-    std::vector<PointId> Names; // by new number
-    std::vector<PointId> Numbers; // the new numbers, by those that points had before
+    std::vector<PlanePoint> Places;
+    std::vector<PointId> Names;
+    std::vector<PointId> Numbers;
   };
 
   bool AreFewAndApart(std::int64_t voxel) const;
@@ -87,15 +79,14 @@ private:
 
   const double PointSpacing;
   const CellGrid Grid;
-  const int Shift; // the exponent of the side of a voxel
-  const PlanePoint Origin; // of the grid
-  const PlanePoint Last; // the last column and the last row of voxels
+  const int Shift;
+  const PlanePoint Origin;
+  const PlanePoint Last;
   const SortedPoints Sorted;
   const EdgeLists EdgesInVoxel;
-  std::vector<unsigned char> EdgeDistances; // by voxel
+  std::vector<unsigned char> EdgeDistances;
 };
 
-/// From a place to the nearest place of a box.
 inline double SquaredDistanceToBox(const SegmentEnd& place, const PlaneBox& box)
 {
   const double x = std::max({ box.Least.X - place.X, 0.0, place.X - box.Greatest.X });
@@ -103,17 +94,15 @@ inline double SquaredDistanceToBox(const SegmentEnd& place, const PlaneBox& box)
   return x * x + y * y;
 }
 
-/// Bounding boxes of the points in squares of voxels, which double in size from level to level, for what is far away: a
-/// search leaves out those that cannot hold a better point. Takes time linear in the points and voxels, and memory of
-/// 16 bytes for each 12 voxels and for each 7 points.
+/// Bounding boxes of points in squares of search cells, which double in size per level. A search skips boxes that
+/// cannot hold a better point. Memory is 16 bytes per 12 cells and per 7 points.
 class PointPyramid
 {
 public:
-  /// Keeps a reference.
   explicit PointPyramid(const SearchGrid& points);
 
-  /// Calls visit(point) for the points in boxes for which mayHold(box) is true, those with a small distance(box) first.
-  /// Both are called when the search reaches a box, so that mayHold can depend on the points that were visited so far.
+  /// Calls visit(point) for points in boxes that pass mayHold(box), roughly by distance(box). Both are evaluated late,
+  /// so that they can depend on points visited before.
   template <typename MayHold, typename Distance, typename Visitor>
   void Visit(MayHold&& mayHold, Distance&& distance, Visitor&& visit) const
   {
@@ -121,15 +110,15 @@ public:
   }
 
 private:
-  static constexpr std::int64_t BaseSize = 4; // voxels along the side of a square of the lowest level
-  static constexpr PointId RunSize = 8; // points in a run of the lowest level
-  static constexpr int RunShift = 3; // a run has 2^3 of the level below
+  static constexpr std::int64_t BaseSize = 4;
+  static constexpr PointId RunSize = 8;
+  static constexpr int RunShift = 3;
 
   struct Level
   {
     std::int64_t SizeX;
     std::int64_t SizeY;
-    std::vector<PlaneBox> Boxes; // row by row
+    std::vector<PlaneBox> Boxes;
   };
 
   struct Square
@@ -163,7 +152,7 @@ private:
       return;
     }
     const Level& below = this->Levels[square.Level - 1];
-    std::array<std::pair<double, Square>, 4> parts; // from near to far
+    std::array<std::pair<double, Square>, 4> parts;
     std::size_t count = 0;
     for (std::int64_t y = 2 * square.Y; y < std::min(2 * square.Y + 2, below.SizeY); ++y)
     {
@@ -185,7 +174,6 @@ private:
     }
   }
 
-  /// The points of a square of the lowest level. Those of a row of it are some runs.
   template <typename MayHold, typename Visitor>
   void VisitVoxels(const Square& square, MayHold& mayHold, Visitor& visit) const
   {
@@ -208,7 +196,6 @@ private:
     }
   }
 
-  /// The level whose runs are about as long as that.
   std::size_t LevelOfRuns(PointId length) const
   {
     std::size_t level = 0;
@@ -219,7 +206,6 @@ private:
     return level;
   }
 
-  /// The points of a run that are from the first to before the end.
   template <typename MayHold, typename Visitor>
   void VisitRun(std::size_t level, PointId run, PointId first, PointId end, MayHold& mayHold, Visitor& visit) const
   {
@@ -240,9 +226,9 @@ private:
   }
 
   const SearchGrid& Points;
-  // Boxes of points that follow each other. Along an outline a voxel can have many, where inside there are none.
+  // Along an outline a search cell can have many points, where the inside has none.
   std::vector<std::vector<PlaneBox>> Runs;
-  std::vector<Level> Levels; // the lowest first; the last one has a single square
+  std::vector<Level> Levels;
 };
 }
 

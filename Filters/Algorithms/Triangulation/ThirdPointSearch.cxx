@@ -1,54 +1,41 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// For each edge, the first of these that finds a point ends the search; points are looked up in a grid of square voxels
-// with about one point each:
+// The first step that finds a point ends the search:
+//  1. Nearby: the segment of a circle through a and b that is to the left of the edge is searched, with a size that the
+//     adjacent circumcircle or the spacing of points suggests.
+//  2. A candidate in the square box of the edge (5.3.2), then better points in its circle (Delaunay criterion, Alg.
+//     5.1). VoxelTraversal searches the cells along the perpendicular bisector, then dilatations, which shift this line
+//     to either side along the axis on which it advances less (5.3.6.2); Compactness takes the most compact triangle
+//     (eq. 5.9).
+//  3. Far: if the box has no point, or is large, boxes of points are searched from near to far (PointPyramid).
 //
-// 1. Nearby. Most often the point is in the voxel beside the edge. So a circle through a and b is searched, the part of
-//    it to the left of the edge: one as large as the circle of the triangle on the other side of the edge suggests,
-//    which is empty, or little higher than points are apart. When it has points, the third point is one of them.
+//          . c .             a-b    edge from a to b
+//       .         .          c      candidate
+//     .       d     .        d      better point: inside the circle, it sees the edge at a larger angle
+//    .               .
+//    .               .       All cells that this segment of the circle may touch are searched. The point with the
+//    .               .       largest angle is the third point, as its own circle has no point in the
+//     a-------------b        segment.
+//       .         .
+//          . . .
 //
-// 2. A candidate in the square box of the edge (5.3.2), which is as far around its middle as the edge is long. It is
-//    found by one of two strategies, and then better points in the circle through the candidate and the edge (the
-//    Delaunay criterion, Alg. 5.1), so that both strategies end with the same point:
+//     1 0 1 2 . . .
+//     1 0 1 2 . . .        a-b    edge
+//     2 1 0 1 2 . .        0      perpendicular bisector
+//     2 1 0 1 2 . .        1      first dilatation
+//     2 1 0 1 2 . .        2      second dilatation
+//     . 2 1 0 1 2 b
+//     . 2 1 0 1 2 .
+//     a . . . . . .
 //
-//           . c .             a-b    the edge, from a to b
-//        .         .          c      the candidate
-//      .       d     .        d      a better point: inside the circle, from where the edge is seen at a larger angle
-//     .               .              than from c
-//     .               .
-//     .               .       Searched are the voxels that the part of the circle to the left of the edge may touch. Of
-//      a-------------b        the points in it, that which sees the edge at the largest angle is the third point: its
-//        .         .          own circle has none in the part to the left.
-//           . . .
+// Points are ranked by the cotangent of the angle at which they see the edge; less is better. A walk lists visited
+// cells for display, and omits steps 1 and 3.
 //
-//    VoxelTraversal looks into the voxels along the perpendicular bisector, from the middle of the edge, and then into
-//    those of its dilatations, until it finds a point. The n-th dilatation is the bisector's line of voxels moved by n
-//    to either side, along the axis on which the line advances less (5.3.6.2):
-//
-//      1 0 1 2 . . .
-//      1 0 1 2 . . .        a-b    the edge, from a to b: its left is above
-//      2 1 0 1 2 . .        0      the perpendicular bisector
-//      2 1 0 1 2 . .        1      the first dilatation, both lines of it
-//      2 1 0 1 2 . .        2      the second one
-//      . 2 1 0 1 2 b
-//      . 2 1 0 1 2 .
-//      a . . . . . .
-//
-//    Compactness takes that point of the box which makes the most compact triangle (eq. 5.9).
-//
-// 3. Far. When the box has no point, or is so large that going through it takes long, boxes of points are searched
-//    (PointPyramid), from near to far.
-//
-// Words: the cotangent of a point is that of the angle at which it sees the edge. The smaller it is, the better the
-// point. The query is the edge with the best point so far. A walk is the list of voxels that were looked into, for
-// users who want to see the search; then the search is the thesis's alone, without 1 and 3.
-//
-// With constraints, a point counts only when the segment from the middle of the edge to it crosses no boundary edge.
-// Looking from the middle is enough, which may surprise: the third point is seen from every place on the edge, and a
-// point of the circle that is seen from the middle would be seen from inside the triangle as well, which a constrained
-// Delaunay triangle excludes. As few edges have a boundary edge near, the best of all points is looked for first, seen
-// or not; if it is seen, it is the third point.
+// With constraints, no boundary edge may cross the segment from the middle of the edge to the point. The middle
+// suffices: the third point is visible from the whole edge, and a point of the circle that is visible from the middle
+// would be visible from inside the triangle. The best point is first searched without this test, as few edges have a
+// boundary edge nearby.
 
 #include "ThirdPointSearch.h"
 
@@ -67,12 +54,11 @@ namespace SeismicHorizons
 // ---- The query: which of two points is better, and whether a point is seen ------------------------------------------
 namespace
 {
-// A cotangent is a quotient of two whole numbers that are rounded to doubles: right to three times 2^-53 of its size.
-// For points whose cotangents are closer to each other than this part, InCircle decides.
+// The error of a cotangent, a quotient of two rounded integers, is below three times 2^-53 of its size. InCircle
+// decides between closer values.
 constexpr double CotangentRounding = 1e-14;
 
-// A segment that leads no more voxels away from its start is looked for boundary edges in the whole box around it: to
-// find the voxels that it touches takes longer.
+// For shorter segments it is faster to test all cells of their box than to find the cells along them.
 constexpr std::int64_t MostStepsInBox = 1;
 
 PlanePoint Doubled(const PlanePoint& p)
@@ -106,9 +92,8 @@ void ThirdPointQuery::Take(PointId point, std::int64_t area)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The cotangent of the angle at which a place to the left sees the edge. The smaller it is, the smaller is the part of
-// the place's circle with the edge that lies to the left. Half of it times the length of the edge is how far the centre
-// of that circle lies to the left.
+// A smaller cotangent means a smaller segment of the circle to the left. Half the cotangent times the length of the edge
+// is the distance of the centre to the left.
 double ThirdPointQuery::CotangentOf(const PlanePoint& place, std::int64_t area) const
 {
   return double(ScalarProduct(place, this->A, this->B)) / double(area);
@@ -131,8 +116,8 @@ bool ThirdPointQuery::IsBetter(const PlanePoint& place, PointId candidate, doubl
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A segment that runs through the end of a boundary edge does not cross it, and the point behind counts as visible.
-// That does no harm: the end of the edge is nearer, and lies inside the circle of the point behind it.
+// A point behind the end of a boundary edge counts as visible. This is harmless, as the end is nearer, and inside its
+// circle.
 bool ThirdPointQuery::IsVisible(PointId point) const
 {
   const PlanePoint& place = this->Points.At(point);
@@ -173,34 +158,27 @@ bool ThirdPointQuery::IsVisible(PointId point) const
 }
 
 // ---- The scan of a block of voxels, four points at a time ----------------------------------------------------------
-// Of the points to the left of the edge, that with the least cotangent is looked for. Cotangents are calculated in
-// single precision for all points. Those that exceed the least one by no more than some slack are candidates: most
-// often one, on a lattice often two. ThirdPointQuery::Consider compares candidates exactly. So all that matters is that
-// the slack is larger than rounding.
+// Cotangents of four points at a time are computed in single precision. Points within some slack of the least one are
+// candidates, mostly one, on a lattice often two, which ThirdPointQuery::Consider compares exactly. The slack must
+// exceed rounding.
 //
-// It is for points that are far enough from the line through the edge. In a box of size s, with an edge of length e,
-// the scalar product and the doubled area of a point are right to r = 48 u s (s + e), where u is the rounding of a
-// number of size 1. So their quotient c is right to r (1 + |c|) / area: for an area of 4 r / slack, to a quarter of the
-// slack. Points that are nearer to the line are candidates as well, if they may be better than the caller asks for.
-// Mostly these are the ends of the edge alone; then they are left out.
+// In a box of size s, with an edge of length e, scalar product and doubled area have an error below r = 48 u s (s + e),
+// with u the rounding of 1, and their quotient c below r (1 + |c|) / area: a quarter of the slack for an area of 4 r /
+// slack. Points nearer to the line of the edge, mostly its ends alone, are treated separately.
 namespace
 {
-// 4 * 48 u, rounded up, and how much more than the least cotangent that of a candidate may be: so much of one more than
-// its size.
+// Rounding is 4 * 48 u, rounded up. Slack is absolute, and relative to the size of the cotangent.
 constexpr float Rounding = 256.0f / 16777216.0f;
 constexpr float Slack = 1.0f / 64.0f;
 
-// Greater than the cotangents of all points in question.
 constexpr float Unknown = 1e30f;
 
-// The box around a circle is wider by this, and by so much of the radius: some ten times what rounding takes off.
+// The margins around the box of a circle are about ten times the rounding error.
 constexpr float BoxMargin = 1.0f;
 constexpr float BoxMarginPerRadius = 1e-5f;
 
-// Farther than the grid is wide. Sums of it and coordinates fit 32 bits.
 constexpr float FarOutside = 1073741824.0f;
 
-/// Adds the voxels of a box to the walk.
 void Trace(ThirdPointQuery& query, const VoxelBox& box)
 {
   for (std::int64_t row = box.FirstY; query.Walk && row <= box.LastY; ++row)
@@ -227,8 +205,6 @@ public:
     this->Lowest = FourTimes(query.OnlyVisible || query.Best != NoPoint ? bound : Unknown);
   }
 
-  /// Gives how many points are near the line through the edge. A batch may have points more than the row has: they do
-  /// no harm.
   template <bool WithNear>
   int Visit(const VoxelBox& box)
   {
@@ -267,13 +243,12 @@ public:
   }
 
 private:
-  // So many batches are evaluated at a time. They are listed first, without a branch on how many a row has where it has
-  // no more than three: a branch that a processor predicts wrongly takes it as long as a batch.
+  // Batches are collected before evaluation, without a branch for rows of up to three batches: a mispredicted branch
+  // costs as much as a batch.
   static constexpr std::size_t Capacity = 8;
   static constexpr std::size_t MostPerRow = 3;
 
-  /// Of batches by their first points. Cotangents of points that are not far enough to the left are not numbers, and so
-  /// never less than another one.
+  /// Cotangents of points not far enough to the left are NaN, which never compare as less.
   template <bool WithNear>
   int Evaluate(const PointId* batches, std::size_t count)
   {
@@ -282,7 +257,7 @@ private:
     const FloatBatch edgeX = FourTimes(this->EdgeX);
     const FloatBatch edgeY = FourTimes(this->EdgeY);
     const FloatBatch nearArea = FourTimes(this->Near);
-    // Twice as much as such a point can have whose cotangent is up to the bound.
+    // This is twice the maximum for points whose cotangent is within the bound.
     const FloatBatch nearProduct = nearArea * (2.0f * std::max(1.0f, this->Bound));
     const PlanePoint* const places = &this->Query.Points.At(0);
     FloatBatch cotangents[Capacity];
@@ -327,7 +302,6 @@ private:
     return nearCount[0] + nearCount[1] + nearCount[2] + nearCount[3];
   }
 
-  /// The greatest cotangent of a candidate, for the lowest so far.
   float LimitFor(const FloatBatch& lowest) const
   {
     const float least =
@@ -339,15 +313,14 @@ private:
   const float EdgeX;
   const float EdgeY;
   const float Bound;
-  float Near; // the doubled area of a triangle whose third point is near the line through the edge
-  FloatBatch Lowest; // of the cotangents so far
+  float Near;
+  FloatBatch Lowest;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// From the start of the edge, four numbers stand for x and y, and for both with the other sign: of all four the least
-// is looked for. It is that of the circle where that place of the circle is to the left of the edge, else that of an
-// end of the edge.
+// The four components are x, y, -x and -y from the start of the edge, each to be minimized: by the circle if its
+// extreme place is to the left of the edge, else by an end of the edge.
 VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius)
 {
   const std::int32_t edgeX = query.B.X - query.A.X;
@@ -356,7 +329,6 @@ VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float rad
   const FloatBatch turned = Rotate(edge);
   const FloatBatch centre = 0.5f * (edge - cotangent * turned);
   const FloatBatch squares = edge * edge;
-  // Of the edge and the way from its start to the place: positive when that is to the left.
   const FloatBatch area = turned * radius + 0.5f * cotangent * (squares[0] + squares[1]);
   const float margin = BoxMargin + BoxMarginPerRadius * radius;
   const FloatBatch zero = {};
@@ -364,7 +336,7 @@ VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float rad
   const FloatBatch least = Select(area > FourTimes(-4.0f * margin * radius), centre - radius, ends) - margin;
   const IntegerBatch places = ToIntegers(Select(least > FourTimes(-FarOutside), least, FourTimes(-FarOutside)));
   const SearchGrid& points = query.Points;
-  // Rounded towards 0, a place moves by less than 1.
+  // Truncation moves a place by less than 1.
   return { points.VoxelX(query.A.X + places[0] - 1), points.VoxelY(query.A.Y + places[1] - 1),
     points.VoxelX(query.A.X - places[2] + 1), points.VoxelY(query.A.Y - places[3] + 1) };
 }
@@ -392,7 +364,6 @@ void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound)
 // ---- Candidates in the box of an edge -------------------------------------------------------------------------------
 namespace
 {
-/// The square box of an edge (thesis 5.3.2), in voxels: as far around its middle as it is long.
 struct EdgeBox
 {
   explicit EdgeBox(const ThirdPointQuery& query)
@@ -404,7 +375,6 @@ struct EdgeBox
   {
   }
 
-  /// As far around the middle as that, or as the grid.
   VoxelBox Around(std::int64_t radius) const
   {
     const std::int64_t x = std::int64_t(this->MiddleX);
@@ -416,35 +386,21 @@ struct EdgeBox
   const CellGrid& Grid;
   const double MiddleX;
   const double MiddleY;
-  const std::int64_t Size; // the longer one of the edge's two extents: the thesis's k
+  const std::int64_t Size;
 };
 
-/// The voxels that a ray passes through, one after the other (Amanatides and Woo, "A fast voxel traversal algorithm for
-/// ray tracing", 1987). At each step two borders are ahead of the ray, one across x and one across y. It continues into
-/// the voxel behind the one that it meets first. (Thesis Alg. 5.2 advances along both axes at once.)
-///
-///      +-------+-------+-------+
-///      |       |       | 4   / |        The ray starts at *, in voxel 0. It meets the border to the right of that
-///      +-------+-------+---/---+        voxel before the one above, and continues into voxel 1. Of voxel 1 it meets
-///      |       |       | / 3   |        the border above first, and continues into voxel 2.
-///      |       | 2     /       |
-///      |       |     / |       |
-///      +-------+---/---+-------+
-///      |       | / 1   |       |
-///      | 0     /       |       |
-///      |     * |       |       |
-///      +-------+-------+-------+
+/// Search cells along a ray (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing", 1987): the ray
+/// continues into the cell behind the nearer one of its next borders across x and y. (Thesis Alg. 5.2 advances along
+/// both axes at once.)
 class VoxelWalk
 {
 public:
-  /// Starts at a place, in units of voxels and not below 0. The direction must not be zero.
   VoxelWalk(double x, double y, double directionX, double directionY)
     : AlongX(x, directionX)
     , AlongY(y, directionY)
   {
   }
 
-  /// The voxel in which the walk is.
   std::int64_t X() const { return this->AlongX.Voxel; }
   std::int64_t Y() const { return this->AlongY.Voxel; }
 
@@ -472,7 +428,6 @@ private:
 
     std::int64_t Voxel;
     std::int64_t Step;
-    // How far the next border is along the ray, and how far apart borders are, in units of the direction's length.
     double NextBorder = std::numeric_limits<double>::infinity();
     double BorderDistance = std::numeric_limits<double>::infinity();
   };
@@ -481,7 +436,6 @@ private:
   Axis AlongY;
 };
 
-/// Calls visit(point) for the points of a box. Those in a row of voxels are in one range.
 template <typename Visitor>
 void VisitBox(ThirdPointQuery& query, const VoxelBox& box, Visitor&& visit)
 {
@@ -502,7 +456,7 @@ void ConsiderBox(ThirdPointQuery& query, const VoxelBox& box)
   VisitBox(query, box, [&query](PointId point) { query.Consider(point); });
 }
 
-/// One line of a dilatation: the bisector's line of voxels, moved along the axis on which it advances less.
+/// The line of cells is shifted along the axis on which it advances less.
 void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift)
 {
   const double x = double(query.A.Y) - query.B.Y;
@@ -523,7 +477,6 @@ void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64
   }
 }
 
-/// The bisector, then one line of voxels more on either side of it at a time, as far as the box reaches.
 void TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox)
 {
   for (int dilatation = 0; query.Best == NoPoint && dilatation <= edgeBox.Size; ++dilatation)
@@ -538,7 +491,7 @@ void TraverseBox(ThirdPointQuery& query, const EdgeBox& edgeBox)
   query.Dilatation = -1;
 }
 
-/// The thesis's C (eq. 5.9) without its factor, 4 sqrt(3) / 2: `area` is twice that of the triangle.
+/// This is C of the thesis (eq. 5.9) without the factor 4 sqrt(3) / 2; `area` is doubled.
 double Compactness(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, std::int64_t area)
 {
   return double(area) / (double(SquaredDistance(a, b)) + double(SquaredDistance(b, c)) + double(SquaredDistance(c, a)));
@@ -561,7 +514,6 @@ void CompareBox(ThirdPointQuery& query, const EdgeBox& edgeBox)
     });
 }
 
-/// Around a box without a point, for a search that is to be shown.
 void SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox)
 {
   const std::int64_t everything = std::max(edgeBox.Grid.SizeX(), edgeBox.Grid.SizeY());
@@ -575,29 +527,28 @@ void SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox)
 // ---- The search -----------------------------------------------------------------------------------------------------
 namespace
 {
-// How high the part of a circle is that is looked into first: in diameters of the circle of the triangle on the other
-// side of the edge, or where there is none in distances between points, as at most. Larger ones have more points than
-// needed, smaller ones too often none.
+// Heights of the first circle segment: in diameters of the adjacent circumcircle, or else in spacings, with a limit.
+// Larger ones have needless points, smaller ones too often none.
 constexpr float HeightPerNeighbor = 1.15f;
 constexpr float HeightPerSpacing = 1.3f;
 constexpr float MostHeightPerSpacing = 4.0f;
 
-// A point whose cotangent is smaller by this part than that of a circle is inside the circle for certain.
+// A cotangent smaller by this fraction is certainly inside the circle.
 constexpr float CotangentMargin = 1e-5f;
 
-// The longest edge, in voxels, that is looked at in this way: a box around a long slanted one has many points.
+// This is in search cells; boxes around long oblique edges have many points.
 constexpr std::int64_t LongestNearby = 16;
 
-// The longest edge, in voxels, whose box is searched. Most edges are shorter; for a longer one SearchFar is quicker.
+// This is in search cells; for longer edges, which are rare, SearchFar is faster.
 constexpr std::int64_t LargestBoxToTraverse = 8;
 
-// The centre and the radius of a circle are right to some units in the last place, 10^-16 of their size, and
-// coordinates, which are below 2^30, to 10^-6. What is farther outside than this is outside for certain.
+// Centre and radius have a relative error of some 10^-16, and coordinates below 2^30 an error of 10^-6. Points farther
+// outside than these margins are certainly outside.
 constexpr double CircleMargin = 1e-6;
 constexpr double CircleMarginPerRadius = 1e-12;
 
-/// The circle of the points to the left of an edge that see it at an angle with some cotangent, in coordinates from the
-/// start of the edge. In plain doubles: a point within the margin may be inside or outside.
+/// Points on this circle to the left see the edge at an angle with the cotangent. Coordinates are relative to the start
+/// of the edge; points within the margin may be inside or outside.
 struct EdgeCircle
 {
   EdgeCircle(const ThirdPointQuery& query, double cotangent)
@@ -612,30 +563,30 @@ struct EdgeCircle
     this->SquaredReach = reach * reach;
   }
 
-  /// False only when the point is for certain outside, or to the right of the edge. Without branches: points are inside
-  /// or outside in no order that a processor could predict.
+  /// Returns false only if the point is certainly outside or to the right. There are no branches, since they would be
+  /// unpredictable.
   bool MayHold(const PlanePoint& point) const
   {
     const double x = double(point.X - this->Start.X);
     const double y = double(point.Y - this->Start.Y);
     const double fromX = x - this->X;
     const double fromY = y - this->Y;
-    // Rounding keeps the order of the two products, or makes them equal.
+    // Rounding preserves the order of these products, or makes them equal.
     return (fromX * fromX + fromY * fromY <= this->SquaredReach) & (this->EdgeX * y >= this->EdgeY * x);
   }
 
-  /// False only when no place of a box is inside, left or right of the edge.
+  /// Returns false only if no place of the box is inside, on either side of the edge.
   bool MayReach(const PlaneBox& box) const
   {
     return SquaredDistanceToBox({ this->X + this->Start.X, this->Y + this->Start.Y }, box) <= this->SquaredReach;
   }
 
   PlanePoint Start;
-  double EdgeX; // the vector of the edge
+  double EdgeX;
   double EdgeY;
-  double X; // the centre
+  double X;
   double Y;
-  double SquaredReach; // of the radius and the margin
+  double SquaredReach;
 };
 }
 
@@ -666,9 +617,8 @@ ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float neighbor, std::vec
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The circle through the best point to the left has no point in its left part, and of all such circles the smallest
-// right part. So the edge is Delaunay when that part has no point either. Seen from the right the edge is reversed, and
-// the cotangent of the circle has the other sign.
+// The circle through the best point on the left has the least segment on the right, which must be empty, too. From the
+// right the cotangent changes sign.
 bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 {
   ThirdPointQuery left(this->Points, a, b, nullptr);
@@ -738,7 +688,7 @@ void ThirdPointSearch::Search(ThirdPointQuery& query, float height) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The third point is looked for in the part of a circle through the ends of the edge that is to its left and so high:
+// The search covers the segment of the given height of a circle through the ends of the edge:
 //
 //          . * .         -
 //       .         .      | height     The centre is (height - rest) / 2 to the left of the edge, and the radius is
@@ -746,8 +696,8 @@ void ThirdPointSearch::Search(ThirdPointQuery& query, float height) const
 //       .         .      | rest
 //          . . .         -
 //
-// When that part has points, the third point is one of them. When it has none, but others are near, the circle of the
-// best of these is searched, as long as it is not higher than twice as much; else that height is the next to be tried.
+// If the segment is empty, but other points are near, the circle of the best one is searched if its height is at most
+// twice as large; otherwise this height is tried next.
 bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
 {
   const float squaredLength = float(query.SquaredLength());
@@ -772,8 +722,8 @@ bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// A box can hold a better point when a corner of it is to the left of the edge, and it reaches into the circle of the
-// best one. Every better point makes that circle smaller, which is why near boxes come first.
+// A box may hold a better point if a corner is to the left of the edge, and it reaches into the circle of the best
+// point. Near boxes come first, as better points shrink that circle.
 void ThirdPointSearch::SearchFar(ThirdPointQuery& query) const
 {
   std::call_once(this->PyramidFlag, [this]() { this->Pyramid = std::make_unique<PointPyramid>(this->Points); });

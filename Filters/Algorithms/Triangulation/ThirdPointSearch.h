@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The point that makes a triangle with an edge (thesis 5.3.4 to 5.3.6 and 5.4): of all points to the left of the edge
-// that can be seen from it, the one whose circle with the edge has no other such point inside. Tests look at the steps
-// of the search, which is why they are here.
+// Third point of a triangle on an edge (thesis 5.3.4 to 5.3.6 and 5.4): of the visible points to its left, the one
+// whose circumcircle with the edge has no other such point inside. The steps are declared here for tests.
 
 #ifndef SeismicHorizonsThirdPointSearch_h
 #define SeismicHorizonsThirdPointSearch_h
@@ -19,20 +18,16 @@
 
 namespace SeismicHorizons
 {
-/// A voxel that was looked into, to show how the search works.
 struct WalkedVoxel
 {
   std::int64_t X = 0;
   std::int64_t Y = 0;
-  /// 0 on the perpendicular bisector, n on its n-th dilatation, -1 where neither led there: in the box of the edge for
-  /// Compactness, in squares around it, or in the circle of the candidate.
+  /// This is 0 on the perpendicular bisector, n on the n-th dilatation, and -1 in other steps.
   int Dilatation = 0;
 };
 
-/// An edge from A to B, and the best point that was found for it so far.
 struct ThirdPointQuery
 {
-  /// Keeps a reference to the points.
   ThirdPointQuery(const SearchGrid& points, PointId from, PointId to, std::vector<WalkedVoxel>* walk)
     : Points(points)
     , A(points.At(from))
@@ -46,31 +41,28 @@ struct ThirdPointQuery
 
   double SquaredLength() const { return double(SquaredDistance(this->A, this->B)); }
 
-  /// Takes a point as the best if it is better than the best so far, to the left of the edge, and visible where only
-  /// such points count.
+  /// Takes a point to the left if it is better than the best so far, and visible if OnlyVisible is set.
   void Consider(PointId candidate);
 
-  /// Takes a point to the left of the edge as the best; `area` is twice that of its triangle with the edge.
   void Take(PointId point, std::int64_t area);
 
-  /// Whether the segment from the middle of the edge to a point crosses no boundary edge.
+  /// A point is visible if no boundary edge crosses the segment from the middle of the edge to it.
   bool IsVisible(PointId point) const;
 
   const SearchGrid& Points;
   const PlanePoint A;
   const PlanePoint B;
-  std::vector<WalkedVoxel>* const Walk; // takes the voxels that are looked into, if not null
-  int Dilatation = -1; // of the voxels that are being looked into
-  bool OnlyVisible = false; // whether points behind boundary edges do not count
+  std::vector<WalkedVoxel>* const Walk;
+  int Dilatation = -1;
+  bool OnlyVisible = false;
   PointId Best = NoPoint;
-  double BestCotangent = 0.0; // of the angle at which the best point sees the edge
+  double BestCotangent = 0.0;
 
 private:
   double CotangentOf(const PlanePoint& place, std::int64_t area) const;
   bool IsBetter(const PlanePoint& place, PointId candidate, double cotangent) const;
 };
 
-/// A block of voxels, the last row and column included.
 struct VoxelBox
 {
   std::int64_t FirstX;
@@ -79,38 +71,33 @@ struct VoxelBox
   std::int64_t LastY;
 };
 
-/// The voxels that the part of a circle to the left of an edge may touch. The circle is that of the points to the left
-/// from which the edge is seen at an angle with some cotangent; `radius` is its own.
+/// Returns the cells that the segment of the circle to the left of the edge may touch. `cotangent` is defined by the
+/// angle at which its points see the edge.
 VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius);
 
-/// The same for the circle of the best point so far.
 VoxelBox VoxelsOfBest(const ThirdPointQuery& query);
 
-/// Lets the query consider those of the points in a box, in which the edge has to be, that may be the third point, as
-/// long as there is one whose cotangent is not above the bound; else perhaps others, or none. When only visible points
-/// count, these are all up to the bound.
+/// The box must contain the edge. If a point has a cotangent within `bound`, the best one is considered; otherwise any
+/// or none. With OnlyVisible, all points within the bound are considered.
 void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound);
 
 struct ThirdPoint
 {
-  PointId Point = NoPoint; // none when nothing can be seen to the left of the edge
-  float Diameter = 0.0f; // of its circle with the edge
+  PointId Point = NoPoint;
+  float Diameter = 0.0f;
 };
 
 class ThirdPointSearch
 {
 public:
-  /// `points` must outlive the search; edges are asked for by its numbers.
   ThirdPointSearch(const SearchGrid& points, SearchStrategy strategy);
 
-  /// The third point for the edge from a to b. `neighbor` is about the diameter of the circle of the triangle on the
-  /// other side of the edge, 0 where that is not known: it says where to look first. `walk`, when given, takes the
-  /// voxels that were looked into, in their order; the circle that comes first otherwise is left out then, so that they
-  /// show the strategy.
+  /// `neighbor` is the approximate diameter of the circumcircle of the adjacent triangle, or 0, and sets where to
+  /// start. With a walk, the search follows the strategy alone.
   ThirdPoint Find(PointId a, PointId b, float neighbor, std::vector<WalkedVoxel>* walk = nullptr) const;
 
-  /// Whether there is a circle through the ends of an edge that holds no point, seen from the edge or not: then it is
-  /// an edge of the Delaunay triangulation without constraints, too. There must be a point to the left of it.
+  /// The edge is Delaunay without constraints, too, if a circle through its ends holds no point, visible or not. A
+  /// point must be to the left.
   bool IsDelaunay(PointId a, PointId b) const;
 
 private:
@@ -123,7 +110,7 @@ private:
   const float UsualHeight;
   const float GreatestHeight;
   mutable std::once_flag PyramidFlag;
-  mutable std::unique_ptr<PointPyramid> Pyramid; // made when it is first needed
+  mutable std::unique_ptr<PointPyramid> Pyramid;
 };
 }
 

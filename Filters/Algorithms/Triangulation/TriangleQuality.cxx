@@ -17,9 +17,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // triangles that a thread takes at a time
+constexpr std::int64_t Grain = 16384;
 
-/// A triangle as its sides, the shortest first, and its area.
 struct Shape
 {
   Shape(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
@@ -43,7 +42,6 @@ struct Shape
     return 4.0 * std::sqrt(3.0) * this->Area / (this->Side[2] * (this->Side[0] + this->Side[1] + this->Side[2]));
   }
 
-  /// Of the angle opposite to the shortest side, by the law of cosines.
   double LargestCotangent() const
   {
     return (this->Squared(1) + this->Squared(2) - this->Squared(0)) / (4.0 * this->Area);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How near triangles are to equilateral ones, in plan.
+// Similarity of triangles to equilateral triangles, in plan.
 
 #ifndef SeismicHorizonsTriangleQuality_h
 #define SeismicHorizonsTriangleQuality_h
@@ -15,17 +15,15 @@ namespace SeismicHorizons
 {
 struct TriangleQuality
 {
-  /// For each triangle 4 sqrt(3) area / (sum of squared sides) (Gueziec; thesis eq. 5.9): 1 when it is equilateral,
-  /// towards 0 the thinner it is.
+  /// 4 sqrt(3) area / (sum of squared edges) (Gueziec; thesis eq. 5.9): 1 for equilateral triangles, towards 0 for thin
+  /// ones.
   RawVector<float> Compactness;
-  /// For each triangle 2 sqrt(3) area / (longest side x half the perimeter) (Frey and Borouchaki; thesis eq. 5.10): the
-  /// same range.
+  /// 2 sqrt(3) area / (longest edge x half the perimeter) (Frey and Borouchaki; thesis eq. 5.10), with the same range.
   RawVector<float> Shape;
-  /// The smallest angle of all triangles, in degrees; 180 without triangles.
+  /// This is in degrees, and 180 without triangles.
   double SmallestAngle = 180.0;
 };
 
-/// `triangles` has three points per triangle, counter-clockwise.
 TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawVector<PointId>& triangles);
 }
 

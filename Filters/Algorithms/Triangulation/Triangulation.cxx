@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Full blocks. An edge between neighbouring columns is in every constrained Delaunay triangulation, as the circle
-//    around it holds no other column. So what such edges enclose is meshed on its own, as long as it is inside the
-//    boundary and no boundary edge cuts it:
-//     - a full block, two by two points: two triangles. InCircle in Predicates.h says which diagonal cuts it.
-//     - a ring, three by three points without the middle one, which is what a single missing point leaves: four
-//       triangles at its corners, and two in the square between the middles of its sides, whose diagonal InCircle
-//       settles, too.
+// 1. Full blocks. An edge between neighbouring columns is in every constrained Delaunay triangulation, as its circle
+// holds no other column. A block of two by two points thus becomes two triangles, and a ring, three by three points
+// around a single missing one, six. InCircle (Predicates.h) chooses diagonals. Boundary edges may not cut blocks.
 //
 //     *---*        *---*---*
 //     | / |        |  / \  |
@@ -17,13 +13,11 @@
 //                  |  \ /  |
 //                  *---*---*
 //
-// 2. Patches, one after the other: the loose points, which blocks and rings do not surround on all sides, and the edges
-//    to start from, those of the boundary and the sides of the blocks.
-// 3. Each patch is meshed by fronts (PatchFront.h), from its boundary inwards and from its full blocks outwards.
-// 4. Boundary edges are counted, and those among them that are not Delaunay. As full blocks may have points in their
-//    circles, these are tried among all points of a patch.
+// 2. Patches: loose points, which blocks and rings do not surround, boundary edges, and outer edges of blocks.
+// 3. Fronts mesh each patch (PatchFront.h), from its boundary inwards and from its blocks outwards.
+// 4. Boundary edges that are not Delaunay among all points of a patch are counted.
 //
-// All triangles of full blocks come first in the mesh, row by row, then those of the patches.
+// Triangles of full blocks come first, row by row.
 
 #include "Triangulation.h"
 
@@ -52,12 +46,11 @@ namespace
 {
 // ---- Full blocks ----------------------------------------------------------------------------------------------------
 
-constexpr std::int64_t Grain = 32768; // columns that a thread takes at a time
+constexpr std::int64_t Grain = 32768;
 
-// Where fewer points than one in so many columns are left, looking at all columns takes longer than full blocks save.
+// With fewer points per column, visiting all columns costs more than full blocks save.
 constexpr std::int64_t MostColumnsPerPoint = 8;
 
-/// Whether an edge leads to the next column in a row, or to the next row: it runs between blocks and cuts none.
 bool RunsBetweenBlocks(const PlanePoint& a, const PlanePoint& b)
 {
   return std::abs(a.X - b.X) + std::abs(a.Y - b.Y) == 1;
@@ -78,22 +71,19 @@ PointId* Write(PointId a, PointId b, PointId c, PointId* corners)
   return corners + 3;
 }
 
-/// Two triangles, cut by the diagonal from corner 0 or 1.
+/// The diagonal starts at corner `first`, 0 or 1.
 PointId* WriteSquare(const std::array<PointId, 4>& corner, std::size_t first, PointId* corners)
 {
   corners = Write(corner[first], corner[first + 1], corner[first + 2], corners);
   return Write(corner[first], corner[first + 2], corner[(first + 3) % 4], corners);
 }
 
-/// A block is known by the column of its least corner.
 class FullBlocks
 {
 public:
-  /// Has no blocks.
   FullBlocks() = default;
 
-  /// Finds those of all patches of a horizon; `frame` is that of its points. When the points are so few in their
-  /// bounding box that there cannot be many full blocks, or when two of them are in one place, none is found.
+  /// Finds no block if points are sparse in their bounding box, or if two points share a place.
   FullBlocks(const BoundedHorizon& horizon, const PlaneFrame& frame)
     : Frame(frame)
     , Width(std::int64_t(frame.Inward(frame.Greatest).X) + 1)
@@ -120,15 +110,14 @@ public:
     this->RowStarts.push_back(0);
     for (std::size_t y = 0; y + 1 < full.size(); ++y)
     {
-      // FindRings counts a ring in the row of its middle, which is one further up than that of its least corner.
+      // FindRings counts a ring in the row of its middle, one above its least corner.
       this->RowStarts.push_back(this->RowStarts.back() + 2 * full[y] + 6 * rings[y + 1]);
     }
   }
 
   std::size_t NumberOfTriangles() const { return this->RowStarts.empty() ? 0 : this->RowStarts.back(); }
 
-  /// The points of the horizon that the search still has to know: those that blocks and rings do not cover, which is
-  /// to surround them on all sides, and those of the boundary.
+  /// Loose points are not surrounded by blocks and rings, or are on the boundary.
   std::vector<PointId> FindLoosePoints(const BoundedHorizon& horizon) const
   {
     if (this->NumberOfTriangles() == 0)
@@ -143,7 +132,6 @@ public:
     return loose;
   }
 
-  /// The triangles of all full blocks and rings, counter-clockwise, row by row: three points each.
   void WriteTriangles(PointId* corners) const
   {
     if (this->NumberOfTriangles() > 0)
@@ -157,8 +145,8 @@ public:
     }
   }
 
-  /// Calls visit(from, to) for each side of a full block or ring that has no other one on its other side, with the
-  /// block to the left. All of them begin and end in `loose` points, which are those of FindLoosePoints.
+  /// Calls visit(from, to) for outer edges of blocks and rings, with the block to the left. They begin and end in loose
+  /// points.
   template <typename Visitor>
   void ForEachSide(const BoundedHorizon& horizon, const std::vector<PointId>& loose, Visitor&& visit) const
   {
@@ -173,15 +161,14 @@ private:
   enum Block : unsigned char
   {
     Nothing = 0,
-    Turn = 1, // the inside of the boundary begins or ends between this block and the one to its left
-    Cut = 2, // a boundary edge runs through the block, or close by
-    Open = 4, // the block is inside the boundary, and not cut
-    Full = 8, // a full block
-    Ring = 16, // a quarter of a ring
+    Turn = 1, // The boundary passes between this block and the one to its left.
+    Cut = 2,
+    Open = 4,
+    Full = 8,
+    Ring = 16,
     Meshed = Full | Ring
   };
 
-  /// Calls work(y) for each row of blocks, on several threads.
   template <typename Work>
   void ForEachRow(Work&& work) const
   {
@@ -195,7 +182,6 @@ private:
       });
   }
 
-  /// False when two are in one place.
   bool PlacePoints(const std::vector<PlanePoint>& points)
   {
     this->Points.resize(this->Width * this->Height);
@@ -230,8 +216,8 @@ private:
       });
   }
 
-  /// Each edge that crosses the line through the middles of a row of blocks is where the inside begins or ends, for all
-  /// blocks whose middles are further to the right. An edge right through a middle does not matter: it cuts that block.
+  /// An edge that crosses the line through the middles of a row of blocks toggles the inside for blocks with middles
+  /// further to the right. An edge through a middle cuts that block anyway.
   void MarkTurns(const BoundedHorizon& horizon)
   {
     horizon.Boundary.ForEachEdge(
@@ -247,8 +233,7 @@ private:
       });
   }
 
-  /// Inside the boundary of one patch there should be no points of another one. A block with points of several patches
-  /// is left to the search, which refuses such input.
+  /// Blocks with points of several patches, which are invalid, are left to the search, which reports the error.
   std::size_t FindFull(std::int64_t y, const std::int32_t* patches)
   {
     const PointId* const below = this->Points.data() + this->Place(0, y);
@@ -260,7 +245,7 @@ private:
     {
       inside ^= blocks[x] & Turn;
       const bool open = inside != Nothing && (blocks[x] & Cut) == 0;
-      // NoPoint is the only negative number, so the sign of the four combined says whether one of them is missing.
+      // NoPoint is the only negative number, so that the sign of the combination shows a missing point.
       const bool full = open && (below[x] | below[x + 1] | above[x] | above[x + 1]) >= 0 &&
         (!patches || AreInOnePatch(std::array<PointId, 4>{ below[x], below[x + 1], above[x], above[x + 1] }, patches));
       blocks[x] = (open ? Open : Nothing) | (full ? Full : Nothing);
@@ -269,8 +254,7 @@ private:
     return count;
   }
 
-  /// A block is in one ring at most, as it has one empty corner and that is the middle of the ring. So threads write to
-  /// different blocks here, and read none that another one writes.
+  /// A block is in one ring at most, as it has one empty corner. Threads thus do not write to or read the same block.
   std::size_t FindRings(std::int64_t y, const std::int32_t* patches)
   {
     std::size_t count = 0;
@@ -310,7 +294,7 @@ private:
     std::vector<PointId> uncovered;
     for (std::int64_t y = 0; y < this->Height; ++y)
     {
-      bool left = false; // whether both blocks to the left of a column are meshed
+      bool left = false;
       for (std::int64_t x = 0; x < this->Width; ++x)
       {
         const bool right = this->IsMeshed(x, y) && this->IsMeshed(x, y - 1);
@@ -324,7 +308,6 @@ private:
     return uncovered;
   }
 
-  /// Where the boundary runs through the inside of a patch and back.
   std::vector<PointId> FindCoveredBoundary(const BoundedHorizon& horizon) const
   {
     std::vector<PointId> covered;
@@ -370,7 +353,6 @@ private:
   {
     const std::array<PointId, 4> corner = { this->At(x, y), this->At(x + 2, y), this->At(x + 2, y + 2),
       this->At(x, y + 2) };
-    // The middles of the sides that follow the corners.
     const std::array<PointId, 4> middle = { this->At(x + 1, y), this->At(x + 2, y + 1), this->At(x + 1, y + 2),
       this->At(x, y + 1) };
     for (std::size_t n = 0; n < 4; ++n)
@@ -380,7 +362,6 @@ private:
     return WriteSquare(middle, this->RingDiagonal, corners);
   }
 
-  /// Calls visit(to) for the sides that begin in a point, with their other ends.
   template <typename Visitor>
   void VisitSides(std::int64_t x, std::int64_t y, Visitor&& visit) const
   {
@@ -406,7 +387,6 @@ private:
     }
   }
 
-  /// Whether all four blocks around a column are meshed.
   bool Covers(std::int64_t x, std::int64_t y) const
   {
     return this->IsMeshed(x, y) && this->IsMeshed(x - 1, y) && this->IsMeshed(x - 1, y - 1) && this->IsMeshed(x, y - 1);
@@ -421,7 +401,6 @@ private:
       (this->Blocks[this->Place(x, y)] & Meshed) != 0;
   }
 
-  /// Whether a ring has its least corner here.
   bool BeginsRing(std::int64_t x, std::int64_t y) const
   {
     return (this->Blocks[this->Place(x, y)] & Ring) != 0 && this->At(x + 1, y + 1) == NoPoint;
@@ -430,32 +409,29 @@ private:
   PlaneFrame Frame;
   std::int64_t Width = 0;
   std::int64_t Height = 0;
-  RawVector<PointId> Points; // by column
-  std::vector<unsigned char> Blocks; // by the column of the least corner
-  std::vector<std::size_t> RowStarts; // for each row how many triangles the rows before it have
-  // Which diagonal cuts a square: that between its first and third corner (0) or between the others (1).
+  RawVector<PointId> Points;
+  std::vector<unsigned char> Blocks;
+  std::vector<std::size_t> RowStarts;
+  // The diagonal connects the first and third corner (0), or the others (1).
   std::size_t BlockDiagonal = 0;
   std::size_t RingDiagonal = 0;
 };
 
 // ---- Patches --------------------------------------------------------------------------------------------------------
 
-/// One patch. Its points have numbers of their own, from 0.
 struct Patch
 {
-  std::vector<PointId> Points; // for each of its points the number in the horizon
-  std::vector<PlanePoint> Places; // in its frame
+  std::vector<PointId> Points;
+  std::vector<PlanePoint> Places;
   PlaneFrame Frame;
   Loops Boundary;
-  std::vector<Edge> BlockSides; // with full blocks to their left, and nothing meshed to their right
+  std::vector<Edge> BlockSides;
 };
 
-/// The patches of a horizon one by one.
 class PatchList
 {
 public:
-  /// Leaves out the points that blocks cover. `horizon` must outlive the list, and `frame` is that of its points.
-  /// Throws InputError on patch numbers that are negative or not less than the number of points.
+  /// Omits points that blocks cover. Throws InputError for invalid patch numbers.
   PatchList(const BoundedHorizon& horizon, const PlaneFrame& frame, const FullBlocks& blocks)
     : Horizon(horizon)
     , Frame(frame)
@@ -468,13 +444,11 @@ public:
   {
   }
 
-  /// How many patches there are. Some may have no points.
   std::int64_t Size() const { return this->Patches; }
 
-  /// How many points all patches have.
   std::size_t NumberOfPoints() const { return this->Loose.size(); }
 
-  /// Throws InputError when a loop of the patch leaves it.
+  /// Throws InputError if a loop leaves the patch.
   Patch Get(std::int64_t number)
   {
     Patch patch;
@@ -488,7 +462,7 @@ public:
     if (!patch.Places.empty())
     {
       patch.Frame = PlaneFrame(patch.Places);
-      // The unit is that of all points, as those that blocks cover may lie between those that are left.
+      // The unit suits all points, as covered points may lie between the loose points.
       patch.Frame.Shift = this->Frame.Shift;
     }
     for (PlanePoint& place : patch.Places)
@@ -506,7 +480,6 @@ public:
     return patch;
   }
 
-  /// The number that a point of the horizon has in its patch, once Get was called for the patch.
   PointId NumberInPatch(PointId point) const { return this->LocalNumber[point]; }
 
 private:
@@ -587,7 +560,6 @@ private:
 
 // ---- Meshing --------------------------------------------------------------------------------------------------------
 
-/// How many items fulfil a condition, by several threads.
 template <typename Item, typename Condition>
 std::size_t CountIf(const std::vector<Item>& items, Condition&& condition)
 {
@@ -599,7 +571,6 @@ std::size_t CountIf(const std::vector<Item>& items, Condition&& condition)
   return count;
 }
 
-/// Meshes a patch from its boundary inwards, and from its full blocks outwards.
 class PatchTriangulator
 {
 public:
@@ -611,8 +582,8 @@ public:
     , Front(this->Points, this->Search, options.MostTriangles > 0 ? 1 : PatchFront::FindStrips(this->Points))
     , Result(result)
   {
-    // The surface lies to the right of each boundary edge, so its reverse waits for a triangle. An edge that the
-    // boundary has in both directions has surface on neither side.
+    // The surface is to the right of a boundary edge, so that its reverse waits for a triangle. An edge that occurs in
+    // both directions has no surface on either side.
     patch.Boundary.ForEachEdge([this](PointId from, PointId to) { this->AddSide(from, to); });
     for (const Edge& side : patch.BlockSides)
     {
@@ -640,7 +611,6 @@ public:
     this->Front.MoveTriangles(this->Result.Triangles);
   }
 
-  /// How many edges, by the numbers of the patch, are not Delaunay among its points.
   std::size_t CountNonDelaunay(const std::vector<Edge>& edges) const
   {
     return CountIf(edges,
@@ -654,7 +624,6 @@ private:
     this->Front.AddSide(this->Points.NumberOf(from), this->Points.NumberOf(to));
   }
 
-  /// Searches once more for the third point of the last edge.
   void TraceLast()
   {
     const Edge edge = this->Front.LastEdge();
@@ -690,7 +659,6 @@ private:
   Triangulation& Result;
 };
 
-/// The boundary edges of a patch that have surface on one side, turned so that it is to their left.
 std::vector<Edge> FindBoundaryEdges(const Patch& patch)
 {
   AdvancingFront walked(0, PointId(patch.Points.size()));
@@ -703,8 +671,7 @@ std::vector<Edge> FindBoundaryEdges(const Patch& patch)
   return edges;
 }
 
-/// Those that may not be Delaunay: two places that are neighbours, if only across a corner, have no other place in the
-/// smallest circle around them.
+/// Neighbouring columns, also diagonal, have no other column in their smallest circle.
 std::vector<Edge> FindLong(const std::vector<Edge>& edges, const std::vector<PlanePoint>& places)
 {
   std::vector<Edge> result;
@@ -718,7 +685,6 @@ std::vector<Edge> FindLong(const std::vector<Edge>& edges, const std::vector<Pla
   return result;
 }
 
-/// Meshes the patches of a horizon one after the other.
 class HorizonTriangulator
 {
 public:
@@ -777,8 +743,7 @@ private:
     }
   }
 
-  /// Counts those of the doubtful edges that are not Delaunay among all points: also those that full blocks cover may
-  /// be in their circles.
+  /// All points are tested, since those that full blocks cover may be in circles of these edges.
   void CountDoubtful()
   {
     if (this->Doubtful.empty())
@@ -800,7 +765,6 @@ private:
     }
   }
 
-  /// A boundary edge that may not be Delaunay, by the numbers of the horizon.
   struct DoubtfulEdge
   {
     std::int64_t Patch;
@@ -813,7 +777,7 @@ private:
   const PlaneFrame Frame;
   const FullBlocks Blocks;
   PatchList Patches;
-  std::vector<DoubtfulEdge> Doubtful; // patch by patch
+  std::vector<DoubtfulEdge> Doubtful;
   Triangulation Result;
 };
 }

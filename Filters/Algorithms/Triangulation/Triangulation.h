@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The constrained Delaunay triangulation, in plan, of the inside of the boundary (thesis chapter 5).
+// Constrained Delaunay triangulation, in plan, of the inside of the boundary (thesis chapter 5).
 //
-// Where the lattice is full, triangles need no search (FullBlocks). The rest is meshed from the edges of these
-// triangles and from the boundary, by an advancing front of edges that wait for a triangle. An edge of the front makes
-// a triangle with the one point for which this is constrained Delaunay (ThirdPointSearch). The two new sides join the
-// front; one that is in it already, in the other direction, leaves it. As each third point follows from the edge alone,
-// by exact predicates without ties (Predicates.h), triangles fit together in whatever order they are found, and fronts
-// grow side by side in strips of a patch (PatchFront.h). None is ever found outside the boundary, so that there is
-// nothing to delete afterwards (thesis 5.3.8).
+// Full blocks of the lattice need no search. An advancing front meshes the rest: an edge makes a triangle with the one
+// point for which this is constrained Delaunay (ThirdPointSearch.h), and the two new edges join the front, or leave it
+// if their reverse is in it. Third points follow from the edge alone, by exact predicates without ties (Predicates.h),
+// so that triangles fit in any order, and fronts grow in parallel (PatchFront.h). No triangle lies outside the
+// boundary, so that none has to be deleted (thesis 5.3.8).
 
 #ifndef SeismicHorizonsTriangulation_h
 #define SeismicHorizonsTriangulation_h
@@ -23,8 +21,8 @@
 
 namespace SeismicHorizons
 {
-/// How the third point of an edge is looked for (thesis 5.3.4 to 5.3.6): first in the voxels along its perpendicular
-/// bisector, or for the most compact triangle in a box. The mesh is the same.
+/// The search starts along the perpendicular bisector of the edge, or with the most compact triangle in a box (thesis
+/// 5.3.4 to 5.3.6). The mesh is the same.
 enum class SearchStrategy
 {
   VoxelTraversal,
@@ -34,38 +32,32 @@ enum class SearchStrategy
 struct TriangulationOptions
 {
   SearchStrategy Strategy = SearchStrategy::VoxelTraversal;
-  /// To show how the mesh grows: stops when a patch has so many triangles, and searches for all of them, those of full
-  /// blocks too; 0 makes all.
+  /// For display: a patch stops at this number of triangles, and full blocks are searched as well; 0 means no limit.
   std::size_t MostTriangles = 0;
 };
 
-/// A voxel that the search for the last triangle looked into, as a square in sub-voxels.
 struct TracedVoxel
 {
   PlanePoint Least;
   PlanePoint Greatest;
-  int Dilatation = 0; // as in WalkedVoxel
+  int Dilatation = 0;
 };
 
 struct Triangulation
 {
-  /// Three points per triangle, counter-clockwise seen from +z on the lattice.
+  /// Each triangle has three points, counter-clockwise seen from +z on the lattice.
   RawVector<PointId> Triangles;
-  /// Boundary edges with surface on one side, and how many of them are not Delaunay: no circle through their ends is
-  /// without a point. Those are in the mesh only because the boundary has them.
+  /// These count edges with surface on one side. Edges are not Delaunay if each circle through their ends has a point
+  /// inside.
   std::size_t BoundaryEdges = 0;
   std::size_t NonDelaunayEdges = 0;
-  /// Of the last triangle, when MostTriangles is set.
   std::vector<TracedVoxel> Walk;
 };
 
-/// Every boundary edge is an edge of the mesh unless the surface lies on neither side of it (a spur, walked out and
-/// back); every point inside the boundary is a vertex; every other edge is locally Delaunay.
-///
-/// Patches are meshed one after the other, a patch being the points and the loops with one patch number. The order of
-/// the triangles depends on the points alone, and not on the number of threads. Throws InputError when two points are
-/// in one place, a point lies on or outside the boundary of its patch, or boundary edges cross or leave a gap. Time is
-/// near linear in the points where their density in a patch is even.
+/// Every boundary edge is in the mesh, except those without surface on either side (a spur, walked out and back); all
+/// points inside are vertices, and other edges are locally Delaunay.
+/// The result does not depend on the number of threads. Throws InputError for shared places, points on or outside the
+/// boundary, and boundary edges that cross or do not close. Time is nearly linear for even densities.
 Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options = TriangulationOptions(),
   const Monitor& monitor = Monitor());
 }
