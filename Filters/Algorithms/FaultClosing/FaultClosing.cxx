@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Walks. The loops and the open ends of cracks (Common/Cracks.h) are a plane graph. The walk that begins with an
-//    open end, and always continues along the first loop or open end that a clockwise sweep meets, surrounds the crack
-//    to its left.
-// 2. Loops that are cutoffs all along, and that no walk went along, bound cracks on their own.
-// 3. What walks and loops enclose is triangulated, all cracks together, as a horizon of the points on them.
+// 1. Loops and open ends of cracks (Common/Cracks.h) form a plane graph. Walks from open ends, along the first edges
+// that a clockwise sweep meets, surround the cracks to their left.
+// 2. Loops of cutoffs without a walk bound cracks of their own.
+// 3. The enclosed regions are triangulated together.
 //
 //     o---o-------o---o        o    vertices of the mesh
 //         : \     |            -    cutoffs
 //         :   \   |            :    an open end
 //     o---o-------o---o        \    inside the crack
 //
-// No point is added, which is why the result fits the mesh on the other side of each cutoff. Edges of loops are known
-// by their positions: those of the points they leave, counted through all loops. A walk looks for other edges only at
-// points of open ends; elsewhere its loop continues.
+// No points are added, so the result fits the mesh on both sides. A loop edge is known by its position, counted through
+// all loops. Walks choose edges only at open ends.
 
 #include "FaultClosing.h"
 
@@ -32,14 +30,12 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// An edge of the graph: an open end, or an edge of the loops by its position.
 struct GraphEdge
 {
   bool IsOpenEnd;
   std::size_t Number;
 };
 
-/// An edge by the point that it leaves.
 struct LeavingEdge
 {
   PointId From;
@@ -48,8 +44,7 @@ struct LeavingEdge
   friend bool operator<(const LeavingEdge& a, const LeavingEdge& b) { return a.From < b.From; }
 };
 
-/// Which part of a clockwise turn it is from one vector to another: 0 where they have the same direction, 1 up to a
-/// half turn, 2 beyond.
+/// Returns 0 for the same direction, 1 up to half a turn clockwise, 2 beyond.
 int HalfTurn(const PlanePoint& from, const PlanePoint& to)
 {
   const std::int64_t left = SignedArea({ 0, 0 }, from, to);
@@ -60,14 +55,13 @@ int HalfTurn(const PlanePoint& from, const PlanePoint& to)
   return left < 0 ? 1 : 2;
 }
 
-/// Whether a clockwise sweep from one vector meets `a` before `b`; what has the direction of the vector comes last.
+/// The direction of `from` comes last.
 bool IsMetBefore(const PlanePoint& from, const PlanePoint& a, const PlanePoint& b)
 {
   const auto part = [&from](const PlanePoint& vector) { return (HalfTurn(from, vector) + 2) % 3; };
   return part(a) != part(b) ? part(a) < part(b) : SignedArea({ 0, 0 }, a, b) < 0;
 }
 
-/// Walks the boundaries of cracks.
 class CrackWalker
 {
 public:
@@ -81,7 +75,6 @@ public:
     this->FindLeavingEdges();
   }
 
-  /// The boundaries, with the cracks to their right.
   Loops Run()
   {
     for (std::size_t openEnd = 0; openEnd < this->Open.OpenEnds.size(); ++openEnd)
@@ -141,7 +134,6 @@ private:
     return std::upper_bound(this->Ends.begin(), this->Ends.end(), position) - this->Ends.begin();
   }
 
-  /// The position in the loops after one.
   std::size_t After(std::size_t position) const
   {
     const std::size_t loop = this->LoopOf(position);
@@ -217,7 +209,6 @@ private:
     this->Result.Close();
   }
 
-  /// One that no walk went along.
   void AppendLoop(std::size_t loop)
   {
     if (loop >= this->Boundary.Size())
@@ -235,10 +226,10 @@ private:
   const std::vector<PlanePoint>& Plane;
   const Loops& Boundary;
   const Cracks& Open;
-  std::vector<std::size_t> Ends; // of the loops, in positions
-  std::vector<bool> IsWalked; // by open end
-  std::vector<bool> IsCutoff; // by position: whether its edge was walked
-  std::vector<LeavingEdge> Leaving; // the points of open ends, by these
+  std::vector<std::size_t> Ends; // of loops, as positions
+  std::vector<bool> IsWalked;
+  std::vector<bool> IsCutoff; // by position
+  std::vector<LeavingEdge> Leaving; // at open ends, sorted
   std::vector<PointId> Points; // of the last walk
   Loops Result;
 };
@@ -261,7 +252,7 @@ RawVector<PointId> CloseFaults(
   region.Patch.assign(points.size(), 0);
   region.Boundary = outlines.RenumberedBy([&points](PointId point)
     { return PointId(std::lower_bound(points.begin(), points.end(), point) - points.begin()); });
-  // Builds that check meshes check this one there.
+  // Builds that check meshes check this mesh in Triangulate().
   RawVector<PointId> triangles = Triangulate(region, TriangulationOptions(), monitor).Triangles;
   for (PointId& corner : triangles)
   {
