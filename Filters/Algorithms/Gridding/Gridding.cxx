@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: choose the lattice; for each horizon find the pick nearest to each column, and with it the columns that there
-// are; solve for the plate over these, and those around each pick.
+// In this order: the lattice; nearest picks; the convex hull; the plate.
 
 #include "Gridding.h"
 
@@ -37,14 +36,13 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double MostColumnsPerPick = 1000.0;
-constexpr double EnoughColumns = 1e6; // that are no matter whatever picks there are
+constexpr double EnoughColumns = 1e6; // always allowed
 constexpr double MostColumns = 1 << 28;
 constexpr double LeastSmoothing = 1e-6;
-// What holds a plate where picks leave it free, as beside a single line: too weak to show elsewhere.
+// Tension holds a plate beside a single line, and is too weak to show elsewhere.
 constexpr double Tension = 1e-6;
 
-/// The picks of one horizon, in columns of the lattice, in the order of their x and then y in the world: of equals that
-/// comes first, whatever the order of the file.
+/// The order is by x, then y, in the world, so that ties do not depend on the file.
 struct Picks
 {
   std::vector<Eigen::Vector2d> Place;
@@ -54,7 +52,6 @@ struct Picks
 //----------------------------------------------------------------------------------------------------------------------
 // The lattice
 
-/// The nearest of 1, 2 and 5 times a power of ten.
 double RoundStep(double step)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(step)));
@@ -85,7 +82,6 @@ struct Box
   }
 };
 
-/// Along x and y, with steps that make about a column for each pick of their bounding box.
 SurveyLattice AutomaticLattice(const Box& box, std::size_t picks)
 {
   const Eigen::Vector2d extent = box.Greatest - box.Least;
@@ -99,7 +95,7 @@ SurveyLattice AutomaticLattice(const Box& box, std::size_t picks)
   return lattice;
 }
 
-/// The lattice that is given or chosen, as large as the picks, and with a radius as it takes for that.
+/// The radius enlarges the lattice.
 SurveyLattice FindGrid(
   const std::vector<Eigen::Vector2d>& places, const GriddingOptions& options, const std::string& strays)
 {
@@ -143,7 +139,7 @@ SurveyLattice FindGrid(
 //----------------------------------------------------------------------------------------------------------------------
 // Nearest picks
 
-/// A tree of picks in the world: each node is the middle one of its picks along the axis where their box is longer.
+/// Nodes are medians along the longer axis of their box.
 class PickSearch
 {
 public:
@@ -158,7 +154,7 @@ public:
 
   struct Found
   {
-    std::int32_t Pick = -1; // of equally near ones the first
+    std::int32_t Pick = -1; // the first of equally near picks
     double Distance = std::numeric_limits<double>::infinity();
   };
 
@@ -215,7 +211,7 @@ private:
 
   const std::vector<Eigen::Vector2d>& Places;
   std::vector<std::int32_t> Order;
-  std::vector<Box> Boxes; // of each node with all below it
+  std::vector<Box> Boxes;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -226,7 +222,7 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// The corners one after the other (Andrew's chains).
+/// Andrew's chains give the corners in order.
 std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> places)
 {
   std::sort(places.begin(), places.end(),
@@ -253,7 +249,6 @@ std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> places)
   return hull.empty() ? places : hull;
 }
 
-/// The columns of a row within a hull: first and last.
 std::array<int, 2> SpanOf(const std::vector<Eigen::Vector2d>& hull, double row)
 {
   constexpr double rounding = 1e-9; // of a step
@@ -279,14 +274,12 @@ std::array<int, 2> SpanOf(const std::vector<Eigen::Vector2d>& hull, double row)
 //----------------------------------------------------------------------------------------------------------------------
 // One horizon
 
-/// The plane next to all picks by least squares, and where these stand for the plate. Noise of picks on a line, or in
-/// two wells, would tilt both across it. So the plane is level in a direction in which picks spread (their standard
-/// deviation) by less than half a step, or less than a fiftieth of what they do along the other; and where none is more
-/// than a step off the middle in it, all are moved there.
+/// Noise of picks on a line, or in two wells, would tilt the plane across. It is level where places deviate by less
+/// than half a step, or a fiftieth of the other direction; if none is off by a step, picks move onto the line.
 struct Trend
 {
-  Eigen::Vector3d Plane; // z at column (0, 0), and its slopes
-  std::vector<Eigen::Vector2d> Places; // of the picks, in columns
+  Eigen::Vector3d Plane; // z at column (0, 0), and slopes
+  std::vector<Eigen::Vector2d> Places; // in columns
 
   Trend(const Picks& picks, const Eigen::Matrix2d& steps)
   {
@@ -308,10 +301,10 @@ struct Trend
       spread += off * off.transpose() / count;
       side += off * (picks.Z[n] - mean) / count;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread); // the shorter one first
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread); // ascending
     const Eigen::Vector2d deviation = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
     const double step = std::sqrt(std::abs(steps.determinant()));
-    Eigen::Vector2d slope = Eigen::Vector2d::Zero(); // in the world
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
     this->Places = picks.Place;
     for (const int n : { 0, 1 })
     {
@@ -337,7 +330,6 @@ struct Trend
   }
 };
 
-/// What pulls the plate to a z at a place: a pick, or the mean of several.
 struct Spring
 {
   Eigen::Vector2d Place = Eigen::Vector2d::Zero();
@@ -345,14 +337,13 @@ struct Spring
   double Picks = 0.0;
 };
 
-/// Picks nearer than a part of a column to one of them are one spring: noise of what is so near would tilt the plate,
-/// as in a well.
+/// Picks within a tenth of a column share a spring, as their noise would tilt the plate, for example in a well.
 std::vector<Spring> MakeSprings(const std::vector<double>& z, const Trend& trend)
 {
   constexpr double near = 0.1;
   std::vector<Spring> springs;
-  std::vector<Eigen::Vector2d> firsts; // of each
-  std::unordered_multimap<std::int64_t, std::size_t> found; // springs, by squares as large as what is near
+  std::vector<Eigen::Vector2d> firsts;
+  std::unordered_multimap<std::int64_t, std::size_t> found; // by squares of side `near`
   const auto square = [](double x, double y) { return (std::int64_t(y) << 32) + std::int64_t(x); };
   for (std::size_t pick = 0; pick < z.size(); ++pick)
   {
@@ -385,7 +376,7 @@ std::vector<Spring> MakeSprings(const std::vector<double>& z, const Trend& trend
   return springs;
 }
 
-/// Adds the product of two sums of terms at a place, times a weight, to the matrix. All places have sites.
+/// All places need sites.
 template <typename Left, typename Right>
 void AddProduct(SiteSystem<2>& system, std::int64_t place, const Left& left, const Right& right, double weight)
 {
@@ -446,7 +437,6 @@ private:
       std::clamp(int(std::lround(place.y())), 0, this->Height - 1) };
   }
 
-  /// In the world, where distances are.
   void FindNearest(const Monitor& monitor)
   {
     const Eigen::Matrix2d steps = this->Lattice.Steps();
@@ -501,8 +491,7 @@ private:
     this->Result.assign(this->Nearest.size(), 0.0);
   }
 
-  /// The columns of the plate: those that are kept, and the four around each spring. What these are not connected to is
-  /// left out, also of what is kept: nothing holds it.
+  /// Areas without a spring would float, and are left out.
   std::vector<BoxRun> PlateRuns(const std::vector<Spring>& springs)
   {
     std::vector<char> isIn(this->Nearest.size(), 0);
@@ -593,7 +582,7 @@ private:
     this->AddEnergy(plate);
     std::vector<double> values = this->AddSprings(plate, springs);
     SiteSolver<2>(plate).Solve(values, monitor);
-    // Rounding would make steps of level pieces, of which the vertical step is found.
+    // Rounding errors would become vertical steps of level areas.
     const double largest = std::max(std::abs(*std::min_element(this->Given.Z.begin(), this->Given.Z.end())),
       std::abs(*std::max_element(this->Given.Z.begin(), this->Given.Z.end())));
     const double unit = largest > 0.0 ? std::exp2(std::ceil(std::log2(largest)) - 32.0) : 1.0;
@@ -607,9 +596,8 @@ private:
     }
   }
 
-  /// Bending in the world, whatever the steps: with second differences as matrix H, trace(G H G H). G is the inverse of
-  /// the products of steps, times their area, so that it is 1 for equal ones. Multigrid hardly converges where steps
-  /// are more unequal than 1 to 4: they count as such there.
+  /// Bending in the world is trace(G H G H), H the second differences, G the inverse products of steps times their
+  /// area. Multigrid hardly converges beyond steps of 1 to 4, which limit its metric.
   Eigen::Matrix2d Metric(std::size_t sites) const
   {
     const double most = sites < MultigridSize ? 100.0 : 4.0;
@@ -654,8 +642,7 @@ private:
     }
   }
 
-  /// The mixed terms, where all eight neighbours are in. The twist of a column is the mean of those of four blocks, so
-  /// that the whole stays a sum of squares.
+  /// The twist averages four blocks, so that the energy stays a sum of squares.
   static void AddShear(SiteSystem<2>& plate, std::int64_t place, double x, double y, double shear)
   {
     static constexpr std::array<PlateTerm, 3> alongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
@@ -674,7 +661,7 @@ private:
     AddProduct(plate, place, alongX, alongY, 2.0 * shear * shear);
   }
 
-  /// Springs between z and the plate, bilinear between its four columns. Returns the right side.
+  /// Springs act on bilinear values. Returns the right side.
   std::vector<double> AddSprings(SiteSystem<2>& plate, const std::vector<Spring>& springs) const
   {
     const double strength = 1.0 / std::max(this->Options.Smoothing, LeastSmoothing);
@@ -726,9 +713,9 @@ private:
   const GriddingOptions& Options;
   const int Width;
   const int Height;
-  std::vector<PickSearch::Found> Nearest; // of each column of the box
-  std::vector<std::int32_t> Count; // picks in each
-  std::vector<std::size_t> Kept; // columns that there are
+  std::vector<PickSearch::Found> Nearest; // by column
+  std::vector<std::int32_t> Count; // picks by column
+  std::vector<std::size_t> Kept;
   std::vector<double> Result;
 };
 
@@ -754,8 +741,7 @@ std::vector<Eigen::Vector2d> PlacesOf(const PickTable& picks)
   return places;
 }
 
-/// Numbers of all different places by x and then y, in the place of columns: what is at one place are duplicates, and
-/// the order of picks by them is independent of that of the file.
+/// Equal places, numbered by x, then y, are duplicates; the order does not depend on the file.
 std::vector<PlanePoint> NumberPlaces(const std::vector<Eigen::Vector2d>& places)
 {
   std::vector<std::size_t> order(places.size());
@@ -771,8 +757,8 @@ std::vector<PlanePoint> NumberPlaces(const std::vector<Eigen::Vector2d>& places)
   return numbers;
 }
 
-/// Picks far from all others would make steps as long as the others reach: they are left out, or an error, or where the
-/// lattice is given only told of. Returns how to say those that stay.
+/// Removes distant picks, refuses them, or, with a given lattice, warns, as they would stretch the steps. Returns a
+/// text about picks that stay.
 std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::vector<std::string>& doubts)
 {
   std::vector<std::size_t> withZ;
@@ -831,7 +817,7 @@ SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const 
     }
     OrderPicks(order, picks, numbers, options.Placement);
     gridded.Conflicts.push_back(CountConflicts(order));
-    gridded.Conflicts.back().InLines = 0; // their columns are numbers of places
+    gridded.Conflicts.back().InLines = 0; // places have no lines
     for (const std::int32_t pick : order.Picks)
     {
       used.push_back(places[std::size_t(pick)]);
