@@ -36,13 +36,12 @@ std::string DescribeRange(vtkSMProxy* table)
   return std::to_string(ends[0]) + " " + std::to_string(ends[1]);
 }
 
-/// Whether colours have the range that SetRange has given them.
+/// The range may have changed after SetRange.
 bool HasOwnRange(vtkSMProxy* table)
 {
   return table->HasAnnotation(OwnRange) && DescribeRange(table) == table->GetAnnotation(OwnRange);
 }
 
-/// Whether a hint is for data of this kind and size.
 bool IsFor(vtkPVXMLElement* hint, vtkPVDataInformation* data)
 {
   const char* const kind = hint->GetAttribute("data");
@@ -59,20 +58,20 @@ bool FindHeights(vtkPVDataInformation* data, ColorRange& range)
   range.Array = axis.Name;
   range.Association = vtkDataObject::POINT;
   range.IsDownwards = axis.IsDownwards;
-  range.IsOfData = false; // the data do not have them
+  range.IsOfData = false; // Heights of the bounds are no array of the data.
   range.Ends =
     axis.IsDownwards ? std::array<double, 2>{ -bounds[5], -bounds[4] } : std::array<double, 2>{ bounds[4], bounds[5] };
   return !axis.Name.empty() && range.Ends[0] < range.Ends[1];
 }
 
-/// Ends a range that begins at zero at a figure of the data, which has a component for each unit.
+/// Limits a range from zero by a figure of the data, which has a component per unit.
 void Cut(ColorRange& range, vtkPVDataInformation* data, const char* figure, int unit)
 {
   vtkPVArrayInformation* const array = data->GetArrayInformation(figure, vtkDataObject::FIELD);
   double figures[2] = { 0.0, 0.0 };
   if (array && unit < array->GetNumberOfComponents())
   {
-    array->GetComponentRange(unit, figures); // the largest of all directions
+    array->GetComponentRange(unit, figures); // The maximum over all directions.
   }
   if (figures[1] > 0.0 && figures[1] < range.Ends[1])
   {
@@ -81,7 +80,7 @@ void Cut(ColorRange& range, vtkPVDataInformation* data, const char* figure, int 
   }
 }
 
-/// Writes the ends of a legend with as many digits as tell them apart, unless somebody has chosen how.
+/// Uses enough digits to distinguish the ends, unless the user has set a format.
 void FormatEnds(vtkSMProxy* legend, const std::array<double, 2>& range)
 {
   vtkSMProperty* const format = legend ? legend->GetProperty("RangeLabelFormat") : nullptr;
@@ -90,14 +89,13 @@ void FormatEnds(vtkSMProxy* legend, const std::array<double, 2>& range)
     return;
   }
   const std::string digits = range[1] - range[0] >= 10.0 ? ".0f" : range[1] - range[0] >= 0.1 ? ".2f" : ".3g";
-  // Formats are those of std::format or, in older versions, of printf: the default shows which.
+  // Formats are for std::format or, in older versions, printf; the default shows which.
   const bool isBraced = vtkSMPropertyHelper(format).GetAsString()[0] == '{';
   vtkSMPropertyHelper(format).Set((isBraced ? "{:" + digits + "}" : "%" + digits).c_str());
   legend->UpdateVTKObjects();
 }
 
-/// Finds the range of the array that a representation is coloured by, where a hint tells another one than that of the
-/// data.
+/// Requires a hint that sets another range than the data.
 bool FindRange(vtkSMProxy* representation, ColorRange& range)
 {
   const vtkSMPropertyHelper input(representation, "Input");
@@ -163,7 +161,7 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
       reach = std::min(reach, strong[0]);
     }
     range.Ends = { -reach, reach };
-    return reach > 0.0; // one value may be told from zero
+    return reach > 0.0; // A single value differs from zero.
   }
   else if (!range.IsOfData)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the hints FirstSight of a filter colour by (vtkSMHorizonDisplayHelper tells more), and from where to where.
+// Colour arrays and ranges of FirstSight hints (see vtkSMHorizonDisplayHelper).
 
 #ifndef ColorRange_h
 #define ColorRange_h
@@ -21,24 +21,23 @@ struct ColorRange
   std::string Array;
   int Association = 0;
   std::array<double, 2> Ends = { 0.0, 0.0 };
-  bool IsOfData = true; ///< from the least value to the largest
-  bool IsCut = false; ///< some values are above
-  bool IsDownwards = false; ///< the least value is on top
+  bool IsOfData = true;
+  bool IsCut = false; ///< Some values are above the range.
+  bool IsDownwards = false; ///< The least value is on top.
 };
 
-/// The hints of a producer for one of its ports, and the data that are there.
+/// Returns the hints of a producer for a port that fit its data.
 std::vector<vtkPVXMLElement*> ListHints(vtkSMSourceProxy* producer, int port);
 
-/// Finds the range of what a hint colours by; false where it is not in the data, or has one value.
+/// Returns false if the array is missing or constant.
 bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, ColorRange& range);
 
-/// Gives colours a range that is not that of the data. ParaView leaves it alone then.
+/// ParaView does not rescale such a range.
 void SetRange(vtkSMProxy* table, const std::array<double, 2>& ends);
 
-/// Widens a range that SetRange has set, and nobody else since.
+/// Widens a range only if it is still SetRange's.
 void ExtendRange(vtkSMProxy* table, const ColorRange& range);
 
-/// Gives the colours of a view ranges as the hints have them, where data have changed.
 void RefreshRanges(vtkSMProxy* view);
 }
 

@@ -37,7 +37,7 @@ namespace
 using Direction = std::array<double, 3>;
 
 constexpr const char* OwnCamera = "SeismicHorizons.Camera";
-constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // to the eye
+constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // Direction to the eye.
 
 bool IsOfSurvey(vtkPVDataInformation* data)
 {
@@ -49,8 +49,7 @@ bool Has(vtkSMProxy* proxy, const char* property, const std::string& text)
   return proxy->GetProperty(property) && vtkSMPropertyHelper(proxy, property).GetAsString() == text;
 }
 
-/// Which lines of a lattice are seen: 0 those along i, 1 those along j, -1 where it is not seen as a line. Blocks whose
-/// lattices differ are not.
+/// Returns 0 for a line along i, 1 along j, else -1.
 int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
 {
   if (dimensions[0] == 1.0 || dimensions[1] == 1.0)
@@ -64,7 +63,7 @@ int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
   return Has(representation, "SliceMode", "XZ Plane") ? 0 : Has(representation, "SliceMode", "YZ Plane") ? 1 : -1;
 }
 
-/// Where to look from: sideways at a line, from above at a survey, and between both at a section of a cube.
+/// Looks at a line from its side, at a survey from above, and at a section of a cube from between.
 Direction FindDirection(
   const std::vector<double>& dimensions, const std::vector<double>& toWorld, vtkSMProxy* representation)
 {
@@ -77,7 +76,7 @@ Direction FindDirection(
   {
     return Oblique;
   }
-  // From the south, or from the east of a line that runs northwards: it begins on the left either way.
+  // Looks from the south, or from the east of a line that runs north, so that it starts on the left.
   const double side = line[0] > 0.0 || (line[0] == 0.0 && line[1] > 0.0) ? 1.0 : -1.0;
   const std::array<double, 2> right = { side * line[0] / length, side * line[1] / length };
   const bool isOfCube = std::min(dimensions[0], dimensions[1]) > 1.0;
@@ -90,7 +89,6 @@ vtkSMSourceProxy* FindProducer(vtkSMProxy* representation)
   return vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(representation, "Input", true).GetAsProxy());
 }
 
-/// Whether a source is among the inputs of another, or theirs.
 bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other)
 {
   for (unsigned int n = 0; n < other->GetNumberOfProducers(); ++n)
@@ -140,7 +138,7 @@ bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
     {
       const bool isOwn = other == representation || (producer && FindProducer(other) == producer);
       vtkPVDataInformation* const data = isOwn ? nullptr : FindShownData(other);
-      // The map or the points that a horizon was made of were seen from above.
+      // The map or the points from which a horizon was made were seen from above.
       const bool isRaw = data && producer && !IsOfSurvey(data) && LeadsTo(FindProducer(other), producer);
       return data && !isRaw;
     });

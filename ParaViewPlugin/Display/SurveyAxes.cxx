@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The axes of a view can be those of a model, which a matrix puts into the world. Here the model has line numbers as
-// its x and y, and z as it is.
+// A view's axes can show a model that a matrix maps to the world. This model has line numbers as x and y, and unchanged
+// z.
 
 #include "SurveyAxes.h"
 
@@ -28,23 +28,21 @@ namespace
 {
 constexpr const char* Annotation = "SeismicHorizons.SurveyAxes";
 
-/// Lines that are counted along a direction of the lattice, from the first one, which has that number.
 struct Lines
 {
   std::string Name;
   double First = 0.0;
   double Step = 1.0;
-  double Count = 0.0; // whole, at least 1
-  std::array<double, 2> Spacing = {}; // world x and y from a line to the next
+  double Count = 0.0;
+  std::array<double, 2> Spacing = {}; // World x and y between lines.
 
   std::array<double, 2> PerNumber() const { return { this->Spacing[0] / this->Step, this->Spacing[1] / this->Step }; }
 };
 
-/// What the axes are made of.
 struct Survey
 {
-  std::array<Lines, 2> Directions; // right-handed, seen from +z: axes would hide behind the data otherwise
-  std::array<double, 2> Origin = {}; // world x and y of the first line of both
+  std::array<Lines, 2> Directions; // Right-handed as seen from +z; otherwise axes would hide behind the data.
+  std::array<double, 2> Origin = {};
 };
 
 double Cross(const std::array<double, 2>& a, const std::array<double, 2>& b)
@@ -52,7 +50,6 @@ double Cross(const std::array<double, 2>& a, const std::array<double, 2>& b)
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// Whether a data set has a survey, and which.
 bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
 {
   const std::vector<double> toWorld = ReadField(data, "LatticeToWorld", 16);
@@ -80,7 +77,7 @@ bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
   return area != 0.0 && std::isfinite(area);
 }
 
-/// From line numbers and z to the world, row by row.
+/// Row-major.
 std::vector<double> ToWorld(const Survey& survey, double verticalExaggeration)
 {
   const std::array<double, 2> x = survey.Directions[0].PerNumber();
@@ -98,12 +95,12 @@ std::vector<double> ToWorld(const Survey& survey, double verticalExaggeration)
   return matrix;
 }
 
-/// The line numbers around a box of the world, no further than the survey goes, and its z.
+/// Returns line numbers around a world box, clipped to the survey, and z.
 std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box)
 {
   const std::array<double, 2> x = survey.Directions[0].Spacing;
   const std::array<double, 2> y = survey.Directions[1].Spacing;
-  vtkBoundingBox lines; // counted from 0
+  vtkBoundingBox lines; // From 0.
   for (int corner = 0; corner < 4; ++corner)
   {
     const std::array<double, 2> place = { box.GetBound(corner % 2) - survey.Origin[0],
@@ -124,7 +121,6 @@ std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box)
   return bounds;
 }
 
-/// What axes are set to. Empty lists leave what there is.
 struct AxesSettings
 {
   bool AreShown = false;
@@ -153,7 +149,6 @@ struct AxesSettings
   }
 };
 
-/// Whether there is a survey among what a view shows; the first one, and the box of all.
 bool FindSurvey(vtkSMProxy* view, Survey& survey, vtkBoundingBox& box)
 {
   bool isFound = false;
@@ -171,7 +166,7 @@ bool FindSurvey(vtkSMProxy* view, Survey& survey, vtkBoundingBox& box)
 
 bool HasSurveyAxes(vtkSMProxy* view)
 {
-  // Undo may have hidden them.
+  // Undo may have hidden the axes.
   vtkSMProxy* const axes = view->HasAnnotation(Annotation) ? FindAxes(view) : nullptr;
   return axes && vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1 &&
     vtkSMPropertyHelper(axes, "UseModelTransform").GetAsInt() == 1;
@@ -201,7 +196,7 @@ void RefreshSurveyAxes(vtkSMProxy* view)
 {
   if (HasSurveyAxes(view))
   {
-    ShowSurveyAxes(view); // what was shown last stays where nothing is shown now
+    ShowSurveyAxes(view); // If nothing is visible the last axes remain.
   }
 }
 

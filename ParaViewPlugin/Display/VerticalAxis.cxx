@@ -27,7 +27,7 @@ VerticalAxis NameAxis(double direction, const std::string& unit, const std::stri
   VerticalAxis axis;
   axis.Unit = unit;
   axis.IsDownwards = direction < 0.0;
-  // Rasters have an array Elevation with colours of its own.
+  // "Elevation" without unit is an array of rasters with its own colours.
   axis.Name = isTime ? "Time" : axis.IsDownwards ? "Depth" : unit.empty() ? "Height" : "Elevation";
   axis.Name += unit.empty() ? "" : " (" + unit + ")";
   return axis;

@@ -20,10 +20,9 @@ namespace SeismicHorizons
 namespace
 {
 constexpr const char* Annotation = "SeismicHorizons.VerticalExaggeration";
-constexpr double FlatShare = 0.1; // of the width
+constexpr double FlatShare = 0.1; // Fractions of the width.
 constexpr double GoodShare = 0.25;
 
-/// Sets the third value of a property that scales x, y and z; proxies without it have nothing in space.
 void SetScale(vtkSMProxy* proxy, const char* name, double factor)
 {
   vtkSMProperty* const property = proxy->GetProperty(name);
@@ -37,7 +36,7 @@ void SetScale(vtkSMProxy* proxy, const char* name, double factor)
   proxy->UpdateVTKObjects();
 }
 
-/// The largest of 1, 2, 5, 10, 20, 50 and so on that is not larger than a number of at least 1.
+/// The result is 1, 2, 5, 10, 20, 50 and so on, at most `number`, which is at least 1.
 double RoundDown(double number)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(number)));
@@ -54,7 +53,7 @@ double RoundDown(double number)
 
 double GetVerticalExaggeration(vtkSMProxy* view)
 {
-  // The scale of the axes alone may be somebody's unit.
+  // Without the annotation the user may have scaled the axes for a unit.
   vtkSMProxy* const axes = view->HasAnnotation(Annotation) ? FindAxes(view) : nullptr;
   return axes ? vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) : 1.0;
 }

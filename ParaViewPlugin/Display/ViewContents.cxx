@@ -52,7 +52,7 @@ std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int 
 //----------------------------------------------------------------------------------------------------------------------
 std::string AxisTitle(const std::string& name)
 {
-  // ParaView has no setting for it, and puts titles where the middle number is.
+  // ParaView puts titles at the middle number, without a setting.
   return "\n      " + name + "      \n";
 }
 

@@ -27,7 +27,6 @@
 
 #include <cmath>
 
-/// Passes data on, with the heights of points as an array.
 class vtkHorizonHeights : public vtkPassInputTypeAlgorithm
 {
 public:
@@ -63,7 +62,7 @@ void AddHeights(vtkPointSet* points)
   points->GetPointData()->AddArray(heights);
 }
 
-/// Gives simplified outlines a name of their own: colours go by names.
+/// Simplified outlines need another name, since colours depend on names.
 void AddSimplifiedBoundary(vtkPointSet* points)
 {
   vtkDataArray* const boundary = points->GetPointData()->GetArray(PointArray::Boundary);
@@ -76,7 +75,7 @@ void AddSimplifiedBoundary(vtkPointSet* points)
   }
 }
 
-/// Moves fault lines from the middle of the step to its upper edge, where the horizon does not hide them.
+/// Moves fault lines from mid throw to the upper edge, where the horizon does not hide them.
 void LiftFaultLines(vtkPointSet* points)
 {
   vtkDataArray* const throws = points->GetPointData()->GetArray(PointArray::Throw);
@@ -85,7 +84,7 @@ void LiftFaultLines(vtkPointSet* points)
   {
     return;
   }
-  const double half = std::fabs(toWorld->GetComponent(0, 10)) / 2.0; // a vertical index
+  const double half = std::fabs(toWorld->GetComponent(0, 10)) / 2.0; // Half a vertical index.
   vtkNew<vtkPoints> lifted;
   lifted->DeepCopy(points->GetPoints());
   for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
@@ -180,7 +179,7 @@ vtkDataObject* vtkHorizonRepresentation::GetRenderedDataObject(int port)
   }
   if (this->Heights->GetOutputDataObject(0)->GetUpdateTime() == 0)
   {
-    // ParaView asks for the range of what it colours by before it draws for the first time.
+    // ParaView requests the range of the colour array before the first rendering.
     vtkMultiProcessController* const ranks = vtkMultiProcessController::GetGlobalController();
     this->Heights->UpdatePiece(ranks ? ranks->GetLocalProcessId() : 0, ranks ? ranks->GetNumberOfProcesses() : 1, 0);
   }
@@ -195,7 +194,7 @@ bool vtkHorizonRepresentation::InsertHeights()
   {
     return false;
   }
-  // ParaView connects what draws with the pipeline, and may do so again.
+  // ParaView may reconnect the mapper to the pipeline.
   if (drawing->GetInputConnection(0, 0) != this->Heights->GetOutputPort())
   {
     this->Heights->SetInputConnection(drawing->GetInputConnection(0, 0));

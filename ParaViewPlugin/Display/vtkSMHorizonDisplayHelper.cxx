@@ -33,18 +33,17 @@ namespace
 {
 using SeismicHorizons::ColorRange;
 
-// VTK 9.6 hides lines that are drawn as tubes behind the surface around them, and shows those that are behind it.
+// In VTK 9.6 lines drawn as tubes are hidden by the surrounding surface, and visible through it from behind.
 constexpr const char* Tubes = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) ? "" : "tubes";
-constexpr const char* Empty = "SeismicHorizons.Empty"; // had no data when it was shown first
-constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // in none of the maps
-constexpr std::array<double, 3> EdgeColor = { 0.32, 0.36, 0.40 }; // ParaView's dark blue hides small triangles
+constexpr const char* Empty = "SeismicHorizons.Empty"; // Such representations had no data when first shown.
+constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // No map has this colour.
+constexpr std::array<double, 3> EdgeColor = { 0.32, 0.36, 0.40 }; // ParaView's dark blue hides small triangles.
 
 bool IsNamed(vtkPVXMLElement* element, const char* name)
 {
   return std::strcmp(element->GetName(), name) == 0;
 }
 
-/// Gives a property the value of an attribute, unless somebody has set it before.
 void SetSize(vtkSMProxy* proxy, const char* property, vtkPVXMLElement* hint, const char* attribute, vtkMTimeType start)
 {
   double value = 0.0;
@@ -54,7 +53,7 @@ void SetSize(vtkSMProxy* proxy, const char* property, vtkPVXMLElement* hint, con
   }
 }
 
-/// Gives points the size of a hint, or a smaller one where many would cover what is between them.
+/// Reduces the size of many points, which would cover each other.
 void SetPointSize(vtkSMProxy* proxy, vtkPVXMLElement* hint, vtkPVDataInformation* data, vtkMTimeType start)
 {
   SetSize(proxy, "PointSize", hint, "point_size", start);
@@ -62,13 +61,12 @@ void SetPointSize(vtkSMProxy* proxy, vtkPVXMLElement* hint, vtkPVDataInformation
   if (hint->GetScalarAttribute("point_size", &largest) && hint->GetScalarAttribute("least_point_size", &least) &&
     vtkSMPropertyHelper(proxy, "PointSize").GetAsDouble() == largest)
   {
-    constexpr double across = 500.0; // pixels of a view that points may cover along a side
+    constexpr double across = 500.0; // Pixels along one side of a view that the points may cover.
     const double size = std::floor(across / std::sqrt(double(data->GetNumberOfPoints())));
     vtkSMPropertyHelper(proxy, "PointSize").Set(std::min(largest, std::max(least, size)));
   }
 }
 
-/// Makes a slice the middle one of the wider vertical sections.
 void SetSection(vtkSMProxy* proxy, vtkPVDataInformation* data)
 {
   const int* const extent = data->GetExtent();
@@ -90,7 +88,6 @@ vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
   return nullptr;
 }
 
-/// What stands for each category of a colour map: a value, and the text of the legend.
 std::vector<std::string> ListCategories(vtkPVXMLElement* map)
 {
   std::vector<std::string> categories;
@@ -105,7 +102,6 @@ std::vector<std::string> ListCategories(vtkPVXMLElement* map)
   return categories;
 }
 
-/// The colours of a map that is for categories, as red, green and blue of one after the other.
 std::vector<double> ListColors(vtkPVXMLElement* map)
 {
   std::vector<double> colors;
@@ -164,7 +160,6 @@ void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& rang
   }
 }
 
-/// Whether the colours of an array have been made already, or are in the user's settings.
 bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
 {
   const std::string known = vtkSMCoreUtilities::SanitizeName(array.c_str());
@@ -181,13 +176,13 @@ bool HasColors(const std::string& array, vtkSMSessionProxyManager* proxies)
   return vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + known).c_str());
 }
 
-/// Makes a volume clear at the least value, and equally opaque at all from the next whole number on.
+/// The least value is transparent; all values from the next integer on are equally opaque.
 void SetOpacity(vtkSMProxy* representation, double opacity, const double range[2])
 {
   vtkSMProxy* const function = vtkSMPropertyHelper(representation, "ScalarOpacityFunction").GetAsProxy();
   if (function)
   {
-    // Each point: a value, the opacity there, and what is in ParaView's words its midpoint and sharpness.
+    // Points consist of value, opacity, midpoint and sharpness.
     const std::vector<double> points = { range[0], 0.0, 0.5, 0.0, range[0] + 0.5, 0.0, 0.5, 0.0, range[0] + 1.0,
       opacity, 0.5, 0.0, std::fmax(range[1], range[0] + 2.0), opacity, 0.5, 0.0 };
     vtkSMPropertyHelper(function, "Points").Set(points.data(), static_cast<unsigned int>(points.size()));
@@ -195,10 +190,10 @@ void SetOpacity(vtkSMProxy* representation, double opacity, const double range[2
   }
 }
 
-/// Colours a representation by an array, in colours of a map where nobody has given the array others.
+/// Colours that the user has given the array take precedence.
 void ColorBy(vtkSMProxy* representation, const ColorRange& range, vtkPVXMLElement* hint, vtkPVXMLElement* map)
 {
-  // What SetScalarColoring does too, but for a warning where only the representation has the array.
+  // SetScalarColoring would also warn if only the representation has the array.
   vtkNew<vtkSMTransferFunctionManager> manager;
   vtkSMSessionProxyManager* const proxies = representation->GetSessionProxyManager();
   const bool isNew = !HasColors(range.Array, proxies);
@@ -303,7 +298,7 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
   }
   if (representation && proxy->GetProperty("Representation")->GetMTime() <= initializationTimeStamp)
   {
-    // After the colours, as ParaView gives those that it chooses to a volume.
+    // ParaView assigns its own colours to a volume, so that the type is set last.
     vtkSMRepresentationProxy::SetRepresentationType(proxy, representation);
     if (std::strcmp(representation, "Surface With Edges") == 0)
     {
@@ -313,11 +308,11 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     {
       SetSection(proxy, data);
     }
-    proxy->GetProperty("Representation")->Modified(); // else it would count as not set
+    proxy->GetProperty("Representation")->Modified(); // Otherwise it would count as unset.
   }
   proxy->UpdateVTKObjects();
   if (auto* const shown = vtkSMRepresentationProxy::SafeDownCast(proxy))
   {
-    shown->PostUpdateData(false); // what is known of its arrays is from before it had data
+    shown->PostUpdateData(false); // Updates array information from before the data existed.
   }
 }

@@ -19,7 +19,6 @@ void Refresh(vtkObject* stage, unsigned long, void*, void*)
   static_cast<vtkSMSourceProxy*>(stage)->UpdatePropertyInformation();
 }
 
-/// Makes a stage that is new in the pipeline read its results after each run.
 void Watch(vtkObject*, unsigned long, void* refresh, void* registered)
 {
   const auto& entry = *static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(registered);
@@ -39,7 +38,7 @@ void KeepResultsFresh()
   if (vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
     vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_BATCH)
   {
-    return; // a server, which has no panels
+    return;
   }
   static vtkNew<vtkCallbackCommand> refresh;
   static vtkNew<vtkCallbackCommand> watch;

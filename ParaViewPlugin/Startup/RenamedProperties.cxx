@@ -25,7 +25,7 @@ struct Rename
   const char* New;
 };
 
-// Of version 0.2. To be removed with the deprecated setters.
+// Names of version 0.2, to be removed with the deprecated setters.
 constexpr std::array<Rename, 4> Renames = { {
   { "HorizonDespiking", "ThreadWidth", "SpurWidth" },
   { "SeismicReflectionExtraction", "Elevation", "ZFrom" },
@@ -46,7 +46,7 @@ vtkPVXMLElement* FindProperty(vtkPVXMLElement* proxy, const std::string& name)
   return nullptr;
 }
 
-/// All of them are a whole number.
+/// All values are integers.
 void ReadProxy(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
 {
   for (const Rename& rename : Renames)
@@ -99,7 +99,7 @@ void ReadRenamedProperties()
   if (vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
     vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_BATCH)
   {
-    return; // a server, which reads no states
+    return;
   }
   static vtkNew<vtkCallbackCommand> read;
   read->SetCallback(ReadState);

@@ -33,7 +33,7 @@ constexpr int NameColumn = 0;
 constexpr int SizeColumn = 1;
 constexpr int RowsShown = 7;
 
-/// Sorts names as people do: Horizon 2 before Horizon 10.
+/// Horizon 2 sorts before Horizon 10.
 class Item : public QTreeWidgetItem
 {
 public:
@@ -82,7 +82,7 @@ QTreeWidget* MakeTree(QWidget* parent, const QString& header)
   tree->setRootIsDecorated(false);
   tree->setUniformRowHeights(true);
   tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  // As in the file until somebody sorts it, the largest first.
+  // The file order applies until the user sorts; sizes then start with the largest.
   tree->header()->setSectionsClickable(true);
   QObject::connect(tree->header(), &QHeaderView::sectionClicked, tree,
     [tree](int column)
@@ -294,7 +294,7 @@ void pqHorizonListWidget::check(const std::function<bool(const QTreeWidgetItem*)
       }
     }
   }
-  this->Tree->viewport()->update(); // signals that would do so are blocked
+  this->Tree->viewport()->update(); // The signals that would update are blocked.
   this->finishChange();
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   pqHorizonListWidget
- * @brief   the horizons of a source in the panel, with their sizes, to choose from
+ * @brief   a list of horizons and their sizes in the panel, to choose from
  *
  * For a property of names and their status, with panel_widget="horizon_list" and this hint:
  *
@@ -10,8 +10,8 @@
  * <Hints><HorizonList sizes="HorizonSizes" header="Points"/></Hints>
  * @endcode
  *
- * `sizes` is the information property with the size of each name of the list, `header` what the sizes are. Where the
- * property has another number of sizes than there are names, they are not known, and not shown.
+ * `sizes` is the information property with the sizes, `header` the title of their column. Sizes are hidden unless
+ * their number equals the number of names.
  *
  * The list can be sorted by name and size, and searched. Buttons check all, none, or those of a size; what the search
  * has hidden stays as it is. Checking one of several selected horizons checks all of them.
@@ -44,16 +44,13 @@ public:
   void reset() override;
 
 private Q_SLOTS:
-  /// Lists the names and sizes anew.
   void updateList();
-  /// Checks what the property says.
   void updateChecks();
   void itemChanged(QTreeWidgetItem* item, int column);
   void search(const QString& text);
 
 private:
   void makeButtons(QWidget* bar, const QString& header);
-  /// Checks the items that are shown: those for which `isChosen` is true, and no others.
   void check(const std::function<bool(const QTreeWidgetItem*)>& isChosen);
   void summarize();
   void finishChange();

@@ -33,7 +33,6 @@ using namespace SeismicHorizons;
 
 constexpr double Largest = 1e6;
 
-/// The view that is in work, if it is one in space.
 pqRenderView* ActiveView()
 {
   return qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
@@ -91,7 +90,7 @@ pqHorizonToolBar::pqHorizonToolBar(QWidget* parentObject)
   }
   this->showState();
 
-  // ParaView adds toolbars of plugins in the row above that of the filters, where they have no room.
+  // ParaView adds toolbars of plugins to the row of filters, which is full.
   QTimer::singleShot(0, this,
     [this]()
     {
@@ -110,7 +109,7 @@ void pqHorizonToolBar::watch(pqView* view)
 {
   if (!qobject_cast<pqRenderView*>(view))
   {
-    return; // a table, which has no directions
+    return; // Tables have no directions.
   }
   this->connect(view, &pqView::representationAdded, this,
     [this, view](pqRepresentation* representation) { this->take(view, representation->getProxy()); });
@@ -126,7 +125,7 @@ void pqHorizonToolBar::watch(pqView* view)
       RefreshSurveyAxes(view->getProxy());
       this->Updated.insert(view);
     });
-  // Once ParaView has given the colours its own ranges.
+  // Runs after ParaView has set its ranges.
   this->connect(view, &pqView::beginRender, this,
     [this, view]()
     {
@@ -135,7 +134,7 @@ void pqHorizonToolBar::watch(pqView* view)
         this->refresh(view);
       }
     });
-  // A script, a state file or undo may have changed it.
+  // Scripts, state files and undo may change the view.
   this->connect(view, SIGNAL(endRender()), SLOT(showState()));
 }
 
@@ -144,7 +143,7 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
 {
   if (!ShowsOthers(view->getProxy(), representation))
   {
-    // After ParaView, which looks along an axis at what is flat there.
+    // Runs after ParaView, which looks along an axis at flat data.
     const vtkSmartPointer<vtkSMProxy> first = representation;
     QTimer::singleShot(0, view,
       [view, first]()
@@ -191,7 +190,7 @@ void pqHorizonToolBar::showState()
   pqView* const view = ActiveView();
   this->setEnabled(view != nullptr);
   this->Axes->setChecked(view && HasSurveyAxes(view->getProxy()));
-  if (!this->Factor->lineEdit()->hasFocus()) // nobody is typing
+  if (!this->Factor->lineEdit()->hasFocus())
   {
     this->showFactor();
   }

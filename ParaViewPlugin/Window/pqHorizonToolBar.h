@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   pqHorizonToolBar
- * @brief   how a view shows horizons: by how much heights are exaggerated, and what its axes count
+ * @brief   sets the vertical exaggeration of a view and the meaning of its axes
  *
- * Display/VerticalExaggeration.h and Display/SurveyAxes.h have what it does to the view. What is shown in the view
- * later gets its factor, too.
+ * See Display/VerticalExaggeration.h and Display/SurveyAxes.h. The factor also applies to data shown later.
  */
 
 #ifndef pqHorizonToolBar_h
@@ -29,25 +28,20 @@ public:
   ~pqHorizonToolBar() override;
 
 private Q_SLOTS:
-  /// Watches what comes into a view.
   void watch(pqView* view);
-  /// Shows the factor of the active view, and whether its axes count lines.
   void showState();
   void showAxes(bool areShown);
 
 private:
-  /// Shows in a view what has come into it as it looks best there.
   void take(pqView* view, vtkSMProxy* representation);
-  /// Suits a view to data that have changed.
   void refresh(pqView* view);
   void showFactor();
   void setFactor(double factor);
-  /// Says why there are no axes that count lines.
   void refuseAxes(const QString& reason);
 
   QComboBox* Factor;
   QAction* Axes;
-  QSet<pqView*> Updated; // whose colours may not suit the data any more
+  QSet<pqView*> Updated;
 };
 
 #endif

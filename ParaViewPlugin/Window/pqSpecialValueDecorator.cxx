@@ -29,7 +29,7 @@ pqSpecialValueDecorator::pqSpecialValueDecorator(vtkPVXMLElement* xml, pqPropert
   QLineEdit* const last = this->Fields.last();
   this->Text = new QLabel(xml->GetAttributeOrEmpty("text"), last);
   this->Text->setObjectName("SpecialValue");
-  this->Text->setEnabled(false); // grey
+  this->Text->setEnabled(false);
   this->Text->setAttribute(Qt::WA_TransparentForMouseEvents);
   auto* const layout = new QHBoxLayout(last);
   layout->setContentsMargins(0, 0, 6, 0);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   pqSpecialValueDecorator
- * @brief   says in a field what a number stands for that is none: 0 for "automatic", or -1 for "the last one"
+ * @brief   shows the meaning of a special value in a field: 0 for "automatic", or -1 for "the last one"
  *
  * @code{.xml}
  * <PropertyWidgetDecorator type="HorizonSpecialValue" value="0" text="automatic"/>
  * @endcode
  *
- * The text stands at the right of the last field of a property while its fields have that value, one number for each.
+ * The text is at the right of the last field of a property while its fields have the value, one number per field.
  */
 
 #ifndef pqSpecialValueDecorator_h

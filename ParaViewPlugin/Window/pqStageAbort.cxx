@@ -28,7 +28,7 @@
 
 namespace
 {
-constexpr int ListeningInterval = 50; // ms
+constexpr int ListeningInterval = 50;
 
 bool IsStage(vtkObjectBase* object)
 {
@@ -36,14 +36,13 @@ bool IsStage(vtkObjectBase* object)
   return object && std::any_of(bases.begin(), bases.end(), [object](const char* name) { return object->IsA(name); });
 }
 
-/// What a user does to a window, but for events that ask windows to be drawn and the like.
+/// Excludes events that redraw windows.
 bool IsInput(QEvent* event)
 {
   const auto others = { QEvent::Shortcut, QEvent::DragEnter, QEvent::DragMove, QEvent::Drop, QEvent::Close };
   return dynamic_cast<QInputEvent*>(event) || std::find(others.begin(), others.end(), event->type()) != others.end();
 }
 
-/// Where on the screen an event of the mouse is.
 QPoint PlaceOf(const QMouseEvent* event)
 {
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
@@ -87,7 +86,7 @@ void pqStageAbort::startup()
 //------------------------------------------------------------------------------
 void pqStageAbort::watch(pqPipelineSource* source)
 {
-  // Null where it is another process that runs the stage: nothing reaches it there until it has ended.
+  // A stage in another process cannot be stopped before it ends.
   auto* const stage = vtkObject::SafeDownCast(source->getProxy()->GetClientSideObject());
   if (!IsStage(stage))
   {
@@ -97,7 +96,7 @@ void pqStageAbort::watch(pqPipelineSource* source)
   pqCoreUtilities::connect(stage, vtkCommand::StartEvent, this, SLOT(begin(vtkObject*)));
   pqCoreUtilities::connect(stage, vtkCommand::ProgressEvent, this, SLOT(progress(vtkObject*)));
   pqCoreUtilities::connect(stage, vtkCommand::EndEvent, this, SLOT(end(vtkObject*)));
-  // Windows are made after plugins that load by themselves.
+  // Plugins that load automatically precede the windows.
   if (auto* const panel = pqCoreUtilities::mainWidget()->findChild<pqPropertiesPanel*>())
   {
     this->connect(panel, SIGNAL(applied(pqProxy*)), SLOT(apply(pqProxy*)), Qt::UniqueConnection);
@@ -123,7 +122,7 @@ void pqStageAbort::begin(vtkObject* stage)
 {
   this->Running = vtkAlgorithm::SafeDownCast(stage);
   this->SinceListened.start();
-  if (this->Stopped.remove(stage)) // a script has changed it
+  if (this->Stopped.remove(stage))
   {
     this->Running->SetAbortExecute(0);
   }
@@ -207,7 +206,7 @@ void pqStageAbort::progress(vtkObject* stage)
 void pqStageAbort::listen()
 {
   this->IsListening = true;
-  const bool wereUnblocked = this->Manager->unblockEvents(true); // the filter here drops them
+  const bool wereUnblocked = this->Manager->unblockEvents(true); // The filter of Manager drops events.
   qApp->installEventFilter(this);
   QCoreApplication::processEvents(QEventLoop::ExcludeSocketNotifiers | QEventLoop::X11ExcludeTimers);
   qApp->removeEventFilter(this);
@@ -222,13 +221,13 @@ bool pqStageAbort::eventFilter(QObject* receiver, QEvent* event)
   {
     this->abort();
   }
-  // Views would be drawn out of what is being made.
+  // Painting would access data while the stage writes them.
   const bool drawsView = event->type() == QEvent::Paint && receiver->inherits("QOpenGLWidget");
   return drawsView || (IsInput(event) && !this->isOnButton(receiver, event));
 }
 
 //------------------------------------------------------------------------------
-/// Events of the mouse come to the window first, which passes them on.
+/// The window receives mouse events first, and forwards them.
 bool pqStageAbort::isOnButton(QObject* receiver, QEvent* event) const
 {
   if (receiver == this->Button)

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
 
 #ifndef SeismicHorizonsTraceColumns_h
 #define SeismicHorizonsTraceColumns_h

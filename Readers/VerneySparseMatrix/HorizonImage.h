@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
 
 #ifndef SeismicHorizonsHorizonImage_h
 #define SeismicHorizonsHorizonImage_h

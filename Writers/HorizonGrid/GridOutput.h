@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
 
 #ifndef SeismicHorizonsGridOutput_h
 #define SeismicHorizonsGridOutput_h
