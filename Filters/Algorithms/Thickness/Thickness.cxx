@@ -22,11 +22,9 @@ namespace
 {
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 
-// How many points a thread looks at at a time.
 constexpr std::int64_t Grain = 1 << 14;
 
-/// From a column of a horizon to the next one along an axis, in columns of the lattice: 2 where it has points on every
-/// second line alone.
+/// Returns the step between columns of a horizon, for example 2 if only every second line has points.
 std::int64_t StepOf(PlanePoints columns, std::int32_t PlanePoint::*along, std::int32_t PlanePoint::*across)
 {
   std::int64_t step = 0;
@@ -38,7 +36,7 @@ std::int64_t StepOf(PlanePoints columns, std::int32_t PlanePoint::*along, std::i
       return 1;
     }
   }
-  // Of a few columns here and there it means nothing: most must have a neighbour at that step.
+  // A step needs a majority of neighbours: for a few scattered columns it means nothing.
   std::vector<PlanePoint> sorted(columns.begin(), columns.end());
   std::sort(sorted.begin(), sorted.end(),
     [&](const PlanePoint& a, const PlanePoint& b)
@@ -55,11 +53,10 @@ std::int64_t StepOf(PlanePoints columns, std::int32_t PlanePoint::*along, std::i
   return neighbours > others ? step : 1;
 }
 
-/// Where two horizons are, in steps between columns with points of both.
 struct SteppedColumns
 {
   std::array<std::int64_t, 2> Step; // columns of the lattice
-  std::vector<PlanePoint> Columns; // counted by steps
+  std::vector<PlanePoint> Columns; // counted in steps
   std::array<std::vector<PointId>, 2> Points;
   std::int64_t LeftOut = 0;
 };
@@ -100,7 +97,6 @@ SteppedColumns FindColumns(const HorizonView& first, const HorizonView& other)
   return found;
 }
 
-/// The steps of heights to the next columns, of which the flatter one counts; nan where there is none.
 double StepAlong(
   const ColumnIndex& index, const std::vector<double>& heights, PointId point, std::int64_t place, std::int64_t next)
 {
@@ -114,7 +110,6 @@ double StepAlong(
   return std::isnan(backward) || std::abs(forward) < std::abs(backward) ? forward : backward;
 }
 
-/// Counts what is known, which is at least one column.
 void Count(Thickness& result)
 {
   result.Least = std::numeric_limits<double>::infinity();
@@ -146,7 +141,7 @@ Thickness MeasureThickness(
   const std::size_t size = columns.Columns.size();
   std::vector<double> isochore(size);
   std::vector<double> means(size);
-  std::int64_t above = 0; // less those where the other one is
+  std::int64_t above = 0; // minus columns where the other horizon is above
   for (std::size_t n = 0; n < size; ++n)
   {
     const double height = first.Heights[columns.Points[0][n]];
