@@ -1,12 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: find spurs by a morphological opening, with a square one column wider than they may be; then spikes, each by
-// the plane through the points around it, which is made of medians.
-//
-// Opening: a square is full when each of its rows is. So rows are looked at first, and then columns of what they gave;
-// and the same the other way round to cover with squares. Takes time linear in the places of the index, whatever the
-// width is.
+// Spurs are found first, by an opening along rows, then columns, in time linear in the places of the index, whatever
+// the width. Then a plane of medians through the points around finds spikes.
 
 #include "Despiking.h"
 
@@ -23,7 +19,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 4096; // points that a thread takes at a time
+constexpr std::int64_t Grain = 4096;
 constexpr std::size_t FewestAround = 3;
 constexpr double NoiseFactor = 4.0;
 
@@ -39,7 +35,6 @@ void CheckOptions(const DespikingOptions& options)
 
 using Marks = std::vector<unsigned char>;
 
-/// The lines of places of a index along one axis.
 class LineFilter
 {
 public:
@@ -51,7 +46,7 @@ public:
   {
   }
 
-  /// Leaves marks where the next `length` places of the line, the place included, are marked.
+  /// A mark stays if the next `length` places, its own included, are marked.
   void Erode(Marks& marks, int length) const
   {
     this->ForEachLine(
@@ -67,7 +62,6 @@ public:
       });
   }
 
-  /// Marks the next `length` places of each mark.
   void Dilate(Marks& marks, int length) const
   {
     this->ForEachLine(
@@ -99,7 +93,6 @@ private:
   std::int64_t PlaceStride;
 };
 
-/// The points that no full square of width + 1 columns along each side covers.
 std::vector<PointId> FindSpurs(const ColumnIndex& index, int width)
 {
   Marks marks(index.NumberOfPlaces(), 0);
@@ -125,7 +118,6 @@ std::vector<PointId> FindSpurs(const ColumnIndex& index, int width)
 //----------------------------------------------------------------------------------------------------------------------
 // Spikes
 
-/// The median of numbers, whose order changes; of an even number of them the mean of the two in the middle.
 double Median(std::vector<double>& values)
 {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -133,7 +125,7 @@ double Median(std::vector<double>& values)
   return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-/// Heights by place, nan where there is no point: the search looks at many places for each point.
+/// Places without a point are NaN. Memory by place pays, as each point looks at many.
 std::vector<double> ListHeights(const ColumnIndex& index, const std::vector<double>& heights)
 {
   std::vector<double> byPlace(index.NumberOfPlaces(), std::numeric_limits<double>::quiet_NaN());
@@ -142,7 +134,6 @@ std::vector<double> ListHeights(const ColumnIndex& index, const std::vector<doub
   return byPlace;
 }
 
-/// What a point is compared with: the points in a square around it.
 class Surroundings
 {
 public:
@@ -153,7 +144,7 @@ public:
   {
   }
 
-  /// How far the point at a place is above the plane through those around it; nan where these are too few.
+  /// Returns NaN with too few points around.
   double Deviation(std::int64_t place)
   {
     const double alongX = this->Dip(place, 1, 0);
@@ -178,8 +169,7 @@ public:
     return this->Heights[place] - this->Level;
   }
 
-  /// The median distance from the plane of the points that the last deviation was taken from. Of whole numbers, whose
-  /// median leaps, the mean where it is less.
+  /// Returns the median distance from the last plane or, as medians of integers leap, the mean if less.
   double Spread()
   {
     constexpr double medianPerMean = 0.845; // of normal noise
@@ -193,8 +183,7 @@ public:
   }
 
 private:
-  /// The median difference between neighbours around, one of which is `x`, `y` from the other; 0 where there are none.
-  /// The point itself, which may be a spike, is none of them.
+  /// Returns 0 without neighbours. The point itself, which may be a spike, is left out.
   double Dip(std::int64_t place, std::int64_t x, std::int64_t y)
   {
     const std::int64_t step = y * this->Width + x;
@@ -221,8 +210,8 @@ private:
   double Level = 0.0;
 };
 
-/// The least height difference between neighbours that is more than `rounding`: 1 of whole numbers, next to nothing of
-/// others. At most 1, as a surface that is level but for a fault has no less than its throw.
+/// Returns the least step above `rounding`, at most 1: a surface that is level but for a fault has no smaller step than
+/// its throw.
 double LeastStep(const std::vector<double>& heights, std::int64_t width, double rounding)
 {
   double least = 1.0;
@@ -237,13 +226,12 @@ double LeastStep(const std::vector<double>& heights, std::int64_t width, double 
   return least;
 }
 
-/// The root mean square of deviations, those that stand out clipped. Of numbers that are rounded, at least what
-/// rounding does to differences. `deviations` may be nan.
+/// Clips large deviations, and includes the rounding of differences. Deviations may be NaN.
 double NoiseOf(const std::vector<double>& byPlace, std::int64_t width, const std::vector<double>& deviations)
 {
   constexpr double clip = 4.0; // medians
   constexpr double few = 0.1; // of the points, which may all be spikes
-  const double rootOfSix = std::sqrt(6.0); // two roundings, each of the variance 1 / 12
+  const double rootOfSix = std::sqrt(6.0); // two roundings of variance 1 / 12
   constexpr double digits = 1e-6; // of single precision
   double largest = 0.0;
   for (const double height : byPlace)
@@ -320,7 +308,7 @@ Spikes Find(
       Surroundings surroundings(byPlace, index.Width(), options.Radius);
       for (std::int64_t n = first; n < last; ++n)
       {
-        if (!(std::abs(deviations[n]) > spikes.Threshold)) // nan, too
+        if (!(std::abs(deviations[n]) > spikes.Threshold)) // also false for NaN
         {
           continue;
         }
@@ -352,7 +340,7 @@ double MeasureNoise(PlanePoints columns, const std::vector<double>& heights)
   const std::vector<double> byPlace = ListHeights(index, heights);
   Surroundings surroundings(byPlace, index.Width(), radius);
   std::vector<double> deviations;
-  // One of so many, each time another one (by the fraction of the golden ratio), as noise may return with the rows.
+  // The golden ratio varies the sampled place, as noise may repeat with the rows.
   constexpr double golden = 0.6180339887498949;
   const std::size_t step = columns.size() / enough + 1;
   double part = 0.0;
@@ -369,7 +357,6 @@ Spikes FindSpikes(
   PlanePoints columns, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
 {
   CheckOptions(options);
-  // Neighbours are in it.
   return Find(ColumnIndex(columns, options.Radius, options.Radius), heights, options, monitor);
 }
 }
