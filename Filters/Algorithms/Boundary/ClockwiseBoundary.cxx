@@ -194,7 +194,7 @@ private:
   const PlanarHops Graph;
   PatchComponents Parts;
   Loops Faces; // Outlines of all components come first, loops of holes follow.
-  std::vector<bool> Walked; // The index is the number of a hop in the graph.
+  std::vector<bool> Walked;
   const bool WalksHoles;
   std::optional<CutFaces> Cracks;
   std::vector<FaceStep> Steps;

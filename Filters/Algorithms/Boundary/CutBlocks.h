@@ -63,8 +63,8 @@ private:
     CutEast = 1,
     CutNorth = 2,
     Open = 4,
-    RisingLeft = 8, // The diagonal to the north-east remains.
-    FallingLeft = 16, // The diagonal to the south-east remains.
+    RisingLeft = 8,
+    FallingLeft = 16,
     BesideOpen = 32
   };
 

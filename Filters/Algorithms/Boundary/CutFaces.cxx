@@ -242,7 +242,6 @@ bool CutFaces::PassesCut(const std::vector<FaceStep>& steps) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The sweep of a point with one hop is a full turn.
 bool CutFaces::IsSwept(HopId hop, HopId from, HopId to) const
 {
   const HopId size = this->Hops.Size();

@@ -7,7 +7,7 @@
 // hole. Cuts on the walk around a component lie in the hole that surrounds it, like links between empty columns.
 //
 // Hops across cuts (PlanarHops.h) divide open areas into faces. Faces with at most (k - 1)^2 columns inside are cracks;
-// larger ones are missing columns or the outside. For k = 1, crack faces are blocks of four points or half blocks of
+// larger faces are missing columns or the outside. For k = 1, crack faces are blocks of four points or half blocks of
 // three.
 //
 //     o---o---o---o---o---o       o       points
@@ -38,7 +38,6 @@ PatchComponents FindHopComponents(
 class CutFaces
 {
 public:
-  /// The object keeps references to its arguments.
   CutFaces(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const CutBlocks& blocks);
 
   /// Outlines must be added in the order of the components, before any hole.
@@ -86,7 +85,6 @@ struct CrackSide
   Kind What;
 };
 
-/// Sides are grouped by face.
 std::vector<CrackSide> FindCrackFaces(
   PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const PlanarHops& graph);
 

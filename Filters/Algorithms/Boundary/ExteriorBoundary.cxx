@@ -31,9 +31,9 @@ namespace
 {
 // Finds all loops in one pass over the lattice if hops lead to neighbours (Suzuki and Abe, "Topological structural
 // analysis of digitized binary images by border following", 1985). Where a row comes from outside to an unvisited
-// point, a new patch begins and its outline is walked. The walk marks points with the outside to their right, where
-// rows leave the patch. A hole is walked where a row first meets it, and its inside then counts as outside. In a hole
-// without a loop everything belongs to the patch, islands included.
+// point, the outline of a new patch is walked. The walk marks points with the outside to their right, where rows leave
+// the patch. A hole is walked where a row first meets it, and its inside then counts as outside; without a loop it
+// belongs to the patch, islands included.
 //
 //     . . # # # . .        The middle row enters the patch at its first point and leaves it at its second, which the
 //     . . # . # . .        walk around the patch has marked. The empty column between them is in a hole.
@@ -180,7 +180,7 @@ private:
   std::vector<bool> OutsideEast; // The outside of the patch begins to the right of the point.
   std::vector<bool> FilledHoleEast; // A hole without a loop begins to the right of the point.
   std::vector<FaceStep> Steps;
-  std::vector<PointId> PastEast; // Sweeps of the last walk passed the column to the right of these points.
+  std::vector<PointId> PastEast;
 };
 
 // ---- Growth by distance --------------------------------------------------------------------------------------------
@@ -239,7 +239,7 @@ private:
 
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  std::vector<End> Ends; // The ends are sorted by place, then hop.
+  std::vector<End> Ends;
   std::vector<bool> HasEnd;
 };
 
@@ -395,7 +395,6 @@ SweepResult BridgedHops::Sweep(std::int64_t place, HopId from) const
 class SeamedHops
 {
 public:
-  /// `hops` must have k = 1.
   SeamedHops(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps)
     : Index(index)
     , Gaps(gaps)
@@ -572,7 +571,6 @@ BoundaryKind KindOfCorner(const ColumnIndex& index, const std::vector<BoundaryKi
       {
         continue;
       }
-      // Both columns between the point and the empty one are occupied, since no loop runs through the point.
       for (const std::int64_t beside : { place + aside, place + upright })
       {
         const BoundaryKind other = marks[index[beside]];

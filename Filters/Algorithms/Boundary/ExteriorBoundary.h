@@ -4,20 +4,18 @@
 // Boundary of a horizon: the outline of each patch, i.e. the exterior boundary of the thesis (3.3, Def. 3.4, Alg. 3.1
 // and 3.2), and on request the loops of its holes.
 //
-// An outline is the clockwise walk around the outer face of a plane graph of hops. It never crosses itself and encloses
-// the whole patch. For k = 1 this is the border following of Suzuki and Abe (1985). For k > 1, growth by distance
-// (ExteriorBoundary.cxx) takes long hops only as bridges, out and back; clockwise growth (PlanarHops.h) takes every hop
-// that crosses no other, which cuts bays short.
+// An outline is the clockwise walk around the outer face of a plane graph of hops: for k = 1 the border following of
+// Suzuki and Abe (1985). For k > 1, growth by distance (ExteriorBoundary.cxx) takes long hops only as bridges, out and
+// back; clockwise growth (PlanarHops.h) takes every hop that crosses no other, which cuts bays short.
 //
-// The pseudo-code of the thesis stops at the first return to its start, and so loses the rest of a patch that touches
-// itself there; here the walk ends before it repeats its first hop. For k > 1 the thesis sweeps over hops that may
-// cross the loop, or never return; here hops belong to a plane graph. It gives a loop to a patch inside another loop;
-// here that patch belongs to the outer one, since their meshes would overlap.
+// The pseudo-code of the thesis stops at the first return to its start, and loses the rest of a patch that touches
+// itself there; here the walk ends before it repeats its first hop. For k > 1 its hops may cross the loop, or never
+// return; here they belong to a plane graph. It gives a loop to a patch inside another loop; here that patch belongs to
+// the outer one, since their meshes would overlap.
 //
-// Time is linear in the points and in the columns of their bounding box, with a factor that grows with k for points
-// beside empty columns. Temporary memory is 12 bytes per 64 columns of the box, 4 bytes per point for growth by
-// distance with k > 1, and with cuts a byte per column. Each step of a walk depends on the one before, hence one
-// thread.
+// Time is linear in the points and in the columns of their bounding box, with a factor that grows with k beside empty
+// columns. Temporary memory is 12 bytes per 64 columns of the box, 4 bytes per point for growth by distance with k > 1,
+// and with cuts a byte per column. The walk is sequential, hence one thread.
 
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h

@@ -73,7 +73,7 @@ void FindColumns(const HopVectors& hops, LongHop& hop)
 void FindSquares(const HopVectors& hops, LongHop& hop)
 {
   const PlanePoint& end = hops.Vector(hop.Hop);
-  std::vector<std::pair<std::int32_t, Gate>> gates; // The first value is the distance from the nearer end.
+  std::vector<std::pair<std::int32_t, Gate>> gates;
   for (std::int32_t y = -1; y <= end.Y; ++y)
   {
     for (std::int32_t x = std::min(0, end.X) - 1; x <= std::max(0, end.X) + 1; ++x)

@@ -71,14 +71,13 @@ bool IsNearer(const PlanePoint& a, const PlanePoint& b);
 
 // Long hops lead further than to a neighbour, and upwards or straight to the right.
 
-/// The opposite steps lead to the other four neighbours.
 constexpr std::array<PlanePoint, 4> NeighbourSteps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 } } };
 
 /// A hop passes between these two neighbouring columns, given from the start of the hop.
 struct Gate
 {
   PlanePoint Column;
-  std::size_t Step; // The index into NeighbourSteps leads to the other column.
+  std::size_t Step;
   std::int64_t Offset;
   std::int64_t OtherOffset;
 };
@@ -86,9 +85,9 @@ struct Gate
 struct LongHop
 {
   HopId Hop = NoHop;
-  std::vector<std::int64_t> Over; // The hop passes over these columns.
+  std::vector<std::int64_t> Over;
   std::vector<PlanePoint> ColumnsOver;
-  std::vector<Gate> Gates; // Gates near the ends come first.
+  std::vector<Gate> Gates;
   std::vector<std::int64_t> Between; // These columns are nearer to both ends than the ends are to each other.
   std::vector<std::int64_t> Squares; // The hop touches these unit squares other than with its ends.
 };
@@ -131,8 +130,7 @@ struct FaceStep
   HopId Hop;
 };
 
-/// The walk ends before it repeats `first`. `next(place, from)` returns the first hop after `from` in a clockwise
-/// sweep.
+/// The walk ends before it repeats `first`; `next` sweeps clockwise.
 template <typename Next>
 void WalkFace(const ColumnIndex& index, const HopVectors& hops, std::int64_t start, HopId first, Next&& next,
   std::vector<FaceStep>& steps)
@@ -153,7 +151,7 @@ void WalkFace(const ColumnIndex& index, const HopVectors& hops, std::int64_t sta
 
 struct FaceSize
 {
-  std::int64_t TwiceArea = 0; // The area of a face walked clockwise is negative.
+  std::int64_t TwiceArea = 0;
   std::int64_t OnLoop = 0; // Each passage of the walk through the centre of a column counts.
 };
 

@@ -220,7 +220,7 @@ private:
   const ColumnIndex& Index;
   const std::vector<std::int64_t>& Places;
   const Loops& Boundary;
-  std::vector<std::int32_t> RowNumber; // The value is -1 for rows without places.
+  std::vector<std::int32_t> RowNumber;
   std::vector<std::vector<Crossing>> Crossings;
 };
 

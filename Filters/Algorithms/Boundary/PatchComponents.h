@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Connected components of a horizon, where points at most k columns apart along each axis are connected (SN_k
-// components of the thesis), and the components that are islands inside the outlines of others.
+// components of the thesis), and the components that are islands inside other outlines.
 
 #ifndef SeismicHorizonsPatchComponents_h
 #define SeismicHorizonsPatchComponents_h
@@ -18,12 +18,10 @@ namespace SeismicHorizons
 {
 struct PatchComponents
 {
-  /// Components are numbered row by row from the least y.
   std::vector<std::int32_t> Component;
   std::vector<std::int64_t> First;
 };
 
-/// Time is linear in the places of the index, and in k times the number of runs.
 PatchComponents FindPatchComponents(const ColumnIndex& index, std::size_t points, int radius);
 
 /// Calls visit(n, loops around place n). Places must be sorted, and no loop may pass over a place, except the loop that

@@ -72,13 +72,12 @@ public:
 private:
   static constexpr std::int32_t NearRadius = 3;
   static constexpr std::int32_t NearWidth = 2 * NearRadius + 1;
-  // The bits of these rows of five columns index the table of nearest points.
   static constexpr std::int32_t NearestRadius = 2;
   static constexpr int NearestBits = (NearestRadius + 1) * (2 * NearestRadius + 1);
   // Fewer ends are tested faster than farther points could rule them out.
   static constexpr int FewEnds = 8;
 
-  using NearRows = std::array<unsigned, NearRadius + 2>; // The last row is empty.
+  using NearRows = std::array<unsigned, NearRadius + 2>;
   // A hop is ruled out by a point and its neighbour after one of NeighbourSteps, or by a point alone.
   static constexpr std::size_t Itself = NeighbourSteps.size();
   static constexpr std::size_t Kinds = Itself + 1;
@@ -120,8 +119,8 @@ private:
   const std::int32_t Radius;
   Rows Ends;
   mutable std::vector<Rows> OpenByNearest;
-  mutable std::vector<std::int32_t> OpenNumbers; // This is -1 for patterns that have not occurred.
-  std::vector<Rows> Shadows; // By slot, the ends that a point or pair of points rules out.
+  mutable std::vector<std::int32_t> OpenNumbers;
+  std::vector<Rows> Shadows; // Each slot holds the ends that a point or pair of points rules out.
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -204,7 +203,6 @@ void HopCandidates::RuleOut(const NearRows& near, Rows& ends) const
   {
     const unsigned here = near[row];
     const unsigned above = near[std::size_t(row) + 1];
-    // The order is that of NeighbourSteps.
     const std::array<unsigned, Kinds> found = { here & here >> 1U, here & above >> 1U, here & above, here & above << 1U,
       here };
     for (std::size_t kind = 0; kind < Kinds; ++kind)

@@ -98,11 +98,10 @@ public:
   /// Returns the first hop after `from` in a clockwise sweep, `from` last; NoHop if there is none.
   HopId Next(std::int64_t place, HopId from) const;
 
-  /// Hops from points beside empty columns are numbered below Size(); for others this returns Size().
+  /// Hops from points beside empty columns are numbered below Size(); for any other hop this returns Size().
   std::size_t NumberOf(std::int64_t place, HopId hop) const;
   std::size_t Size() const { return this->Listed.Size(); }
 
-  /// Both directions are listed, by place and hop.
   const std::vector<HopAcrossCut>& HopsAcrossCuts() const { return this->Across; }
 
 private:
@@ -113,7 +112,6 @@ private:
     std::int32_t Number;
   };
 
-  /// The hops that touch a unit square form a linked list.
   struct Link
   {
     std::int32_t Hop;
@@ -156,7 +154,6 @@ private:
   std::vector<PlacedHop> Placed; // Admissible hops come first, then hops across cuts.
   std::vector<std::int32_t> First;
   std::vector<Link> Links;
-  // Each point lists its hops in the order of a sweep.
   ItemLists<HopId> Listed;
   std::vector<HopAcrossCut> Across;
 };

@@ -4,7 +4,7 @@
 // Seams of a window of a horizon: its lowest or highest row of columns, which the next window repeats. The connections
 // along a seam must follow from this row alone, so that both windows find the same.
 //
-//       # # # . # # # .      Hops along a row at the edge of all points cross no others, and thus are in the graph of
+//       # # # . # # # .      Hops along a row at the edge of all points cross no other hop, and so are in the graph of
 //       # # . . # # # #      any horizon. A break that is wider than the radius, up to the longest edge of a seam, is
 //    ---# # g g # # . #---   closed by gap columns (g): the walk passes straight through them, and they have no other
 //                            hops. A hole, if large enough, remains above them.
@@ -59,7 +59,7 @@ private:
   void Fill(Row& row, const ColumnIndex& index, const BoundaryOptions& options);
 
   std::array<Row, 2> Rows;
-  std::vector<std::array<std::int64_t, 2>> Sides; // For each break, the places of the points beside it.
+  std::vector<std::array<std::int64_t, 2>> Sides;
 };
 }
 

@@ -97,7 +97,7 @@ private:
   const CellGrid Grid;
   const PointLists InColumn;
   std::vector<PointId> Loop;
-  // Positions start at 1; the value is 0 for points elsewhere, and for points that must stay.
+  // The value is 0 for points elsewhere, and for points that must stay.
   std::vector<std::size_t> Position;
 };
 
@@ -306,7 +306,6 @@ private:
     return in.x() * out.y() != in.y() * out.x() || in.dot(out) <= 0.0;
   }
 
-  /// A closed loop turns somewhere, so that it has an end of a run.
   std::size_t FirstRunEnd() const
   {
     std::size_t n = 0;
@@ -465,7 +464,7 @@ private:
   std::vector<SpannedPoint>& Spanned;
   const Monitor& Watch;
   double Part = 0.0;
-  std::vector<unsigned char> Visits; // The value 2 represents any larger number.
+  std::vector<unsigned char> Visits;
   std::optional<LoopGuard> Guard;
   std::optional<ColumnIndex> OwnIndex;
   std::optional<FewestPoints> Fewest;
@@ -573,7 +572,6 @@ private:
   std::vector<PlanePoint> Columns;
   std::vector<std::size_t> RowStarts;
   std::vector<LoopSide> Sides;
-  // This is 1 if an odd number of edges lies between a point and the previous point of its row.
   std::vector<unsigned char> Crossings;
 };
 }

@@ -65,7 +65,7 @@ struct BoundarySimplification
   double HeightDeviation = 0.0;
   /// This is measured in plan, in columns, and includes points now inside the loops.
   double OutlineDeviation = 0.0;
-  /// This is measured in space, in lattice units, and includes points now inside the loops.
+  /// This is measured in space, in lattice units.
   double Deviation = 0.0;
 };
 

@@ -21,7 +21,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Position 0 marks points that are not between the ends of the chain.
 constexpr std::size_t NoPosition = 0;
 
 std::int64_t FloorOfPart(std::int64_t numerator, std::int64_t denominator)
@@ -65,7 +64,7 @@ int CrossingOf(const PlanePoint& from, const PlanePoint& to, const PlanePoint& c
   return side <= 0 ? 0 : isUpward ? 1 : -1;
 }
 
-// Edges from a point that pass others within a tolerance lie in a wedge of directions in plan (Imai and Iri 1988; Chan
+// Edges from a point that pass points within a tolerance lie in a wedge of directions in plan (Imai and Iri 1988; Chan
 // and Chin 1996) and a range of slopes. The cone is conservative: edges inside may still exceed the tolerances.
 //
 //             .  |  .
@@ -118,8 +117,7 @@ private:
     return Cross(right, direction) >= 0.0 && Cross(direction, left) >= 0.0;
   }
 
-  /// Returns the greatest slope that rises by at most `height` somewhere between the distances `nearest` and
-  /// `farthest`.
+  /// Returns the greatest slope that rises by at most `height` within these distances.
   static double GreatestOf(double height, double nearest, double farthest)
   {
     const double distance = height >= 0.0 ? nearest : farthest;
@@ -162,15 +160,13 @@ constexpr std::size_t LookBack = 512;
 constexpr std::size_t MostBars = 8;
 constexpr std::size_t ReachOfBar = 2 * LookBack;
 
-// Runs that are straight in space have nodes only up to this far from their ends.
 constexpr std::size_t RunEnd = 32;
 
-// In columns; wider openings are bays, which large tolerances may close.
+// This is in columns; wider openings are bays, which large tolerances may close.
 constexpr std::int32_t WidestGap = 8;
 constexpr std::array<PlanePoint, 8> EightSteps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 }, { -1, 0 }, { -1, -1 },
   { 0, -1 }, { 1, -1 } } };
 
-// This exceeds the number of edges of any path.
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 }
 
@@ -254,7 +250,6 @@ bool ShortcutGuard::IsClear(std::size_t from, std::size_t to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// An edge includes its lower end, but not its upper end, like a line just above the row.
 void ShortcutGuard::AddCrossings(const PlanePoint& from, const PlanePoint& to)
 {
   const bool isUpward = from.Y < to.Y;
@@ -412,8 +407,8 @@ std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// A loop has an inside if it keeps three points no two of which share two edges. A closed chain therefore keeps two
-/// inner points, and an open chain one, unless it is straight.
+/// Two points of a loop must not share two edges, or it might have no inside. A closed chain therefore keeps two inner
+/// points, and an open chain one, unless it is straight.
 std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
 {
   this->SetChain(std::move(chain));
@@ -478,7 +473,6 @@ double FewestPoints::ToleranceAt(std::size_t position) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The choice among points far within runs that are straight in space has hardly any effect.
 void FewestPoints::ListNodes()
 {
   this->Nodes.assign(1, 0);
@@ -568,8 +562,7 @@ void FewestPoints::FindSources(std::size_t node)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Candidates are sorted lazily, since admissibility is expensive to test, and costs are more expensive than the number
-/// of edges.
+/// Candidates are sorted lazily, since costs, and even more admissibility, are expensive.
 FewestPoints::Step FewestPoints::BestStep(std::size_t node, const std::vector<Step>& ways)
 {
   const auto isWorse = [](const Step& a, const Step& b) { return std::tie(a.Cost, a.From) > std::tie(b.Cost, b.From); };
@@ -635,7 +628,6 @@ bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The sum of squared distances in space, in constant time from Moments.
 double FewestPoints::Cost(std::size_t from, std::size_t to) const
 {
   const Eigen::Vector3d start = this->Places[from] - this->Places.front();

@@ -32,7 +32,6 @@
 
 namespace SeismicHorizons
 {
-/// The height difference is taken at the place of the edge that is nearest in plan.
 struct MapDistances
 {
   double InPlan;
@@ -84,7 +83,7 @@ private:
 // Decides whether a straight edge can replace a chain of boundary points without crossing loops. All answers are exact.
 //
 //       o--o                    If an edge replaces a chain, the area between them changes sides. No point may lie there
-//      /    \    o--o           or on the edge, except those of the chain. Then no edge of another chain crosses the new
+//      /    \    o--o           or on the edge, except points of the chain. Then no edge of another chain crosses the new
 //  ---o------o--/----o---       one: it cannot cross the chain, and would have an end in the area. By the same argument
 //             \o                two new edges never cross, in any order.
 class ShortcutGuard
@@ -124,9 +123,9 @@ private:
 
   const ColumnIndex& Index;
   const PlanePoints Columns;
-  PlaceNumbers OnLoops; // Only points of loops have a number, to save memory.
+  PlaceNumbers OnLoops;
   std::vector<PointId> Chain;
-  std::vector<std::size_t> Position; // By the numbers in OnLoops, for points between the ends of the chain.
+  std::vector<std::size_t> Position;
   std::size_t From = 0;
   std::size_t To = 0;
   std::vector<std::uint64_t> Crossings;
@@ -195,10 +194,10 @@ private:
   std::vector<Moments> Before;
   std::vector<std::size_t> Nodes;
   std::vector<Step> Fewest;
-  std::vector<Step> TwoOrMore; // These paths have at least two edges.
+  std::vector<Step> TwoOrMore;
   std::vector<std::size_t> Sources;
   std::vector<Step> Steps;
-  bool IsLimited = false; // Nodes beyond LookBack were not tried as sources.
+  bool IsLimited = false;
 };
 }
 

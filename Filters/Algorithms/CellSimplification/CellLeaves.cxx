@@ -59,7 +59,6 @@ CellGrid MakeGrid(const SubVoxelPlaces& places, std::int32_t subVoxelsPerColumn,
 //----------------------------------------------------------------------------------------------------------------------
 // Sorting
 
-/// Neighbouring points mostly share a square, which saves divisions.
 class SquareFinder
 {
 public:
@@ -240,7 +239,7 @@ private:
   const std::int64_t RowsPerBand;
   const std::int64_t Bands;
   const std::int64_t Batches;
-  std::vector<std::uint32_t> Next; // These are counts at first, then the position of the next point.
+  std::vector<std::uint32_t> Next;
   std::vector<std::uint32_t> BandEnds;
   std::unique_ptr<PointId[]> Banded;
 };
@@ -253,7 +252,6 @@ class CellSides
 public:
   CellSides(const LinkCuts& cuts, std::int32_t width, std::int32_t height);
 
-  /// `cell` is the least column of the cell.
   bool HasCut(const PlanePoint& cell) const;
 
   void Find(const PlanePoint& cell);

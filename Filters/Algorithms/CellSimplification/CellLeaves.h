@@ -40,7 +40,6 @@ namespace SeismicHorizons
 class CellLeaves
 {
 public:
-  /// A thread takes this number of cells at a time.
   static constexpr std::int64_t Grain = 1024;
 
   using Starts = std::vector<std::pair<std::int64_t, std::uint32_t>>;
@@ -68,7 +67,6 @@ public:
   bool IsOnBoundary(PointId point) const { return this->OnBoundary[point] != 0; }
   const std::vector<unsigned char>& BoundaryFlags() const { return this->OnBoundary; }
 
-  /// Cells are numbered row by row of the grid.
   std::int64_t NumberOfCells() const { return std::int64_t(this->Squares.size()); }
   std::int64_t Square(std::int64_t cell) const { return this->Squares[cell]; }
   std::int64_t FirstCellFrom(std::int64_t square) const
@@ -123,12 +121,10 @@ public:
 
   int Level(const PointId* leaf) const { return int(this->MarkOf(leaf) & LevelMask); }
   bool HasBoundary(const PointId* leaf) const { return (this->MarkOf(leaf) & Boundary) != 0; }
-  /// One point represents the inner points of leaves without boundary points, and of those marked with keepsInner.
   bool MergesInner(const PointId* leaf) const { return MergesInner(this->MarkOf(leaf)); }
   std::uint32_t CountMerging(std::int64_t cell) const;
 
 private:
-  // Points that begin no leaf have mark 0.
   static constexpr unsigned Start = 0x80;
   static constexpr unsigned Boundary = 0x40;
   static constexpr unsigned KeepsInner = 0x20;

@@ -24,7 +24,7 @@ struct CellOptions
   {
   }
 
-  int CellSize; // In columns, at least 1.
+  int CellSize; // This is in columns, at least 1.
   RepresentativeKind Representative;
   bool ListCells;
 };

@@ -37,7 +37,7 @@ namespace
 constexpr std::int64_t GrainOfCutting = 64;
 constexpr std::int64_t GrainOfCopying = 256;
 
-// The ratio between a size and the geometric mean with the next one, as sizes of levels differ by a factor of 2.
+// Sizes of levels differ by a factor of 2; this leads to the geometric mean with the next size.
 constexpr double HalfALevel = 1.4142135623730951;
 
 struct CellSizes
@@ -94,7 +94,7 @@ struct PatchCube
   std::int32_t Patch = 0;
   std::int32_t Ring = 0;
   std::uint32_t Tower = 0;
-  CellSizes Sizes; // Once the cube is cut, these count in the mean of its neighbours.
+  CellSizes Sizes;
 };
 
 class PatchCubes
@@ -110,7 +110,6 @@ public:
 
   const std::vector<Ring>& Rings() const { return this->AllRings; }
 
-  /// Marks the ring as cut, so that SizesBefore() can use its sizes.
   void EndRing(const Ring& ring);
 
   /// Returns sizes of neighbours in the previous ring, or if there are none, of neighbours in plan in any earlier ring.
@@ -422,7 +421,6 @@ public:
   {
   }
 
-  /// `leastLevel` is the least level of leaves without boundary points.
   CellSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel);
 
 private:
@@ -525,7 +523,7 @@ bool OctreeCutter::StaysWhole(const PointId* first, const PointId* last, std::pt
 //----------------------------------------------------------------------------------------------------------------------
 bool OctreeCutter::AnyApart(double extent, double size) const
 {
-  if (extent > 2.0 * size) // The diagonal of a cell is shorter than this.
+  if (extent > 2.0 * size)
   {
     return false;
   }
@@ -551,7 +549,6 @@ bool OctreeCutter::AnyApart(double extent, double size) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Points keep their order within an octant.
 template <typename Visitor>
 void OctreeCutter::Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit)
 {
@@ -655,8 +652,8 @@ private:
     }
   }
 
-  /// The level whose size is nearest, by ratio, to the mean of the neighbours in the previous ring (thesis eq. 4.3).
-  /// Rounding down would shrink cells from ring to ring, as the mean of different sizes is below the largest.
+  /// Returns the level with the size nearest, by ratio, to the mean in the previous ring (thesis eq. 4.3). Rounding
+  /// down would shrink cells from ring to ring, as the mean of different sizes is below the largest.
   int LeastLevel(const PatchCube& cube) const
   {
     const CellSizes before = this->Cubes.SizesBefore(cube);
@@ -682,7 +679,6 @@ private:
     return box.Z;
   }
 
-  /// Each output point belongs to one leaf, so that threads do not write to the same place.
   void DescribeLeaves(Reduction& result) const
   {
     result.Flatness.resize(result.Source.size());

@@ -60,7 +60,7 @@ struct ElaborateOptions : CellOptions
   /// One point represents the inner points of leaves with boundary points above this size, in lattice units; they are
   /// dropped in smaller leaves.
   double BoundaryCellSizeThreshold = 2.0;
-  /// In lattice units, at least 1. Above half of the cell size, no cell is halved.
+  /// This is in lattice units, at least 1. Above half of the cell size, no cell is halved.
   double SmallestCellSize = 1.0;
   NeighbourMeanKind NeighbourMean = NeighbourMeanKind::OverCubes;
   /// A cell may exceed the mean size of its neighbours in the previous ring by this factor, rounded to a level; 1 is

@@ -29,7 +29,6 @@ namespace SeismicHorizons
 namespace
 {
 //----------------------------------------------------------------------------------------------------------------------
-// Boxes of the tree are halved across their longer side.
 
 class NearestPoint
 {
@@ -166,7 +165,6 @@ struct CellRepresentative
   bool Averaged = false;
 };
 
-/// Halves are rounded up.
 std::int32_t RoundedQuotient(std::int64_t sum, std::int64_t count)
 {
   const std::int64_t numerator = 2 * sum + count;
@@ -497,7 +495,6 @@ void LeafWriter::UseNearest(CellRepresentative& representative) const
   representative.Height = this->Leaves.Height(representative.Nearest);
 }
 
-/// The cell of the grid is halved towards the first point of the leaf, and has height 0.
 SimplificationCell DescribeCell(
   const CellLeaves& leaves, const Reduction& result, const PointId* first, const PointId* last)
 {

@@ -21,7 +21,6 @@ Reduction WriteLeaves(const CellLeaves& leaves, RepresentativeKind representativ
 
 using CellBottom = std::function<double(const PointId* first, const PointId* last, int level)>;
 
-/// `result` must come from WriteLeaves().
 void ListCells(const CellLeaves& leaves, Reduction& result, const CellBottom& bottom);
 }
 

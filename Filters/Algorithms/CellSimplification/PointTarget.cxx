@@ -89,7 +89,6 @@ private:
   Reduction Found;
 };
 
-/// Bisects for the smallest cell size with few enough points; `tooSmall` has too many.
 template <typename Search, typename Options>
 int FindSmallest(Search& search, Options tried, int tooSmall)
 {

@@ -50,7 +50,7 @@ public:
     }
   }
 
-  /// The triangle must be counter-clockwise. The limits apply to the edge a-b and the angle at c.
+  /// The triangle must be counter-clockwise, with the edge a-b opposite to the angle at c.
   bool AreExceeded(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) const
   {
     return SquaredDistance(a, b) > this->SquaredLength || this->IsAngleExceeded(a, b, c);

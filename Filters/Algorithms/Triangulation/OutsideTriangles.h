@@ -15,9 +15,9 @@ namespace SeismicHorizons
 /// A triangle with a boundary edge beyond one of these limits is outside.
 struct BoundaryLimits
 {
-  /// In degrees from 0 to 180, with a resolution of 10^-7, opposite to the edge; 180 means no limit.
+  /// This is the angle opposite to the edge, in degrees from 0 to 180, with a resolution of 10^-7; 180 means no limit.
   double LargestAngle = 180.0;
-  /// In plan, in lattice units; 0 means no limit.
+  /// This is in plan, in lattice units; 0 means no limit.
   double LongestEdge = 0.0;
 };
 

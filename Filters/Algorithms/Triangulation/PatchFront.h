@@ -21,7 +21,7 @@ struct FrontEdge
 {
   PointId From = NoPoint;
   PointId To = NoPoint;
-  /// The diameter of the circumcircle of the adjacent triangle, or 0 if unknown.
+  /// This is the diameter of the circumcircle of the adjacent triangle, or 0 if unknown.
   float Diameter = 0.0f;
 };
 
@@ -126,14 +126,12 @@ public:
   /// edge is always next.
   PatchFront(const SearchGrid& points, const ThirdPointSearch& search, std::int64_t strips);
 
-  /// Returns a number of strips for which walls are a small fraction of the work.
   static std::int64_t FindStrips(const SearchGrid& points);
 
   /// The left of the edge must be outside or meshed; its reverse waits for a triangle. Added in both directions, it has
   /// no surface on either side.
   void AddSide(PointId from, PointId to);
 
-  /// Throws InputError if an edge finds no third point.
   void Grow(std::size_t most, const Monitor& monitor);
 
   /// By Euler's formula a planar mesh has less than two triangles per point.

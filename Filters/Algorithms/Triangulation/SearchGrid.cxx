@@ -63,7 +63,6 @@ void ForEachVoxel(std::int64_t voxels, Check&& check)
     });
 }
 
-/// A distance is at most one more than the least of its three neighbours in the next row.
 void LowerTo(const unsigned char* next, std::int64_t size, unsigned char* row)
 {
   // Most rows are long, so that compilers vectorize this loop.

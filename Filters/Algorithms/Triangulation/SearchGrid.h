@@ -101,8 +101,7 @@ class PointPyramid
 public:
   explicit PointPyramid(const SearchGrid& points);
 
-  /// Calls visit(point) for points in boxes that pass mayHold(box), roughly by distance(box). Both are evaluated late,
-  /// so that they can depend on points visited before.
+  /// Calls visit(point) for points in boxes that pass mayHold(box), roughly by distance(box).
   template <typename MayHold, typename Distance, typename Visitor>
   void Visit(MayHold&& mayHold, Distance&& distance, Visitor&& visit) const
   {

@@ -336,7 +336,6 @@ VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float rad
   const FloatBatch least = Select(area > FourTimes(-4.0f * margin * radius), centre - radius, ends) - margin;
   const IntegerBatch places = ToIntegers(Select(least > FourTimes(-FarOutside), least, FourTimes(-FarOutside)));
   const SearchGrid& points = query.Points;
-  // Truncation moves a place by less than 1.
   return { points.VoxelX(query.A.X + places[0] - 1), points.VoxelY(query.A.Y + places[1] - 1),
     points.VoxelX(query.A.X - places[2] + 1), points.VoxelY(query.A.Y - places[3] + 1) };
 }
@@ -456,7 +455,6 @@ void ConsiderBox(ThirdPointQuery& query, const VoxelBox& box)
   VisitBox(query, box, [&query](PointId point) { query.Consider(point); });
 }
 
-/// The line of cells is shifted along the axis on which it advances less.
 void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64_t shift)
 {
   const double x = double(query.A.Y) - query.B.Y;
@@ -528,7 +526,7 @@ void SearchSquares(ThirdPointQuery& query, const EdgeBox& edgeBox)
 namespace
 {
 // Heights of the first circle segment: in diameters of the adjacent circumcircle, or else in spacings, with a limit.
-// Larger ones have needless points, smaller ones too often none.
+// Larger segments have needless points, smaller segments too often none.
 constexpr float HeightPerNeighbor = 1.15f;
 constexpr float HeightPerSpacing = 1.3f;
 constexpr float MostHeightPerSpacing = 4.0f;

@@ -71,8 +71,7 @@ struct VoxelBox
   std::int64_t LastY;
 };
 
-/// Returns the cells that the segment of the circle to the left of the edge may touch. `cotangent` is defined by the
-/// angle at which its points see the edge.
+/// Returns the cells that the segment of the circle to the left of the edge may touch.
 VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius);
 
 VoxelBox VoxelsOfBest(const ThirdPointQuery& query);

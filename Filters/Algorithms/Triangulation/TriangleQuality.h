@@ -15,10 +15,11 @@ namespace SeismicHorizons
 {
 struct TriangleQuality
 {
-  /// 4 sqrt(3) area / (sum of squared edges) (Gueziec; thesis eq. 5.9): 1 for equilateral triangles, towards 0 for thin
-  /// ones.
+  /// Compactness is 4 sqrt(3) area / (sum of squared edges) (Gueziec; thesis eq. 5.9): 1 for equilateral triangles,
+  /// towards 0 for thin triangles.
   RawVector<float> Compactness;
-  /// 2 sqrt(3) area / (longest edge x half the perimeter) (Frey and Borouchaki; thesis eq. 5.10), with the same range.
+  /// Shape is 2 sqrt(3) area / (longest edge x half the perimeter) (Frey and Borouchaki; thesis eq. 5.10), with the
+  /// same range.
   RawVector<float> Shape;
   /// This is in degrees, and 180 without triangles.
   double SmallestAngle = 180.0;

@@ -71,7 +71,6 @@ PointId* Write(PointId a, PointId b, PointId c, PointId* corners)
   return corners + 3;
 }
 
-/// The diagonal starts at corner `first`, 0 or 1.
 PointId* WriteSquare(const std::array<PointId, 4>& corner, std::size_t first, PointId* corners)
 {
   corners = Write(corner[first], corner[first + 1], corner[first + 2], corners);
@@ -260,7 +259,6 @@ private:
     std::size_t count = 0;
     for (std::int64_t x = 1; y > 0 && x + 1 < this->Width; ++x)
     {
-      // Most empty columns have empty neighbours.
       if (this->At(x, y) == NoPoint && (this->At(x - 1, y) | this->At(x + 1, y)) >= 0 && this->IsRing(x, y, patches))
       {
         for (const std::int64_t row : { y - 1, y })
@@ -412,7 +410,7 @@ private:
   RawVector<PointId> Points;
   std::vector<unsigned char> Blocks;
   std::vector<std::size_t> RowStarts;
-  // The diagonal connects the first and third corner (0), or the others (1).
+  // The diagonal connects the first and third corner (0), or the second and fourth (1).
   std::size_t BlockDiagonal = 0;
   std::size_t RingDiagonal = 0;
 };
@@ -591,7 +589,6 @@ public:
     }
     for (std::size_t loop = 0; loop < patch.Boundary.Size(); ++loop)
     {
-      // A loop of one point has no edge.
       this->Front.Use(this->Points.NumberOf(*patch.Boundary.begin(loop)));
     }
   }
@@ -743,7 +740,6 @@ private:
     }
   }
 
-  /// All points are tested, since those that full blocks cover may be in circles of these edges.
   void CountDoubtful()
   {
     if (this->Doubtful.empty())
