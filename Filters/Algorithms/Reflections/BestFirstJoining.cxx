@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Joins linked picks to surfaces, the best links first (Kruskal 1956), where the parts fit: they may not lie over each
-// other, and where they face each other most of their picks have to be linked. A link that is wrong, across a fault or
-// onto the next layer, leads between parts that face each other along a line with few links.
+// Joins linked picks to surfaces, best links first (Kruskal 1956), if the parts fit: they may not overlap, and most
+// facing picks must be linked. A wrong link, across a fault or onto the next layer, joins parts that face each other
+// along a line with few links.
 //
-// What a link does depends on the two parts it leads between, and on nothing else. So it may be tried as soon as it is
-// the best one left of both: what comes out is the same as by one list of all links. That is why links can be tried in
-// windows of the columns, by several threads:
+// A link depends on its two parts alone, so it may be tried once it is the best left of both. Threads can thus try
+// links in windows of columns, with the result of one sorted list:
 //
-// 1. Each pick is a set of its own. Windows are so small that their picks fit the cache of a processor.
-// 2. A thread takes a window, and tries its links, the best ones first. One that leads out of the window, or into it,
-//    makes its set in the window wait, and is left for a larger one. So is a link between two sets of which one waits,
-//    which makes both wait.
-// 3. Windows become larger, and the links that were left are tried, until one window has all columns.
-// 4. There, links between sets that did not fit are tried once more, as the sets may have grown.
+// 1. Windows are so small that their picks fit the cache.
+// 2. A thread tries the links of a window. A link across the border makes its set wait, and is left for a larger
+// window; so is a link to a waiting set, which makes both wait.
+// 3. Windows grow, and try the links left, until one holds all columns.
+// 4. There, refused links are tried again, as sets may have grown.
 
 #include "SurfaceJoining.h"
 
@@ -35,7 +33,6 @@ namespace
 {
 // ---- Sets of columns -----------------------------------------------------------------------------------------------
 
-/// A rectangle of columns.
 struct ColumnWindow
 {
   int FirstI = 0;
@@ -46,7 +43,6 @@ struct ColumnWindow
   bool Has(int i, int j) const { return i >= this->FirstI && i < this->EndI && j >= this->FirstJ && j < this->EndJ; }
 };
 
-/// A set of columns: a bit for each column of a rectangle around them, which grows.
 class ColumnSet
 {
 public:
@@ -58,7 +54,6 @@ public:
     return isInside && (this->Bits[this->WordAt(word, row)] >> (i & WordMask) & 1U) != 0;
   }
 
-  /// `i` and `j` are at least 0.
   void Add(int i, int j)
   {
     int word = (i >> WordShift) - this->FirstWord;
@@ -78,7 +73,7 @@ private:
 
   std::size_t WordAt(int word, int row) const { return std::size_t(row) * this->Words + word; }
 
-  /// Makes the rectangle larger; rows by a half more than it takes, so that it seldom grows.
+  /// Rows grow by half more than needed, so that growth is rare.
   void Include(int word, int row)
   {
     ColumnSet larger;
@@ -99,21 +94,19 @@ private:
     *this = std::move(larger);
   }
 
-  int FirstWord = 0; // a word has the bits of 64 columns along i
+  int FirstWord = 0;
   int FirstRow = 0;
-  int Words = 0; // of a row
+  int Words = 0;
   int Rows = 0;
   std::vector<std::uint64_t> Bits;
 };
 
 // ---- Sets of picks -------------------------------------------------------------------------------------------------
 
-/// Sets that grow together to surfaces, with at most one pick in each column. A set has the number of one of its picks.
-/// Its members are a ring.
+/// Sets have at most one pick per column, and the number of one of their picks. Members form a ring.
 class SurfaceSets
 {
 public:
-  /// A set for each pick.
   explicit SurfaceSets(const ReflectionPicks& picks)
     : Picks(picks)
     , Labels(picks.Places.size(), NoPoint - 1)
@@ -122,7 +115,7 @@ public:
     picks.ForEach([this](PointId pick, std::int32_t column) { this->Members[pick] = { pick, column }; });
   }
 
-  /// The set of a pick; NoPoint when it was dropped.
+  /// Returns NoPoint for a dropped pick.
   PointId SetOf(PointId pick) const
   {
     const PointId label = this->Labels[pick];
@@ -131,7 +124,6 @@ public:
   PointId SizeOf(PointId set) const { return (NoPoint - this->Labels[set]) & ~WaitBit; }
   std::int32_t ColumnOf(PointId pick) const { return this->Members[pick].Column; }
 
-  /// Whether a set waits.
   bool Waits(PointId set) const { return ((NoPoint - this->Labels[set]) & WaitBit) != 0; }
   void SetWaits(PointId set, bool waits)
   {
@@ -139,7 +131,6 @@ public:
     this->Labels[set] = NoPoint - (this->SizeOf(set) | (waits ? WaitBit : 0));
   }
 
-  /// Whether a set has a pick in a column.
   bool HasColumn(PointId set, std::int64_t column) const
   {
     int found = int(this->ColumnOf(set) == column);
@@ -151,7 +142,6 @@ public:
     return found != 0;
   }
 
-  /// Calls visit(pick) for each member until it returns false.
   template <typename Visit>
   void ForEachMember(PointId set, Visit&& visit) const
   {
@@ -166,7 +156,7 @@ public:
     } while (pick != set);
   }
 
-  /// Puts the members of sets that lie in these columns into their order in memory, in which they are quick to visit.
+  /// Members in the order of memory are visited faster.
   void SortMembers(const ColumnWindow& window)
   {
     const auto forEachUpwards = [&](auto&& visit)
@@ -198,7 +188,7 @@ public:
       });
   }
 
-  /// Puts the members of `small` into `big`. Those in columns that `big` has are dropped.
+  /// Members in columns that `big` has are dropped.
   void Absorb(PointId big, PointId small, bool areShared)
   {
     assert(big != small && this->SetOf(big) == big && this->SetOf(small) == small);
@@ -207,7 +197,7 @@ public:
     do
     {
       const PointId next = this->Members[pick].Next;
-      // Picks that came before it lie in other columns.
+      // Picks added before lie in other columns.
       if (areShared && this->HasColumn(big, this->ColumnOf(pick)))
       {
         this->Labels[pick] = NoPoint;
@@ -223,7 +213,6 @@ public:
     this->Labels[big] = NoPoint - size;
   }
 
-  /// The set of each pick; NoPoint for picks that were dropped.
   RawVector<PointId> TakeLabels()
   {
     for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
@@ -236,13 +225,13 @@ public:
 private:
   struct Member
   {
-    PointId Next = NoPoint; // member of the set
+    PointId Next = NoPoint;
     std::int32_t Column = 0;
   };
 
   const ReflectionPicks& Picks;
-  // Of each pick its set. Of the pick that a set is named by, a number below NoPoint, by as much as the set has
-  // members; picks are fewer than 2^30, which leaves a bit for sets that wait.
+  // The naming pick of a set has a label below NoPoint by the size of the set; picks are fewer than 2^30, which leaves
+  // a bit for waiting sets.
   static constexpr PointId WaitBit = PointId(1) << 30;
   RawVector<PointId> Labels;
   RawVector<Member> Members;
@@ -250,8 +239,7 @@ private:
 
 // ---- Whether two parts fit -----------------------------------------------------------------------------------------
 
-/// Reads nothing but the two parts, and their columns in the window: parts that have nothing in common may be looked at
-/// by several threads.
+/// Threads may work on different parts, as only the two parts and their columns in the window are read.
 class PartFit
 {
 public:
@@ -264,8 +252,7 @@ public:
   {
   }
 
-  /// Whether two sets, the larger one first, may become one. If so, `shared` is how many columns both have. `columns`:
-  /// those of the larger one, or null, where its picks are looked for. `window`: columns that hold both.
+  /// `columns` belong to the larger set, or are null; the window must hold both sets.
   bool MayJoin(
     PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const
   {
@@ -284,7 +271,7 @@ public:
 private:
   struct Contact
   {
-    std::int64_t Facing = 0; // pairs of picks
+    std::int64_t Facing = 0;
     std::int64_t Linked = 0;
   };
 
@@ -342,7 +329,6 @@ private:
       this->Rules.Correlate(this->ListPairs(big, small)) >= this->Rules.SmallestWideCorrelation;
   }
 
-  /// From picks of the smaller set to those of the larger one.
   std::vector<Edge> ListPairs(PointId big, PointId small) const
   {
     std::vector<Edge> pairs;
@@ -370,15 +356,14 @@ private:
 
 // ---- Links in the order of their ranks -----------------------------------------------------------------------------
 
-/// Where a link leads, as a window of columns sees it.
 enum class Lead
 {
   Within, // both picks are in the window
-  Out, // only the first one
-  In // only the second one
+  Out, // only the first pick
+  In // only the second pick
 };
 
-/// The rank, the link, and where it leads, from the upper bits down.
+/// Bits hold the rank, the link and its lead, from the top.
 class RankedLink
 {
 public:
@@ -395,7 +380,6 @@ public:
 
   friend bool operator<(const RankedLink& a, const RankedLink& b) { return a.Bits < b.Bits; }
 
-  /// Sorts by rank, and keeps the order of links of the same rank.
   static void SortByRank(std::vector<RankedLink>& links)
   {
     std::vector<RankedLink> sorted(links.size());
@@ -418,7 +402,7 @@ public:
   }
 
 private:
-  static constexpr int DigitBits = 8; // a rank has two digits
+  static constexpr int DigitBits = 8;
   static constexpr int LeadBits = 2;
   static constexpr std::uint64_t LeadMask = (1U << LeadBits) - 1;
   static constexpr int RankShift = LeadBits + 32;
@@ -430,17 +414,17 @@ private:
 
 struct JoiningWindow : ColumnWindow
 {
-  bool IsFirst = true; // no link was tried yet
-  std::vector<RankedLink> Left; // links that begin in the window and were not tried
+  bool IsFirst = true;
+  std::vector<RankedLink> Left; // not tried
   std::vector<RankedLink> Refused;
-  std::unordered_map<std::uint64_t, std::int64_t> Refusals; // the size both sets had, by their numbers
-  std::unordered_map<PointId, ColumnSet> Columns; // of large sets
+  std::unordered_map<std::uint64_t, std::int64_t> Refusals; // size of both sets
+  std::unordered_map<PointId, ColumnSet> Columns;
 };
 
-// Parts are tried again when they have grown by this.
+// Refused parts are tried again after this growth.
 constexpr double Growth = 1.3;
 
-// Columns of smaller sets are looked for among the picks there.
+// Smaller sets search their picks for columns.
 constexpr PointId LargestSearched = 24;
 
 std::uint64_t PairKey(PointId a, PointId b)
@@ -476,7 +460,7 @@ public:
     this->Here.IsFirst = false;
   }
 
-  /// In a window of all columns.
+  /// The window must hold all columns.
   void TryRefused(const Monitor& monitor)
   {
     std::vector<RankedLink> links = std::exchange(this->Here.Refused, {});
@@ -486,7 +470,6 @@ public:
   }
 
 private:
-  /// Calls visit(pick, i, j) for the picks of some columns of a row.
   template <typename Visit>
   void ForEachPick(int j, int firstI, int endI, Visit&& visit) const
   {
@@ -524,7 +507,6 @@ private:
     return links;
   }
 
-  /// Those that other windows left.
   std::vector<RankedLink> ListLeft()
   {
     std::vector<RankedLink> links = std::exchange(this->Here.Left, {});
@@ -550,7 +532,7 @@ private:
     return links;
   }
 
-  /// They begin in columns outside, beside those of the rim.
+  /// They begin just outside the border.
   void AddThoseThatLeadIn(std::vector<RankedLink>& links) const
   {
     const auto look = [&](PointId pick, int i, int j)
@@ -585,12 +567,11 @@ private:
     links.emplace_back(this->Links.Rank(pick, direction), this->Links.MakeId(pick, direction), lead);
   }
 
-  /// Links come from all over memory. In blocks, the places they need are read side by side first, so that the
-  /// processor waits for them once.
+  /// Links come from all over memory. A block first reads the places it needs, so that the processor waits once.
   void TryAll(const std::vector<RankedLink>& links, const Monitor& monitor)
   {
     constexpr std::size_t block = 64;
-    constexpr std::size_t blocksPerCall = 1024; // of the monitor
+    constexpr std::size_t blocksPerCall = 1024;
     std::array<Edge, block> picks;
     std::array<bool, block> areOne;
     for (std::size_t first = 0; first < links.size(); first += block)
@@ -608,7 +589,7 @@ private:
       }
       for (std::size_t n = 0; n < size; ++n)
       {
-        // Sets outside are those of other threads.
+        // Other threads own the sets outside.
         const Lead lead = links[first + n].Leads();
         const PointId from = lead == Lead::In ? NoPoint : this->Sets.SetOf(picks[n].From);
         const PointId to = lead == Lead::Out ? NoPoint : this->Sets.SetOf(picks[n].To);
@@ -616,7 +597,7 @@ private:
       }
       for (std::size_t n = 0; n < size; ++n)
       {
-        if (!areOne[n]) // sets that are one stay one
+        if (!areOne[n]) // joined sets stay joined
         {
           this->Look(links[first + n], picks[n]);
         }
@@ -668,7 +649,7 @@ private:
     }
   }
 
-  /// False when the sets were refused.
+  /// Returns false if the sets were refused.
   bool Try(PointId big, PointId small)
   {
     if (this->Sets.SizeOf(big) < this->Sets.SizeOf(small))
@@ -701,7 +682,6 @@ private:
     return true;
   }
 
-  /// The columns of a large set, or null.
   ColumnSet* ColumnsOf(PointId set)
   {
     if (this->Sets.SizeOf(set) < LargestSearched)
@@ -737,10 +717,8 @@ private:
 
 // ---- From windows to all columns -----------------------------------------------------------------------------------
 
-// By how much the sides of windows grow from level to level.
 constexpr int SideGrowth = 4;
 
-/// The side of a window that has about so many picks.
 int FirstSide(const ReflectionPicks& picks, double windowPicks)
 {
   const double columns = double(picks.Columns[0]) * double(picks.Columns[1]);
@@ -792,8 +770,8 @@ struct BestFirstJoining::Parts
   }
 
   SurfaceSets Sets;
-  bool AreSingle = true; // windows hold all sets
-  std::unordered_map<PointId, ColumnSet> Columns; // of large sets
+  bool AreSingle = true;
+  std::unordered_map<PointId, ColumnSet> Columns;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -815,8 +793,8 @@ void BestFirstJoining::Run(const ReflectionLinks& links, const JoiningRules& rul
   const int all = std::max(this->Picks.Columns[0], this->Picks.Columns[1]);
   int side = std::exchange(this->Joined->AreSingle, false) ? FirstSide(this->Picks, this->WindowPicks) : all;
   std::vector<JoiningWindow> windows = MakeWindows(this->Picks.Columns, side);
-  assert(!rules.Correlate || windows.size() == 1); // it is for one thread
-  constexpr double last = 0.6; // where the window of all columns begins, of the work
+  assert(!rules.Correlate || windows.size() == 1); // it runs on one thread
+  constexpr double last = 0.6;
   double done = 0.0;
   while (windows.size() > 1)
   {

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Components of picks that are at most a step apart (thesis, 2.2.1), by union-find. Threads join the picks of bands of
-// rows, whose numbers are their own; then one joins the bands along their seams. The least number of a set stands for
-// it, in whatever order picks are joined.
+// Finds components of picks at most a step apart (thesis, 2.2.1) by union-find. Threads join bands of rows, then one
+// thread joins their seams. The least number names a set, whatever the order of joins.
 
 #include "SurfaceJoining.h"
 
@@ -30,7 +29,7 @@ public:
 
   RawVector<PointId> Find(const Monitor& monitor)
   {
-    constexpr std::int64_t band = 64; // rows
+    constexpr std::int64_t band = 64;
     ForEachChunk(this->Picks.Columns[1], band, monitor,
       [this](std::size_t, std::int64_t first, std::int64_t last)
       {
@@ -47,13 +46,12 @@ public:
     {
       PointId& parent = this->Parents[pick];
       assert(parent <= pick);
-      parent = this->Parents[parent]; // which is a root already
+      parent = this->Parents[parent]; // already a root
     }
     return std::move(this->Parents);
   }
 
 private:
-  /// Joins the columns of a row along some of the steps; the first one stays in the row.
   void JoinRow(int j, int firstStep, int endStep)
   {
     for (int n = firstStep; n < endStep; ++n)

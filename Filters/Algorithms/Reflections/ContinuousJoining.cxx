@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Surfaces grow one after the other (Prim 1957): each from the strongest pick that is left, and over the best link that
-// leads from it to a pick in a column it does not have yet, until there is none. No link is ever refused for what
-// lies beyond it, so that strong events come out whole through places where parts would not fit.
+// Grows surfaces one after the other (Prim 1957), each from the strongest free pick, over the best link into a column
+// that it does not have. Links are not refused for what lies beyond, so strong events stay whole where parts would not
+// fit.
 
 #include "SurfaceJoining.h"
 
@@ -17,7 +17,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The picks, the strongest first, by the upper half of the bits of their strengths; of equal ones the first.
+/// Strengths are compared by the upper half of their bits.
 std::vector<PointId> SortByStrength(const ReflectionPicks& picks)
 {
   constexpr std::int64_t keys = 1 << 15; // strengths have no sign
@@ -36,13 +36,12 @@ std::vector<PointId> SortByStrength(const ReflectionPicks& picks)
   return sorted;
 }
 
-/// A link from the rim of a surface to a pick beyond it.
 struct RimLink
 {
   float Score = 0.0F;
   PointId To = NoPoint;
 
-  /// The better one comes first out of a std::priority_queue; of equal ones that to the first pick.
+  /// std::priority_queue returns the largest first.
   friend bool operator<(const RimLink& a, const RimLink& b)
   {
     return a.Score != b.Score ? a.Score < b.Score : a.To > b.To;
@@ -98,7 +97,6 @@ private:
     }
   }
 
-  /// Adds the links of a pick that lead to one that is free.
   void AddRim(PointId pick)
   {
     this->Links.ForEachOf(pick,
@@ -114,8 +112,8 @@ private:
   const ReflectionPicks& Picks;
   const ReflectionLinks& Links;
   RawVector<PointId> Labels;
-  std::vector<PointId> LastInColumn; // the last surface that took a pick there
-  RawVector<std::int32_t> Columns; // of picks
+  std::vector<PointId> LastInColumn;
+  RawVector<std::int32_t> Columns;
   std::priority_queue<RimLink> Rim;
 };
 }

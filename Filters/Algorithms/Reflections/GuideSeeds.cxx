@@ -100,7 +100,7 @@ private:
   struct Candidate
   {
     PointId Pick = NoPoint;
-    double Weight = 0.0; // the stronger and nearer, the more
+    double Weight = 0.0;
   };
 
   std::string Name() const { return "guide \"" + this->Given.Name + "\": "; }
@@ -112,7 +112,7 @@ private:
     Candidate best;
     for (PointId candidate = picks.Begin(column); candidate < picks.End(column); ++candidate)
     {
-      // At the tolerance itself there is a little weight left.
+      // A little weight is left at the tolerance itself.
       const double distance = std::abs(InSamples(picks.PlaceOf(candidate)) - pick.Place);
       const double weight = (1.01 - distance / this->Tolerance) * StrengthOf(picks.CoarseStrengthOf(candidate));
       if (distance <= this->Tolerance && weight > best.Weight)
@@ -141,7 +141,7 @@ private:
   const Guide& Given;
   const std::array<ReflectionPicks, 2>& BySign;
   const double Tolerance;
-  std::vector<std::size_t> Order; // of picks: by row, column and place
+  std::vector<std::size_t> Order;
 };
 }
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Parts of surfaces are taken that the guide has picks on. A part that passes more picks of the guide at another
-//    place than it has itself is another event: its picks are strays. One that passes few ran on into another event:
-//    it is cut halfway.
-// 2. The surface grows from all its picks at once, over the best link first (Prim 1957), into columns it does not have.
-//    Blocks that grow from both sides hold their ground against each other.
-// 3. A part that growth runs along is taken whole, and the surface grows anew: parts are right where growth may not be.
+// 1. Parts of surfaces with picks of the guide are taken. If a part passes more picks elsewhere than it has, its picks
+// are strays; if few, it ran into another event and is cut half-way.
+// 2. The surface grows from all its picks at once, best link first (Prim 1957), into free columns. Parts growing from
+// both sides stop each other.
+// 3. Parts that growth runs along are taken whole, as they are more reliable, and the surface grows anew.
 
 #include "GuidedJoining.h"
 
@@ -23,31 +22,30 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Parts of fewer picks are left to growth.
+// Growth replaces parts with fewer picks.
 constexpr PointId SmallestPart = 30;
 
-// Of the columns of a part that picks of the guide are on, or that growth found, so many may be taken by another event.
+// Other events may hold this share of a part's columns.
 constexpr double LargestSeededConflict = 0.3;
 constexpr double LargestGrownConflict = 0.1;
 
-// A part is found by growth where it has so many columns in common with it, and so many of them at the same picks.
+// A part is found if it shares this number of columns with growth, and this fraction at the same picks.
 constexpr PointId FewestCommonColumns = 10;
 constexpr double SmallestAgreement = 0.7;
 
-// Picks of a guide are strays where the part that they are on passes so many times as many others elsewhere.
+// A stray's part passes this multiple of other picks elsewhere.
 constexpr std::int64_t FewestMissesOfStray = 3;
 
-// After so many rounds of growth and of parts that it found, no part comes that is worth it.
+// Later rounds find no parts worth taking.
 constexpr int Rounds = 2;
 
-/// A link from the rim of a surface to a pick beyond it.
 struct RimLink
 {
   float Score = 0.0F;
   PointId To = NoPoint;
-  int Reach = 0; // of the pick, in columns from what it grows from
+  int Reach = 0; // in columns
 
-  /// The better one comes first out of a std::priority_queue; of equal ones that to the first pick.
+  /// std::priority_queue returns the largest first.
   friend bool operator<(const RimLink& a, const RimLink& b)
   {
     return a.Score != b.Score ? a.Score < b.Score : (a.To != b.To ? a.To > b.To : a.Reach > b.Reach);
@@ -108,7 +106,6 @@ private:
     }
   }
 
-  /// The pick of a part in a column; NoPoint without one.
   PointId MemberIn(PointId part, std::int64_t column) const
   {
     for (PointId pick = this->Picks.Begin(column); pick < this->Picks.End(column); ++pick)
@@ -126,7 +123,7 @@ private:
     return std::abs(this->Picks.PlaceOf(a) - this->Picks.PlaceOf(b)) <= this->Joining.Quarter;
   }
 
-  /// How many seeds are on each part that has any, and how many it passes elsewhere.
+  /// Hits are seeds on a part, misses are seeds that it passes elsewhere.
   struct Votes
   {
     std::int64_t Hits = 0;
@@ -150,7 +147,6 @@ private:
     return votes;
   }
 
-  /// The picks of a part in the columns of seeds that are another event.
   std::vector<PointId> MissesOf(PointId part) const
   {
     std::vector<PointId> misses;
@@ -184,8 +180,7 @@ private:
     this->Seeds.erase(std::remove_if(this->Seeds.begin(), this->Seeds.end(), isStray), this->Seeds.end());
   }
 
-  /// Each column is one further away than the nearest of those around it: first of those before it, then of those
-  /// after.
+  /// Distances take two passes, over the columns before and after.
   void MeasureDistances()
   {
     const auto [columns, rows] = this->Picks.Columns;
@@ -206,7 +201,6 @@ private:
     }
   }
 
-  /// Those with most seeds first.
   std::vector<std::pair<std::int64_t, PointId>> PartsWithSeeds() const
   {
     std::vector<std::pair<std::int64_t, PointId>> parts;
@@ -221,7 +215,6 @@ private:
     return parts;
   }
 
-  /// Takes a part whose columns are free, or at the same event, but for that share of them.
   bool TakePart(PointId part, double largestConflict)
   {
     std::vector<PointId> members = this->MembersBesideMisses(part);
@@ -245,12 +238,12 @@ private:
     return true;
   }
 
-  /// The picks of a part; of one that passes seeds elsewhere, those that are nearer along it to picks of the surface.
+  /// If the part passes seeds elsewhere, picks nearer to these are left out.
   std::vector<PointId> MembersBesideMisses(PointId part) const
   {
     std::vector<PointId> members;
     const std::vector<PointId> misses = this->MissesOf(part);
-    std::map<PointId, bool> isNear; // ... to the surface, of the members reached
+    std::map<PointId, bool> isNear; // to the surface
     std::vector<PointId> front;
     this->ForEachMember(part,
       [&](PointId member)
@@ -272,7 +265,7 @@ private:
       front.push_back(miss);
       isNear[miss] = false;
     }
-    for (std::size_t n = 0; n < front.size(); ++n) // all that are one step away first, and so on
+    for (std::size_t n = 0; n < front.size(); ++n) // breadth first
     {
       const bool near = isNear[front[n]];
       this->ForEachNeighbour(this->Joining.Columns[front[n]],
@@ -354,7 +347,7 @@ private:
     }
   }
 
-  /// Takes the parts that growth runs along, those with most columns in common first. Gives whether there was any.
+  /// Returns whether any part was taken.
   bool TakeGrownParts()
   {
     std::map<PointId, Votes> votes;
@@ -408,8 +401,8 @@ private:
   const ReflectionPicks& Picks;
   std::vector<GuideSeed> Seeds;
   std::vector<PointId> Found; // by column: seeds and parts
-  std::vector<PointId> Grown; // the same for what the surface grew to last
-  std::vector<int> Distances; // of columns from seeds
+  std::vector<PointId> Grown;
+  std::vector<int> Distances;
 };
 
 //----------------------------------------------------------------------------------------------------------------------

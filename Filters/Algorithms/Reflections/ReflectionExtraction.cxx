@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. The picks of all traces, by sign (ReflectionFinder.h). Positive and negative reflections have nothing to do with
-//    each other: each sign is worked on by itself.
-// 2. Picks are joined to surfaces, which are numbers of picks (SurfaceJoining.h). Best first does it twice: by links of
-//    long waveforms, and then, for what is small or narrow, by links of short ones.
-// 3. Guides take what they ask for (GuidedJoining.h).
-// 4. The first surfaces are written as voxels. Only now, the traces are read once more: thicknesses and amplitudes of
-//    the picks that come out are found again, as keeping those of all would take more memory than the picks themselves.
+// 1. Picks are found by sign (ReflectionFinder.h), and signs are processed independently.
+// 2. Picks are joined to surfaces (SurfaceJoining.h): best first twice, with long waveforms, then with short waveforms
+// for small and narrow gaps.
+// 3. Guides take their picks (GuidedJoining.h).
+// 4. The first surfaces are written. Traces are read again, as keeping thicknesses and amplitudes of all picks would
+// take more memory.
 
 #include "ReflectionExtraction.h"
 
@@ -31,26 +30,25 @@ namespace
 {
 // ---- Joining -------------------------------------------------------------------------------------------------------
 
-// Widths of waveforms to each side, in dominant periods. Long ones tell layers apart; short ones fill gaps where only
-// one layer is left to choose from.
+// Half widths are in dominant periods. Long waveforms distinguish layers; short waveforms fill gaps where only one
+// layer is left.
 constexpr double LongWaveform = 3.5;
 constexpr double ShortWaveform = 1.0;
 
-// Parts that are filled in by links of short waveforms: of fewer picks, or no wider than that, as strips along faults
-// are, where long waveforms reach over the fault.
+// Short waveforms join parts of fewer picks, and narrow strips, as along faults, where long waveforms reach across.
 constexpr PointId LargestFilled = 100;
 constexpr double LargestFilledWidth = 6.0;
 
-// What the correlation of these links is at least: a part of their median, no more than a fixed one.
+// Short waveforms need this fraction of their median correlation, at most the limit.
 constexpr double FillPart = 0.8;
 constexpr double LargestFillCorrelation = 0.7;
 
-// What the mean waveforms of wider parts correlate at least, by the long waveforms: a part of their median, no less
-// than a fixed one. Means of noisy waveforms are alike even where they themselves are not.
+// Wider parts need this fraction of the median of long waveforms, at least the limit. Means of noisy waveforms are
+// alike even if the waveforms are not.
 constexpr double WidePart = 0.95;
 constexpr double SmallestWideCorrelation = 0.9;
 
-// The largest step that is chosen: a part of the dominant period, and at least so many samples.
+// The step is in dominant periods, and at least this number of samples.
 constexpr double StepPerPeriod = 0.3;
 constexpr double LeastStep = 2.0;
 
@@ -73,7 +71,6 @@ public:
 
   Depth LargestStep() const { return this->Link.LargestStep; }
 
-  /// Gives the surface of each pick, and the median correlation of its links.
   RawVector<PointId> Join(const ReflectionPicks& picks, double& medianCorrelation, const Monitor& monitor)
   {
     if (this->Options.Joining == SurfaceJoining::Components)
@@ -119,8 +116,7 @@ private:
 
 // ---- Which surfaces come out ---------------------------------------------------------------------------------------
 
-// Surfaces of fewer picks are left out where no number is given: a part of the traces, as lines have few, from a least
-// one to what is enough of any cube.
+// The smallest size is a fraction of the traces within limits, as lines have few.
 constexpr std::int64_t TracesPerSmallest = 20;
 constexpr std::int64_t LeastSize = 10;
 constexpr std::int64_t LargestLeastSize = 100;
@@ -133,8 +129,7 @@ struct SurfaceSize
   double Strength = 0.0;
 };
 
-/// Appends the surfaces of at least that many columns, in the order of their first picks. A column with several picks
-/// counts by the strongest.
+/// Columns count their strongest pick.
 void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces, int sign, std::int64_t smallestSize,
   std::vector<SurfaceSize>& sizes)
 {
@@ -143,7 +138,7 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
     PointId Columns = 0;
     std::int32_t LastColumn = -1;
     double Strength = 0.0;
-    double LastStrength = 0.0; // of the last column
+    double LastStrength = 0.0;
   };
   std::vector<Extent> extents(surfaces.size());
   picks.ForEach(
@@ -168,12 +163,11 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
     if (surface != NoPoint && extents[surface].Columns >= smallestSize)
     {
       sizes.push_back({ sign, surface, extents[surface].Columns, extents[surface].Strength });
-      extents[surface].Columns = 0; // it is listed
+      extents[surface].Columns = 0; // listed
     }
   }
 }
 
-/// Brings the surfaces into their order, and leaves the first ones.
 void TakeFirst(const ExtractionOptions& options, std::vector<SurfaceSize>& sizes)
 {
   std::stable_sort(sizes.begin(), sizes.end(),
@@ -182,8 +176,6 @@ void TakeFirst(const ExtractionOptions& options, std::vector<SurfaceSize>& sizes
   sizes.resize(std::min(options.LargestNumber, std::int64_t(sizes.size())));
 }
 
-/// Gives each pick the position of its surface among those that are taken, which are the ones from `first` on; or
-/// NoPoint.
 void Renumber(const std::vector<SurfaceSize>& sizes, int sign, PointId first, RawVector<PointId>& surfaces)
 {
   std::vector<PointId> positions(surfaces.size(), NoPoint);
@@ -202,7 +194,6 @@ void Renumber(const std::vector<SurfaceSize>& sizes, int sign, PointId first, Ra
 
 // ---- Guides --------------------------------------------------------------------------------------------------------
 
-/// The surfaces that guides ask for.
 class GuidedExtraction
 {
 public:
@@ -227,7 +218,6 @@ public:
     }
   }
 
-  /// Finds those of a sign. What they take is no longer part of the surfaces.
   void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, RawVector<PointId>& surfaces,
     Depth largestStep, const Monitor& monitor)
   {
@@ -256,7 +246,6 @@ public:
     this->ClaimPicks(picks, sign, surfaces);
   }
 
-  /// Gives the picks of guided surfaces the numbers of their guides.
   void Number(std::array<RawVector<PointId>, 2>& positions) const
   {
     for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
@@ -270,7 +259,6 @@ public:
 
   std::size_t SizeOf(std::size_t guide) const { return this->Surfaces[guide].Picks.size(); }
 
-  /// Tells of each pick how it came, and how far it is from the guide.
   void AddAttributes() const
   {
     for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
@@ -289,13 +277,12 @@ public:
   }
 
 private:
-  // What the waveforms of picks that grow reach to each side, in dominant periods: short ones, to get through where
-  // layers thin out.
+  // Half widths of growth, in dominant periods, are short, to pass where layers thin out.
   static constexpr double GrowthWaveform = 1.5;
   static constexpr double TolerancePerPeriod = 0.2;
   static constexpr double LeastTolerance = 1.5;
 
-  /// How good the reason is by which a guide has a pick.
+  /// The least claim is best.
   struct Claim
   {
     PickOrigin Origin = PickOrigin::Growth;
@@ -308,8 +295,7 @@ private:
     }
   };
 
-  /// Of the guides that took a pick, it belongs to the one that means it; else to one that has its part, and that is
-  /// the nearest.
+  /// A shared pick belongs to the guide that means it, or the nearest that has its part.
   void ClaimPicks(const ReflectionPicks& picks, int sign, RawVector<PointId>& surfaces)
   {
     const std::size_t none = this->Surfaces.size();
@@ -360,14 +346,13 @@ private:
 
   const GuidanceOptions& Options;
   const double Period;
-  std::vector<GuideSeeds> Seeds; // of each guide
+  std::vector<GuideSeeds> Seeds;
   std::vector<GuidedSurface> Surfaces;
   Extraction& Result;
 };
 
 // ---- Writing -------------------------------------------------------------------------------------------------------
 
-/// A pick of a surface that is taken.
 struct Taken
 {
   int I = 0;
@@ -387,7 +372,7 @@ public:
   {
   }
 
-  /// Rows are read by all threads, some at a time, and written one after the other.
+  /// Threads read blocks of rows; one thread writes.
   void Write(std::vector<LatticeHorizon>& horizons, const Monitor& monitor) const
   {
     constexpr int rowsAtATime = 32;
@@ -441,7 +426,7 @@ private:
             }
           }
         }
-        assert(next[0] == picks[0].End(column) && next[1] == picks[1].End(column)); // the same as before
+        assert(next[0] == picks[0].End(column) && next[1] == picks[1].End(column));
       });
   }
 
@@ -500,7 +485,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   ReflectionOptions reflectionOptions = options.Reflections;
   if (!guides.empty())
   {
-    reflectionOptions.AmplitudePercentile = 0.0; // an interpreter sees where a weak reflection goes on
+    reflectionOptions.AmplitudePercentile = 0.0; // interpreters follow weak reflections
   }
   CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.3), limits);
   Extraction result;

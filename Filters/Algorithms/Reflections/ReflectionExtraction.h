@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a seismic cube to horizons: the reflections on each trace, the strong ones of them, one pick for each, and picks
-// of neighbouring traces joined to surfaces (thesis, 2.2.1, after Verney 2009).
+// Extracts horizons from a seismic cube: reflections of each trace, strong picks, and surfaces of picks (thesis, 2.2.1,
+// after Verney 2009).
 
 #ifndef SeismicHorizonsReflectionExtraction_h
 #define SeismicHorizonsReflectionExtraction_h
@@ -20,78 +20,70 @@
 
 namespace SeismicHorizons
 {
-/// How picks become surfaces.
 enum class SurfaceJoining
 {
-  BestFirst, // the best links first, where parts fit (BestFirstJoining.h)
-  Continuous, // each surface as far as links lead (ContinuousJoining.h)
-  Components // whatever touches, as in the thesis; of several picks in a column the strongest stays
+  BestFirst, // best links first, if parts fit
+  Continuous, // as far as links lead
+  Components // all that touch, as in the thesis; one pick per column stays
 };
 
-/// Which surfaces come first.
 enum class SurfaceOrder
 {
-  Strength, // those of the largest sum of cubed strengths: by squares, more side lobes are among the first
-  Size // those of most columns
+  Strength, // sum of cubes; squares would rank side lobes higher
+  Size
 };
 
 struct ExtractionOptions
 {
-  /// By how much the phase of the wavelet is turned before anything else, in degrees: -180 to 180.
+  /// The wavelet is rotated by -180 to 180 degrees.
   double PhaseRotation = 0.0;
   ReflectionOptions Reflections;
   SurfaceJoining Joining = SurfaceJoining::BestFirst;
   ColumnConnectivity Connectivity = ColumnConnectivity::Four;
-  /// From a pick to the next one of its surface, in samples: at least 0. 0: 0.3 of the dominant period, at least 2.
+  /// The step is in samples; 0 chooses 0.3 dominant periods, at least 2.
   double LargestStep = 0.0;
-  /// Of two linked picks, as a part of the median over all links: 0 to 1. Components do not look at it.
+  /// Links need this fraction of the median, 0 to 1, except for Components.
   double SmallestCorrelation = 0.85;
-  /// Of two parts that are joined (BestFirst): 0 to 1.
+  /// Parts need this share of linked pairs, 0 to 1.
   double SmallestContact = 0.5;
-  std::int64_t SmallestSize = 0; // of a surface, in picks: at least 0; 0: a twentieth of the traces, 10 to 100
-  std::int64_t LargestNumber = 100; // of surfaces, at least 1: the first ones
+  std::int64_t SmallestSize = 0; // picks; 0 chooses a twentieth of the traces, 10 to 100
+  std::int64_t LargestNumber = 100;
   SurfaceOrder Order = SurfaceOrder::Strength;
   GuidanceOptions Guidance;
 };
 
-/// What became of the picks of a guide.
 struct GuideUse
 {
-  bool IsNegative = false; // the sign of the reflections that it means
-  std::int64_t OtherSign = 0; // picks that mean a reflection of the other sign, better than one of this
-  std::vector<std::size_t> Unused; // numbers of picks without a reflection of the sign in tolerance
-  std::vector<std::size_t> Strays; // numbers of picks that the others contradict
-  std::int64_t Shared = 0; // picks of the surface that belong rather to another guide
-  std::size_t SharedWith = 0; // the first one of these
+  bool IsNegative = false; // sign of the reflections
+  std::int64_t OtherSign = 0; // picks that mean the other sign
+  std::vector<std::size_t> Unused; // picks without a reflection in tolerance
+  std::vector<std::size_t> Strays; // picks that contradict others
+  std::int64_t Shared = 0; // picks left to other guides
+  std::size_t SharedWith = 0; // first of these guides
 };
 
 struct Extraction
 {
-  /// Those of guides in their order. Then the others in the order asked for; of equal ones the positive, then that of
-  /// the first column. Voxels are by ascending j and then i. RealZ is the place of the pick in samples, and the
-  /// vertical index the sample nearest to it. Those of guides have the attributes Origin (PickOrigin) and
-  /// GuideDistance, to the nearest column with a pick of the guide, in columns.
+  /// Surfaces of guides come first. RealZ is the fractional sample of a pick. Guided surfaces have attributes Origin
+  /// (PickOrigin) and GuideDistance (columns).
   std::vector<LatticeHorizon> Surfaces;
   std::vector<GuideUse> Guides;
 
-  std::int64_t Samples = 0; // that are not missing
-  std::int64_t Picks = 0; // that reach the threshold
+  std::int64_t Samples = 0; // not missing
+  std::int64_t Picks = 0; // above the threshold
   float Threshold = 0.0F; // of absolute amplitude
-  double Period = 0.0; // the dominant one, in samples (ReflectionFinder.h)
-  WaveletPhase Phase; // after the rotation
+  double Period = 0.0; // in samples
+  WaveletPhase Phase; // after rotation
   double LargestStep = 0.0; // in samples
-  double MedianCorrelation = 0.0; // of links, before those of less than the smallest correlation are dropped
-  std::int64_t SmallestSize = 0; // of a surface, as given or chosen
-  std::int64_t NumberOfSurfaces = 0; // of that size or more
+  double MedianCorrelation = 0.0; // of all links, before any is dropped
+  std::int64_t SmallestSize = 0;
+  std::int64_t NumberOfSurfaces = 0;
 };
 
-/// Throws InputError when an option is out of range, those of the reflections included.
 void CheckOptions(const ExtractionOptions& options);
 
-/// With guides, reflections of all percentiles count; with limits, those within these. Gives the same on any number of
-/// threads, and in any order of the picks of a guide. Throws InputError on options out of range, when FindReflections
-/// does, and on guides without picks, with some outside of the cube, with none near a reflection, or with two of them
-/// that contradict each other in a column. Takes about 30 bytes per pick beside the result, and 90 with guides.
+/// With guides, all percentiles count. Throws InputError on options out of range, and on guides that do not fit
+/// (GuideSeeds.h). Takes about 30 bytes per pick beside the result, 90 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
   const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits());
 }

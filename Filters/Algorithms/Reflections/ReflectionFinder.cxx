@@ -1,16 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From traces to picks (thesis, 2.2.1), in three passes, each by all threads, row by row:
+// Finds picks (thesis, 2.2.1) in three passes: the threshold of samples, if Middle and a percentile; reflections, weak
+// or strong; the threshold of strengths, and the picks above it.
 //
-// 1. With the middle and a percentile, the threshold: it decides which samples belong to a run.
-// 2. The runs of each trace, and the reflections on them, weak ones included: a list for each row.
-// 3. The threshold of strengths, if it is a percentile. The reflections that reach it are the picks: counted by sign
-//    and column, which gives the dominant period too, and written to where they belong.
-//
-// Percentiles are exact, and take no copy of the numbers. As bits, positive floating point numbers have the order of
-// their values: all are counted by their upper 16 bits, and then those whose upper bits are the wanted ones by their
-// lower 16. So numbers are read twice.
+// Percentiles are exact without a copy: bits of positive floats sort like their values, so numbers are counted by their
+// upper 16 bits, and then, in the bin found, by their lower 16.
 
 #include "ReflectionFinder.h"
 
@@ -32,7 +27,7 @@ namespace
 {
 // ---- A trace -------------------------------------------------------------------------------------------------------
 
-/// The samples from First to before End have one sign.
+/// Samples from First to before End have one sign.
 struct Run
 {
   int First = 0;
@@ -77,7 +72,7 @@ public:
   }
 
 private:
-  /// Adds the picks of the run that begins at a sample, and gives its end.
+  /// Returns the end of the run.
   int Take(int first, float sign)
   {
     Run run{ first, first, sign, 0.0F };
@@ -126,10 +121,10 @@ private:
     this->Add(run, (run.First + run.End - 1) * (DepthsPerSample / 2), this->LargestOf(run));
   }
 
-  /// Where the run before it, of the other sign, becomes this one.
+  /// The run before must have the other sign.
   void AddCrossing(const Run& run)
   {
-    const int last = this->Before.End - 1; // sample of the run before
+    const int last = this->Before.End - 1;
     const int between = run.First - this->Before.End;
     const bool isBeside = between == 0 || (between == 1 && this->Trace[this->Before.End] == 0.0F);
     if (this->Before.Size() == 0 || this->Before.Sign == run.Sign || !isBeside)
@@ -144,7 +139,7 @@ private:
     this->Found.push_back({ place, (this->Before.Size() + run.Size() + 1) / 2, run.Sign * strength, strength });
   }
 
-  /// A pick for each sample, or row of equal ones, that is larger than those before and behind it in the run.
+  /// Equal samples in a row count as one peak.
   void AddPeaks(const Run& run)
   {
     bool isRising = true;
@@ -167,7 +162,7 @@ private:
     }
   }
 
-  /// How far the vertex of the parabola through three samples is from the middle one, which is the largest.
+  /// The middle sample must be the largest of three.
   Depth VertexOffset(int sample) const
   {
     if (sample == 0 || sample + 1 == this->Samples)
@@ -182,7 +177,7 @@ private:
     {
       return 0;
     }
-    // Whatever rounding does, the sample stays the nearest one.
+    // Despite rounding, the sample stays the nearest.
     constexpr double half = DepthsPerSample / 2;
     return Depth(std::clamp(std::floor(offset + 0.5), -half, half - 1.0));
   }
@@ -191,13 +186,13 @@ private:
   const int Samples;
   const ReflectionRules& Rules;
   const float Least;
-  Run Before; // the last run so far
+  Run Before;
   std::vector<Reflection>& Found;
 };
 
 // ---- Percentiles ---------------------------------------------------------------------------------------------------
 
-/// Counts numbers that are at least 0 by their upper bits, or those with given upper bits by their lower ones.
+/// Counts by upper bits, or by lower bits among given upper bits.
 class MagnitudeCounts
 {
 public:
@@ -229,8 +224,7 @@ public:
 
   std::int64_t Total() const { return std::accumulate(this->Counts.begin(), this->Counts.end(), std::int64_t(0)); }
 
-  /// The bits of the number that has `rank` smaller ones before it; `rank` becomes its rank among those of the same
-  /// bits.
+  /// Returns the bits of the number with `rank` smaller numbers; `rank` becomes its rank among equal bits.
   std::uint32_t Find(std::int64_t& rank) const
   {
     assert(rank >= 0 && rank < this->Total());
@@ -248,8 +242,8 @@ private:
   std::vector<std::int64_t> Counts = std::vector<std::int64_t>(1 << 16, 0);
 };
 
-/// The smallest of some numbers that are at least 0 for which at least `percentile` percent of them are smaller, or the
-/// largest; 0 where there are none. `count(counts)` adds all of them to the counts; it is called twice.
+/// Returns the least number with at least `percentile` percent of smaller numbers, or the largest; 0 if there are none.
+/// count(counts) is called twice.
 template <typename Count>
 float SelectPercentile(double percentile, Count&& count)
 {
@@ -272,21 +266,20 @@ float SelectPercentile(double percentile, Count&& count)
 
 // ---- The cube ------------------------------------------------------------------------------------------------------
 
-// Of one sign: links between them are counted by 32 bits.
+// Links between picks of one sign have 32 bits.
 constexpr std::int64_t MostPicks = std::int64_t(1) << 30;
 
-/// What is known of a reflection until the threshold is.
 struct Found
 {
   Depth Place = 0;
   std::int32_t Thickness = 0;
-  float Strength = 0.0F; // with the sign of the reflection
+  float Strength = 0.0F; // with sign
 };
 
 struct RowReflections
 {
   RawVector<Found> All;
-  std::vector<std::int32_t> Ends; // of each column in that list
+  std::vector<std::int32_t> Ends;
   std::int64_t Samples = 0;
 };
 
@@ -326,7 +319,7 @@ void AddEnergy(const Found& found, std::vector<double>& energies)
   energies[found.Thickness] += double(found.Strength) * double(found.Strength);
 }
 
-/// Half of the energy is in runs of at most half the period.
+/// Half of the energy lies in runs up to half the period.
 double FindPeriod(const std::vector<double>& energies)
 {
   const double half = 0.5 * std::accumulate(energies.begin(), energies.end(), 0.0);
@@ -360,7 +353,7 @@ public:
     for (ReflectionPicks& picks : result.BySign)
     {
       picks.Columns = { this->Cube.Size[0], this->Cube.Size[1] };
-      // Now, as memory of the rows goes back to the system only where nothing lies behind it.
+      // Allocated here, as rows return their memory only if nothing lies behind it.
       picks.Starts.assign(std::size_t(picks.Columns[0]) * std::size_t(picks.Columns[1]) + 1, 0);
     }
     const bool isMiddle = this->Options.Position == ReflectionPosition::Middle;
@@ -396,14 +389,12 @@ public:
   }
 
 private:
-  /// Rows that a thread takes at a time: enough samples to be worth it.
   std::int64_t Grain() const
   {
     constexpr std::int64_t samples = 1 << 18;
     return std::max<std::int64_t>(1, samples / (std::int64_t(this->Cube.Size[0]) * this->Cube.Size[2]));
   }
 
-  /// Calls work(j, block) for all rows, on all threads; `block` is memory for traces.
   template <typename Work>
   void ForEachRow(const Monitor& monitor, Work&& work) const
   {
@@ -495,7 +486,6 @@ private:
       });
   }
 
-  /// Finds where the picks of one sign that reach the threshold begin, and adds their energies by thickness.
   void CountPicks(ReflectionPicks& picks, bool isNegative, float threshold, std::vector<double>& energies) const
   {
     std::int64_t total = 0;
@@ -528,7 +518,6 @@ private:
     picks.Strengths.resize(total);
   }
 
-  /// Puts the picks of both signs together, and frees the rows.
   void Gather(CubeReflections& result)
   {
     ParallelFor(std::int64_t(this->Rows.size()), this->Grain(),

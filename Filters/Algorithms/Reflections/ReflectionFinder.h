@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The strong reflections of a seismic cube (thesis, 2.2.1). A reflection is a run of samples of one sign on a trace;
-// its pick is the one place on it that stands for it. Or it is where one run ends and one of the other sign begins: a
-// zero crossing, positive where amplitudes become so.
+// Finds strong reflections of a seismic cube (thesis, 2.2.1). A reflection is a run of samples of one sign, with a pick
+// at its middle or peak, or a zero crossing between two runs, positive where amplitudes become so.
 
 #ifndef SeismicHorizonsReflectionFinder_h
 #define SeismicHorizonsReflectionFinder_h
@@ -22,16 +21,14 @@
 
 namespace SeismicHorizons
 {
-/// A place on a trace as an integer, so that steps between places are exact.
+/// Places on a trace are integers, so that steps are exact.
 using Depth = std::int32_t;
 
-/// How many of them a sample has.
 constexpr Depth DepthsPerSample = 8192;
 
-/// The most samples of a trace.
 constexpr int MostSamples = (1 << 18) - 1;
 
-/// Places are positive: rounding is that of (x + 1/2), cut off.
+/// Places are positive, so this rounds half up.
 inline int NearestSample(Depth place)
 {
   return (place + DepthsPerSample / 2) / DepthsPerSample;
@@ -42,7 +39,6 @@ inline double InSamples(Depth place)
   return double(place) / DepthsPerSample;
 }
 
-/// Which runs are taken.
 enum class ReflectionPolarity
 {
   Both,
@@ -50,59 +46,53 @@ enum class ReflectionPolarity
   Negative
 };
 
-/// Where the pick of a run is.
 enum class ReflectionPosition
 {
-  Middle, // of its samples at or above the threshold, as in the thesis
-  Peak, // at each local maximum of the absolute amplitude, to parts of a sample
-  ZeroCrossing // between a run and the next one, of the other sign, on the line through their samples
+  Middle, // of samples at or above the threshold, as in the thesis
+  Peak, // at each local maximum of the absolute amplitude, interpolated
+  ZeroCrossing // interpolated between two runs
 };
 
 struct Reflection
 {
   Depth Place = 0;
-  std::int32_t Thickness = 0; // of the run, in samples; the mean of both beside a zero crossing
-  float Amplitude = 0.0F; // the mean over the run; half the difference of both peaks beside a zero crossing
-  /// The absolute amplitude at the peak; in the middle, the largest one of the run; at a zero crossing, that above.
+  std::int32_t Thickness = 0; // of the run, in samples; the mean of both at a zero crossing
+  float Amplitude = 0.0F; // mean of the run; half the difference of both peaks at a zero crossing
+  /// At a peak this is its absolute amplitude, for Middle the largest of the run, at a zero crossing the absolute
+  /// Amplitude.
   float Strength = 0.0F;
 };
 
-/// How the reflections of a trace are found.
 struct ReflectionRules
 {
   ReflectionPolarity Polarity = ReflectionPolarity::Both;
   ReflectionPosition Position = ReflectionPosition::Peak;
-  /// With the middle: samples of smaller absolute amplitude belong to no run.
+  /// Middle ends runs below this absolute amplitude.
   float SampleThreshold = 0.0F;
 };
 
-/// Appends the reflections of a trace, downwards. Samples that are 0, missing (nan) or below the threshold end a run. A
-/// peak of several equal samples is in their middle; one at an end of the trace, or beside a missing sample, is at its
-/// sample; any other at the vertex of the parabola through its sample and the two beside it. Runs with more than one
-/// sample of 0 between them do not cross zero.
+/// Runs end at samples that are 0, NaN or below the threshold. Equal samples peak in their middle, samples beside an
+/// end or a gap at themselves, others at the vertex of a parabola. One sample of 0 may lie on a zero crossing.
 void FindReflections(const float* trace, int samples, const ReflectionRules& rules, std::vector<Reflection>& found);
 
-/// Between which places on each trace reflections count.
 struct TraceLimits
 {
   bool AreNone() const { return this->First.empty(); }
-  /// Whether a place on a trace does: never where a limit is nan.
+  /// Returns false if a limit is NaN.
   bool Contain(std::int64_t column, Depth place) const
   {
     return this->AreNone() || (this->First[column] <= InSamples(place) && InSamples(place) <= this->Last[column]);
   }
 
-  /// In samples, column by column, i fastest; none for whole traces.
+  /// Limits are in samples, by column, i fastest; empty limits mean whole traces.
   std::vector<double> First;
   std::vector<double> Last;
 };
 
-/// Leaves out those of the reflections from a number on, all of one trace, that are beyond its limits.
 void LeaveOutBeyond(
   const TraceLimits& limits, std::int64_t column, std::size_t first, std::vector<Reflection>& reflections);
 
-/// A strength, which has no sign, by the upper half of its bits: they sort as strengths do, and tell them apart by less
-/// than a hundredth.
+/// The upper half of the bits sorts like strengths, to less than a hundredth.
 inline std::uint16_t CoarseStrength(float strength)
 {
   std::uint32_t bits = 0;
@@ -118,12 +108,11 @@ inline float StrengthOf(std::uint16_t coarse)
   return strength;
 }
 
-/// The reflections of one sign, column by column, i fastest, and downwards in each: what it takes to join them. The
-/// rest is found once more for those that come out.
+/// Picks are in order of columns, i fastest, then downwards. Other values are found again for the picks that come out.
 struct ReflectionPicks
 {
   std::array<int, 2> Columns = { 0, 0 };
-  /// Where the picks of each column begin; one more entry for the end of the last.
+  /// An additional entry ends the last column.
   std::vector<PointId> Starts;
   RawVector<Depth> Places;
   RawVector<std::uint16_t> Strengths; // coarse
@@ -138,7 +127,6 @@ struct ReflectionPicks
   Depth PlaceOf(PointId pick) const { return this->Places[pick]; }
   std::uint16_t CoarseStrengthOf(PointId pick) const { return this->Strengths[pick]; }
 
-  /// Calls visit(pick, column) for all picks in their order.
   template <typename Visit>
   void ForEach(Visit&& visit) const
   {
@@ -151,7 +139,6 @@ struct ReflectionPicks
     }
   }
 
-  /// Calls visit(a, b) for the pairs of picks of two columns that are at most a step apart.
   template <typename Visit>
   void ForEachPair(std::int64_t columnA, std::int64_t columnB, Depth largestStep, Visit&& visit) const
   {
@@ -177,7 +164,6 @@ struct ReflectionPicks
     return std::int32_t(std::upper_bound(this->Starts.begin(), this->Starts.end(), pick) - this->Starts.begin()) - 1;
   }
 
-  /// The same for all picks.
   RawVector<std::int32_t> ListColumns() const
   {
     RawVector<std::int32_t> columns(this->Places.size());
@@ -185,7 +171,7 @@ struct ReflectionPicks
     return columns;
   }
 
-  /// Leaves where the picks of each column begin.
+  /// Starts remain.
   void FreePicks()
   {
     this->Places = {};
@@ -193,11 +179,10 @@ struct ReflectionPicks
   }
 };
 
-/// What the threshold of amplitudes is.
 enum class ThresholdKind
 {
   Amplitude,
-  Percentile // of the strengths of all picks of the polarity; with the middle, of all samples of it
+  Percentile // of strengths of the polarity; for Middle, of its samples
 };
 
 struct ReflectionOptions
@@ -209,22 +194,20 @@ struct ReflectionOptions
   double AmplitudePercentile = 25.0; // 0 to 100
 };
 
-/// Throws InputError when an option is out of range.
 void CheckOptions(const ReflectionOptions& options);
 
 struct CubeReflections
 {
   std::array<ReflectionPicks, 2> BySign; // positive, negative
-  std::int64_t Samples = 0; // that are not missing
-  float Threshold = 0.0F; // the absolute amplitude that picks have at least
-  /// The dominant period in samples: twice the median thickness of the runs of all picks, each as important as its
-  /// energy, the square of its strength; between whole numbers by how much is as thick. Where there is no noise, the
-  /// tails of wavelets are long runs of next to nothing. 0 without picks.
+  std::int64_t Samples = 0; // not missing
+  float Threshold = 0.0F; // absolute amplitude
+  /// The dominant period, in samples, is twice the median thickness of runs, weighted by energy, as tails of wavelets
+  /// without noise are long, weak runs; 0 without picks.
   double Period = 0.0;
 
-  ReflectionRules Rules; // by which they were found on each trace
+  ReflectionRules Rules;
 
-  /// Which of the signs a reflection belongs to: 0 or 1; -1 when it does not reach the threshold.
+  /// Returns 0 or 1, or -1 below the threshold.
   int SignOf(const Reflection& reflection) const
   {
     return reflection.Strength < this->Threshold ? -1 : int(std::signbit(reflection.Amplitude));
@@ -233,9 +216,8 @@ struct CubeReflections
   std::int64_t CountPicks() const { return std::int64_t(this->BySign[0].Size()) + this->BySign[1].Size(); }
 };
 
-/// Rows are worked on by all threads. Throws InputError on options out of range, on a cube with a side below 1 or of
-/// too many columns, samples or picks, and on one without a sample that is not missing. Takes 6 bytes per pick,
-/// and 12 more per reflection, weak ones included, until they are told apart.
+/// Throws InputError on options out of range, and on cubes that are empty, too large or without a sample. Takes 6 bytes
+/// per pick, and at first 12 more per reflection.
 CubeReflections FindReflections(const TraceCube& cube, const ReflectionOptions& options = ReflectionOptions(),
   const Monitor& monitor = Monitor(), const TraceLimits& limits = TraceLimits());
 }

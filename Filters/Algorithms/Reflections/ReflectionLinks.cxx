@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether picks look alike is the correlation of their waveforms: of the traces around them, each cut out at its pick,
-// to parts of a sample (cubic convolution; Keys 1981), and scaled to the same energy. It is a sum of products of whole
-// numbers, which are the same in any order, and which compilers multiply eight at a time.
+// Likeness is the correlation of waveforms, cut out of traces around picks by cubic convolution (Keys 1981), and scaled
+// to equal energy. Sums of products of integers do not depend on the order, and vectorize.
 //
-// Contacts: waveforms of both sides are added up as the whole numbers they are, and the sums correlated.
+// Contacts correlate sums of waveforms.
 //
-// Links: of the picks of two neighbouring columns, those are linked of which each is the best the other has there. A
-// thread holds the waveforms of two rows at a time, those between which it makes links. Each link is written by the row
-// it begins in, to places of its own.
+// Picks of neighbouring columns are linked if each is the best of the other. Threads hold waveforms of two rows, and
+// write the links that begin in their rows.
 
 #include "ReflectionLinks.h"
 
@@ -30,17 +28,17 @@ namespace
 
 constexpr int Lanes = 8;
 
-// Zeros around a trace beyond the half width: samples that interpolation looks at.
+// Interpolation reads zeros beyond the half width.
 constexpr int Margin = 2;
 
-/// The weights of four samples for a place between the second and the third of them (cubic convolution; Keys 1981).
+/// The place lies between the second and third of four samples (cubic convolution; Keys 1981).
 std::array<float, 4> CubicWeights(float t)
 {
   const float s = 1.0F - t;
   return { -0.5F * t * s * s, 1.0F + t * t * (1.5F * t - 2.5F), 1.0F + s * s * (1.5F * s - 2.5F), -0.5F * s * t * t };
 }
 
-/// The sum of squares, added up in lanes, so that compilers may add several at a time.
+/// Lanes let compilers vectorize the sum.
 float Energy(const std::vector<float>& values)
 {
   std::array<float, Lanes> sums = {};
@@ -54,13 +52,12 @@ float Energy(const std::vector<float>& values)
   return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
 }
 
-/// Cuts waveforms out of a trace.
 class WaveformCutter
 {
 public:
   static constexpr std::int32_t Length = 32000; // of a waveform as a vector
 
-  /// `halfWidth`: how many samples a waveform has before and behind its pick.
+  /// `halfWidth` is in samples before and after the pick.
   explicit WaveformCutter(int halfWidth)
     : HalfWidth(halfWidth)
     , ValuesPerWaveform((2 * halfWidth + 1 + Lanes - 1) / Lanes * Lanes)
@@ -68,14 +65,14 @@ public:
   {
   }
 
-  /// How many values a waveform has in memory: a multiple of 8, the last ones are 0.
+  /// Values are padded by zeros to a multiple of 8.
   int Width() const { return this->ValuesPerWaveform; }
 
-  /// Samples that are missing, or beyond the ends of the trace, are 0.
+  /// Missing samples are 0.
   void SetTrace(const float* trace, int samples)
   {
     const int pad = this->HalfWidth + Margin;
-    // A waveform is cut out as wide as it lies in memory.
+    // The cut covers the padded width.
     const std::size_t size = samples + pad + Margin + this->ValuesPerWaveform;
     if (this->Padded.size() != size)
     {
@@ -88,7 +85,7 @@ public:
   void CutOut(Depth place, std::int16_t* waveform)
   {
     const auto weights = CubicWeights(float(place % DepthsPerSample) / float(DepthsPerSample));
-    // The first value is half a width before the place, and interpolated between the second and third sample from here.
+    // Values lie between the second and third sample from here.
     const int first = place / DepthsPerSample + Margin - 1;
     assert(std::size_t(first + this->ValuesPerWaveform + 3) <= this->Padded.size());
     const float* const samples = this->Padded.data() + first;
@@ -110,11 +107,10 @@ public:
 private:
   int HalfWidth;
   int ValuesPerWaveform;
-  std::vector<float> Padded; // a trace between zeros
+  std::vector<float> Padded; // between zeros
   std::vector<float> Shape;
 };
 
-/// The waveforms of the picks of a row.
 class RowWaveforms
 {
 public:
@@ -123,7 +119,6 @@ public:
   {
   }
 
-  /// Reads a row of the cube.
   void Load(const TraceCube& cube, const ReflectionPicks& picks, int j)
   {
     const std::int64_t firstColumn = picks.ColumnAt(0, j);
@@ -143,7 +138,7 @@ public:
       });
   }
 
-  /// The correlation of two picks, each of its row, from -1 to 1, times One.
+  /// Returns the correlation, -1 to 1, times One.
   static std::int32_t Correlate(const RowWaveforms& rowA, PointId a, const RowWaveforms& rowB, PointId b)
   {
     const std::int16_t* const first = rowA.WaveformOf(a);
@@ -167,7 +162,7 @@ private:
   }
 
   WaveformCutter Cutter;
-  PointId First = 0; // pick of the row
+  PointId First = 0; // of the row
   std::vector<std::int16_t> Values;
   std::vector<float> Block;
 };
@@ -228,8 +223,7 @@ private:
 
 constexpr double ScorePerSample = 0.05;
 
-// Of the strengths of two linked picks: the smaller one is at least that part of the other. Beside the end of a strong
-// reflection, as at a fault, there is noise or a weaker one.
+// A weaker pick below this ratio is noise, or another reflection, beside the end of a strong one, as at a fault.
 constexpr float SmallestStrengthRatio = 0.35F;
 
 double ScoreOf(double correlation, Depth step)
@@ -237,7 +231,6 @@ double ScoreOf(double correlation, Depth step)
   return correlation - ScorePerSample * InSamples(step);
 }
 
-/// The best partner of a pick so far.
 struct Best
 {
   PointId Pick = NoPoint;
@@ -254,7 +247,6 @@ void Consider(Best& best, PointId pick, double score, std::int32_t correlation)
 }
 }
 
-/// Makes the links that begin in some rows.
 class ReflectionLinks::RowLinker
 {
 public:
@@ -303,7 +295,6 @@ private:
     }
   }
 
-  /// Finds for each pick of two columns the best one of the other.
   void FindBest(std::int64_t columnA, std::int64_t columnB, const RowWaveforms& other)
   {
     const ReflectionPicks& picks = this->Links.Picks;
@@ -362,7 +353,7 @@ ReflectionLinks::ReflectionLinks(
   {
     correlations.resize(size);
   }
-  constexpr std::int64_t rows = 16; // one more is read for each that many
+  constexpr std::int64_t rows = 16; // per additional row that is read
   ParallelFor(picks.Columns[1], rows, monitor,
     [&](std::int64_t first, std::int64_t last) { RowLinker(*this, cube, options).Run(int(first), int(last)); });
 }
@@ -434,7 +425,7 @@ void ReflectionLinks::Drop(double smallestCorrelation)
 //----------------------------------------------------------------------------------------------------------------------
 std::int64_t ReflectionLinks::Rank(PointId pick, int direction) const
 {
-  constexpr double ranks = 1 << 16; // of 2e-5 each, from a score of 1 down to -0.31; what is below comes last
+  constexpr double ranks = 1 << 16; // 2e-5 per rank, from score 1 to -0.31; the rest is last
   constexpr double perRank = 2e-5;
   return std::int64_t(std::clamp((1.0 - this->Score(pick, direction)) / perRank, 0.0, ranks - 1.0));
 }

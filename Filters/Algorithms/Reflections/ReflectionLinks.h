@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Links between picks of neighbouring columns that look alike: pairs of which each is the best the other has there. And
-// how much alike two parts of surfaces look.
+// Links picks of neighbouring columns if each is the best match of the other, and compares parts of surfaces.
 
 #ifndef SeismicHorizonsReflectionLinks_h
 #define SeismicHorizonsReflectionLinks_h
@@ -20,48 +19,45 @@
 
 namespace SeismicHorizons
 {
-/// Which columns are neighbours: those beside each other along i and j, or the diagonal ones too.
+/// Eight includes diagonal neighbours.
 enum class ColumnConnectivity
 {
   Four = 4,
   Eight = 8
 };
 
-/// A step to a neighbouring column.
 struct ColumnStep
 {
   int I = 0;
   int J = 0;
 };
 
-/// The first two, or all of them, lead to half of the neighbours of a column; the opposite ones to the other half.
+/// The first two, or all, lead to half of the neighbours; their opposites to the rest.
 constexpr std::array<ColumnStep, 4> NeighbourSteps = { { { 1, 0 }, { 0, 1 }, { 1, 1 }, { -1, 1 } } };
 
 struct LinkOptions
 {
   ColumnConnectivity Connectivity = ColumnConnectivity::Four;
-  Depth LargestStep = 2 * DepthsPerSample; // from a pick to the one it is linked with
-  int HalfWidth = 25; // of the waveforms, in samples
+  Depth LargestStep = 2 * DepthsPerSample; // from pick to pick
+  int HalfWidth = 25; // of waveforms, in samples
 };
 
-/// A link from a pick along one of the steps.
 using LinkId = std::uint32_t;
 
 class ReflectionLinks
 {
 public:
-  /// Links the picks of a sign. Of several pairs as good, that of the upper picks is the best.
+  /// The upper picks win ties.
   ReflectionLinks(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options,
     const Monitor& monitor = Monitor());
 
   int Directions() const { return int(this->Correlations.size()); }
 
-  /// The pick that a pick is linked with along a step, or against it; NoPoint without one.
+  /// Both return NoPoint without a link.
   PointId Next(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction)]; }
   PointId Previous(PointId pick, int direction) const { return this->Partners[this->PlaceOf(pick, direction) + 1]; }
 
-  /// Calls visit(other, owner, direction) for the links of a pick, which lead to another from their owner on, along the
-  /// step: the pick itself, or the other.
+  /// Calls visit(other, owner, direction): links lead along the step from their owner, the pick or the other.
   template <typename Visit>
   void ForEachOf(PointId pick, Visit&& visit) const
   {
@@ -78,7 +74,6 @@ public:
     }
   }
 
-  /// Calls visit(pick, direction) for all links, in the order of their numbers.
   template <typename Visit>
   void ForEach(Visit&& visit) const
   {
@@ -94,13 +89,12 @@ public:
     }
   }
 
-  /// The correlation of a link, -1 to 1.
   double Correlation(PointId pick, int direction) const { return this->Rounded(pick, direction) / LargestRounded; }
 
-  /// What links are joined by, the best first: the correlation, less 0.05 for each sample of the step between them.
+  /// Links are joined by correlation less 0.05 per sample of their step.
   double Score(PointId pick, int direction) const;
 
-  /// The better the score, the lower; below 2^16. Scores are told apart by 2e-5.
+  /// Ranks fall with the score, in steps of 2e-5, and are below 2^16.
   std::int64_t Rank(PointId pick, int direction) const;
 
   LinkId MakeId(PointId pick, int direction) const
@@ -112,13 +106,12 @@ public:
   int DirectionOf(LinkId link) const { return int(link % LinkId(this->Directions())); }
 
   std::int64_t Size() const;
-  /// Of the correlations of all links; 0 without any.
+  /// Returns 0 without links.
   double MedianCorrelation() const;
-  /// Drops links of less correlation, and those of picks of which one is much stronger.
+  /// Drops links between very different strengths, too.
   void Drop(double smallestCorrelation);
 
 private:
-  // Correlations are kept in 16 bits.
   static constexpr double LargestRounded = 32767.0;
   std::int16_t Rounded(PointId pick, int direction) const { return this->Correlations[direction][pick]; }
 
@@ -132,15 +125,14 @@ private:
   class RowLinker;
 
   const ReflectionPicks& Picks;
-  RawVector<PointId> Partners; // by pick, then by direction: along the step, and against it
-  std::vector<RawVector<std::int16_t>> Correlations; // by direction, then by pick
+  RawVector<PointId> Partners; // by pick, then direction: along the step, and against it
+  std::vector<RawVector<std::int16_t>> Correlations; // by direction, then pick
 };
 
-/// How much alike two parts look along their contact, -1 to 1: the correlation of the mean waveform of the picks that
-/// the pairs come from with that of the picks they lead to. Noise cancels out in means.
+/// Correlates mean waveforms of both sides of a contact, in which noise cancels out, -1 to 1.
 using ContactCorrelation = std::function<double(std::vector<Edge> pairs)>;
 
-/// Of about 64 of the pairs, spread over all of them. For one thread.
+/// About 64 pairs, spread over all, are compared, on one thread.
 ContactCorrelation MakeContactCorrelation(const TraceCube& cube, const ReflectionPicks& picks, int halfWidth);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A seismic cube as the methods see it: they ask for some traces of a row at a time, whatever the order of samples in
-// memory and their type.
+// Methods read traces by rows, whatever the order and type of samples in memory.
 
 #ifndef SeismicHorizonsTraceCube_h
 #define SeismicHorizonsTraceCube_h
@@ -17,19 +16,17 @@
 
 namespace SeismicHorizons
 {
-/// How many traces of a row are best read at a time.
+/// This number of traces is best read at a time.
 constexpr int TracesPerBlock = 64;
 
 struct TraceCube
 {
-  /// Columns along i and j, and samples along k.
+  /// i, j and k
   std::array<int, 3> Size = { 0, 0, 0 };
-  /// Writes traces of row j, from column `first` on, one after the other. Samples that are missing are nan, and none is
-  /// infinite. Several threads may call it at a time.
+  /// Traces follow each other. Missing samples are NaN, and none is infinite. Threads may call it in parallel.
   std::function<void(int j, int first, int count, float* traces)> Read;
 };
 
-/// Calls work(i, trace) for each trace of a row.
 template <typename Work>
 void ForEachTrace(const TraceCube& cube, int j, std::vector<float>& block, Work&& work)
 {
@@ -46,13 +43,13 @@ void ForEachTrace(const TraceCube& cube, int j, std::vector<float>& block, Work&
   }
 }
 
-/// Samples in memory, by the strides from one to the next along i, j and k.
+/// Strides are from sample to sample along i, j and k.
 template <typename Sample>
 struct StridedSamples
 {
   const Sample* First = nullptr;
   std::array<std::ptrdiff_t, 3> Strides = { 1, 1, 1 };
-  /// Where not null, marks of the samples, in the same order: those with one of the bits of the mask are missing.
+  /// Samples are missing if their mark has a bit of the mask; null means no marks.
   const unsigned char* Marks = nullptr;
   unsigned char MissingMask = 0;
 
@@ -64,14 +61,12 @@ struct StridedSamples
   }
 };
 
-/// Writes `count` traces of `samples` samples each, the first of which begins at `start`. Where i runs fastest, the
-/// samples of a trace are far apart: squares of traces and samples are turned in a buffer, so that each line of the
-/// cache is read and written once.
+/// Where i runs fastest, samples of a trace are far apart, so squares are turned in a buffer that the cache holds.
 template <typename Sample>
 void TurnTraces(const StridedSamples<Sample>& cube, std::ptrdiff_t start, int count, int samples, float* traces)
 {
   constexpr int side = 16;
-  float square[side][side]; // by sample, then by trace
+  float square[side][side]; // by sample, then trace
   for (int trace = 0; trace < count; trace += side)
   {
     const int width = std::min(side, count - trace);
@@ -98,7 +93,7 @@ void TurnTraces(const StridedSamples<Sample>& cube, std::ptrdiff_t start, int co
   }
 }
 
-/// A cube of such samples, which have to outlive it.
+/// The samples must outlive the cube.
 template <typename Sample>
 TraceCube MakeTraceCube(const std::array<int, 3>& size, const StridedSamples<Sample>& samples)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A trace x is turned by an angle a to x cos a + h sin a, where h is its Hilbert transform: that of all frequencies by
-// 90 degrees. The fourth moments of x and h give those at any angle, so that no trace is turned to find the best one.
+// A turn by an angle a makes x cos a + h sin a of a trace x with Hilbert transform h. Fourth moments of x and h give
+// the kurtosis at any angle without turning traces.
 
 #include "WaveletPhase.h"
 
@@ -24,10 +24,10 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr std::int64_t MostTraces = 2000;
 
-// Of the kernel of the Hilbert transform, in samples to each side: waves of up to so many samples are turned.
+// The kernel reaches this number of samples to each side, which limits the wavelength.
 constexpr int Reach = 63;
 
-/// 2 / (pi n) at odd n, and nothing at even ones; less towards its ends, or there were ripples.
+/// The kernel is 2 / (pi n) at odd n, tapered against ripples.
 std::array<float, Reach + 1> MakeKernel()
 {
   std::array<float, Reach + 1> kernel = {};
@@ -39,11 +39,9 @@ std::array<float, Reach + 1> MakeKernel()
   return kernel;
 }
 
-/// Turns traces into their Hilbert transforms.
 class HilbertTransform
 {
 public:
-  /// The transform of a trace, and the trace with 0 for what is missing.
   void Run(const float* trace, int samples)
   {
     this->Padded.assign(std::size_t(samples + 2 * Reach), 0.0F);
@@ -73,7 +71,6 @@ private:
   std::vector<float> Turned;
 };
 
-/// Sums of products of x and h: x^2, xh, h^2; x^4, x^3 h, x^2 h^2, x h^3, h^4.
 struct Moments
 {
   std::array<double, 3> Second = { 0.0, 0.0, 0.0 };
@@ -97,7 +94,7 @@ struct Moments
     std::transform(this->Fourth.begin(), this->Fourth.end(), other.Fourth.begin(), this->Fourth.begin(), std::plus<>());
   }
 
-  /// Of the traces turned by an angle: the fourth moment by the square of the second.
+  /// Kurtosis is the fourth moment by the squared second.
   double Kurtosis(double angle) const
   {
     const double c = std::cos(angle);
@@ -111,7 +108,7 @@ struct Moments
 
 constexpr std::size_t Parts = 8;
 
-/// Of every so many traces, dealt out to the parts one after the other.
+/// Traces are dealt out to the parts in turn.
 std::array<Moments, Parts> SumMoments(const TraceCube& cube)
 {
   const std::int64_t traces = std::int64_t(cube.Size[0]) * cube.Size[1];
@@ -141,7 +138,7 @@ std::array<Moments, Parts> SumMoments(const TraceCube& cube)
   return sums;
 }
 
-/// The phase that is left 0 by the turn to the largest kurtosis.
+/// The phase is left 0 at the largest kurtosis.
 int FindPhase(const Moments& moments)
 {
   int phase = 0;
@@ -155,7 +152,7 @@ int FindPhase(const Moments& moments)
   return phase;
 }
 
-/// How far two phases are apart, which count by 180 degrees.
+/// Phases count by 180 degrees.
 int Difference(int a, int b)
 {
   const int difference = std::abs(a - b);
