@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Outlines are cut by the rows of the lattice. Where an edge has the surface to its right, a run of covered columns
-// begins with the first column that is not left of the edge, and where it has the surface to its left, the run ends with
-// the last column that is not right of it. Counted just above and just below each row, no edge along a row matters.
+// begins with the first column that is not left of the edge, and where it has the surface to its left, the run ends
+// with the last column that is not right of it. Counted just above and just below each row, no edge along a row
+// matters.
 
 #include "CoveredColumns.h"
 

@@ -10,8 +10,8 @@
 
 namespace SeismicHorizons
 {
-/// Throws InputError where a file that begins with these bytes has a well-known format that no reader reads: what it is,
-/// what was expected, and what to do. A few kilobytes are enough.
+/// Throws InputError where a file that begins with these bytes has a well-known format that no reader reads: what it
+/// is, what was expected, and what to do. A few kilobytes are enough.
 void RefuseOtherFormats(std::string_view beginning, std::string_view expected);
 }
 

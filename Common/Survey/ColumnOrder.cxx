@@ -17,7 +17,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The attribute that policies look at, or null.
 const std::vector<double>* FindAmplitude(const PickTable& picks)
 {
   const auto found = std::find_if(picks.Attributes.begin(), picks.Attributes.end(),
@@ -25,7 +24,6 @@ const std::vector<double>* FindAmplitude(const PickTable& picks)
   return found == picks.Attributes.end() ? nullptr : &found->Values;
 }
 
-/// Says which of two picks in one column stays.
 class Preference
 {
 public:
@@ -50,7 +48,6 @@ public:
   }
 
 private:
-  /// 0 where there is no amplitude.
   double Strength(std::int32_t pick) const
   {
     const double strength = this->Amplitude ? std::abs((*this->Amplitude)[std::size_t(pick)]) : 0.0;
@@ -64,7 +61,6 @@ private:
 
 using PickRun = std::vector<std::int32_t>::const_iterator;
 
-/// How many of some picks have the z of another one before them.
 std::size_t CountRepeats(const std::vector<double>& z, PickRun first, PickRun last)
 {
   std::vector<double> values;
@@ -74,13 +70,13 @@ std::size_t CountRepeats(const std::vector<double>& z, PickRun first, PickRun la
   return std::size_t(values.end() - end);
 }
 
-/// Gives the first of some picks the means of z and of each attribute, over those that have one.
+/// The first pick gets the means of z and of each attribute, without null values.
 void Average(PickTable& picks, PickRun first, PickRun last)
 {
   const auto average = [&](std::vector<double>& values)
   {
     double base = std::numeric_limits<double>::quiet_NaN();
-    double sum = 0.0; // beside the base, so that the mean of equal values is that value
+    double sum = 0.0; // The mean of equal values is exact.
     double count = 0.0;
     for (auto pick = first; pick != last; ++pick)
     {
@@ -123,14 +119,14 @@ void OrderPicks(
   const auto column = [&columns](std::int32_t pick) { return std::make_pair(columns[pick].Y, columns[pick].X); };
   const Preference preference(picks, options);
   const bool keepsAll = options.Policy == DuplicatePolicy::Sheets;
-  const bool isSorted = keepsAll || options.Policy == DuplicatePolicy::Mean; // sums depend on the order
+  const bool isSorted = keepsAll || options.Policy == DuplicatePolicy::Mean; // Sums depend on the order.
   const auto isBefore = [&](std::int32_t a, std::int32_t b)
   {
     const auto columnA = column(a);
     const auto columnB = column(b);
     return columnA < columnB || (isSorted && columnA == columnB && preference.Prefers(a, b));
   };
-  // Files are often in this order already. Equal picks keep theirs, so that the first of them stays.
+  // Many files are sorted already. The sort is stable, so that the first of equal picks stays.
   if (!std::is_sorted(order.Picks.begin(), order.Picks.end(), isBefore))
   {
     std::stable_sort(order.Picks.begin(), order.Picks.end(), isBefore);

@@ -15,7 +15,7 @@ namespace
 {
 struct KnownName
 {
-  std::string_view Name; // letters and digits, small
+  std::string_view Name;
   ColumnRole Role;
 };
 
@@ -44,12 +44,12 @@ constexpr std::array<KnownName, 71> KnownNames = { { { "x", ColumnRole::X }, { "
 
 using Words = std::vector<std::string>;
 
-/// What makes a name that of an attribute, whatever else is in it: "Thickness (depth)", "Time gradient".
+/// A name with such a word is an attribute: "Thickness (depth)", "Time gradient".
 constexpr std::array<std::string_view, 34> AttributeWords = { "thickness", "thick", "isochore", "isopach", "isochron",
   "error", "std", "stdev", "sigma", "uncertainty", "dip", "azimuth", "amplitude", "amp", "rms", "diff", "difference",
   "delta", "residual", "velocity", "vel", "gradient", "date", "md", "objectid", "fid", "oid", "confidence", "quality",
   "index", "count", "shift", "offset", "curvature" };
-/// Of columns that are no z either, where nothing else is called so.
+/// Such a field is z only if no other field can be.
 constexpr std::array<std::string_view, 22> OtherWords = { "id", "pointid", "nr", "no", "num", "number", "sp", "line",
   "row", "col", "column", "trace", "flag", "status", "type", "method", "user", "author", "remark", "comment", "seismic",
   "pick" };
@@ -59,11 +59,11 @@ constexpr std::array<std::string_view, 10> ZWords = { "z", "twt", "owt", "tvd", 
   "elev", "msl" };
 constexpr std::array<std::string_view, 12> HorizonWords = { "horizon", "hor", "hrz", "formation", "surface", "surf",
   "marker", "strat", "unit", "event", "interp", "layer" };
-// Beside "x" or "y".
+// May accompany "x" or "y".
 constexpr std::array<std::string_view, 14> PlaceWords = { "x", "y", "point", "coord", "coordinate", "cdp", "utm",
   "world", "map", "loc", "location", "pos", "position", "m" };
 
-/// Letters and digits of a name, in small letters, without what is in brackets: units mostly.
+/// Text in brackets is mostly a unit.
 std::string Essence(std::string_view name)
 {
   std::string essence;
@@ -77,7 +77,6 @@ std::string Essence(std::string_view name)
   return essence;
 }
 
-/// Letters and digits of a name that stand together, in small letters, without what is in brackets.
 Words SplitName(std::string_view name)
 {
   Words words(1);

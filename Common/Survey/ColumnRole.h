@@ -11,7 +11,6 @@
 
 namespace SeismicHorizons
 {
-/// What a column of a table holds.
 enum class ColumnRole
 {
   X,
@@ -24,22 +23,18 @@ enum class ColumnRole
   Ignored
 };
 
-/// The word for a role, as users write it: "X", "Inline", "Name"; "-" for what is ignored.
 const char* RoleWord(ColumnRole role);
 
-/// The role of a column by its name, as programs write it over a column: that of "Easting (m)" is X, of "IL" Inline, of
-/// "Depth" Z, of "-" Ignored. Otherwise its words tell: "HORIZON_TWT" is Z, "POINT_X" X, "Formation" the name of a
-/// horizon, "THICKNESS_TWT" an attribute as is anything else.
+/// Recognises names such as "Easting (m)" for X, "IL" for Inline, "Depth" for Z and "-" for Ignored, or words within
+/// names: "HORIZON_TWT" is Z, "POINT_X" X, "Formation" a name; "THICKNESS_TWT" and unknown names are attributes.
 ColumnRole RoleOfName(std::string_view name);
 
-/// The same by names that leave no doubt; Attribute where words alone would tell.
 ColumnRole RoleOfExactName(std::string_view name);
 
-/// Whether a name is that of something else than z for certain, such as an amplitude or the number of a line.
+/// Amplitudes and line numbers are never z.
 bool IsNeverZ(std::string_view name);
 
-/// Which of some names that mean Z it is: the one that is just that. Throws InputError, which says what to set, where
-/// there is none and they differ.
+/// Throws InputError, which ends with `remedy`, if no name is exactly a z and the names differ.
 std::size_t ChooseZ(const std::vector<std::string>& names, const char* remedy);
 }
 

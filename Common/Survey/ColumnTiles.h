@@ -12,16 +12,14 @@
 
 namespace SeismicHorizons
 {
-/// Numbers the columns of a lattice as they come, by tiles of 32 by 32 columns: each column has a place among the
-/// values of a horizon, which only takes memory for tiles that have one of its columns, however large the lattice is.
+/// Maps columns to indices of values by tiles of 32 by 32 columns, so that memory does not depend on the size of the
+/// lattice.
 class ColumnTiles
 {
 public:
-  /// How many places there are.
   std::size_t Size() const { return this->Tiles.size() * PlacesOfTile; }
 
-  /// The place of column (i, j), neither negative; the places of a new tile are behind all others. Fastest where
-  /// columns come beside each other.
+  /// i and j must not be negative. Neighbouring columns are fastest.
   std::size_t Place(int i, int j)
   {
     assert(i >= 0 && j >= 0);
@@ -34,7 +32,7 @@ public:
     return this->FirstPlace + std::size_t(j % Edge * Edge + i % Edge);
   }
 
-  /// Calls visit(i, j, place) for all places row by row, also for those beyond the last column or row of the lattice.
+  /// Calls visit(i, j, place) row by row, including positions outside the lattice.
   template <typename Visitor>
   void ForEachPlace(Visitor&& visit) const
   {
@@ -63,9 +61,9 @@ private:
   static constexpr int Edge = 32;
   static constexpr std::size_t PlacesOfTile = std::size_t(Edge) * Edge;
 
-  std::map<std::array<int, 2>, std::size_t> Tiles; // by j and i; the first place of each
+  std::map<std::array<int, 2>, std::size_t> Tiles; // The first index of each tile, by j and i.
   std::array<int, 2> LastTile = { -1, -1 };
-  std::size_t FirstPlace = 0; // of it
+  std::size_t FirstPlace = 0;
 };
 }
 

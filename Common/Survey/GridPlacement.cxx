@@ -15,7 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Refuses nodes that do not span the plane, or whose places are no numbers.
 void CheckLattice(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d last =

@@ -9,7 +9,7 @@
 
 namespace SeismicHorizons
 {
-/// The columns of a grid that have a z, as the one horizon of a survey.
+/// Nodes without z are dropped.
 SurveyHorizons PlaceGrid(HorizonGrid grid);
 }
 

@@ -14,26 +14,25 @@
 
 namespace SeismicHorizons
 {
-/// A horizon with a z for each column of a lattice, as gridding programs have it.
 struct HorizonGrid
 {
-  std::string Name; // empty where there is none
-  std::string Format; // of its file, for people; empty where there is none
+  std::string Name;
+  std::string Format;
   SurveyDescription Survey;
   SurveyLattice Lattice;
-  std::vector<double> Z; // of column (i, j) at i + j * Columns[0], in the file's unit and sign; nan where there is none
-  std::vector<PickAttribute> Attributes; // in the same order
+  std::vector<double> Z; // Z of column (i, j) at i + j * Columns[0], in the unit and with the sign of the file, or nan.
+  std::vector<PickAttribute> Attributes;
 };
 
-/// A horizon with a z for some columns of a lattice, which may be few of many.
+/// A sparse horizon on a lattice.
 struct HorizonColumns
 {
   std::string Name;
   SurveyDescription Survey;
   SurveyLattice Lattice;
   ColumnTiles Tiles;
-  std::vector<double> Z; // by place in the tiles, nan where there is none
-  std::vector<PickAttribute> Attributes; // in the same order
+  std::vector<double> Z; // Indexed by ColumnTiles, or nan.
+  std::vector<PickAttribute> Attributes;
 };
 }
 

@@ -15,17 +15,14 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The largest cosine of the angle between steps that are perpendicular: what is left moves the last of a million
-// columns by a thousandth of one.
+// Such steps move the last of a million columns by a thousandth of a column.
 constexpr double LargestCosine = 1e-9;
 
-/// The vector turned by a right angle to the left.
 Eigen::Vector2d TurnLeft(const Eigen::Vector2d& v)
 {
   return { -v.y(), v.x() };
 }
 
-/// The frame with its third axis upwards.
 ImageFrame MakeUprightFrame(const LatticeMatrix& toWorld, const std::string& kind)
 {
   const Eigen::Vector2d column(toWorld[0], toWorld[4]);
@@ -56,7 +53,7 @@ ImageFrame MakeMapFrame(const LatticeMatrix& toWorld)
 ImageFrame MakeVolumeFrame(const LatticeMatrix& toWorld)
 {
   ImageFrame frame = MakeUprightFrame(toWorld, "volumes");
-  const bool isTurned = toWorld[0] * toWorld[5] < toWorld[1] * toWorld[4]; // clockwise from i to j, seen from above
+  const bool isTurned = toWorld[0] * toWorld[5] < toWorld[1] * toWorld[4]; // Clockwise from i to j, seen from above.
   frame.Direction(2, 2) = isTurned ? -1.0 : 1.0;
   frame.VerticalSign = (toWorld[10] < 0.0) == isTurned ? 1 : -1;
   return frame;
@@ -68,7 +65,7 @@ ImageFrame MakeCubeFrame(const LatticeMatrix& toWorld, const std::array<int, 2>&
   Eigen::Matrix2d steps;
   steps << toWorld[0], toWorld[1], toWorld[4], toWorld[5];
   const Eigen::Vector2d origin(toWorld[3], toWorld[7]);
-  const double side = steps.determinant() < 0.0 ? -1.0 : 1.0; // where the step along j is, seen from that along i
+  const double side = steps.determinant() < 0.0 ? -1.0 : 1.0;
   Eigen::Matrix2d axes;
   axes << steps.col(0).normalized(), steps.col(1).normalized();
   Eigen::Vector2d spacing(steps.col(0).norm(), steps.col(1).norm());

@@ -15,7 +15,7 @@ namespace SeismicHorizons
 std::string ToText(const Eigen::VectorXd& vector)
 {
   std::ostringstream text;
-  text.precision(10); // places of surveys are millions of metres
+  text.precision(10); // Coordinates of surveys are millions of metres.
   for (Eigen::Index component = 0; component < vector.size(); ++component)
   {
     text << (component == 0 ? "(" : ", ") << vector[component];
@@ -40,7 +40,7 @@ void LatticeFrame::Check() const
 {
   const Eigen::Vector2d& columnStep = this->Lattice.ColumnStep;
   const Eigen::Vector2d& rowStep = this->Lattice.RowStep;
-  const double z = static_cast<int>(this->Direction) * this->Sampling.First + 0.0; // no -0
+  const double z = static_cast<int>(this->Direction) * this->Sampling.First + 0.0; // Avoids -0.
   const Eigen::Vector3d origin(this->Lattice.Origin.x(), this->Lattice.Origin.y(), z);
   if (!origin.allFinite())
   {

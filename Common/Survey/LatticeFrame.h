@@ -16,34 +16,30 @@
 
 namespace SeismicHorizons
 {
-/// The affine map from (i, j, k) to world coordinates, row by row, as in the field data array LatticeToWorld.
+/// Row-major affine map from (i, j, k) to world coordinates, as in the field data array LatticeToWorld.
 using LatticeMatrix = std::array<double, 16>;
 
-/// Which way vertical indices count. The values are the sign of their z.
 enum class VerticalDirection
 {
-  Down = -1, ///< as time and depth do
+  Down = -1, ///< Time and depth increase downwards.
   Up = 1
 };
 
-/// Where the horizons of a lattice lie in the world, and in which units.
 struct LatticeFrame
 {
   SurveyLattice Lattice;
-  VerticalSampling Sampling; // of real z, whose sign in the world is that of the direction
+  VerticalSampling Sampling; // Samples real z; Direction gives the sign of world z.
   VerticalDirection Direction = VerticalDirection::Down;
-  bool UseRealZ = true; // points are at their real z; else where their vertical index is
+  bool UseRealZ = true; // False places points at their vertical index.
   SurveyDescription Survey;
-  std::optional<double> LatticeDeviation; // of picks or traces from their columns, at most, in columns
+  std::optional<double> LatticeDeviation; // Largest distance of picks or traces from their columns, in columns.
 
-  /// World z of a vertical index.
   double Elevation(double k) const
   {
     const int sign = static_cast<int>(this->Direction);
     return sign * this->Sampling.Step * k + sign * this->Sampling.First;
   }
 
-  /// World z of a point.
   double Elevation(const LatticeHorizon& horizon, std::size_t point) const
   {
     return this->UseRealZ ? static_cast<int>(this->Direction) * horizon.RealZ[point]
@@ -52,16 +48,14 @@ struct LatticeFrame
 
   LatticeMatrix ToWorld() const;
 
-  /// Throws InputError on numbers that are not finite, on column and row steps that are parallel, and on a vertical
-  /// step of 0. The message has the names of the properties.
+  /// Throws InputError, with the names of properties, for invalid numbers, parallel steps and a vertical step of 0.
   void Check() const;
 };
 
-/// The frame of a lattice by its size along i, j and k, and by its map to the world, which is one that Lattice takes.
+/// The lattice must be able to hold `toWorld`.
 LatticeFrame MakeLatticeFrame(
   const std::array<int, 3>& size, const Eigen::Matrix4d& toWorld, VerticalDirection direction);
 
-/// A vector as messages show it: "(1.5, 2)".
 std::string ToText(const Eigen::VectorXd& vector);
 }
 

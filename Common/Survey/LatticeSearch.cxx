@@ -27,26 +27,24 @@ namespace
 constexpr std::int64_t ChunkSize = 1 << 16;
 constexpr std::int64_t WindowSize = 1 << 14; // points
 constexpr double FirstReach = 2.0; // columns
-// Up to here steps that are right are only made more exact; fewer points cannot tell that they are wrong.
+// Within this reach correct steps only become more accurate, and few points cannot disprove wrong steps.
 constexpr double TellingReach = 8.0;
-// Places that are rounded to more than this part of a step.
+// Fraction of a step.
 constexpr double CoarseRounding = 0.05;
 constexpr double LastReach = MostColumnsPerSide + 1.0; // columns
-// A window with fewer places is of picks over each other, as of many horizons, or of nulls that all are at (0, 0).
+// Windows with fewer places have stacked picks, as of several horizons, or null picks at (0, 0).
 constexpr std::size_t FewestPlaces = 64;
-// How far points may be off their columns, root mean square in columns. Places that have nothing to do with a lattice
-// are sqrt(1/6) = 0.41 off, and half of the points on the lines between give 0.35.
+// Root mean square distance in columns. Random places have sqrt(1/6) = 0.41, and a lattice that misses half of the
+// points 0.35.
 constexpr double LargestSpread = 0.2;
-// Steps that were found may be this many times those of the lattice, where the points of the window are on some lines
-// only.
+// If a window has points on few lines its steps may be multiples of the lattice steps.
 constexpr int MostPartsOfStep = 4;
 
-/// Points near the first column, numbered by a map.
 struct Numbered
 {
   PlaneFit Fit;
-  double Squares = 0.0; // of the distances to the columns, in columns
-  std::int64_t Beyond = 0; // how many points are farther away
+  double Squares = 0.0;
+  std::int64_t Beyond = 0;
 
   void Add(const Numbered& other)
   {
@@ -55,11 +53,9 @@ struct Numbered
     this->Beyond += other.Beyond;
   }
 
-  /// Root mean square of the distances.
   double Spread() const { return std::sqrt(this->Squares / double(std::max<std::int64_t>(this->Fit.Size(), 1))); }
 };
 
-/// Numbers the points up to `reach` columns away from the first one.
 Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reach, const Monitor& monitor)
 {
   const Eigen::Matrix2d toColumns = map.Steps.inverse();
@@ -91,7 +87,7 @@ Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reac
   throw InputError(text.str());
 }
 
-/// The map with the longest parts of the steps on whose columns the points are.
+/// Finds the longest fractions of the steps that fit all points.
 PlaneMap DivideSteps(const PlaneCloud& points, const PlaneMap& map, double reach, double spread, const Monitor& monitor)
 {
   for (int parts = 2; parts <= MostPartsOfStep * MostPartsOfStep; ++parts)
@@ -115,7 +111,7 @@ PlaneMap DivideSteps(const PlaneCloud& points, const PlaneMap& map, double reach
   RefuseSpread(points.Size(), map, spread);
 }
 
-/// Makes a map that holds near its origin one that holds for all points.
+/// The map holds near its origin.
 PlaneMap Grow(const PlaneCloud& points, PlaneMap map, const Monitor& monitor)
 {
   for (double reach = FirstReach;; reach *= 2.0)
@@ -141,7 +137,7 @@ PlaneMap Grow(const PlaneCloud& points, PlaneMap map, const Monitor& monitor)
   }
 }
 
-/// The same lattice with the step along i near the direction of x, and that along j to the left of it.
+/// The step along i is nearer to x; the step along j turns left of it.
 PlaneMap Turn(const PlaneMap& map)
 {
   Eigen::Vector2d along = map.Steps.col(0);
@@ -157,7 +153,6 @@ PlaneMap Turn(const PlaneMap& map)
   return turned;
 }
 
-/// All places, each once.
 class DistinctPlaces
 {
 public:
@@ -199,7 +194,7 @@ double ShortestStep(const Eigen::Matrix2d& steps)
   return steps.colwise().norm().minCoeff();
 }
 
-/// The part of the points that have another one a step further.
+/// Returns the fraction of points that have another one a step further.
 double PartFollowed(const PlaneCloud& points, const Eigen::Vector2d& step, double unit)
 {
   const auto cell = [unit](const Eigen::Vector2d& place)
@@ -217,13 +212,13 @@ double PartFollowed(const PlaneCloud& points, const Eigen::Vector2d& step, doubl
   return double(followed) / double(std::min(points.Size(), WindowSize));
 }
 
-/// The lattice that is found from places as they are, if it is exact: rounded places may be on it all the same. But all
-/// are on one with steps of the unit that they are rounded to, which has to be rather full.
+/// Requires an exact lattice. Otherwise the places may be rounded, and are on a rather full lattice of the rounding
+/// unit.
 template <typename Find>
 std::optional<PlaneMap> FindExactly(const PlaneCloud& points, double unit, Find&& find)
 {
   constexpr double exact = 0.02; // columns
-  constexpr double fewestUnits = 2.5; // of a step
+  constexpr double fewestUnits = 2.5; // Steps must have this many units.
   constexpr double rather = 0.5;
   try
   {
@@ -239,7 +234,6 @@ std::optional<PlaneMap> FindExactly(const PlaneCloud& points, double unit, Find&
   }
 }
 
-/// The point of a window that is nearest to its mean.
 Eigen::Vector2d MiddlePoint(const std::vector<Eigen::Vector2d>& window)
 {
   const Eigen::Vector2d mean = Mean(window);
@@ -263,7 +257,7 @@ PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y,
   }
   const Eigen::Matrix2d shortSteps = FindShortSteps(window);
   const double unit = FindRounding(x, y);
-  // All sums are made around a point of the window, which is column (0, 0).
+  // Sums are relative to a point of the window.
   points.Middle += MiddlePoint(window);
   const auto grow = [&](const Eigen::Matrix2d& steps)
   {

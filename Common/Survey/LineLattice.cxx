@@ -18,12 +18,12 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t ChunkSize = 1 << 16;
-constexpr double Decimals = 1000.0; // line numbers are whole multiples of its inverse
-// How far a number may be off such a multiple, in parts of it: what is left of a number with that many decimals.
+constexpr double Decimals = 1000.0; // Line numbers are multiples of 1 / Decimals.
+// Deviation from such a multiple, as a fraction of it.
 constexpr double Rounding = 1e-3;
 constexpr double LargestLine = 1e12;
 
-/// Least and largest of some lines in parts, and the largest number of which all differences are multiples.
+/// Units are 1 / Decimals; Step is the greatest common divisor of all differences.
 struct LineRange
 {
   std::int64_t First = std::numeric_limits<std::int64_t>::max();
@@ -62,11 +62,10 @@ std::int64_t ToParts(const char* name, double line)
   return std::llround(parts);
 }
 
-/// The first line, and the step from one to the next.
 struct LineSteps
 {
   double First = 0.0;
-  double Step = 1.0; // 1 where there is only one line
+  double Step = 1.0; // 1 for a single line.
 };
 
 LineSteps FindLineSteps(const char* name, const std::vector<double>& lines, const Monitor& monitor)

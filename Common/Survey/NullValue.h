@@ -8,11 +8,10 @@
 
 namespace SeismicHorizons
 {
-/// How far a number may move, in parts of its own size, when it is stored in single precision.
+/// Relative rounding of single precision.
 constexpr double SinglePrecision = 1.0 / (1 << 24);
 
-/// Whether a number stands for "no value": it is `null` up to the rounding of single precision, in which programs
-/// keep such numbers. Never where `null` is nan.
+/// Programs store null values in single precision. A null of nan matches nothing.
 inline bool IsNullValue(double value, double null)
 {
   return std::abs(value - null) <= SinglePrecision * std::abs(null);

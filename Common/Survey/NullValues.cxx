@@ -14,9 +14,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// OpendTect, IRAP and CPS-3 write 1e30, others 1e20, IESX the largest float; no horizon is as deep.
+// OpendTect, IRAP and CPS-3 write 1e30, other programs 1e20, IESX the largest float; no horizon is that deep.
 constexpr double LeastHuge = 0.999999e20;
-constexpr double FloatPrecision = 1e-6; // relative
+constexpr double FloatPrecision = 1e-6;
 constexpr std::array<std::string_view, 7> NullWords = { "nan", "null", "none", "undef", "n/a", "na", "-" };
 }
 
@@ -52,7 +52,7 @@ void NullValues::Add(const NullValues& other)
 //----------------------------------------------------------------------------------------------------------------------
 bool NullValues::IsNullText(std::string_view field) const
 {
-  if (field.find_first_not_of('*') == std::string_view::npos) // or empty
+  if (field.find_first_not_of('*') == std::string_view::npos)
   {
     return true;
   }

@@ -23,9 +23,8 @@ constexpr std::array<double, 20> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 999
   -32767.0, 99999.0, -99999.0, 999999.0, -999999.0, -999.25, 999.25, -9999.25, -999.99, -9999.99, 9999900.0 };
 constexpr double LeastPart = 0.1;
 constexpr double LeastNeighbours = 0.5;
-constexpr double Freedom = 6.0; // numbers of an origin and two steps
+constexpr double Freedom = 6.0; // An origin and two steps have six numbers.
 
-/// The part of columns, which are in their order, that have another one beside them along i or j.
 double PartWithNeighbours(const std::vector<PlanePoint>& columns)
 {
   const auto has = [&columns](int i, int j) {
@@ -36,14 +35,14 @@ double PartWithNeighbours(const std::vector<PlanePoint>& columns)
     { return has(at.X - 1, at.Y) || has(at.X + 1, at.Y) || has(at.X, at.Y - 1) || has(at.X, at.Y + 1); });
   return double(number) / double(columns.size());
 }
-constexpr int Reach = 4; // columns
-constexpr std::size_t MostLookedAt = 10000; // which tell of all others
+constexpr int Reach = 4;
+constexpr std::size_t MostLookedAt = 10000;
 
-/// Whether the columns around one are narrow along some direction.
+/// The conflicts around a column are narrow in some direction.
 bool IsOnLine(const std::vector<ColumnConflict>& conflicts, const PlanePoint& at)
 {
   constexpr double fewest = 4.0;
-  constexpr double widest = 0.4; // beside the length, standard deviations
+  constexpr double widest = 0.4; // Standard deviations, relative to the length.
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   double count = 0.0;
@@ -90,7 +89,7 @@ std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_
     }
     const double range = greatest - least;
     const double gap = std::max(least - null, null - greatest);
-    // A level platform of a horizon is far from the rest, but not as far as all of it is from 0.
+    // A flat part of a horizon may be far from the rest, but not by half its distance from 0.
     const double leastGap = isUsual ? 0.0 : 0.5 * std::max(std::abs(least), std::abs(greatest));
     if (count > (isUsual ? 0 : 1) && range >= 0.0 && gap > range && gap > leastGap)
     {
@@ -107,14 +106,14 @@ std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePolicy policy)
 {
-  constexpr std::int64_t least = 1000; // columns for one that is in conflict
+  constexpr std::int64_t least = 1000;
   std::vector<std::string> doubts = horizons.Doubts;
   std::int64_t columns = 0;
   for (const LatticeHorizon& horizon : horizons.Horizons)
   {
     columns += std::int64_t(horizon.RealZ.size());
   }
-  ConflictCount conflicts; // of all horizons
+  ConflictCount conflicts;
   for (const ConflictCount& own : horizons.Conflicts)
   {
     conflicts.Columns += own.Columns;

@@ -28,14 +28,13 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t ChunkSize = 1 << 16;
-// A dataset takes 25 kB even for a single pick, and names as many as picks are mostly some other column.
+// A dataset takes 25 kB. As many names as picks mostly come from the wrong field.
 constexpr std::size_t MostHorizons = 1 << 15;
-// Picks that fill less of their lattice are hardly those of a horizon; of small lattices any part will do.
+// Picks of a horizon fill more of their lattice, unless it is small.
 constexpr double MostColumnsPerPick = 1000.0;
 constexpr double EnoughColumns = 1 << 20;
-constexpr double FewColumnsPerPick = 5.0; // beyond, some picks may be far from all others
+constexpr double FewColumnsPerPick = 5.0; // In a sparser lattice some picks may be far from all others.
 
-/// The columns of picks, before it is known which of them is the first.
 class ColumnFinder
 {
 public:
@@ -51,7 +50,7 @@ public:
     return (this->Lattice.Lines ? this->Line(pick) : this->Place(pick)).array().round();
   }
 
-  /// How far a pick is from its column, in columns along the axis where it is more.
+  /// columns, along the axis with the larger distance
   double Distance(std::size_t pick, const Eigen::Vector2d& index) const
   {
     const Eigen::Vector2d exact = this->Picks.HasPlaces() ? this->Place(pick) : this->Line(pick);
@@ -75,14 +74,13 @@ private:
   const Eigen::Matrix2d ToColumns;
 };
 
-/// What all columns of some picks have together.
 struct ColumnRange
 {
   Eigen::Vector2d First = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d Last = -First;
   double LargestDistance = 0.0;
-  std::size_t Farthest = 0; // the pick that is so far from its column
-  std::int64_t OffLattice = 0; // picks
+  std::size_t Farthest = 0;
+  std::int64_t OffLattice = 0;
 
   void Add(const Eigen::Vector2d& index, double distance, double tolerance, std::size_t pick)
   {
@@ -118,7 +116,7 @@ ColumnRange FindRange(const ColumnFinder& columns, std::int64_t picks, double to
     });
 }
 
-/// The tolerance, or what rounding moves places by, where that is more: half a unit along both axes.
+/// The tolerance is at least half a rounding unit along both axes.
 double ToleranceOf(const PickTable& picks, const SurveyLattice& lattice, double given)
 {
   constexpr double most = 0.49;
@@ -159,7 +157,6 @@ void CheckRange(const ColumnRange& range, const PickTable& picks, const SurveyLa
   }
 }
 
-/// The pick whose column is farthest from the middle one along i or j.
 std::size_t FindFarthest(const ColumnFinder& columns, std::size_t picks)
 {
   std::vector<Eigen::Vector2d> indices;
@@ -182,7 +179,7 @@ std::size_t FindFarthest(const ColumnFinder& columns, std::size_t picks)
     indices.begin());
 }
 
-/// One stray pick can make a lattice that takes all memory of whatever looks at all of its columns.
+/// A stray pick can extend the lattice beyond memory.
 void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const PickTable& picks)
 {
   const Eigen::Vector2d columns = range.Columns();
@@ -209,8 +206,7 @@ void CheckLines(const PickTable& picks, const SurveyLattice& lattice, const Moni
   }
 }
 
-/// Leaves strays out, again and again as those that are left tell more exactly where the lattice is. Returns their
-/// numbers among all.
+/// The remaining picks give a better lattice in each round.
 std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
 {
   constexpr int mostRounds = 20;
@@ -236,7 +232,7 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
     }
     if (strays.empty() || all.size() + strays.size() > mostStrays)
     {
-      break; // what is left is judged as without this choice
+      break; // Too many strays are not removed.
     }
     std::vector<std::size_t> left;
     auto next = strays.begin();
@@ -253,8 +249,8 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
   return all;
 }
 
-/// Picks far away turn the lattice until it has them as well. Throws InputError where that of the others has not, and
-/// tells of those that it has. Whether there are any.
+/// Distant picks can rotate the fitted lattice onto themselves. If they are off the lattice of the other picks, throws
+/// InputError; otherwise adds a warning. Returns true if there are any.
 bool CheckFarPicks(
   const PickTable& picks, const ColumnRange& range, const PlacementOptions& options, std::vector<std::string>& doubts)
 {
@@ -286,15 +282,13 @@ bool CheckFarPicks(
   return true;
 }
 
-/// The lattice that begins at the first column of the picks, and ends at the last one.
 SurveyLattice MakeLattice(SurveyLattice lattice, const ColumnRange& range)
 {
   lattice.Columns = { int(range.Columns().x()), int(range.Columns().y()) };
-  lattice.Origin += lattice.Steps() * range.First; // line numbers begin at the first lines, and so does the range
+  lattice.Origin += lattice.Steps() * range.First; // Line numbers and the range start at the first lines.
   return lattice;
 }
 
-/// Puts each pick on its column.
 std::vector<PlanePoint> ListColumns(
   const ColumnFinder& columns, std::int64_t picks, const Eigen::Vector2d& first, const Monitor& monitor)
 {
@@ -311,7 +305,6 @@ std::vector<PlanePoint> ListColumns(
   return list;
 }
 
-/// The horizon of some picks, which are in the order of their columns.
 LatticeHorizon MakeHorizon(const PickTable& picks, const std::vector<PlanePoint>& columns, const ColumnOrder& order)
 {
   const std::vector<std::int32_t>& kept = order.Picks;

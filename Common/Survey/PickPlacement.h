@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Brings picks onto the columns of the lattice of their survey.
 
 #ifndef SeismicHorizonsPickPlacement_h
 #define SeismicHorizonsPickPlacement_h
@@ -13,10 +11,8 @@
 
 namespace SeismicHorizons
 {
-/// One horizon for each name, in their order; with DuplicatePolicy::Sheets one for each sheet, those of a name one
-/// after the other. Takes the picks, whose memory is freed on the way. The lattice is found through all of them, also
-/// those without z, which are left out after that. Throws InputError where there is no lattice, and where picks are off
-/// it.
+/// Frees the picks as it proceeds. Picks without z help to find the lattice, and are dropped. Throws InputError if
+/// there is no lattice, or picks are off it.
 SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor = Monitor());
 }
 

@@ -13,39 +13,37 @@
 
 namespace SeismicHorizons
 {
-/// A number for each point; nan where there is none.
 struct PickAttribute
 {
   std::string Name;
   std::vector<double> Values;
 };
 
-/// From a pick on, each stands in the line of its file that follows that of the one before.
+/// From this pick on the lines of the file are consecutive.
 struct PickLine
 {
-  std::size_t Pick; // from 0
-  std::int64_t Line; // from 1
+  std::size_t Pick;
+  std::int64_t Line;
 };
 
-/// Points of horizons before it is known on which columns they stand, as parallel arrays.
+/// Picks before their columns are known, as parallel arrays.
 struct PickTable
 {
   SurveyDescription Survey;
-  std::vector<std::string> Names; // of the horizons; at least one
-  std::vector<int> Horizon; // of each pick the number of its horizon; empty where there is only one
-  std::vector<double> X, Y; // in the world; empty where only line numbers are known
-  std::vector<double> Inline, Crossline; // empty where only places in the world are known
-  std::vector<double> Z; // in the unit and with the sign of the file; nan where there is none
+  std::vector<std::string> Names; // At least one horizon.
+  std::vector<int> Horizon; // Horizon per pick; empty for a single one.
+  std::vector<double> X, Y; // World coordinates; empty if only line numbers are known.
+  std::vector<double> Inline, Crossline; // Empty if only world coordinates are known.
+  std::vector<double> Z; // In the unit and with the sign of the file, or nan.
   std::vector<PickAttribute> Attributes;
-  std::vector<PickLine> Lines; // in the order of picks, as they were read; empty where these are of no file of lines
-  std::vector<std::string> Doubts; // what users should know about the file
-  bool AreLinesGuessed = false; // inlines and crosslines have no names, but look like these
+  std::vector<PickLine> Lines; // Sorted; empty unless the picks come from a text file.
+  std::vector<std::string> Doubts;
+  bool AreLinesGuessed = false; // Unnamed fields were guessed to be line numbers.
 
   std::size_t Size() const { return this->Z.size(); }
   bool HasPlaces() const { return !this->X.empty() && !this->Y.empty(); }
   bool HasLines() const { return !this->Inline.empty() && !this->Crossline.empty(); }
 
-  /// How many picks each horizon has.
   std::vector<std::int64_t> CountPicks() const
   {
     std::vector<std::int64_t> counts(this->Names.size(), 0);

@@ -13,15 +13,13 @@
 
 namespace SeismicHorizons
 {
-/// Where the lattice of picks comes from.
 enum class LatticeSource
 {
-  Picks, ///< from their line numbers and places, from their places alone, or, without places, from line numbers alone
-  CornerPoints, ///< from three points whose line numbers and places the user gives
-  OriginAndSteps ///< from what the user gives
+  Picks, ///< Uses line numbers, places, or both.
+  CornerPoints, ///< Uses three points with line numbers and places.
+  OriginAndSteps
 };
 
-/// A column whose line numbers and place are known.
 struct CornerPoint
 {
   double Inline = 0.0;
@@ -34,17 +32,17 @@ struct PlacementOptions
 {
   LatticeSource Source = LatticeSource::Picks;
   std::array<CornerPoint, 3> Corners;
-  Eigen::Vector2d Origin = Eigen::Vector2d::Zero(); // the place of the column of the first crossline and inline
-  Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX(); // along i to the next column
+  Eigen::Vector2d Origin = Eigen::Vector2d::Zero(); // Position of the first crossline and inline.
+  Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX();
   Eigen::Vector2d RowStep = Eigen::Vector2d::UnitY();
-  double Tolerance = 0.1; // how far picks may be off their columns, in columns; above 0, below 0.5
-  bool LeaveOutStrays = false; // picks off the lattice or far from all others, up to a tenth; else these are an error
+  double Tolerance = 0.1; // Largest distance of picks from their columns, in columns; above 0, below 0.5.
+  // Drops up to a tenth of the picks, off the lattice or far from all others; otherwise they are an error.
+  bool LeaveOutStrays = false;
   DuplicatePolicy Policy = DuplicatePolicy::StrongestAmplitude;
-  VerticalDirection Direction = VerticalDirection::Down; // where z grows to: says what is topmost
+  VerticalDirection Direction = VerticalDirection::Down; // Defines the topmost pick.
 };
 
-/// Throws InputError, with the names of the properties, on options that cannot be: numbers that are not finite, a
-/// tolerance out of its range, and, where they are used, steps that are parallel.
+/// Throws InputError with the names of properties.
 void CheckPlacement(const PlacementOptions& options);
 }
 

@@ -39,8 +39,8 @@ PlaneMap PlaneFit::MapWithSteps(const Eigen::Matrix2d& steps) const
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<PlaneMap> PlaneFit::Solve() const
 {
-  // Where all indices are on one line the determinant is 0 but for rounding, which is some 1e-16 of the squared trace;
-  // where they are not it is larger than this on any lattice of up to ten million columns along each side.
+  // Rounding of indices on a line gives about 1e-16 of the squared trace; other determinants are larger on lattices of
+  // up to ten million columns per side.
   constexpr double SmallestRelativeDeterminant = 1e-14;
   if (this->Count < 3)
   {
@@ -57,7 +57,7 @@ std::optional<PlaneMap> PlaneFit::Solve() const
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<PlaneMap> PlaneFit::SolveAlongLine() const
 {
-  constexpr double SmallestSpread = 1e-12; // indices are whole
+  constexpr double SmallestSpread = 1e-12;
   if (this->Count < 2)
   {
     return std::nullopt;

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Where the columns of a lattice are in the world, by least squares.
 
 #ifndef SeismicHorizonsPlaneFit_h
 #define SeismicHorizonsPlaneFit_h
@@ -13,15 +11,13 @@
 
 namespace SeismicHorizons
 {
-/// An affine map of the plane: place = Origin + Steps * index.
 struct PlaneMap
 {
   Eigen::Vector2d Origin = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d Steps = Eigen::Matrix2d::Identity(); // the columns are the steps along i and along j
+  Eigen::Matrix2d Steps = Eigen::Matrix2d::Identity();
 };
 
-/// Sums over pairs of an index and a place. Numbers should be near 0, as with places relative to their middle: sums of
-/// large squares lose digits.
+/// Places should be relative to their middle, since large squares lose digits.
 class PlaneFit
 {
 public:
@@ -38,17 +34,17 @@ public:
 
   std::int64_t Size() const { return this->Count; }
 
-  /// The map with the least sum of squared distances; nothing when all indices are on one line.
+  /// Returns nothing if all indices are on a line.
   std::optional<PlaneMap> Solve() const;
 
-  /// The map for indices of which one component is the same for all: the step along the other is fitted, and that
-  /// across is as long and perpendicular, so that the two are right-handed. Nothing for others.
+  /// For indices with one constant component: the other step is fitted, and the step across is as long, perpendicular
+  /// and right-handed.
   std::optional<PlaneMap> SolveAlongLine() const;
 
 private:
   Eigen::Vector2d MeanIndex() const { return this->IndexSum / double(this->Count); }
   Eigen::Vector2d MeanPlace() const { return this->PlaceSum / double(this->Count); }
-  /// Mean products of the differences from the means.
+  /// Covariances.
   Eigen::Matrix2d IndexSpread() const;
   Eigen::Matrix2d PlaceSpread() const;
   PlaneMap MapWithSteps(const Eigen::Matrix2d& steps) const;

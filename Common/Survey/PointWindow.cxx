@@ -15,7 +15,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t ChunkSize = 1 << 16;
-// A rectangle halved as often is smaller than the last digit of its place.
+// After more halvings the rectangle is below the precision of doubles.
 constexpr int MostHalvings = 2 * 64;
 
 struct Box : Eigen::AlignedBox2d
@@ -55,8 +55,7 @@ std::int64_t CountInside(const PlaneCloud& points, const Box& box, const Monitor
   return count.Points;
 }
 
-/// The halves of a box, cut across the longer side, that towards its lesser corner first. Points on the cut belong to
-/// both.
+/// Cuts across the longer side. Points on the cut belong to both halves.
 std::pair<Box, Box> Halve(const Box& box)
 {
   std::pair<Box, Box> halves = { box, box };

@@ -12,8 +12,7 @@
 
 namespace SeismicHorizons
 {
-/// Places in the plane as parallel arrays, and the middle they are taken relative to: coordinates of surveys are
-/// millions of metres, of which squares would lose digits.
+/// Places relative to a middle, since squares of survey coordinates lose digits.
 struct PlaneCloud
 {
   const std::vector<double>& X;
@@ -27,8 +26,8 @@ struct PlaneCloud
   }
 };
 
-/// Some of the points, all that lie within a rectangle, without repetitions and by ascending x and y: the rectangle
-/// around all, halved across its longer side towards the half with more points until they are few.
+/// Halves the bounding box towards the half with more points until at most `mostPoints` remain. Points are distinct, by
+/// ascending x and y.
 std::vector<Eigen::Vector2d> CrowdedWindow(const PlaneCloud& points, std::int64_t mostPoints, const Monitor& monitor);
 }
 

@@ -20,10 +20,9 @@ namespace
 using Steps = std::vector<Eigen::Vector2d>;
 
 constexpr std::size_t MostVoters = 1024;
-// Steps that are alike but for rounding and for errors of the places, as a part of their length.
+// Relative difference of equal steps with rounded or wrong places.
 constexpr double Likeness = 0.25;
-// What is off a line, as a part of the step along it: rows of a lattice are at least sqrt(3)/2 of its shortest step
-// apart.
+// Relative to the step along the line; rows of a lattice are at least sqrt(3)/2 of its shortest step apart.
 constexpr double OffLine = 0.5;
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
@@ -31,7 +30,6 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// From some of the points, the step to the nearest other one that is accepted.
 template <typename Accept>
 Steps NearestSteps(const std::vector<Eigen::Vector2d>& points, Accept&& accept)
 {
@@ -59,8 +57,7 @@ Steps NearestSteps(const std::vector<Eigen::Vector2d>& points, Accept&& accept)
   return steps;
 }
 
-/// The mean of the largest group of steps that are alike. A step and its opposite are the same. The middle one in
-/// length tells how much alike they have to be, as a step over a hole is longer than most.
+/// Signs are ignored. Similarity is relative to the median length, since steps over holes are longer.
 Eigen::Vector2d Vote(Steps steps)
 {
   const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
@@ -97,7 +94,7 @@ struct CountedStep
   std::int64_t Count = 0;
 };
 
-/// How often there is which step between points, in units; a step and its opposite are the same.
+/// Units are the rounding; signs are ignored.
 class StepCounts
 {
 public:
@@ -128,7 +125,7 @@ public:
     }
   }
 
-  /// The means of places with more steps around than others, and not much less than the most there are anywhere.
+  /// A peak has more steps than its surroundings, and nearly the most of all.
   std::vector<CountedStep> FindPeaks() const
   {
     std::vector<CountedStep> peaks;
@@ -161,7 +158,7 @@ public:
 private:
   using Cell = std::pair<std::int64_t, std::int64_t>;
 
-  // In nearest distances: the shortest two steps of a lattice that are not on a line are within.
+  // In nearest distances; includes the shortest two independent steps of any lattice.
   static constexpr double FarthestNeighbour = 2.5;
 
   std::int64_t At(const Cell& cell) const
@@ -171,7 +168,7 @@ private:
     return found == this->Counts.end() ? 0 : found->second;
   }
 
-  /// Rounding of both ends moves a step by up to a unit either way.
+  /// Rounding of both ends moves a step by up to a unit.
   CountedStep Around(const Cell& cell) const
   {
     CountedStep sum{ Eigen::Vector2d::Zero(), 0 };

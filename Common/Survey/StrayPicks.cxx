@@ -18,7 +18,6 @@ namespace
 {
 constexpr std::array<std::int64_t, 4> Divisors = { 2, 3, 5, 7 };
 
-/// How many lines have each remainder.
 struct RemainderCounts
 {
   std::array<std::array<std::int64_t, 7>, Divisors.size()> Picks = {};
@@ -43,7 +42,7 @@ struct RemainderCounts
   }
 };
 
-/// The range of all values but the outer fiftieths, and as much on both sides.
+/// 2 % are cut off at each end, and the range is widened by its width on both sides.
 struct WideRange
 {
   double Least = 0.0;
@@ -88,7 +87,7 @@ std::vector<std::size_t> FindBetween(
     {
       continue;
     }
-    constexpr std::size_t fewest = 4; // lines, else nothing tells in which steps they go
+    constexpr std::size_t fewest = 4;
     std::set<std::int64_t> different;
     std::vector<std::size_t> between;
     for (std::size_t pick = 0; pick < lines.size(); ++pick)
@@ -144,7 +143,7 @@ std::vector<std::size_t> FindFarPlaces(const std::vector<Eigen::Vector2d>& place
   {
     return {};
   }
-  Eigen::Matrix2d least = Eigen::Matrix2d::Constant(-std::numeric_limits<double>::infinity()); // of both, in columns
+  Eigen::Matrix2d least = Eigen::Matrix2d::Constant(-std::numeric_limits<double>::infinity());
   Eigen::Matrix2d greatest = -least;
   std::vector<double> along(places.size());
   const std::array<std::size_t, 2> outer = { places.size() / 50, std::max<std::size_t>(1, places.size() / 10) };

@@ -8,14 +8,14 @@
 
 namespace SeismicHorizons
 {
-/// What a file, or its user, says of its coordinates. Texts are empty where nothing is said: nothing is guessed.
+/// Unknown texts are empty; nothing is guessed.
 struct SurveyDescription
 {
-  std::string VerticalUnit; // "ms", "s", "m" or "ft"; anything else as the file has it
-  std::string VerticalDomain; // "time" or "depth"
-  std::string HorizontalUnit; // "m" or "ft"; anything else as the file has it
-  std::string CoordinateSystem; // its name, passed through
-  bool IsUpright = false; // z counts upwards for certain, as elevations do
+  std::string VerticalUnit; // "ms", "s", "m", "ft", or the text of the file.
+  std::string VerticalDomain;
+  std::string HorizontalUnit;
+  std::string CoordinateSystem;
+  bool IsUpright = false; // z increases upwards for certain.
 };
 }
 

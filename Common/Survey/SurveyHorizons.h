@@ -14,25 +14,24 @@
 
 namespace SeismicHorizons
 {
-/// Columns with several picks of one horizon, of which one is kept: those whose z differ.
+/// Columns whose picks of a horizon differ in z.
 struct ConflictCount
 {
-  std::int64_t Repeats = 0; // picks left out with the same z as another one
+  std::int64_t Repeats = 0; // Dropped picks with the z of another pick.
   std::int64_t Columns = 0;
-  std::int64_t InLines = 0; // of these
-  double Largest = 0.0; // the largest difference
+  std::int64_t InLines = 0; // Columns in conflict on lines.
+  double Largest = 0.0;
 };
 
-/// Horizons on the columns of one lattice.
 struct SurveyHorizons
 {
   SurveyDescription Survey;
   SurveyLattice Lattice;
-  double LargestDistance = 0.0; // of a pick to its column, in columns
+  double LargestDistance = 0.0; // Largest distance of a pick from its column, in columns.
   std::vector<LatticeHorizon> Horizons;
-  std::string Sense; // why z counts upwards or downwards, for people
-  std::vector<ConflictCount> Conflicts; // of each horizon
-  std::vector<std::string> Doubts; // what users should know about the picks
+  std::string Sense; // Reason for the direction of z.
+  std::vector<ConflictCount> Conflicts;
+  std::vector<std::string> Doubts;
 };
 }
 

@@ -12,14 +12,13 @@
 
 namespace SeismicHorizons
 {
-/// The map through picks with line numbers and places, of which there is at least one. Only these are looked at. Where
-/// all are on one line the step across is as long as that along it. Throws InputError where they do not even make that.
+/// Fits picks with line numbers and places. If all are on a line, the step across is as long as the step along it.
+/// Throws InputError if that is impossible, too.
 PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Monitor& monitor);
 
-/// Columns stand where the numbers of their lines are.
+/// Line numbers serve as coordinates.
 PlaneMap LinesAsPlaces(const LineNumbering& lines);
 
-/// The lattice of picks, before it is known how many columns it has. Throws InputError where there is no lattice.
 SurveyLattice FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor);
 }
 

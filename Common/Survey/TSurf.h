@@ -16,37 +16,34 @@
 
 namespace SeismicHorizons
 {
-/// Where z of a GOCAD object grows to, its ZPOSITIVE.
 enum class VerticalPositive
 {
-  Elevation = 0, ///< upwards
-  Depth = 1 ///< downwards, also for time
+  Elevation = 0, ///< z increases upwards.
+  Depth = 1 ///< z increases downwards, also for time.
 };
 
-/// Numbers that belong to the vertices of a TSurf.
 struct TSurfProperty
 {
   std::string Name;
-  std::string Unit; // empty where none is stated
-  std::size_t Size = 1; // numbers for each vertex
-  std::vector<double> Values; // vertex after vertex; nan where there is none
+  std::string Unit;
+  std::size_t Size = 1; // Numbers per vertex.
+  std::vector<double> Values; // By vertex; nan for null values.
 };
 
-/// A triangulated surface as GOCAD has it.
 struct TSurf
 {
   using Triangle = std::array<PointId, 3>;
 
-  std::string Name; // empty where there is none
-  std::optional<std::array<double, 3>> Colour; // red, green, blue from 0 to 1
+  std::string Name;
+  std::optional<std::array<double, 3>> Colour;
   VerticalPositive Positive = VerticalPositive::Elevation;
   SurveyDescription Survey;
   std::vector<TSurfProperty> Properties;
-  std::vector<std::array<double, 3>> Vertices; // z grows as Positive says
+  std::vector<std::array<double, 3>> Vertices; // z increases as Positive says.
   std::vector<Triangle> Triangles;
-  std::vector<std::int32_t> Parts; // of each triangle the number of its TFACE, from 0; empty where there is one
-  std::vector<PointId> BorderStones; // vertices that part the border into sections
-  std::vector<std::array<PointId, 2>> Borders; // of each section its first two vertices
+  std::vector<std::int32_t> Parts; // TFACE of each triangle, from 0; empty if there is one.
+  std::vector<PointId> BorderStones; // Vertices that divide the border into sections.
+  std::vector<std::array<PointId, 2>> Borders; // First two vertices of each section.
 };
 }
 

@@ -11,10 +11,9 @@
 
 namespace SeismicHorizons
 {
-/// A unit in short, "m", "ft", "ms" or "s"; any other as it is.
 std::string ShortUnit(std::string_view unit);
 
-/// Sets the vertical unit, and the domain that follows from it where none is said: "time" or "depth".
+/// Sets an empty domain according to the unit.
 void SetVerticalUnit(SurveyDescription& survey, std::string_view unit);
 }
 

@@ -14,10 +14,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A median needs no more, and takes time.
+// A sample suffices for the median, which is expensive.
 constexpr std::size_t MostDifferences = 1 << 20;
 
-/// Collects the differences of z between the columns of a horizon and their neighbours along i and j.
 class DifferenceList
 {
 public:
@@ -28,7 +27,7 @@ public:
 
   void Add(const LatticeHorizon& horizon)
   {
-    std::size_t above = 0; // runs along the row after that of the column
+    std::size_t above = 0;
     for (std::size_t n = 0; n < horizon.RealZ.size(); ++n)
     {
       const int i = horizon.Column[n].X;
@@ -49,7 +48,7 @@ public:
     }
   }
 
-  /// The median of those that are not 0; 0 where there are none.
+  /// Ignores zeros; returns 0 without others.
   double Median()
   {
     if (this->Differences.empty())
@@ -75,11 +74,11 @@ private:
   std::vector<double> Differences;
 };
 
-/// The nearest of 1, 2 and 5 times a power of ten, by the ratio.
+/// Rounds to 1, 2 or 5 times a power of ten, by ratio.
 double RoundStep(double step)
 {
   const double power = std::pow(10.0, std::floor(std::log10(step)));
-  const double digits = step / power; // 1 to 10
+  const double digits = step / power;
   const double rounded = digits < std::sqrt(2.0) ? 1.0
     : digits < std::sqrt(10.0)                   ? 2.0
     : digits < std::sqrt(50.0)                   ? 5.0
@@ -103,7 +102,6 @@ double SuitableStep(const LatticeHorizon* horizons, std::size_t count)
   return median > 0.0 && std::isfinite(median) ? RoundStep(median) : 1.0;
 }
 
-/// Of some horizons together.
 VerticalSampling FindSampling(const LatticeHorizon* horizons, std::size_t count, double step)
 {
   if (!(step >= 0.0 && std::isfinite(step)))

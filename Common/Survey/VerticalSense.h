@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Few files say whether z is a depth or an elevation. Names and numbers do: Petrel writes depth and time with a minus
-// sign, others without one.
+// Petrel writes depth and time as negative numbers, other programs as positive numbers.
 
 #ifndef SeismicHorizonsVerticalSense_h
 #define SeismicHorizonsVerticalSense_h
@@ -15,10 +14,10 @@
 
 namespace SeismicHorizons
 {
-/// Whether z counts upwards by the name of its column: "Elevation (m)", but not "Depth below elevation 0".
+/// Accepts "Elevation (m)", but not "Depth below elevation 0".
 bool IsElevation(std::string_view name);
 
-/// Where nothing says so yet, z counts upwards if none is above 0 and one is below. Returns the reason, for people.
+/// Without a stated direction z increases upwards if no z is above 0 and one is below. Returns the reason.
 std::string FindSense(SurveyDescription& survey, const std::vector<double>& z);
 }
 

@@ -18,8 +18,8 @@ void SetVerticalExaggeration(vtkSMProxy* view, double factor);
 
 void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view);
 
-/// Returns a round factor that makes data about as high as a quarter of their width, or 1 unless they are flatter than 1
-/// in 10.
+/// Returns a round factor that makes data about as high as a quarter of their width, or 1 unless they are flatter than
+/// 1 in 10.
 double SuggestVerticalExaggeration(vtkSMProxy* view);
 }
 

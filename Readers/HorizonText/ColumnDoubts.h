@@ -17,8 +17,8 @@ namespace SeismicHorizons
 /// Throws InputError for rows of a grid: too many and too similar unnamed fields.
 void RefuseMatrix(const TextLines& sample, const TextLayout& layout);
 
-/// Throws InputError, which says what to set, if guessed fields may be wrong: places in other fields, numbers that touch
-/// or have decimal commas, line numbers that may be places, or a z that is constant or counts lines.
+/// Throws InputError, which says what to set, if guessed fields may be wrong: places in other fields, numbers that
+/// touch or have decimal commas, line numbers that may be places, or a z that is constant or counts lines.
 void RefuseDoubtfulColumns(const TextLines& sample, const TextLayout& layout);
 
 std::string DoubtOfColumns(const TextLines& sample, const TextLayout& layout);

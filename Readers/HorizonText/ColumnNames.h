@@ -25,8 +25,8 @@ std::string_view DomainOfName(std::string_view name);
 /// or the place is missing.
 std::vector<TextColumn> ParseColumnList(const std::string& list);
 
-/// The first field of a role keeps it; others become attributes with unique names. Without z the first attribute becomes
-/// z. x without y and inline without crossline become attributes.
+/// The first field of a role keeps it; others become attributes with unique names. Without z the first attribute
+/// becomes z. x without y and inline without crossline become attributes.
 void SettleRoles(std::vector<TextColumn>& columns);
 
 /// Throws InputError if z or the place is missing.

@@ -65,8 +65,8 @@ public:
     this->Order = isMarked || isSwapped ? ByteOrder::LittleEndian : ByteOrder::BigEndian;
   }
 
-  /// The major revision is the first of two bytes, which some programs of little-endian files swap. Invalid numbers give
-  /// 0.
+  /// The major revision is the first of two bytes, which some programs of little-endian files swap. Invalid numbers
+  /// give 0.
   int Revision() const
   {
     constexpr int last = 2;

@@ -75,8 +75,8 @@ SampleCheck CheckSamples(const std::vector<float>& samples)
   return { anyBits == 0, std::int64_t(notFinite) };
 }
 
-/// Interpolates at `shift` steps after each sample, by cubic polynomials with central differences as slopes (Catmull and
-/// Rom, 1974). The last sample is lost.
+/// Interpolates at `shift` steps after each sample, by cubic polynomials with central differences as slopes (Catmull
+/// and Rom, 1974). The last sample is lost.
 void ShiftSamples(std::vector<float>& samples, float shift)
 {
   if (samples.size() < 2)

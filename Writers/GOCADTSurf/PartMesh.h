@@ -12,8 +12,8 @@
 
 namespace SeismicHorizons
 {
-/// The vertices and triangles of a TSurf in the order of the file, part by part. Vertices of triangles come by ascending
-/// number within a part. A vertex of several parts is repeated in each, with a reference to its first entry.
+/// The vertices and triangles of a TSurf in the order of the file, part by part. Vertices of triangles come by
+/// ascending number within a part. A vertex of several parts is repeated in each, with a reference to its first entry.
 struct PartMesh
 {
   struct Part

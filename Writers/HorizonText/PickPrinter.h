@@ -23,8 +23,8 @@ struct PrintedColumns
 /// OpendTect's single-line header has no name for the field of horizon names.
 void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns);
 
-/// A line has, separated by tabs: the name in quotes, inline and crossline (both optional), x, y, z and attributes. Null
-/// values are 1e30. Throws InputError for values that would be read as null.
+/// A line has, separated by tabs: the name in quotes, inline and crossline (both optional), x, y, z and attributes.
+/// Null values are 1e30. Throws InputError for values that would be read as null.
 void PrintPicks(std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns,
   const Monitor& monitor = Monitor());
 }

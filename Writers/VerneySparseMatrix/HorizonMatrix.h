@@ -20,7 +20,8 @@ std::array<double, 2> ReadVerticalScale(vtkPolyData* horizon);
 /// All points must have the same ID; without an array there is none.
 std::optional<int> ReadSurfaceId(vtkPolyData* horizon);
 
-/// vtkVerneySparseMatrixWriter documents the defaults of missing arrays. Throws InputError if points are not on columns.
+/// vtkVerneySparseMatrixWriter documents the defaults of missing arrays. Throws InputError if points are not on
+/// columns.
 LatticeHorizon ReadVoxels(vtkPolyData* horizon, int surfaceId);
 }
 
