@@ -63,19 +63,19 @@ protected:
   vtkHorizonWriter() = default;
   ~vtkHorizonWriter() override;
 
-  /// A horizon, and what it is called: by its block, else by its surface ID, else by the file.
+  /// The name is from the block, the surface ID or the file, in this order.
   struct NamedHorizon
   {
     std::string Name;
     vtkPolyData* Data;
   };
 
-  /// Whether each of several horizons goes into a file of its own. Its name is that of the file with that of the
-  /// horizon behind an underscore, and underscores for what file names cannot have: "reek_Top.irap" for "reek.irap".
+  /// True writes each horizon into its own file, such as "reek_Top.irap" for "reek.irap"; underscores replace invalid
+  /// characters.
   virtual bool WritesFileForEach() const { return false; }
 
-  /// Writes the horizons, of which there is at least one, and all of which have points. Throws
-  /// SeismicHorizons::InputError on what the format cannot hold.
+  /// There is at least one horizon, and all have points. Throws SeismicHorizons::InputError if the format cannot hold
+  /// them.
   virtual void PrintHorizons(
     const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) = 0;
 
@@ -86,7 +86,7 @@ private:
   vtkHorizonWriter(const vtkHorizonWriter&) = delete;
   void operator=(const vtkHorizonWriter&) = delete;
 
-  /// Writes each horizon into the file of its number; all of them, or none.
+  /// Writes all files or none.
   void WriteFiles(const std::vector<std::string>& names, const std::vector<NamedHorizon>& horizons,
     const SeismicHorizons::Monitor& monitor, std::string& subject);
 

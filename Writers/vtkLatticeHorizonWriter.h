@@ -45,7 +45,7 @@ protected:
   vtkLatticeHorizonWriter() = default;
   ~vtkLatticeHorizonWriter() override = default;
 
-  /// 1 where z of the file is world z, -1 where it is the negative.
+  /// Factor from world z to z of the file, 1 or -1.
   int VerticalSign(vtkPolyData* horizon) const;
 
 private:

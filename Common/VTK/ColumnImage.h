@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Maps: images with a pixel for each column of a bounding box.
 
 #ifndef SeismicHorizonsColumnImage_h
 #define SeismicHorizonsColumnImage_h
@@ -24,12 +22,11 @@
 
 namespace SeismicHorizons
 {
-/// Where columns are in an image.
 class ColumnPixels
 {
 public:
-  /// Gives the image the extent of the box of some columns, at least one, and blanks all other pixels. Throws
-  /// InputError where the box is nearly empty, as between parts that are far apart, and large.
+  /// Sets the extent to the box of the columns, at least one, and blanks other pixels. Throws InputError if the box is
+  /// large and nearly empty.
   ColumnPixels(PlanePoints columns, vtkImageData* image)
     : Image(image)
   {
@@ -46,7 +43,7 @@ public:
     this->Add<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), shown, vtkDataSetAttributes::HIDDENPOINT);
   }
 
-  /// Adds a point array with the values of the columns, and another value where there is none.
+  /// Pixels without a column get `missing`.
   template <typename Array, typename Values>
   void Add(const char* name, const Values& values, typename Array::ValueType missing) const
   {

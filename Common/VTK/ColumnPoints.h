@@ -20,11 +20,11 @@
 
 namespace SeismicHorizons
 {
-/// Points over columns of a lattice, at the world z that elevation(n) gives, in double precision.
+/// elevation(n) is world z. Points have double precision.
 template <typename Elevation>
 vtkSmartPointer<vtkPoints> MakeColumnPoints(PlanePoints columns, const LatticeMatrix& toWorld, Elevation&& elevation)
 {
-  constexpr std::int64_t grain = 1 << 14; // points that a thread makes at a time
+  constexpr std::int64_t grain = 1 << 14;
   auto coordinates = NewArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(columns.size()), 3);
   double* const world = coordinates->GetPointer(0);
   ParallelFor(static_cast<std::int64_t>(columns.size()), grain,
@@ -42,7 +42,6 @@ vtkSmartPointer<vtkPoints> MakeColumnPoints(PlanePoints columns, const LatticeMa
   return points;
 }
 
-/// An array Column without points.
 inline vtkSmartPointer<vtkIntArray> NewColumnArray()
 {
   auto array = vtkSmartPointer<vtkIntArray>::New();
@@ -53,7 +52,6 @@ inline vtkSmartPointer<vtkIntArray> NewColumnArray()
   return array;
 }
 
-/// The array Column of such points, which takes over the memory of the columns.
 inline vtkSmartPointer<vtkIntArray> MoveToColumnArray(HeapArray<PlanePoint>& columns)
 {
   auto array = NewColumnArray();

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Named arrays out of plain data. `data` is the point, cell or field data they are added to; an array of the same name
-// is replaced.
+// Arrays of the same name are replaced.
 
 #ifndef SeismicHorizonsDataArrays_h
 #define SeismicHorizonsDataArrays_h
@@ -20,20 +19,16 @@ class vtkAbstractArray;
 
 namespace SeismicHorizons
 {
-/// Throws InputError (Common/Errors.h) when an array does not have as many tuples as there are `items` ("points"): VTK
-/// does not look at that, and would read behind its end.
+/// Throws InputError unless the array has a tuple per item ("points"), which VTK does not check before it reads.
 void RequireTuples(vtkAbstractArray* array, vtkIdType numberOfItems, const char* items);
 
-/// The same for all arrays of point, cell or row data.
 void RequireTuples(vtkFieldData* data, vtkIdType numberOfItems, const char* items);
 
-/// The first value of an array of numbers, or another one where there is none.
 double FirstValue(vtkFieldData* data, const char* name, double otherwise = 0.0);
 
-/// Gives an array that size; its values are still to be written.
 void SetNumberOfTuples(vtkAbstractArray* array, vtkIdType numberOfTuples);
 
-/// An array of that size, whose values are still to be written.
+/// The values are not initialised.
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int numberOfComponents = 1)
 {
@@ -44,7 +39,6 @@ vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int 
   return array;
 }
 
-/// Adds an array with one value for each item: value(item).
 template <typename Array, typename Item, typename Value>
 void AddArray(vtkFieldData* data, const char* name, const std::vector<Item>& items, Value&& value)
 {
@@ -53,7 +47,6 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<Item>& ite
   data->AddArray(array);
 }
 
-/// Adds an array with these values.
 template <typename Array, typename Value>
 void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& values)
 {
@@ -62,7 +55,7 @@ void AddArray(vtkFieldData* data, const char* name, const std::vector<Value>& va
   data->AddArray(array);
 }
 
-/// Adds an array with these values and frees what held them, so that large data are held twice for a short time only.
+/// Frees `values`, so that large data exist twice only briefly.
 template <typename Array, typename Value>
 void MoveToArray(vtkFieldData* data, const char* name, std::vector<Value>& values)
 {
@@ -70,7 +63,7 @@ void MoveToArray(vtkFieldData* data, const char* name, std::vector<Value>& value
   values = std::vector<Value>();
 }
 
-/// Adds an array that takes over the memory of these values.
+/// Takes over the memory of `values`.
 template <typename Array, typename Value>
 void MoveToArray(vtkFieldData* data, const char* name, HeapArray<Value>& values)
 {
@@ -81,7 +74,6 @@ void MoveToArray(vtkFieldData* data, const char* name, HeapArray<Value>& values)
   data->AddArray(array);
 }
 
-/// Adds an array that has the same value everywhere.
 template <typename Array>
 void AddConstant(vtkFieldData* data, const char* name, vtkIdType numberOfValues, typename Array::ValueType value)
 {
@@ -90,14 +82,12 @@ void AddConstant(vtkFieldData* data, const char* name, vtkIdType numberOfValues,
   data->AddArray(array);
 }
 
-/// Adds an array of a single value.
 template <typename Array>
 void AddValue(vtkFieldData* data, const char* name, typename Array::ValueType value)
 {
   AddConstant<Array>(data, name, 1, value);
 }
 
-/// Adds an array of a single tuple.
 template <typename Array, typename Tuple>
 void AddTuple(vtkFieldData* data, const char* name, const Tuple& tuple)
 {

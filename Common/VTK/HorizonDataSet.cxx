@@ -25,7 +25,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The vertical indices nearest to real z.
 HeapArray<int> FindIndices(const HeapArray<double>& realZ, const VerticalSampling& sampling)
 {
   HeapArray<int> indices;
@@ -83,7 +82,7 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(LatticeHorizon horizon, const Lat
   {
     MoveToArray<vtkDoubleArray>(data, name.c_str(), values);
   }
-  // After the attributes, so that none of them takes the place of one of these.
+  // Attributes of the same name, added before, are replaced.
   data->AddArray(columns);
   AddConstant<vtkIntArray>(data, PointArray::SurfaceId, numberOfPoints, horizon.SurfaceId);
   MoveToArray<vtkIntArray>(data, PointArray::VerticalIndex, horizon.K);
@@ -93,8 +92,8 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(LatticeHorizon horizon, const Lat
     MoveToArray<vtkDoubleArray>(data, PointArray::Amplitude, horizon.Amplitude);
   }
   MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, horizon.RealZ);
-  data->RemoveArray(PointArray::PointCount); // each point represents one, whatever an attribute of that name says
-  data->SetActiveScalars(PointArray::VerticalIndex); // what ParaView colours by at first
+  data->RemoveArray(PointArray::PointCount); // Each point stands for a single one, whatever the file's attribute says.
+  data->SetActiveScalars(PointArray::VerticalIndex);
   points->SetVerts(MakeVertices(numberOfPoints));
 
   AddFrameFields(points->GetFieldData(), frame);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Turns horizons into the points that the stages work on (Documentation/DataModel.md), and adds the field data that
-// datasets of any kind have.
+// Documentation/DataModel.md describes the points.
 
 #ifndef SeismicHorizonsHorizonDataSet_h
 #define SeismicHorizonsHorizonDataSet_h
@@ -19,12 +18,11 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Adds the lattice and its place in the world, and of the survey what is known: line numbers and units.
+/// Adds the lattice, its map to the world, line numbers and units.
 void AddFrameFields(vtkFieldData* data, const LatticeFrame& frame);
 
 void PlaceImage(vtkImageData* image, const ImageFrame& frame);
 
-/// Makes a point and a vertex cell of each column of a horizon. Its memory is handed on to the arrays of the points.
 vtkSmartPointer<vtkPolyData> MakeHorizonPoints(LatticeHorizon horizon, const LatticeFrame& frame);
 }
 

@@ -26,7 +26,7 @@ std::string NameBySurfaceId(vtkPolyData* horizon)
 {
   vtkDataArray* const ids = horizon->GetPointData()->GetArray(PointArray::SurfaceId);
   const double id = ids && ids->GetNumberOfTuples() > 0 ? ids->GetComponent(0, 0) : std::nan("");
-  constexpr double Greatest = 1LL << 53; // beyond, doubles are no longer exact
+  constexpr double Greatest = 1LL << 53; // Larger doubles are not exact integers.
   return std::abs(id) <= Greatest ? HorizonName(static_cast<std::int64_t>(id)) : std::string();
 }
 

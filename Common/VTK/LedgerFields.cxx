@@ -39,7 +39,7 @@ std::vector<unsigned char> ReadFilled(vtkPolyData* points)
     for (std::size_t point = 0; point < filled.size(); ++point)
     {
       const double value = array->GetComponent(vtkIdType(point), 0);
-      filled[point] = value >= 1.5 ? 2 : value >= 0.5 ? 1 : 0; // not a number: not filled
+      filled[point] = value >= 1.5 ? 2 : value >= 0.5 ? 1 : 0; // nan counts as not filled.
     }
   }
   return filled;

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The ledger (Common/Ledger.h) in the field data of a dataset.
 
 #ifndef SeismicHorizonsLedgerFields_h
 #define SeismicHorizonsLedgerFields_h
@@ -16,16 +14,14 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// The value of the array Filled at each point, as read for the ledger; empty without the array.
+/// Empty without the array Filled.
 std::vector<unsigned char> ReadFilled(vtkPolyData* points);
 
-/// The ledger of points alone.
 Ledger CountPoints(vtkPolyData* points);
 
-/// None where there is none.
 std::optional<Ledger> ReadLedger(vtkFieldData* data);
 
-/// Adds the columns, and their areas by the lattice of the same field data, if any.
+/// Adds areas if the field data have a lattice.
 void WriteLedger(const Ledger& ledger, vtkFieldData* data);
 }
 

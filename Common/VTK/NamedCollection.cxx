@@ -15,7 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// What a node of an assembly can be called.
 std::string NodeName(const std::string& name)
 {
   const bool isTaken = name.empty() || vtkDataAssembly::IsNodeNameReserved(name.c_str());

@@ -35,11 +35,10 @@ void Empty(const std::vector<vtkDataObject*>& outputs)
   }
 }
 
-/// How the work of a request ended.
 struct Outcome
 {
   bool IsDone = false;
-  std::string Problem; // empty where it is done, or was asked to stop
+  std::string Problem;
   unsigned long Code = vtkErrorCode::UnknownError;
 };
 
@@ -73,7 +72,6 @@ Outcome Fail(const std::string& problem)
   return { false, problem, vtkErrorCode::UnknownError };
 }
 
-/// A monitor that reports to an algorithm, and stops when that is aborted.
 Monitor MakeMonitor(vtkAlgorithm* algorithm)
 {
   return Monitor(
@@ -97,18 +95,18 @@ Outcome Run(vtkAlgorithm* algorithm, const std::string& noMemory, const RequestW
   }
   catch (const InputError& error)
   {
-    // A stage upstream that was stopped leaves nothing, which is no wrong input.
+    // A stopped stage upstream leaves empty data, which are no wrong input.
     return IsAborted(algorithm) ? Outcome() : Outcome{ false, error.what(), CodeOf(error) };
   }
   catch (const std::bad_alloc&)
   {
     return Fail(noMemory);
   }
-  catch (const std::length_error&) // more than any memory could hold
+  catch (const std::length_error&) // The size exceeds any memory.
   {
     return Fail(noMemory);
   }
-  catch (const std::system_error& error) // a thread that cannot be started, a file that went away
+  catch (const std::system_error& error) // A thread cannot start, or a file vanished.
   {
     return Fail("the system reports \"" + std::string(error.what()) + "\", expected enough threads and files for this");
   }
@@ -118,14 +116,12 @@ Outcome Run(vtkAlgorithm* algorithm, const std::string& noMemory, const RequestW
   }
 }
 
-/// Whether a rank has a problem that none before it has.
 bool IsFirst(const std::vector<std::string>& problems, int rank)
 {
   const auto own = problems.begin() + rank;
   return !own->empty() && std::find(problems.begin(), own, *own) == own;
 }
 
-/// Whether an extent has points, and all of them are in another.
 bool IsWithin(const int* part, const std::array<int, 6>& whole)
 {
   bool isWithin = true;
@@ -171,7 +167,7 @@ RequestWork WatchInformation(vtkAlgorithm* algorithm, bool& isStopped, RequestWo
   return [&isStopped, algorithm, work = std::move(work)](std::string& subject, const Monitor& monitor)
   {
     isStopped = false;
-    MarkAborted(algorithm, false); // of a request before, which CheckAbort would repeat
+    MarkAborted(algorithm, false); // CheckAbort would repeat the state of an earlier request.
     try
     {
       work(subject, monitor);
@@ -215,7 +211,7 @@ RequestWork TellLater(vtkInformation* request, RequestWork work)
     }
     catch (const InputError&)
     {
-      return; // the data will not come either, and that says why
+      return; // The request for data fails, too, and explains the error.
     }
   };
 }

@@ -20,7 +20,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int DatasetTag = 5011; // of messages with datasets
+constexpr int DatasetTag = 5011;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

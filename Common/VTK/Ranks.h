@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The processes that run a pipeline together, each on its part of the data ("ranks" of MPI). Where a function is called
-// collective here, all of them have to call it, in the same order.
+// The processes of a parallel pipeline, as in MPI. All ranks must call collective functions, in the same order.
 
 #ifndef SeismicHorizonsRanks_h
 #define SeismicHorizonsRanks_h
@@ -23,29 +22,26 @@ namespace SeismicHorizons
 class Ranks
 {
 public:
-  /// This process alone.
   Ranks() = default;
 
-  /// All of a controller, which may be null. Keeps the pointer.
+  /// All processes of a controller, which may be null.
   explicit Ranks(vtkMultiProcessController* controller);
 
-  /// Those that answer a request of the pipeline together: all of a controller, which may be null, when the request is
-  /// for as many pieces as it has processes, which is how ParaView asks; else this one alone, as when a program on one
-  /// process calls Update(). Keeps the pointer.
+  /// All processes of a controller if the request is for as many pieces, as in ParaView; else this process alone, as
+  /// when a program calls Update().
   Ranks(vtkMultiProcessController* controller, vtkInformation* request, vtkInformationVector* outputs);
 
-  /// How many there are, and which of them, from 0, this one is.
+  /// Own counts from 0.
   int Size() const { return this->Count; }
   int Own() const { return this->Number; }
 
-  /// Whether a value is true on any rank. Collective.
+  /// Collective.
   bool Any(bool value) const;
 
-  /// The texts of all ranks, on each of them. Collective.
+  /// Collective.
   std::vector<std::string> Gather(const std::string& text) const;
 
-  /// Runs work() on all ranks. Throws what it throws, and Aborted where it throws on another rank only. Collective; the
-  /// work need not be the same.
+  /// Throws Aborted if work fails on another rank. Collective; work may differ.
   template <typename Work>
   void Together(Work&& work) const
   {
@@ -69,16 +65,14 @@ public:
     }
   }
 
-  /// To be called where all ranks find the same thing wrong: throws InputError on the first, and Aborted on the others,
-  /// so that it is reported once.
+  /// All ranks call this for a common problem, which only the first reports: the others throw Aborted.
   [[noreturn]] void Refuse(const std::string& problem) const;
 
-  /// Sends a dataset to another rank, which has to receive it.
   void Send(vtkDataObject* data, int rank) const;
   void Receive(vtkDataObject* data, int rank) const;
 
 private:
-  vtkMultiProcessController* Controller = nullptr; // null where there is one rank
+  vtkMultiProcessController* Controller = nullptr;
   int Count = 1;
   int Number = 0;
 };

@@ -10,10 +10,9 @@ class vtkFieldData;
 
 namespace SeismicHorizons
 {
-/// Adds an array of one text for each part of a description that is not empty.
+/// Adds a text array for each member that is not empty.
 void AddSurveyFields(const SurveyDescription& survey, vtkFieldData* data);
 
-/// The description that such arrays give; empty where there is none.
 SurveyDescription ReadSurveyFields(vtkFieldData* data);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What versions of VTK have under different names, or not at all (Documentation/Versions.md): nothing else asks for the
-// version.
+// Only this file depends on the version of VTK (Documentation/Versions.md).
 
 #ifndef SeismicHorizonsVersionDifferences_h
 #define SeismicHorizonsVersionDifferences_h
@@ -18,11 +17,10 @@
 
 namespace SeismicHorizons
 {
-/// True when the user asked `algorithm`, or one upstream of it, to stop.
+/// Includes algorithms upstream.
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
-  // CheckAbort, which VTK 9.1 does not have, also looks upstream. It misses a flag that was set without
-  // SetAbortExecuteAndUpdateTime, so that the flag is looked at as well.
+  // CheckAbort, new in VTK 9.2, looks upstream, but misses a flag that was set without SetAbortExecuteAndUpdateTime.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220831)
   if (algorithm->CheckAbort())
   {
@@ -32,7 +30,7 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
   return algorithm->GetAbortExecute() != 0;
 }
 
-/// Sets whether VTK takes the output for that of a request that was stopped: it asks for it again then.
+/// VTK requests the output of an aborted request again.
 inline void MarkAborted([[maybe_unused]] vtkAlgorithm* algorithm, [[maybe_unused]] bool isAborted)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220831)
@@ -40,7 +38,6 @@ inline void MarkAborted([[maybe_unused]] vtkAlgorithm* algorithm, [[maybe_unused
 #endif
 }
 
-/// The name of a type of cells, as vtkHexahedron.
 inline const char* CellTypeName(int type)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)

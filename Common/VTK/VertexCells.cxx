@@ -25,7 +25,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 65536; // cells that a thread takes at a time
+constexpr std::int64_t Grain = 65536;
 
 template <typename Number>
 bool Counts(const Number* numbers, vtkIdType size)
@@ -44,7 +44,6 @@ bool Counts(const Number* numbers, vtkIdType size)
   return isSame;
 }
 
-/// Whether an array holds the numbers from 0 on.
 bool Counts(vtkDataArray* array)
 {
   const vtkIdType size = array->GetNumberOfTuples();
@@ -56,7 +55,7 @@ bool Counts(vtkDataArray* array)
   {
     return Counts(wide->GetPointer(0), size);
   }
-  // From VTK 9.6 on, offsets may be a formula.
+  // From VTK 9.6 on offsets may be implicit.
   vtkIdType same = 0;
   while (same < size && array->GetComponent(same, 0) == double(same))
   {
@@ -65,13 +64,13 @@ bool Counts(vtkDataArray* array)
   return same == size;
 }
 
-/// Memory with the numbers from 0 on, which arrays share as long as there are some: the offsets and the points of all
-/// vertex cells are the same. A stage that drops few points then writes no cells at all.
+/// Offsets and points of all vertex cells are 0, 1, 2 and so on. Arrays share one block, so that stages that drop few
+/// points write no cells.
 template <typename Number>
 class SharedNumbers
 {
 public:
-  /// At least so many. Numbers of far larger horizons are not taken: they would stay for few.
+  /// Returns at least `size` numbers. Much larger blocks are not used, since small arrays would keep them.
   static Number* Take(vtkIdType size)
   {
     if (Number* const found = Find(size))
@@ -80,14 +79,13 @@ public:
     }
     std::unique_ptr<Number[]> made(new Number[std::size_t(size)]);
     Number* const numbers = made.get();
-    ParallelFor(size, Grain, // without the lock, as threads may wait for each other in loops
+    ParallelFor(size, Grain, // The lock is released, because threads may wait for each other in loops.
       [&](std::int64_t first, std::int64_t last) { std::iota(numbers + first, numbers + last, Number(first)); });
     const std::lock_guard<std::mutex> lock(Mutex());
     Blocks().push_back({ std::move(made), size, 1 });
     return numbers;
   }
 
-  /// What arrays call that took them.
   static void Return(void* numbers)
   {
     const std::lock_guard<std::mutex> lock(Mutex());
@@ -120,7 +118,7 @@ private:
     return block->Numbers.get();
   }
 
-  // Never destroyed: arrays may outlive all that is static.
+  // The mutex is never destroyed, since arrays may outlive statics.
   static std::mutex& Mutex()
   {
     static auto* const mutex = new std::mutex;
@@ -133,7 +131,7 @@ private:
   }
 };
 
-/// Lets an array have the numbers from 0 on. One that grows moves to memory of its own.
+/// An array that grows moves to its own memory.
 template <typename Array>
 void Count(vtkIdType size, Array* array)
 {
@@ -157,7 +155,6 @@ void SetVertices(vtkIdType numberOfPoints, vtkCellArray* vertices)
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType numberOfPoints)
 {
   auto vertices = vtkSmartPointer<vtkCellArray>::New();
-  // The last offset is the number of points.
   if (numberOfPoints <= std::numeric_limits<vtkTypeInt32>::max())
   {
     SetVertices<vtkTypeInt32Array>(numberOfPoints, vertices);

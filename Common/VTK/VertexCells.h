@@ -11,11 +11,9 @@ class vtkCellArray;
 
 namespace SeismicHorizons
 {
-/// One vertex cell for each of the points, in their order. Numbers are stored in 32 bits where they fit, else in 64, in
-/// memory that all such cells share: whoever wants other numbers makes other arrays, as with all that datasets share.
+/// Makes a vertex cell per point, with 32-bit numbers if they suffice. The memory is shared and must not be modified.
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType numberOfPoints);
 
-/// Whether cells are what that makes, so that they can be shared.
 bool HasAllVertices(vtkCellArray* cells, vtkIdType numberOfPoints);
 }
 

@@ -57,7 +57,7 @@ void FileSeries::ChooseByTime(vtkInformation* outputInformation)
   const double time =
     outputInformation->Has(Pipeline::UPDATE_TIME_STEP()) ? outputInformation->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
   const int last = std::max(0, this->GetSize() - 1);
-  // The comparisons are false where the time is no number.
+  // nan fails both comparisons.
   this->Current = time >= last ? last : time > 0.0 ? static_cast<int>(time) : 0;
 }
 
@@ -85,7 +85,7 @@ void FileSeries::Announce(vtkInformation* outputInformation)
   const std::array<double, 2> range = { times.front(), times.back() };
   outputInformation->Set(Pipeline::TIME_STEPS(), times.data(), this->GetSize());
   outputInformation->Set(Pipeline::TIME_RANGE(), range.data(), 2);
-  // Files have horizons, and extents, of their own.
+  // Files differ in horizons and extents.
   outputInformation->Set(Pipeline::TIME_DEPENDENT_INFORMATION(), 1);
 }
 

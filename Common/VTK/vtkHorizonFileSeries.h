@@ -10,11 +10,11 @@
 #ifndef vtkHorizonFileSeries_h
 #define vtkHorizonFileSeries_h
 
-#include "vtkSeismicHorizonsModule.h" // for the export macro
-#include "vtkSetGet.h" // for ostream and VTK_FILEPATH
+#include "vtkSeismicHorizonsModule.h"
+#include "vtkSetGet.h"
 
-#include <string> // for names
-#include <vector> // for their list
+#include <string>
+#include <vector>
 
 class vtkIndent;
 class vtkInformation;

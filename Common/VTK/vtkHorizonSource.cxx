@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All horizons are made before the first of them goes into the output, so that an error or a stop leaves no part of
-// them there.
+// All horizons are made before the output is filled, so that errors and stops leave it empty.
 
 #include "vtkHorizonSource.h"
 
@@ -36,10 +35,8 @@ namespace
 {
 using namespace SeismicHorizons;
 
-// vtkDataArraySelection looks for a name among all of them, one after the other, so that asking it for every name would
-// take the square of their number.
+// vtkDataArraySelection searches names linearly, so that asking for every name would be quadratic.
 
-/// Whether the selection lists these names, in this order.
 bool IsListed(const std::vector<std::string>& names, vtkDataArraySelection* selection)
 {
   bool isListed = static_cast<int>(names.size()) == selection->GetNumberOfArrays();
@@ -50,7 +47,7 @@ bool IsListed(const std::vector<std::string>& names, vtkDataArraySelection* sele
   return isListed;
 }
 
-/// Makes these the names of the selection. Those that it has keep their setting; it does not count as changed.
+/// Known names keep their setting; the selection is not marked as modified.
 void SetNames(const std::vector<std::string>& names, int settingOfOthers, vtkDataArraySelection* selection)
 {
   std::vector<const char*> texts(names.size());
@@ -58,8 +55,7 @@ void SetNames(const std::vector<std::string>& names, int settingOfOthers, vtkDat
   selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), settingOfOthers);
 }
 
-/// Lists the names, with the choice that was made for each; new ones are enabled. `disabled` has the names that were
-/// disabled when they were listed last, for those that come back.
+/// Names keep their choice; new ones are enabled. `disabled` keeps the choice for names that reappear.
 void ListNames(
   const std::vector<std::string>& names, vtkDataArraySelection* selection, std::unordered_set<std::string>& disabled)
 {
@@ -87,7 +83,6 @@ void ListNames(
   SetNames(names, 1, selection);
 }
 
-/// The numbers of the names that are enabled.
 std::vector<int> Select(const std::vector<std::string>& names, vtkDataArraySelection* selection)
 {
   std::unordered_set<std::string> enabled;
@@ -109,7 +104,6 @@ std::vector<int> Select(const std::vector<std::string>& names, vtkDataArraySelec
   return selected;
 }
 
-/// The sizes of chosen horizons, by their numbers. Where none are known, all are the same.
 std::vector<std::int64_t> Choose(const std::vector<std::int64_t>& sizes, const std::vector<int>& numbers)
 {
   std::vector<std::int64_t> chosen;
@@ -120,15 +114,14 @@ std::vector<std::int64_t> Choose(const std::vector<std::int64_t>& sizes, const s
   return chosen;
 }
 
-/// Those that have to answer a request for an output together; null where each can do so alone, as VTK cuts outputs
-/// other than collections as it likes.
+/// Returns null for outputs other than collections, which VTK splits itself.
 vtkMultiProcessController* FindController(vtkDataObject* output)
 {
   vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
   return all && all->GetNumberOfProcesses() > 1 && output->IsA("vtkPartitionedDataSetCollection") ? all : nullptr;
 }
 
-/// Throws InputError where processes have other horizons than the first: dealt out, some would be lost. Collective.
+/// Horizons would be lost if processes had different lists. Collective.
 void RequireSameList(const std::string& prefix, const std::vector<std::string>& names,
   const std::vector<std::int64_t>& sizes, const Ranks& ranks)
 {
@@ -225,7 +218,7 @@ std::string vtkHorizonSource::ErrorPrefix()
 vtkTypeBool vtkHorizonSource::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Of a series, another file may be asked for than the one that the information was taken from.
+  // In a file series the request may be for another file.
   return IsForTime(request) ? this->RequestInformation(request, inputVector, outputVector)
                             : this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
@@ -268,7 +261,7 @@ int vtkHorizonSource::RequestInformation(
           this->DescribeOutput(Select(names, this->HorizonSelection), info);
         })),
     Ranks(), &this->ErrorCode);
-  // A process that stopped here would not come to where the others wait for it: RequestData() says that it has failed.
+  // A process that returned 0 would miss collective calls; RequestData() reports the failure.
   return done || FindController(vtkDataObject::GetData(info)) ? 1 : 0;
 }
 
@@ -281,7 +274,7 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
   std::vector<std::string> names = this->ListHorizons(monitor);
   for (std::size_t number = 0; number < names.size(); ++number)
   {
-    // Selections and metadata would cut the name there.
+    // Selections and metadata would truncate the name.
     if (names[number].find('\0') != std::string::npos)
     {
       throw FileError(FileProblem::WrongContent,
@@ -310,7 +303,7 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
   const std::vector<int> pieceOf = DealOut(Choose(this->CountHorizonPoints(), numbers), numberOfPieces);
   const vtkSmartPointer<vtkPartitionedDataSetCollection> horizons = MakeCollection("Horizons");
   std::vector<int> own;
-  std::vector<unsigned int> positions; // of the same in the collection
+  std::vector<unsigned int> positions;
   for (std::size_t n = 0; n < numbers.size(); ++n)
   {
     AddName(horizons, names[numbers[n]]);
@@ -346,7 +339,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
       {
         StopLikeInformation(this, this->IsInformationStopped);
         this->CheckParameters();
-        // The data may have changed since the information was asked for.
+        // The data may have changed since RequestInformation.
         names = this->NameHorizons(monitor.Step(0.0, 0.5));
         this->List(names);
         if (names.empty())

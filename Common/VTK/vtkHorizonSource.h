@@ -20,15 +20,15 @@
 #ifndef vtkHorizonSource_h
 #define vtkHorizonSource_h
 
-#include "vtkNew.h" // for the selection
+#include "vtkNew.h"
 #include "vtkPartitionedDataSetCollectionAlgorithm.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
-#include "vtkSmartPointer.h" // for the datasets
+#include "vtkSeismicHorizonsModule.h"
+#include "vtkSmartPointer.h"
 
-#include <cstdint> // for numbers of points
-#include <string> // for names
-#include <unordered_set> // for the choice
-#include <vector> // for lists
+#include <cstdint>
+#include <string>
+#include <unordered_set>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -79,41 +79,39 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Tells of an output only that it can be made in pieces.
+  /// Outputs can be made in pieces.
   static int AnnouncePieces(vtkInformationVector* outputs);
 
-  /// Asks for all inputs whole, out of which each process makes its own horizons.
+  /// Requests whole inputs, from which each process makes its own horizons.
   int AskForWholeInput(vtkInformationVector** inputs);
 
-  // The following throw InputError (Common/Errors.h).
+  // The following functions throw InputError (Common/Errors.h).
 
-  /// Refuses parameters, before any data are looked at.
+  /// Called before any data are read.
   virtual void CheckParameters() {}
 
-  /// The names of all horizons there are, in their order. Of several that are the same, the later ones get a number.
+  /// Lists the names of all horizons; repeated names get a number.
   virtual std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) = 0;
 
-  /// Makes the datasets of some horizons, by their numbers in that list.
+  /// Makes the datasets of some horizons, given by their positions in the list.
   virtual std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) = 0;
 
-  /// How large each horizon of that list is, in points or anything that is about in proportion to them, when the list
-  /// has been made; empty where it is not known. Horizons are dealt out to pieces by this, so that it has to be the
-  /// same on all processes.
+  /// Returns the sizes of listed horizons, roughly proportional to their points, or nothing. They distribute horizons
+  /// to pieces, and must be equal on all processes.
   virtual std::vector<std::int64_t> CountHorizonPoints() { return {}; }
 
-  /// Says what is known of an output before it is made, when the numbers of the chosen horizons are known.
+  /// Adds information on the output, given the positions of the chosen horizons.
   virtual void DescribeOutput(const std::vector<int>& numbers, vtkInformation* outputInformation);
 
-  /// Makes the output that `outputInformation` asks for out of the chosen horizons, by their names and numbers in the
-  /// list: a collection of them.
+  /// Makes the requested collection of the chosen horizons, given by their names and positions in the list.
   virtual void MakeOutput(const std::vector<std::string>& names, const std::vector<int>& numbers,
     vtkInformation* outputInformation, const SeismicHorizons::Monitor& monitor);
 
-  /// The files that horizons are read from; null where they come from elsewhere.
+  /// Null unless horizons are read from files.
   virtual SeismicHorizons::FileSeries* GetFiles() { return nullptr; }
 
-  /// What errors begin with that come from the data: the name of the file, and ": ".
+  /// Errors in the data start with the name of the file and ": ".
   std::string ErrorPrefix();
 
 private:
@@ -125,7 +123,7 @@ private:
 
   vtkNew<vtkDataArraySelection> HorizonSelection;
   vtkNew<vtkIdTypeArray> HorizonSizes;
-  std::unordered_set<std::string> Disabled; // names of horizons, of those that are not listed
+  std::unordered_set<std::string> Disabled; // Disabled names that are not listed.
   bool IsInformationStopped = false;
 };
 

@@ -34,10 +34,10 @@ CornerPoint MakeCorner(const double (&corner)[4])
 // ---- The class ---------------------------------------------------------------------------------------------------
 struct vtkPickHorizonSource::SheetList
 {
-  vtkTimeStamp Time; // when it was made
-  std::vector<int> Numbers; // of the horizon of each sheet
-  std::vector<std::int64_t> Sizes; // in points
-  std::optional<SurveyHorizons> Placed; // until they are used
+  vtkTimeStamp Time;
+  std::vector<int> Numbers;
+  std::vector<std::int64_t> Sizes;
+  std::optional<SurveyHorizons> Placed;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -75,7 +75,7 @@ void vtkPickHorizonSource::CheckParameters()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Sheets are known when all points are on their columns.
+/// Sheets are known only after points are on columns.
 std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monitor)
 {
   const std::vector<std::string> names = this->ListNames(monitor.Step(0.0, 0.5));
@@ -84,12 +84,12 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
     this->ListedSheets.reset();
     return names;
   }
-  // Not the time of the choice of horizons, on which sheets do not depend.
+  // Choosing horizons does not change sheets.
   const vtkMTimeType changed = std::max(this->vtkAlgorithm::GetMTime(), this->GetPickTime());
   if (!this->ListedSheets || this->ListedSheets->Time.GetMTime() < changed)
   {
     this->ListedSheets.reset();
-    this->CheckParameters(); // which are not to be taken for a fault of the file
+    this->CheckParameters(); // Wrong parameters must not look like errors of the file.
     auto list = std::make_unique<SheetList>();
     list->Placed = this->PlaceAll(monitor.Step(0.5, 1.0));
     for (const LatticeHorizon& sheet : list->Placed->Horizons)
@@ -115,7 +115,7 @@ std::vector<std::int64_t> vtkPickHorizonSource::CountHorizonPoints()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// What the list of sheets was made from is used once: kept, it would take as much memory as the output.
+/// The points behind the list are used once: kept, they would double the memory of the output.
 SurveyHorizons vtkPickHorizonSource::ReadSurvey(const Monitor& monitor)
 {
   if (this->ListedSheets && this->ListedSheets->Placed)

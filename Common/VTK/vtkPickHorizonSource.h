@@ -21,10 +21,10 @@
 #ifndef vtkPickHorizonSource_h
 #define vtkPickHorizonSource_h
 
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 #include "vtkSurveyHorizonSource.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory>
 
 namespace SeismicHorizons
 {
@@ -221,16 +221,15 @@ protected:
   std::vector<std::int64_t> CountHorizonPoints() override;
   SeismicHorizons::SurveyHorizons ReadSurvey(const SeismicHorizons::Monitor& monitor) override;
 
-  /// The names of all horizons, before they are sheets.
+  /// Horizons may still have several sheets.
   virtual std::vector<std::string> ListNames(const SeismicHorizons::Monitor& monitor) = 0;
 
-  /// How many points each of them has, when they have been listed; empty where it is not known.
+  /// Returns the points of each listed horizon, or nothing.
   virtual std::vector<std::int64_t> CountPicks() = 0;
 
-  /// When the points were last found to be others, when they have been listed.
+  /// Modification time of the points, as of the last listing.
   virtual vtkMTimeType GetPickTime() = 0;
 
-  /// The points of all horizons.
   virtual SeismicHorizons::PickTable ReadPicks(const SeismicHorizons::Monitor& monitor) = 0;
 
 private:
@@ -256,7 +255,7 @@ private:
   double GriddingSmoothing = 0.01;
 
   struct SheetList;
-  std::unique_ptr<SheetList> ListedSheets; // with DuplicatePolicy Sheets
+  std::unique_ptr<SheetList> ListedSheets; // For DuplicatePolicy Sheets.
 };
 
 #endif

@@ -28,7 +28,6 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// What the user says goes before what the data say.
 void Override(std::string& text, const char* given)
 {
   if (given && *given)
@@ -37,7 +36,6 @@ void Override(std::string& text, const char* given)
   }
 }
 
-/// How many z are below 0, and how many are not.
 std::array<std::int64_t, 2> CountSigns(const std::vector<LatticeHorizon>& horizons)
 {
   std::array<std::int64_t, 2> counts = { 0, 0 };
@@ -56,7 +54,6 @@ void AddConflictFields(const ConflictCount& conflicts, vtkFieldData* data)
   AddValue<vtkDoubleArray>(data, FieldArray::LargestConflict, conflicts.Largest);
 }
 
-/// Throws InputError where no point is left of all horizons.
 void RequirePoints(const std::vector<LatticeHorizon>& horizons, const std::string& prefix)
 {
   std::int64_t nulls = 0;
@@ -140,7 +137,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   frame.Survey = survey.Survey;
   if (this->VerticalUnit && *this->VerticalUnit)
   {
-    frame.Survey.VerticalDomain.clear(); // it follows from the unit
+    frame.Survey.VerticalDomain.clear(); // The domain follows from the unit.
     SeismicHorizons::SetVerticalUnit(frame.Survey, this->VerticalUnit);
   }
   Override(frame.Survey.VerticalDomain, this->VerticalDomain);

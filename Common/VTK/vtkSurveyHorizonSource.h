@@ -34,7 +34,7 @@
 #define vtkSurveyHorizonSource_h
 
 #include "vtkHorizonSource.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 namespace SeismicHorizons
 {
@@ -127,13 +127,12 @@ protected:
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(
     const std::vector<int>& numbers, const SeismicHorizons::Monitor& monitor) override;
 
-  /// All horizons, in the order of their list.
+  /// Horizons are in the order of the list.
   virtual SeismicHorizons::SurveyHorizons ReadSurvey(const SeismicHorizons::Monitor& monitor) = 0;
 
-  /// Whether z of data that say where it counts to increases upwards.
+  /// Applies to data that state the direction of z.
   bool IsUpright(const SeismicHorizons::SurveyDescription& survey) const;
 
-  /// The format of the data, for the description.
   virtual std::string DescribeFormat() { return std::string(); }
 
 private:

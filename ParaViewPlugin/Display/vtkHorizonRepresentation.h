@@ -39,7 +39,7 @@ private:
   vtkHorizonRepresentation(const vtkHorizonRepresentation&) = delete;
   void operator=(const vtkHorizonRepresentation&) = delete;
 
-  /// Puts the heights between the pipeline and what draws; false where there is nothing to draw.
+  /// Inserts the heights between the pipeline and the mapper. Returns false if nothing is drawn.
   bool InsertHeights();
 
   vtkSmartPointer<vtkAlgorithm> Heights;

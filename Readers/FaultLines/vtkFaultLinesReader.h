@@ -20,9 +20,9 @@
 #ifndef vtkFaultLinesReader_h
 #define vtkFaultLinesReader_h
 
-#include "vtkHorizonFileSeries.h" // for the files
+#include "vtkHorizonFileSeries.h"
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkFaultLinesReader : public vtkPolyDataAlgorithm
 {

@@ -31,11 +31,11 @@
 #ifndef vtkGOCADTSurfReader_h
 #define vtkGOCADTSurfReader_h
 
-#include "vtkHorizonFileSeries.h" // for the files
+#include "vtkHorizonFileSeries.h"
 #include "vtkHorizonSource.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory>
 
 class VTKSEISMICHORIZONS_EXPORT vtkGOCADTSurfReader : public vtkHorizonSource
 {
@@ -75,7 +75,7 @@ private:
   SeismicHorizons::FileSeries Files;
 
   struct FileList;
-  std::unique_ptr<FileList> List; // what the last look at the file found
+  std::unique_ptr<FileList> List;
 };
 
 #endif

@@ -19,11 +19,11 @@
 #ifndef vtkHorizonGridReader_h
 #define vtkHorizonGridReader_h
 
-#include "vtkHorizonFileSeries.h" // for the files
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkHorizonFileSeries.h"
+#include "vtkSeismicHorizonsModule.h"
 #include "vtkSurveyHorizonSource.h"
 
-#include <memory> // for std::unique_ptr
+#include <memory>
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonGridReader : public vtkSurveyHorizonSource
 {

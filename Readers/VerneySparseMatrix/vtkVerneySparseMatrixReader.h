@@ -353,7 +353,7 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   void CheckParameters() override;
-  /// "Horizon <ID>", by ascending ID.
+  /// Names are "Horizon <ID>", by ascending ID.
   std::vector<std::string> ListHorizons(const SeismicHorizons::Monitor& monitor) override;
   std::vector<std::int64_t> CountHorizonPoints() override;
   std::vector<vtkSmartPointer<vtkDataObject>> MakeHorizons(

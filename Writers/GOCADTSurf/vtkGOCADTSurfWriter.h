@@ -25,7 +25,7 @@
 #define vtkGOCADTSurfWriter_h
 
 #include "vtkHorizonWriter.h"
-#include "vtkSeismicHorizonsModule.h" // for the export macro
+#include "vtkSeismicHorizonsModule.h"
 
 class VTKSEISMICHORIZONS_EXPORT vtkGOCADTSurfWriter : public vtkHorizonWriter
 {
