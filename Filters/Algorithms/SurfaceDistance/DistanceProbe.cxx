@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In a raster, a place is measured in three steps, each only when the one before does not settle it:
+// A raster measures a place in steps, each only if needed:
 //
-//   1. The triangle across from the place, right above or below it, is kept with its planes as a Facet: the next place
-//      is mostly across from the same one. Where the ball around the place that touches the plane is within the
-//      triangle in plan, and no other triangle overlaps it, nothing else can be nearer.
-//   2. The distance to the triangle across, or else to the nearest one of the place before, is a bound.
-//   3. The raster is searched for triangles within it.
+// 1. The triangle above or below is kept as a Facet. If the ball that touches its plane is within the triangle in plan,
+// and nothing overlaps it, it is nearest.
+// 2. The distance to it, or to the last nearest triangle, is a bound.
+// 3. The raster is searched within the bound.
 //
-// In a tree there is only the last, from the nearest triangle of the place before.
+// A tree is searched from the last nearest triangle.
 
 #include "DistanceProbe.h"
 
@@ -22,7 +21,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Of needles, squares: the width over the length, and what rounding does at their ends, over the length.
+// Squares of needles: width, and rounding at their ends, relative to their length.
 constexpr double LeastWidth = 1e-12;
 constexpr double RoundingAtEnds = 1e-17;
 }
@@ -50,7 +49,6 @@ void Facet::Set(const TriangleRaster& raster, std::int32_t number, const std::ve
   this->IsAlone = raster.IsAlone(number);
   this->Slack = raster.Slack();
   this->Corner = { surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]) };
-  // The sides across from each corner.
   const Eigen::Vector3d sides[3] = { this->Corner[2] - this->Corner[1], this->Corner[0] - this->Corner[2],
     this->Corner[1] - this->Corner[0] };
   this->Turn = sides[0].x() * sides[1].y() - sides[0].y() * sides[1].x() < 0.0 ? -1.0 : 1.0;
@@ -75,8 +73,7 @@ void Facet::SetPlane(const Metric& metric, const Eigen::Vector3d (&sides)[3], Pl
   plane.Shrinkage = metric.SquaredPlanShrinkage();
   plane.SquaredSlack = MuchMore * this->Slack * this->Slack * metric.SquaredPlanNorm();
   plane.IsWide = plane.SquaredNormal > SquaredWidthOfNeedle * longest * longest;
-  // The plane of a needle is wrong at its ends by rounding times its length over its width, and the length. That has to
-  // be less than the slack.
+  // Rounding tilts the plane of a needle; at its ends, the error must be less than the slack.
   const bool isRightAtEnds =
     plane.SquaredNormal > LeastWidth * longest * longest && RoundingAtEnds * longest <= plane.SquaredSlack;
   plane.IsSure = this->IsAlone && (plane.IsWide || isRightAtEnds);
@@ -151,7 +148,6 @@ double DistanceProbe::MeasureByRaster(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Measures a place in those metrics for which isWanted(metric) is true.
 template <typename IsWanted>
 void DistanceProbe::Measure(const Eigen::Vector3d& place, IsWanted&& isWanted)
 {
@@ -180,7 +176,7 @@ const MetricValues& DistanceProbe::operator()(const Eigen::Vector3d& place)
 //----------------------------------------------------------------------------------------------------------------------
 void DistanceProbe::RaiseLargest(const Eigen::Vector3d& place)
 {
-  // The place right above or below is as far away as the nearest one, or farther.
+  // The nearest place is no farther than the place above or below.
   double gap = std::numeric_limits<double>::quiet_NaN();
   this->Measure(place,
     [&](std::size_t metric)

@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A branch-and-bound search, as in the bounded-error Hausdorff distance of CGAL (Tang, Lee and Kim 2009, "Interactive
-// Hausdorff distance computation for general polygonal models"). Each triangle has a bound for the distances of all its
-// places, the least of several, which are tried in this order until one is no more than the largest distance found:
+// Branch and bound, as in CGAL's bounded-error Hausdorff distance (Tang, Lee and Kim 2009, "Interactive Hausdorff
+// distance computation for general polygonal models"). A triangle tries bounds in this order, until one is no more than
+// the largest distance found:
 //
-//   - distances of two places differ by no more than how far these are apart;
-//   - the overlay with what is above and below (PlanOverlay.h);
-//   - the distance to a triangle of the other surface, a convex function, is largest at a corner: those that are
-//     nearest to the corners and to the middle are tried.
+// - distances of two places differ by at most their own distance;
+// - the overlay with triangles above and below (PlanOverlay.h);
+// - the distance to a triangle is convex, and largest at a corner: triangles nearest to corners and middle are tried.
 //
-// Triangles whose bound remains higher are cut in two at their longest side, again and again, the pieces of the highest
-// bound first. Those of the highest bounds come first of all, in rounds: what these find settles most of the others.
+// Remaining triangles are halved at their longest edge, highest bound first, in rounds: the first rounds settle most of
+// the rest.
 
 #include "LargestDistance.h"
 
@@ -26,40 +25,38 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The bounds are near enough when they differ by this part of the lower one.
+// relative to the lower bound
 constexpr double Accuracy = 0.01;
 
-// Bounds below this, times the largest coordinate, are rounding.
+// relative to the largest coordinate
 constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 constexpr std::int64_t TrianglesPerChunk = 1024;
-// Of triangles that are cut.
 constexpr std::int64_t CutPerChunk = 4;
 constexpr std::int64_t FirstRound = 32;
 constexpr std::int64_t LargestRound = 8192;
 
-// With less of the effort left, triangles are not cut once more.
+// Triangles are not cut with less effort left.
 constexpr double LeastLeft = 0.1;
 
-// So many triangles of an overlay take the time of one measured distance.
+// Visiting this number of triangles of an overlay takes the time of one distance.
 constexpr double VisitsPerDistance = 16.0;
 
-/// A part of a triangle, or an edge (the last corner twice), with what is known at its corners.
+/// An edge has its last corner twice.
 struct Piece
 {
   Triangle Corner;
   std::array<MetricValues, 3> Distance;
   std::array<NearestTriangles, 3> Nearest;
-  MetricValues Bound; // of the distances of all its places
-  MetricValues Rounding; // what bounds differ by from nothing by rounding
-  double Order = 0.0; // in which pieces are cut, the highest first
+  MetricValues Bound; // of all places
+  MetricValues Rounding; // rounding of the bound
+  double Order = 0.0; // highest first
 };
 
-/// A triangle, or one of its sides, whose bound is too high.
 struct OpenTriangle
 {
   std::int32_t Number;
-  std::int32_t Side; // the one from this corner to the next one; -1 for the whole triangle
+  std::int32_t Side; // from this corner; -1 for the triangle
   MetricValues Bound;
 };
 
@@ -71,7 +68,7 @@ void Raise(const MetricValues& other, MetricValues& values)
     other.begin(), other.end(), values.begin(), values.begin(), [](double a, double b) { return std::max(a, b); });
 }
 
-/// How much a bound is too high: above 1 for one that has to become lower.
+/// Bounds above 1 must be lowered.
 double Excess(const MetricValues& bound, const MetricValues& enough)
 {
   double excess = 0.0;
@@ -82,7 +79,6 @@ double Excess(const MetricValues& bound, const MetricValues& enough)
   return excess;
 }
 
-/// Finds bounds, for one chunk.
 class Bounder
 {
 public:
@@ -94,7 +90,6 @@ public:
   {
   }
 
-  /// Bounds a triangle that counts, or the sides that do; adds them to the list where the bound is too high.
   void Bound(std::int32_t number, OpenTriangles& open)
   {
     const TriangleSurface& from = this->Known.From;
@@ -104,7 +99,7 @@ public:
       const NearestTriangles& nearest = this->Known.Nearest[t[0]];
       if (nearest == this->Known.Nearest[t[1]] && nearest == this->Known.Nearest[t[2]])
       {
-        return; // the distance to that triangle is largest at a corner
+        return; // the distance to it is largest at a corner
       }
       this->BoundOne({ number, -1, {} }, open);
       return;
@@ -118,8 +113,8 @@ public:
     }
   }
 
-  /// Cuts a triangle into pieces until the bounds of all are low enough, or as many distances are measured as are
-  /// allowed. Returns how many were, and sets the bound to that of the pieces that remain too high.
+  /// Halves pieces until bounds are low or `allowed` distances are measured. Returns their number, and lowers the bound
+  /// of the triangle.
   double Cut(OpenTriangle& triangle, double allowed)
   {
     this->Spent = 0.0;
@@ -192,7 +187,7 @@ private:
     }
   }
 
-  /// Whether the bound is low enough; then it counts.
+  /// Counts the bound if it is low enough.
   bool IsDone(const Piece& piece)
   {
     const bool isDone = this->Excess(piece) <= 1.0;
@@ -213,7 +208,6 @@ private:
     return largest;
   }
 
-  /// What a bound need not be lower than, when the largest distance is multiplied.
   MetricValues Limits(const Piece& piece, double times) const
   {
     MetricValues limits = {};
@@ -229,7 +223,7 @@ private:
     return SeismicHorizons::Excess(piece.Bound, this->Limits(piece, 1.0 + Accuracy));
   }
 
-  /// Lowers the bound of a piece, no further than to the largest distance.
+  /// Stops at the largest distance found.
   void Lower(Piece& piece)
   {
     this->Spent += 1.0;
@@ -264,8 +258,7 @@ private:
     }
   }
 
-  /// By the distances of the corners, and how far all places are from them. An enclosing circle of a triangle has at
-  /// most 1/sqrt(3) of the longest side as its radius, and each place of it is within that of a corner.
+  /// A circle of radius 1/sqrt(3) of the longest edge encloses a triangle, whose places are as near to a corner.
   void LowerByLength(Piece& piece, std::size_t metric) const
   {
     const double distance[3] = { piece.Distance[0][metric], piece.Distance[1][metric], piece.Distance[2][metric] };
@@ -318,7 +311,6 @@ private:
     }
   }
 
-  /// Of the sides, each from the corner of its number to the next one.
   std::array<double, 3> Lengths(const Piece& piece, std::size_t metric) const
   {
     std::array<double, 3> lengths;
@@ -329,7 +321,7 @@ private:
     return lengths;
   }
 
-  /// Both halves, with their bounds, beside the middle of the side that is longest where the bound is most too high.
+  /// Cuts the longest edge in the metric whose bound is worst.
   std::array<Piece, 2> Halve(const Piece& piece)
   {
     const MetricValues limits = this->Limits(piece, 1.0);
@@ -345,7 +337,7 @@ private:
     std::array<Piece, 2> halves = { piece, piece };
     for (std::size_t n = 0; n < 2; ++n)
     {
-      // With both corners that an edge has at one end.
+      // an edge has two corners at one end
       const Eigen::Vector3d& moved = piece.Corner[n == 0 ? to : from];
       for (std::size_t corner = 0; corner < 3; ++corner)
       {
@@ -364,7 +356,7 @@ private:
   const KnownDistances& Known;
   const std::vector<Metric>& Metrics;
   DistanceProbe Probe;
-  LargestDistance Result; // Most is that of the triangles and pieces that are done
+  LargestDistance Result; // Most is of finished triangles and pieces
   double Spent = 0.0;
 };
 
@@ -374,7 +366,6 @@ void Raise(const LargestDistance& other, LargestDistance& largest)
   Raise(other.Most, largest.Most);
 }
 
-/// Bounds all triangles; returns those whose bound is too high.
 OpenTriangles BoundAll(const KnownDistances& known, LargestDistance& largest, const Monitor& monitor)
 {
   const std::int64_t size = std::int64_t(known.From.Triangles.size());
@@ -399,8 +390,6 @@ OpenTriangles BoundAll(const KnownDistances& known, LargestDistance& largest, co
   return all;
 }
 
-/// Cuts triangles, each within an allowance, and sets their bounds to what remains; returns how many distances were
-/// measured.
 double CutRound(
   const KnownDistances& known, OpenTriangle* triangles, std::int64_t size, double allowed, LargestDistance& largest)
 {
@@ -424,8 +413,7 @@ double CutRound(
   return std::accumulate(spent.begin(), spent.end(), 0.0);
 }
 
-/// Cuts all triangles, those of the highest bounds first, and leaves those in the list whose bound remains too high;
-/// returns how many distances were measured, about as many as are allowed at most.
+/// Highest bounds come first. Keeps triangles with high bounds, and returns the number of measured distances.
 double CutAll(
   const KnownDistances& known, OpenTriangles& open, double allowed, LargestDistance& largest, const Monitor& monitor)
 {
@@ -438,7 +426,7 @@ double CutAll(
   for (std::int64_t first = 0; first < size; first += round, round = std::min(2 * round, LargestRound))
   {
     monitor.Progress(double(first) / double(size));
-    // With half of what is left, those of the highest bounds cannot take all of it.
+    // Half of the rest keeps the highest bounds from using all.
     const std::int64_t count = std::min(round, size - first);
     const double share = first + count < size ? 0.5 * left : left;
     left -= CutRound(known, &open[first], count, share / double(count), largest);

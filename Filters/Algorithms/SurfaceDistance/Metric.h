@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The distance from a place to a triangle, in the units of the coordinates or in others: a surface is given once, on
-// its lattice, and is measured on the lattice and in the world. A linear map leads from one to the other, and searches
-// in one structure serve both.
+// Distances from a place to a triangle can be measured on the lattice or in the world, which a linear map relates. One
+// search structure serves both.
 
 #ifndef SeismicHorizonsMetric_h
 #define SeismicHorizonsMetric_h
@@ -19,7 +18,7 @@
 
 namespace SeismicHorizons
 {
-/// The squared distance from `p` to the segment from `a` to `b`, which may be one point.
+/// The segment may be a point.
 inline double SquaredDistanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
   const Eigen::Vector3d along = b - a;
@@ -28,19 +27,14 @@ inline double SquaredDistanceToSegment(const Eigen::Vector3d& p, const Eigen::Ve
   return (p - a - part * along).squaredNorm();
 }
 
-/// A triangle is a needle when the square of twice its area is at most this fraction of the fourth power of the longer
-/// side at `a`: it is a hundred times as long as it is wide. Differences of products of four lengths then lose 4 of 16
-/// digits.
+/// Needles are a hundred times longer than wide: differences of products of four lengths lose 4 of 16 digits.
 constexpr double SquaredWidthOfNeedle = 1e-4;
 
-/// The squared distance from `p` to the triangle `a`, `b`, `c` when no corner is nearest, by cross products: of a
-/// needle they lose half as many digits as the differences of scalar products do. For a triangle without an area all
-/// sides are tried.
+/// No corner may be nearest. Cross products lose half as many digits of needles as scalar products.
 inline double SquaredDistanceToNeedle(
   const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
-  // The cross product is wrong by a part of the product of two long sides, and its distance to p by that times the
-  // length unless it is at right angles to the longest side.
+  // Rounding of the cross product along the longest edge would be multiplied by the distance, so it is removed.
   const Eigen::Vector3d sides[3] = { b - a, c - b, a - c };
   const Eigen::Vector3d& longest = *std::max_element(
     sides, sides + 3, [](const auto& one, const auto& other) { return one.squaredNorm() < other.squaredNorm(); });
@@ -59,9 +53,8 @@ inline double SquaredDistanceToNeedle(
     { SquaredDistanceToSegment(p, a, b), SquaredDistanceToSegment(p, b, c), SquaredDistanceToSegment(p, c, a) });
 }
 
-/// The squared distance from `p` to the triangle `a`, `b`, `c`, which may be without an area. The signs of scalar
-/// products show whether a corner, an edge or the face is nearest (Ericson 2005, "Real-Time Collision Detection",
-/// 5.1.5).
+/// Signs of scalar products show whether a corner, an edge or the face is nearest (Ericson 2005, "Real-Time Collision
+/// Detection", 5.1.5).
 inline double SquaredDistanceToTriangle(
   const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
@@ -88,8 +81,8 @@ inline double SquaredDistanceToTriangle(
   {
     return cp.squaredNorm();
   }
-  // With q for p projected onto the plane of the triangle: the signed area of a, b, q, times that of a, b, c, times 4;
-  // likewise below. The sum is the square of the cross product of ab and ac, whose squares are d1 - d3 and d2 - d6.
+  // For q, the projection of p: signed area of a, b, q times that of a, b, c, times 4, and so on. The sum is the
+  // squared cross product of ab and ac.
   const double onC = d1 * d4 - d3 * d2;
   const double onB = d5 * d2 - d1 * d6;
   const double onA = d3 * d6 - d5 * d4;
@@ -114,16 +107,14 @@ inline double SquaredDistanceToTriangle(
   return (ap - onB / sum * ab - onC / sum * ac).squaredNorm();
 }
 
-/// Maps differences of places to where distances are measured. Turning and mirroring leave distances as they are, so
-/// that a triangular matrix stands for any map: x to (Plan(0, 0) x, 0), y to (Plan(0, 1), Plan(1, 1)) y, and z to
-/// Vertical z.
+/// Rotations and reflections keep distances, so a triangular matrix serves for any map: x to (Plan(0, 0) x, 0), y to
+/// (Plan(0, 1), Plan(1, 1)) y, z to Vertical z.
 class Metric
 {
 public:
-  /// That of the coordinates.
   Metric() = default;
 
-  /// `plan` maps x and y, `vertical` z; neither has to keep any direction, but none may vanish.
+  /// Neither map may be singular.
   Metric(const Eigen::Matrix2d& plan, double vertical)
     : XtoX(plan.col(0).norm())
     , YtoX(plan.col(0).dot(plan.col(1)) / this->XtoX)
@@ -142,19 +133,16 @@ public:
     return { this->XtoX * v.x() + this->YtoX * v.y(), this->YtoY * v.y(), this->ZtoZ * v.z() };
   }
 
-  /// The transposed map.
   Eigen::Vector3d Transposed(const Eigen::Vector3d& v) const
   {
     return { this->XtoX * v.x(), this->YtoX * v.x() + this->YtoY * v.y(), this->ZtoZ * v.z() };
   }
 
-  /// A difference is at least as long as its coordinates times these.
+  /// Differences are at least as long as their coordinates times these weights.
   const Eigen::Array3d& Weights() const { return this->AxisWeights; }
 
-  /// The square of an area in plan over the square of the area of its image.
   double SquaredPlanShrinkage() const { return this->Shrinkage; }
 
-  /// The square of how many times as long a difference in plan becomes at most.
   double SquaredPlanNorm() const { return this->XtoX * this->XtoX + this->YtoX * this->YtoX + this->YtoY * this->YtoY; }
 
   double Length(const Eigen::Vector3d& v) const { return (*this)(v).norm(); }
@@ -165,7 +153,6 @@ public:
     return 0.5 * (*this)(surface.Point(t[1]) - a).cross((*this)(surface.Point(t[2]) - a)).norm();
   }
 
-  /// The squared distance from a place to a triangle.
   double SquaredDistance(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& place) const
   {
     const Eigen::Vector3d& a = surface.Point(t[0]);
@@ -173,13 +160,13 @@ public:
       (*this)(place - a), Eigen::Vector3d::Zero(), (*this)(surface.Point(t[1]) - a), (*this)(surface.Point(t[2]) - a));
   }
 
-  /// The same to the box of a triangle at most: never farther away.
+  /// Never exceeds SquaredDistance().
   double SquaredDistanceToBox(const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& place) const
   {
     const Eigen::Vector3d& a = surface.Point(t[0]);
     const Eigen::Vector3d& b = surface.Point(t[1]);
     const Eigen::Vector3d& c = surface.Point(t[2]);
-    // Two coordinates at a time.
+    // Vectorized by two coordinates.
     const auto plan = [](const Eigen::Vector3d& v) { return v.head<2>().array(); };
     const Eigen::Array2d low = plan(a).min(plan(b)).min(plan(c)) - plan(place);
     const Eigen::Array2d high = plan(place) - plan(a).max(plan(b)).max(plan(c));
@@ -199,13 +186,11 @@ private:
   Eigen::Array3d AxisWeights = { 1.0, 1.0, 1.0 };
 };
 
-/// Lattice and world.
 constexpr std::size_t MostMetrics = 2;
 
 using MetricValues = std::array<double, MostMetrics>; // by metric
 
-/// Sorts boxes that are still to be searched so that the nearest is last. There are four at most, for which this takes
-/// less time than std::sort.
+/// Sorts at most four boxes, the nearest last, faster than std::sort.
 template <typename Waiting>
 void SortByDistance(Waiting* first, Waiting* last)
 {

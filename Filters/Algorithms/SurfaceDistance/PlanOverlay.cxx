@@ -15,27 +15,26 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // triangles or points that a thread takes at a time
+constexpr std::int64_t Grain = 16384;
 
-// How far the end of the surface may be inside a triangle as if by rounding: of the slack of the raster, which makes it
-// a billionth of a cell, and of the height of the triangle. The bound is higher by as much.
+// An end of the surface this far inside counts as rounding, relative to the raster's slack and to the height of the
+// triangle. The bound is raised by as much.
 constexpr double RoundingOfOutlines = 2.5e-4;
 constexpr double RoundingInside = 1e-3;
 
-// A plane is given as a height over plan where the area in plan is at least this fraction of the square of the longest
-// side in space: rounding of its slopes is multiplied by no more than one over it.
+// Planes are heights over plan if their area in plan is at least this, relative to the squared longest edge, which
+// limits the rounding of slopes.
 constexpr double LeastFlatness = 1e-3;
 
-/// 1 where sides turn left, -1 where they turn right, and 0 for a triangle without an area in plan.
+/// Returns 1 for counter-clockwise corners, -1 for clockwise, 0 without area in plan.
 int TurnOf(const TriangleSurface& surface, const Corners& t)
 {
   const double area = PlanTriangle(surface, t).DoubledArea();
   return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
 }
 
-/// Points around which triangles follow each other until the first one comes again. Each triangle adds a random number
-/// for the side that begins its turn about a point, and takes away that for the side that ends it: nothing is left
-/// where each side does both.
+/// A point is inside if triangles close a ring around it: each adds a random number for its first edge at the point,
+/// and subtracts one for its second, so that the sum is 0.
 std::vector<unsigned char> FindInside(const TriangleSurface& surface)
 {
   std::vector<std::atomic<std::uint64_t>> sums(surface.Points.size());
@@ -61,19 +60,18 @@ std::vector<unsigned char> FindInside(const TriangleSurface& surface)
   return inside;
 }
 
-/// A side, by the numbers of its ends, with what it is a side of.
 struct Side
 {
   PointId Low;
   PointId High;
   std::int32_t Triangle;
-  std::int8_t Corner; // where it begins
-  std::int8_t Turn; // 1 for a triangle to its left, seen from Low, -1 to its right
+  std::int8_t Corner; // where it starts
+  std::int8_t Turn; // 1 if the triangle is left, seen from Low, else -1
 
   bool IsSame(const Side& other) const { return this->Low == other.Low && this->High == other.High; }
 };
 
-/// The sides of triangles between points that are not inside, sorted by their ends.
+/// Sorts edges between points that are not inside.
 std::vector<Side> ListOuterSides(const TriangleSurface& surface, const std::vector<unsigned char>& inside)
 {
   std::vector<Side> sides;
@@ -98,8 +96,7 @@ std::vector<Side> ListOuterSides(const TriangleSurface& surface, const std::vect
   return sides;
 }
 
-/// By triangle: a bit for each side where the surface may end in plan, which is not that of one triangle on its left
-/// and of one on its right.
+/// The surface may end at edges without one triangle on each side.
 std::vector<unsigned char> FindEnds(const TriangleSurface& surface)
 {
   std::vector<unsigned char> ends(surface.Triangles.size(), 0);
@@ -116,7 +113,6 @@ std::vector<unsigned char> FindEnds(const TriangleSurface& surface)
   return ends;
 }
 
-/// The plane of a triangle as a height over plan.
 class HeightPlane
 {
 public:
@@ -130,7 +126,7 @@ public:
     this->Slope = -normal.head<2>() / normal.z();
   }
 
-  /// How far the corners of a triangle are above or below at most; infinite for a triangle too steep to have a plane.
+  /// Returns infinity for a triangle that is too steep.
   double LargestGap(const Triangle& t) const
   {
     return this->IsFlat ? std::max({ this->Gap(t[0]), this->Gap(t[1]), this->Gap(t[2]) })
@@ -151,7 +147,6 @@ private:
   Eigen::Vector3d Origin;
 };
 
-/// A polygon in space that is cut, along vertical planes, to what is inside a triangle in plan.
 class CutPolygon
 {
 public:
@@ -161,7 +156,7 @@ public:
     std::copy(corners.begin(), corners.end(), this->Place.begin());
   }
 
-  /// Cuts off what is to the right of a line in plan; to the left where `turn` is negative.
+  /// Keeps the left of a line in plan, or its right if `turn` is negative.
   void Cut(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double turn)
   {
     const Eigen::Vector2d along = turn * (to - from).head<2>();
@@ -192,12 +187,11 @@ public:
   const Eigen::Vector3d* end() const { return this->Place.data() + this->Size; }
 
 private:
-  static constexpr std::size_t Most = 9; // a cut adds one place, and rounding at most another one
+  static constexpr std::size_t Most = 9; // each cut adds one, and rounding perhaps another
   std::array<Eigen::Vector3d, Most> Place;
   std::size_t Size;
 };
 
-/// Whether a place is within a triangle of that area in plan.
 bool IsWithin(const Eigen::Vector2d& place, const PlanTriangle& triangle, double area)
 {
   const double turn = area < 0.0 ? -1.0 : 1.0;
@@ -212,7 +206,6 @@ Triangle TriangleOf(const TriangleSurface& surface, const Corners& t)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// One triangle that is measured.
 class PlanOverlay::Measure
 {
 public:
@@ -243,7 +236,7 @@ public:
     }
   }
 
-  /// Takes a triangle of the surface; false once there is no bound below those known.
+  /// Returns false if no lower bound is possible.
   bool Add(std::int32_t number)
   {
     ++this->Visits;
@@ -259,7 +252,7 @@ public:
     const double area = plan.DoubledArea();
     if (area == 0.0 || !this->MayOverlap(plan))
     {
-      return true; // it covers nothing
+      return true; // covers nothing
     }
     if (ends != 0 && !this->AllowsSides(other, ends))
     {
@@ -270,7 +263,6 @@ public:
       this->AddPolygon(t, other, area < 0.0 ? -1.0 : 1.0);
   }
 
-  /// Lowers the bounds, once all triangles were added.
   void Lower(MetricValues& bounds) const
   {
     for (std::size_t metric = 0; metric < this->Metrics.size() && this->IsTouched; ++metric)
@@ -278,7 +270,7 @@ public:
       if (this->IsOpen(metric))
       {
         const Metric& in = this->Metrics[metric];
-        // From what is just outside, along the plane of the triangle.
+        // along the plane of the triangle, to places just outside
         const double stretch = std::sqrt(in.SquaredPlanNorm()) + in.Weights()[2] * this->Plane.Slope.norm();
         const double largest = std::max(in.Weights()[2] * this->LargestGap, this->Largest[metric]);
         bounds[metric] = std::min(bounds[metric], this->Outside > 0.0 ? largest + this->Outside * stretch : largest);
@@ -289,7 +281,7 @@ public:
   std::int64_t Visits = 0;
 
 private:
-  /// Whether with that gap all distances are small enough.
+  /// Small gaps need no distances.
   bool IsSmall(double gap)
   {
     const bool isSmall = gap <= this->GapEnough;
@@ -299,7 +291,6 @@ private:
 
   bool IsOpen(std::size_t metric) const { return this->Bounds[metric] > this->Enough[metric]; }
 
-  /// Whether the boxes overlap.
   bool MayOverlap(const PlanTriangle& plan) const
   {
     const auto& [a, b, c] = plan.Corner;
@@ -307,7 +298,7 @@ private:
       (a.array().max(b.array()).max(c.array()) > this->Low).all();
   }
 
-  /// Whether no side of a triangle where the surface may end passes through this one.
+  /// Edges where the surface may end must not pass through this triangle.
   bool AllowsSides(const Triangle& other, unsigned ends)
   {
     for (std::size_t n = 0; n < 3; ++n)
@@ -325,7 +316,7 @@ private:
     const Eigen::Vector2d along = to - from;
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
-    double depth = std::numeric_limits<double>::infinity(); // how far it is inside the side that it is least inside of
+    double depth = std::numeric_limits<double>::infinity(); // inside the edge that it is least inside of
     for (std::size_t n = 0; n < 3; ++n)
     {
       const Eigen::Vector2d& corner = this->Plan.Corner[n];
@@ -347,7 +338,6 @@ private:
     return true;
   }
 
-  /// What the two triangles have in common.
   bool AddPolygon(const Corners& t, const Triangle& other, double turn)
   {
     CutPolygon polygon(this->Corner);
@@ -384,13 +374,13 @@ private:
   Eigen::Array2d High;
   Eigen::Vector2d Middle;
   double Turn;
-  double LongestOverHeight; // in plan: what is so far from a side is this times as far from the triangle at most
+  double LongestOverHeight; // bounds distance from the triangle by distance from an edge
   double MostOutside;
   double GapEnough = std::numeric_limits<double>::infinity();
-  double LargestGap = 0.0; // of those that are small enough
-  MetricValues Largest = {}; // of the corners of polygons, where gaps are larger
-  double Outside = 0.0; // how far the surface may end within the triangle, by rounding
-  bool IsTouched = false; // whether the surface has anything at the middle
+  double LargestGap = 0.0; // of small gaps
+  MetricValues Largest = {}; // at corners of polygons with larger gaps
+  double Outside = 0.0; // by rounding, where the surface ends within the triangle
+  bool IsTouched = false; // at the middle
 };
 
 //----------------------------------------------------------------------------------------------------------------------

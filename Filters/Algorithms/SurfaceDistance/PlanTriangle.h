@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangles seen from above.
 
 #ifndef SeismicHorizonsPlanTriangle_h
 #define SeismicHorizonsPlanTriangle_h
@@ -17,7 +16,7 @@
 
 namespace SeismicHorizons
 {
-/// A triangle in plan. Its sides may turn either way.
+/// Corners may be in either order.
 struct PlanTriangle
 {
   std::array<Eigen::Vector2d, 3> Corner;
@@ -32,17 +31,16 @@ struct PlanTriangle
   {
   }
 
-  /// Twice the area of a side and a place: positive where the place is on the left.
+  /// Returns twice the area, positive if the place is left of the edge.
   double DoubledArea(std::size_t side, const Eigen::Vector2d& place) const
   {
     const Eigen::Vector2d along = this->Corner[(side + 1) % 3] - this->Corner[side];
     const Eigen::Vector2d to = place - this->Corner[side];
     return along.x() * to.y() - along.y() * to.x();
   }
-  /// Positive where sides turn left.
+  /// Positive for counter-clockwise corners.
   double DoubledArea() const { return this->DoubledArea(0, this->Corner[2]); }
 
-  /// The square of the longest side.
   double SquaredLongest() const
   {
     return std::max({ (this->Corner[1] - this->Corner[0]).squaredNorm(),
@@ -58,7 +56,6 @@ struct PlanTriangle
     return std::max({ this->Corner[0][axis], this->Corner[1][axis], this->Corner[2][axis] });
   }
 
-  /// Whether its box reaches a place up to a tolerance.
   bool MayReach(const Eigen::Vector3d& place, double tolerance) const
   {
     const auto low = this->Corner[0].array().min(this->Corner[1].array()).min(this->Corner[2].array());
@@ -68,7 +65,7 @@ struct PlanTriangle
   }
 };
 
-/// Whether all of another triangle is beyond one side of a triangle of that area, up to rounding.
+/// Edges count as beyond up to rounding.
 inline bool IsBeyondSide(const PlanTriangle& triangle, double doubledArea, const PlanTriangle& other)
 {
   const double turn = doubledArea < 0.0 ? -1.0 : 1.0;
@@ -85,8 +82,8 @@ inline bool IsBeyondSide(const PlanTriangle& triangle, double doubledArea, const
   return false;
 }
 
-/// Whether two triangles overlap in plan, by more than rounding. Convex shapes do not where one is beyond a side of the
-/// other. One without an area counts as overlapping where the boxes do.
+/// Ignores overlaps by rounding. One of two disjoint convex shapes is beyond an edge of the other. Without area, boxes
+/// decide.
 inline bool Overlap(const PlanTriangle& a, const PlanTriangle& b)
 {
   if (a.High(0) < b.Low(0) || b.High(0) < a.Low(0) || a.High(1) < b.Low(1) || b.High(1) < a.Low(1))
@@ -98,7 +95,7 @@ inline bool Overlap(const PlanTriangle& a, const PlanTriangle& b)
   return areaOfA == 0.0 || areaOfB == 0.0 || (!IsBeyondSide(a, areaOfA, b) && !IsBeyondSide(b, areaOfB, a));
 }
 
-/// The part of a triangle between two values of y, along x.
+/// Returns the range of x between two values of y.
 inline std::array<double, 2> SpanWithin(const PlanTriangle& triangle, double low, double high)
 {
   std::array<double, 2> span = { triangle.High(0), triangle.Low(0) };

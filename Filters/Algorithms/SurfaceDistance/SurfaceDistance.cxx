@@ -1,20 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Each direction, from one surface to the other, is measured in five passes:
+// Each direction takes five passes:
 //
-//   MeasurePoints   all points; their distances are results, too;
-//   MeasureEdges    samples of edges, but only where they may be farther away than any place so far;
-//   FaceMeter       samples of faces, spread evenly by area, for means and percentiles;
-//   FindLargestDistance  (LargestDistance.h) bounds of the largest distance of all places;
-//   MeasureOutline  points and samples of the outline to the outline of the other surface, in plan.
+// MeasurePoints: all points, which are results, too
+// MeasureEdges: samples of edges that may be farther than any place so far
+// FaceMeter: samples of faces, by area, for means and percentiles
+// FindLargestDistance (LargestDistance.h): bounds of all distances
+// MeasureOutline: outlines, in plan
 //
-// The two-sided figures follow from the sums and histograms of both directions.
 //
-// Faces are not measured in the order of the triangles, but in the order in which their own surface is sorted for
-// searches: then each place is near the one before, and its search begins with the triangle that was nearest there.
-// Each chunk begins its own search, samples follow from the seed and the number of their edge or triangle, and
-// histograms have integer weights, so that results are the same for any number of threads.
+// Faces follow the order of their own search structure, so that each search begins near the last result. Chunks, seeds
+// by edge or triangle, and integer weights make results independent of the number of threads.
 
 #include "SurfaceDistance.h"
 
@@ -36,13 +33,11 @@ namespace
 {
 // ---- Percentiles ----------------------------------------------------------------------------------------------------
 
-/// Adds up the weights of values that are not negative, in bins that are at most 1/1024 of the value wide, from 2^-64
-/// to 2^64. What is smaller counts as 0, what is larger as infinite. Weights are integers, so that their sums do not
-/// depend on the order, and thus not on the number of threads.
+/// Bins are 1/1024 of the value wide, from 2^-64 to 2^64; smaller values count as 0, larger as infinite. Integer
+/// weights make sums independent of their order.
 class WeightedHistogram
 {
 public:
-  /// A value on its way into the histogram.
   struct Entry
   {
     std::uint32_t Bin;
@@ -51,7 +46,7 @@ public:
 
   static Entry MakeEntry(double value, std::uint64_t weight) { return { BinOf(value), weight }; }
 
-  /// Adds all entries and clears the list. Any thread may call it.
+  /// Clears the list. Threads may call it in parallel.
   void Add(std::vector<Entry>& entries)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -68,8 +63,7 @@ public:
       [](std::uint64_t a, std::uint64_t b) { return a + b; });
   }
 
-  /// The value below which a part of the weight lies, 0 to 1; right to 1/1024 of the value. Nan when there is no
-  /// weight.
+  /// `part` is 0 to 1. Returns a value to 1/1024, or NaN without weight.
   double Percentile(double part) const
   {
     const double wanted = part * double(std::accumulate(this->Weights.begin(), this->Weights.end(), std::uint64_t(0)));
@@ -89,7 +83,7 @@ public:
     return std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// The part of the weight of values up to one, 0 to 1.
+  /// Returns 0 to 1.
   double PartUpTo(double value) const
   {
     const std::uint32_t last = BinOf(value);
@@ -135,20 +129,20 @@ private:
   std::vector<std::uint64_t> Weights = std::vector<std::uint64_t>(Bins, 0);
 };
 
-constexpr std::int64_t TrianglesPerGradingChunk = 4096; // after which a thread locks the histogram
+constexpr std::int64_t TrianglesPerGradingChunk = 4096; // per lock of the histogram
 
 // ---- A surface to measure from and to -------------------------------------------------------------------------------
 
 constexpr std::int64_t TrianglesPerAreaChunk = 16384;
 
-/// What the samples on the faces of a surface, or of a chunk of it, add up to, by metric.
+/// Sums are by metric.
 struct FaceSums
 {
   struct Sums
   {
     double Area = 0.0;
     double Distance = 0.0; // weighted by area
-    double Square = 0.0; // of the distance, weighted by area
+    double Square = 0.0; // weighted by area
     double Largest = 0.0;
   };
   std::array<Sums, MostMetrics> In;
@@ -167,7 +161,7 @@ struct FaceSums
   }
 };
 
-/// The areas of what counts of a surface, before it is sampled.
+/// Only triangles that count have areas.
 FaceSums MeasureAreas(const TriangleSurface& surface, const std::vector<Metric>& metrics)
 {
   return AddUpChunks<FaceSums>(std::int64_t(surface.Triangles.size()), TrianglesPerAreaChunk, Monitor(),
@@ -184,13 +178,12 @@ FaceSums MeasureAreas(const TriangleSurface& surface, const std::vector<Metric>&
     });
 }
 
-/// A surface with what it takes to measure from it and to it.
 struct MeasuredSurface
 {
   const TriangleSurface& Surface;
   const std::vector<Metric>& Metrics;
   TriangleSearch Search;
-  std::unique_ptr<PlanOverlay> Overlay; // of a raster
+  std::unique_ptr<PlanOverlay> Overlay; // null without a raster
   SurfaceEdges Edges;
   TriangleSurface Outline;
   FaceSums Areas;
@@ -214,7 +207,7 @@ struct MeasuredSurface
 
 // ---- Points ---------------------------------------------------------------------------------------------------------
 
-// So much work that it hardly matters for the speed where a chunk's first search begins.
+// Chunks are large, as each begins with a slow search.
 constexpr std::int64_t PointsPerChunk = 4096;
 
 void KeepLarger(const MetricValues& other, MetricValues& largest)
@@ -223,7 +216,6 @@ void KeepLarger(const MetricValues& other, MetricValues& largest)
     other.begin(), other.end(), largest.begin(), largest.begin(), [](double a, double b) { return std::max(a, b); });
 }
 
-/// Of all chunks.
 MetricValues LargestOf(const std::vector<MetricValues>& chunks)
 {
   MetricValues largest = {};
@@ -234,7 +226,6 @@ MetricValues LargestOf(const std::vector<MetricValues>& chunks)
   return largest;
 }
 
-/// The corners of triangles that count.
 std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
 {
   std::vector<unsigned char> marks(surface.Points.size(), 0);
@@ -248,9 +239,8 @@ std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
   return marks;
 }
 
-/// Writes the distances of all points, by metric, and returns the largest of corners that count. With a tolerance above
-/// 0 (as of FindHeight), also writes how far points are above the other surface, in the first metric. Writes the
-/// nearest triangles where these are asked for.
+/// Returns the largest distances of corners that count. A tolerance above 0 (FindHeight) also measures heights above
+/// the other surface, in the first metric; `nearest` may be null.
 MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to, const std::vector<Metric>& metrics,
   double tolerance, std::vector<PointDistances>& points, std::vector<NearestTriangles>* nearest, const Monitor& monitor)
 {
@@ -298,8 +288,7 @@ MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to
 
 // ---- Edges ----------------------------------------------------------------------------------------------------------
 
-// The most samples on all edges of a surface: far more than it takes where triangles are no needles, about four per
-// point.
+// Only needles need more than about four samples per point.
 constexpr double MostEdgeSamples = 1e5;
 constexpr double MostEdgeSamplesPerPoint = 64.0;
 
@@ -308,8 +297,8 @@ double LengthOf(const TriangleSurface& surface, PointId low, PointId high, const
   return metric.Length(surface.Point(high) - surface.Point(low));
 }
 
-/// Whether a place on an edge may be farther away than `largest`. Distances of two places differ by no more than how
-/// far these are apart, so that none is farther than half of the edge and of what its ends have together.
+/// Distances of two places differ by at most their own distance, so none exceeds half of the edge plus the distances of
+/// its ends.
 bool MayExceed(const TriangleSurface& surface, PointId low, PointId high, const std::vector<Metric>& metrics,
   const std::vector<PointDistances>& points, const MetricValues& largest)
 {
@@ -325,8 +314,7 @@ bool MayExceed(const TriangleSurface& surface, PointId low, PointId high, const 
   return false;
 }
 
-/// The spacing of samples on edges: the given one, or a wider one where that would give too many. Spacings are made
-/// from the area, and the edges of needles and of steep surfaces are long beside it.
+/// Widens the spacing, made from areas, where edges of needles or steep surfaces would give too many samples.
 double SpacingOnEdges(const TriangleSurface& surface, const SurfaceEdges& edges, const Metric& metric, double spacing)
 {
   const std::int64_t size = std::int64_t(surface.Points.size());
@@ -341,8 +329,7 @@ double SpacingOnEdges(const TriangleSurface& surface, const SurfaceEdges& edges,
   return std::max(spacing, total / (MostEdgeSamples + MostEdgeSamplesPerPoint * double(size)));
 }
 
-/// The largest distance of the points, from MeasurePoints, and of samples on edges, one for each `spacing` of their
-/// length in the first metric. Shorter edges have no samples: their ends are measured as points.
+/// Includes the points. Edges get a sample per `spacing` in the first metric, shorter edges none.
 MetricValues MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges, const TriangleSearch& to,
   const std::vector<Metric>& metrics, const std::vector<PointDistances>& points, const MetricValues& ofPoints,
   double spacing, std::uint64_t seed, const Monitor& monitor)
@@ -377,7 +364,7 @@ MetricValues MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges
 
 // ---- Outline --------------------------------------------------------------------------------------------------------
 
-/// The largest distance of one outline to the other; nan when one of them is empty.
+/// Returns NaN if an outline is empty.
 MetricValues MeasureOutline(const MeasuredSurface& from, const MeasuredSurface& to, double spacing, std::uint64_t seed)
 {
   MetricValues largest;
@@ -395,18 +382,16 @@ MetricValues MeasureOutline(const MeasuredSurface& from, const MeasuredSurface& 
 
 // ---- Faces ----------------------------------------------------------------------------------------------------------
 
-// The number of samples for which the histogram is locked once.
+// per lock of the histogram
 constexpr std::size_t EntriesAtOnce = 16384;
 
-// The weight of all faces of both surfaces, in the integers of the histogram: small parts of it keep many digits, and
-// sums stay below 2^64.
+// This weight of all faces keeps digits of small fractions, and sums below 2^64.
 const double TotalWeight = std::ldexp(1.0, 60);
 
 using Histograms = std::array<WeightedHistogram, MostMetrics>;
 
-/// Measures samples on the triangles of one chunk: `density` on each unit of area in the first metric, at least one on
-/// each triangle with an area. All distances are added to the histograms, by metric, weighted by area: both surfaces
-/// together weigh as much as any two.
+/// Takes `density` samples per area in the first metric, at least one per triangle. Distances are weighted by area, and
+/// any two surfaces weigh the same.
 class FaceMeter
 {
 public:
@@ -492,28 +477,24 @@ private:
   MetricValues WeightPerArea = {};
   FaceSums Sums;
   std::array<std::vector<WeightedHistogram::Entry>, MostMetrics> Entries;
-  // Of each sample on the triangle that is measured.
+  // per sample of the current triangle
   MetricValues Share = {};
   std::array<std::uint64_t, MostMetrics> Weight = {};
 };
 
 // ---- Figures --------------------------------------------------------------------------------------------------------
 
-// How far outside a triangle, seen from above, a place still counts as above or below it: a millionth of the spacing of
-// samples. Rounding may put places of an outline just outside, but by far less.
+// Rounding may put places of an outline outside by less than this, in spacings of samples.
 constexpr double HeightTolerance = 1e-6;
 
-/// What is measured from one surface to the other.
 struct Direction
 {
   std::vector<DistanceFigures> Figures; // by metric
   std::vector<PointDistances> Points; // by metric
-  // On the faces.
   FaceSums Sums;
   Histograms Histogram;
 };
 
-/// Fills in the figures that follow from the faces.
 void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures& figures)
 {
   const FaceSums::Sums& in = faces.Sums.In[metric];
@@ -522,7 +503,7 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
   figures.Samples = faces.Sums.Samples;
   for (std::size_t n = 0; n < Percentiles.size(); ++n)
   {
-    // A bin of the histogram may end beyond the largest distance in it.
+    // Bins may end beyond the largest distance.
     figures.Percentile[n] = std::min(faces.Histogram[metric].Percentile(0.01 * Percentiles[n]), in.Largest);
   }
   double below = 0.0;
@@ -535,10 +516,9 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
   }
 }
 
-// For bounds of the largest distance on small surfaces, beside as many distances as there are samples.
+// for small surfaces
 constexpr std::int64_t LeastEffort = 100000;
 
-/// Bounds the largest distance, from what the other passes have found.
 LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface& to, Direction& measured,
   const std::vector<NearestTriangles>& nearest, const MetricValues& found, const Monitor& monitor)
 {
@@ -552,7 +532,6 @@ LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface&
     { from.Surface, to.Search, to.Overlay.get(), from.Metrics, distances, nearest, found }, effort, monitor);
 }
 
-/// Measures one direction, with about `samples` on the faces.
 void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, double samples,
   const SurfaceDistanceOptions& options, Direction& result, const Monitor& monitor)
 {
@@ -584,7 +563,6 @@ void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, do
   }
 }
 
-/// Adds what one direction found on the faces to the other one.
 void AddFaces(const Direction& other, Direction& direction)
 {
   direction.Sums.Add(other.Sums);

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The raster is made in five passes. Any but the last may find that a tree is better:
+// Five passes make the raster; any but the last may prefer a tree:
 //
-//   MakeGrid       chooses cells of about the area of a mean triangle; on a lattice they hold whole squares;
-//   SortIntoCells  lists the triangles that touch each cell, the items;
-//   IsCrowded      checks whether too many triangles share their cells;
-//   FindOverlaps   marks the triangles that overlap others in plan;
-//   MakePyramid    finds the heights within each cell, and then, level by level, within each square of four.
+// MakeGrid: cells of about the mean triangle's area, on a lattice whole squares
+// SortIntoCells: triangles that touch a cell, the items
+// IsCrowded: too many triangles per cell
+// FindOverlaps: triangles that overlap in plan
+// MakePyramid: heights by cell, then by squares of four
 //
-// A search takes the few cells within the best distance so far; where these are many, it goes down the pyramid.
+// Searches visit the cells within the best distance or, if there are many, the pyramid.
 //
-// Triangles are listed as if they were smaller by the slack, a millionth of a cell: the two of a lattice square then
-// lie in one cell, not in the nine that they touch. Searches allow for it with boxes that are larger by twice as much.
+// Triangles are shrunk by the slack, a millionth of a cell, so that the two of a lattice square lie in one cell instead
+// of nine. Searches widen boxes by twice the slack.
 
 #include "TriangleRaster.h"
 
@@ -29,32 +29,30 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t TrianglesPerChunk = 16384;
-constexpr std::int64_t CellGrain = 2048; // cells that a thread takes at a time
+constexpr std::int64_t CellGrain = 2048;
 
 constexpr double SlackOfCells = 1e-6; // of their side
-// Slack is at least so many times the rounding of the largest coordinate.
+// Slack is at least this multiple of the rounding of the largest coordinate
 constexpr double LeastSlack = 64.0;
 
-// Rounding to single precision moves a height by up to 2^-24 of half of their range, and so does the margin itself.
+// Single precision, and the margin, round heights by up to 2^-24 of half their range.
 constexpr double RoundingOfHeights = 0x1p-22;
 
-// Limits beyond which a raster may take far more time or memory than a tree, as for heaps, piles and walls. Beyond them
-// needles still take less time in a raster, but no count of items separates these from walls.
+// Beyond these limits, as for heaps and walls, a raster may take far more than a tree. Needles would still be faster,
+// but counts do not show them.
 constexpr std::int64_t MostCellsPerTriangle = 2;
 constexpr std::int64_t MostItemsPerTriangle = 8;
-constexpr double MostItemsPerCell = 32.0; // in the cells of a mean item
-constexpr double MostOverlapping = 0.25; // of all triangles
-constexpr std::int64_t FewItems = 1024; // whatever there are
+constexpr double MostItemsPerCell = 32.0;
+constexpr double MostOverlapping = 0.25;
+constexpr std::int64_t FewItems = 1024; // always allowed
 constexpr double FewOverlapping = 512.0;
 
-// Within so many cells all triangles are tried; where there are more, the pyramid is searched.
 constexpr std::int64_t FewCells = 16;
 
-// On each level a box is taken off the stack and four are put there; 64 levels are more than there can be.
+// A box adds three to the stack per level, of which there are fewer than 64.
 constexpr std::size_t MostWaiting = 3 * 64 + 1;
 
-// How far outside a triangle a place still counts as across: of its area. It is then searched for anything nearer all
-// the same.
+// A place this far outside, relative to the area, counts as across.
 constexpr double Across = 1e-9;
 
 double Square(double value)
@@ -64,14 +62,12 @@ double Square(double value)
 
 // ---- Triangles in plan ----------------------------------------------------------------------------------------------
 
-/// The cells of an interval that is taken to be smaller by the slack at both ends, but not empty.
 CellRange ShrunkRange(const RasterGrid& grid, int axis, double low, double high)
 {
   const double middle = 0.5 * (low + high);
   return grid.Range(axis, std::min(low + grid.Slack, middle), std::max(high - grid.Slack, middle));
 }
 
-/// The cells, along both axes, of the box of a triangle.
 std::array<CellRange, 2> BoxOf(const RasterGrid& grid, const PlanTriangle& triangle)
 {
   return { ShrunkRange(grid, 0, triangle.Low(0), triangle.High(0)),
@@ -80,15 +76,13 @@ std::array<CellRange, 2> BoxOf(const RasterGrid& grid, const PlanTriangle& trian
 
 constexpr std::uint32_t ManyCells = 0xffffffffU;
 
-/// The one cell that a triangle touches, or ManyCells.
 std::uint32_t OnlyCell(const RasterGrid& grid, const PlanTriangle& triangle)
 {
   const auto [x, y] = BoxOf(grid, triangle);
   return x.Size() == 1 && y.Size() == 1 ? std::uint32_t(y.First * grid.Size[0] + x.First) : ManyCells;
 }
 
-/// Calls visit(cell) for all cells that a triangle touches. Each place of the triangle is in one of them, or beyond it
-/// by twice the slack at most.
+/// Places of the triangle are at most twice the slack beyond these cells.
 template <typename Visitor>
 void ForEachCell(const RasterGrid& grid, const PlanTriangle& triangle, Visitor&& visit)
 {
@@ -116,7 +110,7 @@ struct HeightRange
   double High;
 };
 
-/// The heights of a triangle, or of its plane within a square where these are fewer.
+/// The plane of the triangle within a square may narrow the range.
 HeightRange HeightsWithin(const TriangleSurface& surface, const Corners& t, const Eigen::Array2d& middle, double reach)
 {
   const Eigen::Vector3d& a = surface.Point(t[0]);
@@ -132,7 +126,7 @@ HeightRange HeightsWithin(const TriangleSurface& surface, const Corners& t, cons
   const Eigen::Vector3d normal = (b - a).cross(c - a);
   const Eigen::Array2d slope = -normal.head<2>().array() / normal.z();
   const double height = a.z() + (slope * (middle - a.head<2>().array())).sum();
-  // The slope of a needle in plan is inexact: rounding is multiplied by its height over its width.
+  // Rounding of slopes grows with height over width of a needle in plan.
   const double change = slope.abs().sum() * reach + 1e-9 * (high - low);
   const double longer = std::max((b - a).head<2>().squaredNorm(), (c - a).head<2>().squaredNorm());
   const bool isPlane = std::abs(normal.z()) > 1e-5 * longer && std::isfinite(height);
@@ -142,7 +136,6 @@ HeightRange HeightsWithin(const TriangleSurface& surface, const Corners& t, cons
 
 // ---- Making the raster ----------------------------------------------------------------------------------------------
 
-/// What the size of cells follows from.
 struct Extent
 {
   Eigen::AlignedBox3d Box;
@@ -172,7 +165,7 @@ Extent MeasureExtent(const TriangleSurface& surface)
     });
 }
 
-/// A whole number, or one over a whole number: on a lattice, cells of such a side hold whole squares.
+/// On a lattice, cells with such sides hold whole squares.
 double RoundSide(double side)
 {
   return side > 0.75 ? std::round(side) : 1.0 / std::round(1.0 / side);
@@ -203,8 +196,7 @@ TriangleRaster::TriangleRaster(const TriangleSurface& surface, const Monitor& mo
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Cells of about the area of a mean triangle, but no more than two for each; false where coordinates are too large for
-/// cells so small, or nothing has an area.
+/// Returns false if cells are too small for the coordinates, or nothing has an area.
 bool TriangleRaster::MakeGrid()
 {
   const Extent extent = MeasureExtent(this->Surface);
@@ -238,7 +230,6 @@ bool TriangleRaster::MakeGrid()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// By triangle: the one cell that it touches, or ManyCells.
 std::vector<std::uint32_t> TriangleRaster::FindOnlyCells() const
 {
   const std::vector<Corners>& triangles = this->Surface.Triangles;
@@ -255,7 +246,6 @@ std::vector<std::uint32_t> TriangleRaster::FindOnlyCells() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// False where there are too many items.
 bool TriangleRaster::SortIntoCells()
 {
   const std::vector<std::uint32_t> only = this->FindOnlyCells();
@@ -308,7 +298,6 @@ bool TriangleRaster::IsCrowded() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// False where many triangles overlap.
 bool TriangleRaster::FindOverlaps()
 {
   this->Overlaps = std::vector<std::atomic<unsigned char>>(this->Surface.Triangles.size());
@@ -339,7 +328,6 @@ bool TriangleRaster::FindOverlaps()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// What the triangles of a cell have within it.
 TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
 {
   const double reach = 0.5 * this->Grid.Side + 2.0 * this->Grid.Slack;
@@ -391,7 +379,6 @@ void TriangleRaster::MakePyramid()
 
 // ---- Searches -------------------------------------------------------------------------------------------------------
 
-/// A box that is still to be searched.
 struct TriangleRaster::Waiting
 {
   double SquaredDistance;
@@ -447,14 +434,14 @@ void TriangleRaster::SearchCells(const Eigen::Vector3d& place, const Metric& met
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Puts those of the four boxes below a box on the stack that are nearer than the best triangle, the nearest one last.
+/// Pushes nearer boxes only, the nearest last.
 TriangleRaster::Waiting* TriangleRaster::PushChildren(
   const Eigen::Vector3d& place, const Metric& metric, const Waiting& box, double best, Waiting* end) const
 {
   const Level& cells = this->Pyramid[box.LevelOf - 1];
   const double reach = 2.0 * this->Grid.Slack;
   const std::int64_t first[2] = { 2 * box.X, 2 * box.Y };
-  double gaps[2][2]; // by axis, squared
+  double gaps[2][2]; // squared, by axis
   for (int axis = 0; axis < 2; ++axis)
   {
     for (int n = 0; n < 2; ++n)

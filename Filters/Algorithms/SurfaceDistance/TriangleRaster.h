@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A raster of square cells in plan, with the triangles that touch each, to find the nearest triangle of a surface that
-// is about a height field.
+// Finds the nearest triangle of a surface that is nearly a height field, by square cells in plan.
 //
-// The triangle right above or below a place bounds the distance: only triangles whose cells are within the bound in
-// plan can be nearer. Mostly that is the one cell, and a few triangles. Where the bound is poor (the surface is steep,
-// far away, or ends) a pyramid over the cells is searched, as a tree of boxes: each box has the heights of four of the
-// level below.
+// The triangle above or below a place bounds the distance, so mostly one cell is searched. If the bound is poor, on
+// steep, distant or ending surfaces, a pyramid of boxes over the cells is searched.
 //
-// A surface of any shape is searched correctly, but slowly where many triangles touch one cell; for such a surface the
-// raster stays empty (IsWorthwhile).
+// Surfaces of any shape are searched correctly, but slowly if many triangles share a cell; their raster stays empty
+// (IsWorthwhile).
 
 #ifndef SeismicHorizonsTriangleRaster_h
 #define SeismicHorizonsTriangleRaster_h
@@ -29,7 +26,7 @@
 
 namespace SeismicHorizons
 {
-/// Cells from First to Last along an axis, both included; none where Last is below First.
+/// The range is empty if Last is below First.
 struct CellRange
 {
   std::int64_t First;
@@ -37,30 +34,28 @@ struct CellRange
   std::int64_t Size() const { return this->Last - this->First + 1; }
 };
 
-/// Where the cells are.
 struct RasterGrid
 {
-  Eigen::Array2d Low = Eigen::Array2d::Zero(); // the corner of the first cell
+  Eigen::Array2d Low = Eigen::Array2d::Zero(); // of the first cell
   double Side = 1.0;
-  double CellsPerUnit = 1.0; // one over the side
-  // By how much triangles are taken to be smaller, so that the two of a lattice square lie in one cell, and boxes of
-  // cells to be larger. Far more than rounding moves anything.
+  double CellsPerUnit = 1.0;
+  // Triangles are shrunk by this, so that the two of a lattice square lie in one cell, and boxes widened. It exceeds
+  // rounding.
   double Slack = 0.0;
   std::int64_t Size[2] = { 0, 0 };
 
   std::int64_t Cells() const { return this->Size[0] * this->Size[1]; }
 
-  /// The cells of an interval, of those there are.
   CellRange Range(int axis, double low, double high) const
   {
-    // Numbers that are not negative are cut to whole ones, which takes less time than std::floor.
+    // Truncation is faster than std::floor for non-negative numbers.
     const double first = (low - this->Low[axis]) * this->CellsPerUnit;
     const double last = (high - this->Low[axis]) * this->CellsPerUnit;
     return { std::int64_t(std::clamp(first, 0.0, double(this->Size[axis]))),
       last < 0.0 ? -1 : std::int64_t(std::min(last, double(this->Size[axis] - 1))) };
   }
 
-  /// The cell of a place in plan; -1 outside.
+  /// Returns -1 outside.
   std::int64_t CellOf(const Eigen::Vector3d& place) const
   {
     const double x = (place.x() - this->Low[0]) * this->CellsPerUnit;
@@ -73,16 +68,13 @@ struct RasterGrid
 class TriangleRaster
 {
 public:
-  /// `surface` is one that CheckSurface takes, and must outlive the raster. Linear, on several threads; about 15 bytes
-  /// per triangle where all are about the same size. The same raster for any number of threads.
+  /// The surface must pass CheckSurface() and outlive the raster. Takes linear time, and about 15 bytes per triangle.
   explicit TriangleRaster(const TriangleSurface& surface, const Monitor& monitor = Monitor());
 
-  /// False where a tree is quicker: then the raster is empty.
   bool IsWorthwhile() const { return this->Grid.Cells() > 0; }
 
   std::int64_t Cells() const { return this->Grid.Cells(); }
 
-  /// Calls visit(triangle) for the triangles of a range of cells, so that each triangle is visited with one cell.
   template <typename Visitor>
   void ForEachTriangle(std::int64_t firstCell, std::int64_t lastCell, Visitor&& visit) const
   {
@@ -95,8 +87,7 @@ public:
     }
   }
 
-  /// Calls visit(triangle) for all triangles that may overlap one in plan, some of them more than once, while it is
-  /// true; whether it always was.
+  /// Calls visit(triangle) until it returns false, for triangles that may overlap in plan, some more than once.
   template <typename Visitor>
   bool ForEachNear(const PlanTriangle& plan, Visitor&& visit) const
   {
@@ -125,33 +116,30 @@ public:
 
   const TriangleSurface& GetSurface() const { return this->Surface; }
 
-  /// A triangle right above or below a place; -1 for none. One that reaches the place by rounding alone counts.
+  /// Returns -1 for none. Rounding may put the place outside.
   std::int32_t FindAcross(const Eigen::Vector3d& place) const;
 
-  /// Whether a triangle overlaps no other one in plan, but for a strip along its sides that is narrower than Slack.
+  /// Strips narrower than Slack along its edges may overlap.
   bool IsAlone(std::int32_t triangle) const { return this->Overlaps[triangle].load(std::memory_order_relaxed) == 0; }
 
-  /// Triangles reach over the cells that they are listed in by twice the slack of the grid at most, along both axes.
+  /// Triangles exceed their cells by at most twice the slack of the grid, along both axes.
   double Slack() const { return 4.0 * this->Grid.Slack; }
 
-  /// Finds the nearest triangle. `best` and `nearest`, the squared distance to any triangle and its number, become
-  /// those of the nearest one.
+  /// `best` is the squared distance to the triangle `nearest`; both are improved.
   void Search(const Eigen::Vector3d& place, const Metric& metric, std::int32_t& nearest, double& best) const;
 
-  /// As TriangleTree::FindHeight.
+  /// See TriangleTree::FindHeight.
   double FindHeight(const Eigen::Vector3d& point, double tolerance) const;
 
 private:
   static constexpr std::uint32_t OwnerBit = std::uint32_t(1) << 31U;
 
-  /// From the lowest to the highest z, relative to Middle, of triangles in a cell; Low is above High where there are
-  /// none.
+  /// Heights are relative to Middle; Low is above High in an empty cell.
   struct Heights
   {
     float Low;
     float High;
   };
-  /// The cells of a level of the pyramid, four of the level below each.
   struct Level
   {
     std::int64_t Size[2];
@@ -177,11 +165,11 @@ private:
   const TriangleSurface& Surface;
   RasterGrid Grid;
   CountingSort<std::uint32_t> Sort;
-  std::vector<std::uint32_t> Items; // numbers of triangles, by cell; with the bit in the first cell of each
+  std::vector<std::uint32_t> Items; // by cell; a bit marks the first cell of a triangle
   std::vector<std::atomic<unsigned char>> Overlaps; // by triangle
   std::vector<Level> Pyramid;
   double Middle = 0.0;
-  float Margin = 0.0F; // by how much heights are widened: more than rounding moves any
+  float Margin = 0.0F; // exceeds rounding
 };
 }
 

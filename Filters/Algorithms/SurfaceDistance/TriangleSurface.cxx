@@ -15,9 +15,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-// What a thread takes at a time.
-constexpr std::int64_t Grain = 16384; // points or triangles to check
-constexpr std::int64_t GrainOfLists = 4096; // points whose edges are sorted
+constexpr std::int64_t Grain = 16384;
+constexpr std::int64_t GrainOfLists = 4096;
 
 void CheckPoint(const Eigen::Vector3d& place, std::int64_t point, const char* name)
 {
@@ -42,7 +41,6 @@ void CheckCorners(const TriangleSurface& surface, std::int64_t triangle, const c
   }
 }
 
-/// Calls visit(low, high) for the sides of all triangles.
 template <typename Visitor>
 void ForEachSide(const std::vector<Corners>& triangles, Visitor&& visit)
 {

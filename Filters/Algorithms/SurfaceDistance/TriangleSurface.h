@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangle mesh of any origin, as plain data; its edges, places spread evenly over it, and its height at a place.
+// A triangle mesh of any origin, with its edges, samples and heights.
 
 #ifndef SeismicHorizonsTriangleSurface_h
 #define SeismicHorizonsTriangleSurface_h
@@ -22,15 +22,13 @@ namespace SeismicHorizons
 {
 using Corners = std::array<PointId, 3>;
 
-/// Triangles may have any shape and orientation; they may also be without an area. Points that are the corner of no
-/// triangle are no part of the surface. Points are given relative to a place near them, so that their differences are
+/// Triangles may have any orientation, or no area. Points are relative to a place near them, so that differences are
 /// exact.
 struct TriangleSurface
 {
   std::vector<Eigen::Vector3d> Points;
   std::vector<Corners> Triangles;
-  /// By point: 1 where figures leave it out, and the triangles at it. Distances are measured to these as to all others.
-  /// Empty when all count.
+  /// Figures leave out marked points and their triangles; distances to these are measured.
   std::vector<unsigned char> LeftOut;
 
   const Eigen::Vector3d& Point(PointId point) const { return this->Points[point]; }
@@ -44,28 +42,24 @@ struct TriangleSurface
   }
 };
 
-/// Squares of larger coordinates would leave the range of single precision, which searches use.
+/// Searches square coordinates in single precision.
 constexpr double LargestCoordinate = 1e16;
 
-/// Throws InputError on a surface without triangles, without any area that counts, with a corner that is no point of
-/// it, and on coordinates that are not finite or larger than LargestCoordinate. Messages begin with `name`.
+/// Throws InputError, beginning with `name`, on surfaces without area, invalid corners, and too large coordinates.
 void CheckSurface(const TriangleSurface& surface, const char* name);
 
-/// The diagonal of the bounding box of all triangles.
 double MeasureDiagonal(const TriangleSurface& surface);
 
 // ---- Edges ----------------------------------------------------------------------------------------------------------
 
-/// The edges of a surface, each once.
 class SurfaceEdges
 {
 public:
-  /// Linear; 4 bytes per point and 12 per triangle.
+  /// Takes linear time, 4 bytes per point and 12 per triangle.
   explicit SurfaceEdges(const TriangleSurface& surface);
 
-  /// Calls visit(low, high, triangles) for each edge whose end of lower number is in a range of points: its ends, and
-  /// how many triangles it is a side of. A triangle that has one point as two of its corners counts twice for its one
-  /// edge.
+  /// Calls visit(low, high, triangles) for edges whose lower end is in the range. A triangle with two equal corners
+  /// counts twice.
   template <typename Visitor>
   void ForEach(std::int64_t firstPoint, std::int64_t lastPoint, Visitor&& visit) const
   {
@@ -82,18 +76,16 @@ public:
   }
 
 private:
-  ItemLists<PointId, std::uint32_t> Highs; // by the end of lower number: the other ends, sorted, one for each triangle
+  ItemLists<PointId, std::uint32_t> Highs; // by lower end: other ends, sorted, per triangle
 };
 
-/// The edges that are a side of one triangle alone, in plan (z = 0). Each is given as a triangle without an area, over
-/// points of their own.
+/// Edges of single triangles become flat triangles in plan (z = 0), with points of their own.
 TriangleSurface FindOutline(const TriangleSurface& surface, const SurfaceEdges& edges);
 
 // ---- Samples --------------------------------------------------------------------------------------------------------
-// Places follow from a random number alone, which the caller makes out of a seed and the triangle or edge: so they are
-// the same for any number of threads.
+// Places follow from random numbers by triangle or edge, whatever the number of threads.
 
-/// A pseudo-random number of 64 bits for each counter (Steele, Lea and Flood 2014, the last step of SplitMix64).
+/// The last step of SplitMix64 (Steele, Lea and Flood 2014) makes a number of 64 bits.
 inline std::uint64_t Scramble(std::uint64_t counter)
 {
   std::uint64_t bits = counter * 0x9e3779b97f4a7c15ULL;
@@ -102,14 +94,13 @@ inline std::uint64_t Scramble(std::uint64_t counter)
   return bits ^ (bits >> 31U);
 }
 
-/// From 0 to below 1.
+/// Returns 0 to below 1.
 inline double Fraction(std::uint64_t bits)
 {
   return double(bits >> 11U) * 0x1.0p-53;
 }
 
-/// Calls visit(place) for `count` places on a triangle: those of the sequence R2 (Roberts 2018), which fills the unit
-/// square evenly for any count, shifted at random, and folded from the square onto the triangle.
+/// Places are from the sequence R2 (Roberts 2018), even for any count, shifted at random and folded onto the triangle.
 template <typename Visitor>
 void SampleTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, std::int64_t count,
   std::uint64_t random, Visitor&& visit)
@@ -120,14 +111,14 @@ void SampleTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ei
   double v = Fraction(Scramble(random));
   for (std::int64_t n = 0; n < count; ++n)
   {
-    const bool beyond = u + v > 1.0; // in the half of the square that is folded
+    const bool beyond = u + v > 1.0; // in the folded half of the square
     visit(Eigen::Vector3d(a + (beyond ? 1.0 - u : u) * (b - a) + (beyond ? 1.0 - v : v) * (c - a)));
     u += u + StepU < 1.0 ? StepU : StepU - 1.0;
     v += v + StepV < 1.0 ? StepV : StepV - 1.0;
   }
 }
 
-/// Calls visit(place) for `count` places on an edge: a random one on each of `count` equal pieces.
+/// Places are random within `count` equal pieces.
 template <typename Visitor>
 void SampleEdge(
   const Eigen::Vector3d& a, const Eigen::Vector3d& b, std::int64_t count, std::uint64_t random, Visitor&& visit)
@@ -141,8 +132,7 @@ void SampleEdge(
 
 // ---- Heights --------------------------------------------------------------------------------------------------------
 
-/// In plan, twice the areas of the triangles of a place with the side across from each corner. Their sum is twice the
-/// area of the triangle, and all have its sign where the place is inside.
+/// Areas are opposite to corners; inside, all have the sign of their sum.
 inline std::array<double, 3> DoubledAreas(
   const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
@@ -155,7 +145,7 @@ inline std::array<double, 3> DoubledAreas(
   return { bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx };
 }
 
-/// The z of a triangle at a place in plan; nan where NearerHeight has none.
+/// Returns NaN where NearerHeight has none.
 inline double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners, double tolerance)
 {
   std::array<double, 3> part = DoubledAreas(p, corners[0], corners[1], corners[2]);
@@ -170,7 +160,6 @@ inline double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3
     {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    // Just outside an edge the height is that on it.
     part[n] = std::max(0.0, turn * part[n]);
     inside += part[n];
     height += part[n] * corners[n].z();
@@ -178,14 +167,13 @@ inline double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3
   return height / inside;
 }
 
-/// The z of a triangle right above or below a place where that is nearer to the place than `best`, or else `best`; nan
-/// stands for none. A place that is no more than `tolerance` outside the triangle in plan counts as inside; a triangle
-/// that is no wider than that in plan has no z.
+/// Returns the z above or below the place if nearer than `best`, else `best`; NaN means none. Places up to `tolerance`
+/// outside count; narrower triangles have no z.
 inline double NearerHeight(
   const TriangleSurface& surface, const Corners& t, const Eigen::Vector3d& place, double tolerance, double best)
 {
   const double height = HeightAt(place, { surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]) }, tolerance);
-  // The first comparison is false for nan.
+  // The first comparison is false for NaN.
   return std::abs(height - place.z()) >= std::abs(best - place.z()) || std::isnan(height) ? best : height;
 }
 }

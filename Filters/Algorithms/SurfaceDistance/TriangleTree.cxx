@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The tree is made from the root down, and filled from the leaves up:
+// The tree is made top-down, and filled bottom-up:
 //
-//   MakeLevels   counts the nodes of each level, from the number of triangles;
-//   Sort         halves the triangles of each node, level by level, by the middles of their boxes;
-//   FillNodes    makes the boxes of the lowest nodes from their triangles, and those of others from their children.
+// MakeLevels: the number of nodes per level
+// Sort: halves of triangles by the middles of their boxes
+// FillNodes: boxes, from triangles or children
 //
-// Both searches go down from the root (Descend), with a stack of boxes that are still to be searched.
 //
-// Boxes are in single precision, and triangles in double precision: boxes are widened, and searches go a little farther
-// than the best distance so far, so that rounding hides no triangle.
+// Boxes in single precision are widened, and searches exceed the best distance slightly, so that rounding hides no
+// triangle.
 
 #include "TriangleTree.h"
 
@@ -25,21 +24,19 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 4096; // triangles that a thread takes at a time
+constexpr std::int64_t Grain = 4096;
 constexpr std::int64_t GrainOfNodes = 256;
 
-// Rounding to single precision moves a coordinate by up to 2^-24 of its size. Of a box and a point that are compared,
-// both are rounded, and so is the box once more when it is widened: four times as much is enough.
+// Box and point are rounded by up to 2^-24, and the box again when widened: four times is enough.
 constexpr double RoundingOfCoordinates = 4 * 0x1p-24;
 
-// On each level a box is taken off the stack and four are put there; numbers of 32 bits fit 16 levels.
+// A box adds three to the stack per level; numbers of 32 bits fit 16 levels.
 constexpr std::size_t MostWaiting = 64;
 
-// A squared distance in single precision is wrong by a few roundings, less than 1e-6 of it. Boxes that are farther than
-// the best triangle by this factor have nothing nearer.
+// Squared distances in single precision are wrong by less than 1e-6. Boxes beyond the best by this factor have nothing
+// nearer.
 constexpr double SlackOfDistances = 1.0 + 1e-5;
 
-/// The middle of a triangle's box, by twice its coordinates, for sorting triangles.
 struct Middle
 {
   float Doubled[3];
@@ -69,7 +66,7 @@ int LongestSide(const Middle* first, const Middle* last)
   return axis;
 }
 
-/// Moves the `count` triangles that are least along the longest side to the front of the range.
+/// The first `count` triangles are least along the longest side.
 void Split(Middle* first, std::size_t count, Middle* last)
 {
   if (count < std::size_t(last - first))
@@ -81,7 +78,6 @@ void Split(Middle* first, std::size_t count, Middle* last)
   }
 }
 
-/// Sorts a range into children of `capacity` triangles each: first into halves, then each half.
 void SplitIntoChildren(Middle* first, Middle* last, std::size_t capacity)
 {
   const std::size_t children = (std::size_t(last - first) + capacity - 1) / capacity;
@@ -91,7 +87,7 @@ void SplitIntoChildren(Middle* first, Middle* last, std::size_t capacity)
   Split(half, capacity, last);
 }
 
-/// A box that is still to be searched: a node, or on the level below the last one a leaf.
+/// On the level below the last, nodes are leaves.
 struct Waiting
 {
   float SquaredDistance;
@@ -249,7 +245,7 @@ void TriangleTree::SearchLeaf(
   const TriangleRange triangles = this->TrianglesOf(leaf);
   for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
   {
-    // The boxes of most triangles are too far away already, which takes less time to find out.
+    // Boxes rule out most triangles faster.
     const Corners& corners = this->Triangles[triangle];
     if (std::int32_t(triangle) != nearest && metric.SquaredDistanceToBox(this->Surface, corners, point) < best)
     {
@@ -261,8 +257,7 @@ void TriangleTree::SearchLeaf(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Calls searchLeaf(leaf), which returns a new bound, for the leaves whose boxes are nearer than the bound, the nearest
-/// first: distancesOf(node) has the squared distances of the boxes of its four children.
+/// Calls searchLeaf(leaf), which returns a new bound, for leaves within the bound, nearest first.
 template <typename DistancesOf, typename LeafSearch>
 void TriangleTree::Descend(float bound, DistancesOf&& distancesOf, LeafSearch&& searchLeaf) const
 {
@@ -327,9 +322,9 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
 double TriangleTree::FindHeight(const Eigen::Vector3d& point, double tolerance) const
 {
   const Eigen::Vector3f place = point.cast<float>();
-  const float reach = std::max(this->Margin, float(2.0 * tolerance)); // twice: the tolerance is rounded as well
+  const float reach = std::max(this->Margin, float(2.0 * tolerance)); // twice, as the tolerance is rounded, too
   double best = std::numeric_limits<double>::quiet_NaN();
-  // Boxes that the vertical through the point meets are at no distance, all others out of bounds.
+  // Boxes on the vertical through the point have distance 0, all others are out of bounds.
   constexpr float Bound = 1.0F;
   this->Descend(
     Bound,

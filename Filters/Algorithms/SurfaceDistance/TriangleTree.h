@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A tree of boxes over the triangles of a surface, to find the nearest of them, and those above or below a place.
+// Finds the nearest triangle of a surface, and heights, by a tree of boxes.
 //
-// A node is a box with four children, which are boxes around a quarter of its triangles each: it is halved across its
-// longest side, and each half once more. The lowest boxes, the leaves, hold four triangles. So the shape of the tree
-// follows from the number of triangles alone, and needs no pointers: node n of a level has nodes 4 n to 4 n + 3 of the
-// next one as its children, and triangles are sorted in the same way. A node stores the boxes of its children in single
-// precision, side by side, so that one instruction compares all four with a point.
+// A node is halved across its longest side, and each half again, to four children; leaves hold four triangles. The
+// shape follows from the number of triangles without pointers: node n of a level has children 4 n to 4 n + 3. Boxes of
+// children are stored side by side in single precision, so that one instruction compares all.
 
 #ifndef SeismicHorizonsTriangleTree_h
 #define SeismicHorizonsTriangleTree_h
@@ -26,28 +24,25 @@ namespace SeismicHorizons
 class TriangleTree
 {
 public:
-  /// `surface` is one that CheckSurface takes, but needs no area; it must outlive the tree. Time near n log n, on
-  /// several threads; about 23 bytes per triangle, and 16 more while the tree is made. The same tree for any number of
-  /// threads.
+  /// The surface must pass CheckSurface(), but needs no area, and outlive the tree. Takes n log n time and 23 bytes per
+  /// triangle.
   explicit TriangleTree(const TriangleSurface& surface, const Monitor& monitor = Monitor());
 
-  /// The number, in the surface, of a triangle in the order of the tree: those that follow each other are near each
-  /// other.
+  /// Returns the number in the surface; neighbours in the tree are close.
   std::int32_t NumberOf(std::size_t sorted) const { return this->Numbers[sorted]; }
 
-  /// The squared distance to the nearest triangle. `hint` is the number of the sorted triangle to begin with, and
-  /// becomes that of the nearest one: a query is quick when it begins with the result for a place near by.
+  /// `hint` is the sorted triangle to begin with, and becomes the nearest. A result for a place near by makes a query
+  /// fast.
   double SquaredDistance(const Eigen::Vector3d& point, std::int32_t& hint, const Metric& metric = Metric()) const;
 
-  /// The z of the surface at the x and y of a point; where there are several, the one nearest to its own z, and nan
-  /// where there is none. A place that is within `tolerance` of an edge in plan counts as on the triangle. Vertical
-  /// triangles do not count.
+  /// Returns the z nearest to the point's, or NaN. Places within `tolerance` of an edge in plan count; vertical
+  /// triangles do not.
   double FindHeight(const Eigen::Vector3d& point, double tolerance) const;
 
 private:
-  static constexpr std::size_t Fan = 4; // children of a node, and triangles of a leaf
+  static constexpr std::size_t Fan = 4;
 
-  /// The boxes of four children, by axis; where there is no child, low is above high.
+  /// Low is above High without a child.
   struct Node
   {
     Eigen::Array4f Low[3];
@@ -63,7 +58,6 @@ private:
   std::size_t NodesOf(std::size_t level) const { return this->LevelStart[level + 1] - this->LevelStart[level]; }
   std::size_t Levels() const { return this->LevelStart.size() - 1; }
 
-  /// The sorted triangles from `First` to before `Last`.
   struct TriangleRange
   {
     std::size_t First;
@@ -80,10 +74,10 @@ private:
 
   const TriangleSurface& Surface;
   std::vector<Corners> Triangles;
-  std::vector<std::int32_t> Numbers; // of the sorted triangles
+  std::vector<std::int32_t> Numbers;
   std::vector<Node> Nodes;
-  std::vector<std::size_t> LevelStart; // the first node of each level, the root first, and the end of the last one
-  float Margin = 0.0F; // by how much boxes are widened: more than rounding to single precision moves any coordinate
+  std::vector<std::size_t> LevelStart; // first node per level, the root first, and the end
+  float Margin = 0.0F; // exceeds rounding to single precision
 };
 }
 
