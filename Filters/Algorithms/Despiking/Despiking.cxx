@@ -210,8 +210,8 @@ private:
   double Level = 0.0;
 };
 
-/// Returns the least step above `rounding`, at most 1: a surface that is level but for a fault has no smaller step than
-/// its throw.
+/// Returns the least step above `rounding`, at most 1: a surface that is level except at a fault has no smaller step
+/// than its throw.
 double LeastStep(const std::vector<double>& heights, std::int64_t width, double rounding)
 {
   double least = 1.0;

@@ -36,9 +36,8 @@ struct GriddingOptions
 
 constexpr double LargestSmoothing = 1e6;
 
-/// Grids each horizon independently, on one lattice that ends at picks or their radius. PickDistance is in world units.
-/// Threads and the order of picks do not matter. Throws InputError on picks without z, above 1000 columns per pick, and
-/// on distant picks, unless these are left out or the lattice is given. Memory is about 600 bytes per column.
+/// One lattice ends at the picks of all horizons, or at their radius. Throws InputError on picks without z, above 1000
+/// columns per pick, and on distant picks, unless left out or the lattice is given. Takes 600 bytes per column.
 SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const Monitor& monitor = Monitor());
 }
 

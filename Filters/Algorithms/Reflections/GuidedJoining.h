@@ -67,7 +67,7 @@ struct GuidedPick
 struct GuidedSurface
 {
   std::vector<GuidedPick> Picks; // one per column, ascending
-  std::vector<std::size_t> Strays; // picks of the guide that contradict others
+  std::vector<std::size_t> Strays; // picks of the guide that contradict other picks
 };
 
 class GuidedJoining

@@ -57,7 +57,7 @@ struct GuideUse
   bool IsNegative = false; // sign of the reflections
   std::int64_t OtherSign = 0; // picks that mean the other sign
   std::vector<std::size_t> Unused; // picks without a reflection in tolerance
-  std::vector<std::size_t> Strays; // picks that contradict others
+  std::vector<std::size_t> Strays; // picks that contradict other picks
   std::int64_t Shared = 0; // picks left to other guides
   std::size_t SharedWith = 0; // first of these guides
 };

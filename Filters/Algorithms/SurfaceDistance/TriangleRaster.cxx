@@ -49,7 +49,7 @@ constexpr double FewOverlapping = 512.0;
 
 constexpr std::int64_t FewCells = 16;
 
-// A box adds three to the stack per level, of which there are fewer than 64.
+// A box adds three to the stack per level, and there are fewer than 64 levels.
 constexpr std::size_t MostWaiting = 3 * 64 + 1;
 
 // A place this far outside, relative to the area, counts as across.

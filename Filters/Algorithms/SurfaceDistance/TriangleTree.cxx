@@ -324,7 +324,7 @@ double TriangleTree::FindHeight(const Eigen::Vector3d& point, double tolerance) 
   const Eigen::Vector3f place = point.cast<float>();
   const float reach = std::max(this->Margin, float(2.0 * tolerance)); // twice, as the tolerance is rounded, too
   double best = std::numeric_limits<double>::quiet_NaN();
-  // Boxes on the vertical through the point have distance 0, all others are out of bounds.
+  // Boxes on the vertical through the point have distance 0, all other boxes are out of bounds.
   constexpr float Bound = 1.0F;
   this->Descend(
     Bound,
