@@ -83,7 +83,7 @@ private:
 // Decides whether a straight edge can replace a chain of boundary points without crossing loops. All answers are exact.
 //
 //       o--o                    If an edge replaces a chain, the area between them changes sides. No point may lie there
-//      /    \    o--o           or on the edge, except points of the chain. Then no edge of another chain crosses the new
+//      /    \    o--o           or on the edge, except from the chain. Then edges of other chains do not cross the new
 //  ---o------o--/----o---       one: it cannot cross the chain, and would have an end in the area. By the same argument
 //             \o                two new edges never cross, in any order.
 class ShortcutGuard

@@ -23,8 +23,7 @@ PlaneBox FindBox(PlanePoints columns)
   return PlaneBox(columns);
 }
 
-/// The coordinates along an axis that the raster keeps, from the least one: those of points, and between them up to
-/// `Margin` others, which follow a point.
+/// Kept coordinates have points, or are among up to `Margin` coordinates that follow one.
 std::vector<std::int64_t> FindKept(PlanePoints columns, std::int32_t PlanePoint::*axis, std::int64_t least)
 {
   std::vector<std::int64_t> occupied;
@@ -51,7 +50,6 @@ std::vector<std::int64_t> FindKept(PlanePoints columns, std::int32_t PlanePoint:
   return kept;
 }
 
-/// The place of a coordinate among those that are kept, or -1.
 std::int64_t FindIn(const std::vector<std::int64_t>& kept, std::int64_t coordinate)
 {
   const auto found = std::lower_bound(kept.begin(), kept.end(), coordinate);
@@ -82,7 +80,7 @@ ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& hei
     this->Places = MakeRaster(this->FilesKept, this->RowsKept);
   }
   this->Values.assign(this->Places.NumberOfColumns(), std::numeric_limits<double>::quiet_NaN());
-  constexpr double Tolerance = 1e-3; // of whole heights, which went through world coordinates
+  constexpr double Tolerance = 1e-3; // Integer heights that passed through world coordinates are rounded.
   for (std::size_t point = 0; point < columns.size(); ++point)
   {
     double& value = this->Values[this->PlaceOf(this->Box.ColumnOf(columns[point]))];

@@ -1,22 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The passes, in order:
+// The passes are listed in FaultDetection.h. Deviations exclude the dip, so that a plane has none, nor a slope beside a
+// fault. Faults often appear as bands of a few missing columns; planes through columns on both sides of a band give its
+// throw.
 //
-//  1. Deviations. The deviation of a link is the height difference across it less the median of those across the links
-//     of the same side within three columns, which is the dip. So a plane has none, however steep, nor has a slope next
-//     to a fault.
-//  2. Noise, the standard deviation of differences, by the median of the sizes of deviations.
-//  3. Candidates are the links with large deviations; those with still larger ones are strong.
-//  4. Gaps. A fault often shows as a band of a few missing columns, where no link has two heights. Planes through
-//     columns on both sides tell how far apart the two sides are in the middle of the gap; the link there is a
-//     candidate, joined to those of the next row or file.
-//  5. Lines. Ends of candidates are bridged, and a forest of long and strong ones stays (FaultForest.h).
-//
-// A file is what a row is along j. Candidates and all that comes of them have the numbers of links in the grid, the
-// bounding box, which are sparse. The first two passes and the search for gaps run over the raster (ColumnHeights.h),
-// from which empty bands are left out: they look at most at four columns in each direction, fewer than
-// ColumnHeights::Margin.
+// Candidates are sparse and have link numbers of the grid. Deviations and bands use the raster (ColumnHeights.h), as
+// they reach four columns at most, less than ColumnHeights::Margin.
 
 #include "FaultDetection.h"
 
@@ -48,12 +38,10 @@ namespace SeismicHorizons
 namespace
 {
 //----------------------------------------------------------------------------------------------------------------------
-// 1. Deviations.
+// Deviations
 
 static_assert(WindowReach + 1 < ColumnHeights::Margin);
 
-/// The differences across the links of some rows, nan where there is none. Rows come one after the other, and the last
-/// seven are kept.
 class DifferenceRows
 {
 public:
@@ -65,7 +53,6 @@ public:
   {
   }
 
-  /// The row y, which may lie outside the raster.
   void Load(std::int64_t y)
   {
     const LinkGrid& raster = this->Heights.Raster();
@@ -84,7 +71,6 @@ public:
     }
   }
 
-  /// The first column of a row that is kept.
   float* Row(std::int64_t y) { return this->Values.data() + (y + WindowSide) % WindowSide * this->Width; }
 
 private:
@@ -94,7 +80,6 @@ private:
   std::vector<float> Values;
 };
 
-/// The deviations of a row, one for every other place: those of the other side come between.
 void FindRow(DifferenceRows& differences, std::int64_t y, std::vector<float>& medians, float* deviations)
 {
   std::array<const float*, WindowSide> rows;
@@ -110,13 +95,12 @@ void FindRow(DifferenceRows& differences, std::int64_t y, std::vector<float>& me
   }
 }
 
-/// By link of the raster, nan where one of the two columns has no point.
 RawVector<float> FindDeviations(const ColumnHeights& heights, const Monitor& monitor)
 {
   const LinkGrid& raster = heights.Raster();
   RawVector<float> deviations;
   deviations.resize(raster.NumberOfLinks());
-  constexpr std::int64_t Grain = 65536; // links that a thread takes at a time
+  constexpr std::int64_t Grain = 65536;
   const std::int64_t rows = std::max<std::int64_t>(2 * WindowReach, Grain / raster.Width());
   ParallelFor(raster.Height(), rows, monitor,
     [&](std::int64_t first, std::int64_t last)
@@ -140,17 +124,16 @@ RawVector<float> FindDeviations(const ColumnHeights& heights, const Monitor& mon
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// 2. Noise.
+// Noise
 
-// The standard deviation of normal noise by the median and by the mean of its sizes.
+// For normal noise, the median and the mean of sizes give the standard deviation by these factors.
 constexpr double DeviationPerMedian = 1.4826;
 constexpr double DeviationPerMean = 1.2533;
-// What rounding to whole heights does to a difference: the square root of two twelfths.
+// Rounding to integers gives differences a standard deviation of the square root of 2 / 12.
 constexpr double WholeFloor = 0.408;
 constexpr double RealFloor = 0.02;
 
-/// The median of whole numbers, were each spread evenly from half below it to half above it; `median` is that of the
-/// numbers as they are. So it changes with their distribution, and does not leap from 0 to 1.
+/// Each integer is spread from half below to half above it, so that the median varies continuously.
 double GroupedMedian(const std::vector<float>& sizes, float median)
 {
   std::size_t below = 0;
@@ -175,10 +158,8 @@ double ClippedMean(const std::vector<float>& sizes, double largest)
   return sum / double(sizes.size());
 }
 
-/// The sizes of deviations, of many only some, which tell as well as all: of each group of values that follow each
-/// other one. It is each time another one (by the fraction of the golden ratio; Knuth, 6.4), as noise that returns
-/// every few columns, such as the footprint of a survey, would else be met in some of them alone. Values are counted
-/// from the first one on, so that the noise does not depend on what the raster leaves out.
+/// The sampled position in each group follows the golden ratio (Knuth, 6.4), so that periodic noise, such as an
+/// acquisition footprint, is sampled evenly. Only values count, so that omitted rows have no effect.
 std::vector<float> SampleSizes(const RawVector<float>& deviations, LinkSide side)
 {
   constexpr std::int64_t Enough = 1000000;
@@ -190,9 +171,9 @@ std::vector<float> SampleSizes(const RawVector<float>& deviations, LinkSide side
   const std::int64_t groupSize = std::max<std::int64_t>(1, known / Enough);
   std::vector<float> sizes;
   sizes.reserve(std::size_t(known / groupSize + 1));
-  std::uint64_t fraction = 0; // in units of 2^-64
-  std::int64_t left = 0; // values of the group
-  std::int64_t chosen = 0; // how many are left at the one that is taken
+  std::uint64_t fraction = 0;
+  std::int64_t left = 0;
+  std::int64_t chosen = 0;
   for (std::size_t n = std::size_t(side); n < deviations.size(); n += 2)
   {
     const float deviation = deviations[n];
@@ -215,10 +196,8 @@ std::vector<float> SampleSizes(const RawVector<float>& deviations, LinkSide side
   return sizes;
 }
 
-/// The standard deviation of noise in deviations: 1.4826 times the median of their sizes. Of whole heights that is the
-/// median of groups, which lies between the whole numbers, and the result at least what rounding does to differences.
-/// Of others, where the median is next to nothing, as in data that were smoothed or rounded, the mean of small sizes
-/// is used.
+/// Integer heights have a grouped median and at least the noise of rounding. Otherwise, if the median is nearly zero,
+/// as in smoothed or rounded data, the mean of small sizes is used.
 double NoiseOfDifferences(const ColumnHeights& heights, std::vector<float> sizes)
 {
   const double floor = heights.AreWhole() ? WholeFloor : RealFloor;
@@ -236,8 +215,7 @@ double NoiseOfDifferences(const ColumnHeights& heights, std::vector<float> sizes
   return noise >= floor ? noise : std::max(floor, DeviationPerMean * ClippedMean(sizes, 4.0 * floor));
 }
 
-/// Of all, or of those along rows or along files alone where these are much rougher: heights that were interpolated
-/// between lines are smooth one way.
+/// One direction alone counts if it is much rougher: heights interpolated between lines are smooth along one axis.
 double NoiseOfDifferences(const ColumnHeights& heights, const RawVector<float>& deviations)
 {
   constexpr double Rougher = 1.5;
@@ -246,7 +224,6 @@ double NoiseOfDifferences(const ColumnHeights& heights, const RawVector<float>& 
   const double noiseEast = NoiseOfDifferences(heights, east);
   const double noiseNorth = NoiseOfDifferences(heights, north);
   const double larger = std::max(noiseEast, noiseNorth);
-  // Rounding of a dip is not the same both ways.
   if (larger > Rougher * std::min(noiseEast, noiseNorth) && (!heights.AreWhole() || larger > 2.0 * WholeFloor))
   {
     return larger;
@@ -255,8 +232,8 @@ double NoiseOfDifferences(const ColumnHeights& heights, const RawVector<float>& 
   return NoiseOfDifferences(heights, std::move(east));
 }
 
-/// The same of rises, which means of many columns make: white noise leaves 0.46 of that of differences, but what rows
-/// have in common and folds leave more.
+/// Means of many columns reduce white noise to 0.46 of the noise of differences; noise common to rows, and folds, leave
+/// more.
 double MeasureRiseNoise(const RawVector<float>& rises, double noise, bool isGiven)
 {
   const double ofWhite = 0.46 * noise;
@@ -273,18 +250,16 @@ double MeasureRiseNoise(const RawVector<float>& rises, double noise, bool isGive
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// 3. Candidates.
+// Candidates
 
-// By noise alone one link in a hundred is a candidate, and hardly any a strong one.
-constexpr double LowFactor = 2.5; // standard deviations
+// By noise alone about 1 % of links are candidates, and hardly any are strong. The unit is the standard deviation.
+constexpr double LowFactor = 2.5;
 constexpr double HighFactor = 4.0;
-// How far the planes beside a gap have to be apart: they are extended, and so vary more than a difference does.
 constexpr double GapFactor = 3.0;
 constexpr int FewestStrong = 5;
-// Rounding to whole heights makes steps of 1, but none of 2.
+// Rounding to integers creates steps of 1, but not of 2.
 constexpr double LeastWholeStep = 1.5;
 
-/// What find(items, first, last) appends for each chunk of the indices 0 to `size`, in the order of chunks.
 template <typename Item, typename Find>
 std::vector<Item> CollectChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Find&& find)
 {
@@ -302,14 +277,14 @@ std::vector<Item> CollectChunks(std::int64_t size, std::int64_t chunkSize, const
 std::vector<FaultCandidate> FindSteep(
   const ColumnHeights& heights, const RawVector<float>& deviations, double low, double high, const Monitor& monitor)
 {
-  constexpr std::int64_t ChunkSize = 1 << 18; // links
+  constexpr std::int64_t ChunkSize = 1 << 18;
   return CollectChunks<FaultCandidate>(std::int64_t(deviations.size()), ChunkSize, monitor,
     [&](std::vector<FaultCandidate>& candidates, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t link = first; link < last; ++link)
       {
         const float size = std::abs(deviations[link]);
-        if (double(size) >= low) // not nan
+        if (double(size) >= low)
         {
           candidates.push_back({ heights.ToGrid(link), size, double(size) >= high });
         }
@@ -318,25 +293,24 @@ std::vector<FaultCandidate> FindSteep(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// 4. Gaps.
+// Bands of missing columns
 
-/// Missing columns in a row or file between two that are not, as seen by its links.
 struct GapStep
 {
-  std::int64_t First = 0; // link from the last column before the gap
-  std::int64_t Middle = 0; // link in the middle of the gap
-  std::int64_t Last = 0; // link to the first column beyond the gap
-  double Throw = 0.0; // how much higher the plane beyond the gap is there than that before it
-  double Height = 0.0; // half way between the planes
+  std::int64_t First = 0;
+  std::int64_t Middle = 0;
+  std::int64_t Last = 0;
+  double Throw = 0.0;
+  double Height = 0.0;
 };
 
-// A plane goes through the points of this many columns, along the row and across it.
+// A plane is fitted to this number of columns along the line, and to each side across it.
 constexpr std::int64_t Along = 4;
-constexpr std::int64_t Across = 1; // to each side of the row
-constexpr int FewestPoints = 6; // of twelve
+constexpr std::int64_t Across = 1;
+constexpr int FewestPoints = 6;
 static_assert(Along < ColumnHeights::Margin);
 
-/// The raster as seen along rows to the east, or along files to the north: both are strips.
+/// A strip is a row for links to the east, or a grid column for links to the north.
 class Strips
 {
 public:
@@ -361,13 +335,11 @@ public:
       this->IsEast() ? strip * this->Raster().Width() + along : along * this->Raster().Width() + strip);
   }
 
-  /// Where a column is along the strips of the grid.
   std::int64_t GridAlong(std::int64_t along) const
   {
     return this->IsEast() ? this->Heights.GridX(along) : this->Heights.GridY(along);
   }
 
-  /// The link from such a column of the grid to the next one.
   std::int64_t GridLink(std::int64_t gridAlong, std::int64_t strip) const
   {
     const LinkGrid& grid = this->Heights.Grid();
@@ -383,8 +355,8 @@ private:
   const LinkSide Kind;
 };
 
-/// The height of the plane through columns from `first` on, in the direction of `step`, at `distance` columns before
-/// the first; nan where there are too few of them, or all in a line.
+/// The plane through columns from `first` on is evaluated `distance` before the first. The result is NaN with too few
+/// columns, or with columns in a line.
 double ExtendPlane(const Strips& strips, std::int64_t strip, std::int64_t first, std::int64_t step, double distance)
 {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -404,7 +376,7 @@ double ExtendPlane(const Strips& strips, std::int64_t strip, std::int64_t first,
       }
     }
   }
-  // Whole numbers, but for halves: the determinant of points in a line is nothing but rounding.
+  // The values are multiples of one half, so that the determinant for points in a line is rounding alone.
   constexpr double Nothing = 1e-6;
   if (points < FewestPoints || matrix.determinant() < Nothing)
   {
@@ -415,7 +387,7 @@ double ExtendPlane(const Strips& strips, std::int64_t strip, std::int64_t first,
 
 void FindStripSteps(const Strips& strips, std::int64_t strip, int longest, double smallest, std::vector<GapStep>& steps)
 {
-  std::int64_t before = -1; // the last column that is there
+  std::int64_t before = -1;
   for (std::int64_t along = 0; along < strips.Length(); ++along)
   {
     if (!strips.Has(along, strip))
@@ -442,14 +414,13 @@ void FindStripSteps(const Strips& strips, std::int64_t strip, int longest, doubl
   }
 }
 
-/// The steps across all gaps of 1 to `longest` columns that are at least `smallest` high, by their links in the middle.
 std::vector<GapStep> FindGapSteps(const ColumnHeights& heights, int longest, double smallest, const Monitor& monitor)
 {
   std::vector<GapStep> all;
   for (const LinkSide side : { LinkSide::East, LinkSide::North })
   {
     const Strips strips(heights, side);
-    constexpr std::int64_t ChunkSize = 16; // strips
+    constexpr std::int64_t ChunkSize = 16;
     const std::vector<GapStep> steps = CollectChunks<GapStep>(strips.Number(), ChunkSize, monitor,
       [&](std::vector<GapStep>& part, std::int64_t first, std::int64_t last)
       {
@@ -469,7 +440,6 @@ bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
   return a.Link < b.Link;
 }
 
-/// The candidates among every `step`-th link from `first` to `last`.
 std::vector<std::int64_t> FindNear(
   const std::vector<FaultCandidate>& candidates, std::int64_t first, std::int64_t last, std::int64_t step)
 {
@@ -484,17 +454,17 @@ std::vector<std::int64_t> FindNear(
   return near;
 }
 
-/// Adds the links that join the cut of a gap to those of candidates in the next row, or file, that lie beside the gap:
+/// Links beside the band join its cut to candidates of the next line:
 ///
-///     o   o   o   .   o      The fault is cut above at a, in the gap below at g. The links from the row below to that
-///       a-----+              above, at the two columns between, join both.
-///     o   .   . g .   o
+///    o   o   o   .   o      The fault is cut at a above, and in the band below at g. The links between the rows, at
+///      a-----+              two columns, join both.
+///    o   .   . g .   o
 void JoinBesideGap(const LinkGrid& grid, const GapStep& gap, const std::vector<FaultCandidate>& candidates,
   std::vector<FaultCandidate>& joints)
 {
   const LinkSide side = LinkGrid::SideOf(gap.Middle);
   const bool isEast = side == LinkSide::East;
-  const std::int64_t along = isEast ? 1 : grid.Width(); // from a column of the gap to the next
+  const std::int64_t along = isEast ? 1 : grid.Width();
   const std::int64_t across = isEast ? grid.Width() : 1;
   const std::int64_t first = LinkGrid::FirstColumn(gap.Middle);
   const std::int64_t strip = isEast ? first / grid.Width() : first % grid.Width();
@@ -518,7 +488,6 @@ void JoinBesideGap(const LinkGrid& grid, const GapStep& gap, const std::vector<F
   }
 }
 
-/// Candidates with those of gaps, by link.
 std::vector<FaultCandidate> AddGaps(
   const LinkGrid& grid, std::vector<FaultCandidate> candidates, const std::vector<GapStep>& gaps, double high)
 {
@@ -532,7 +501,7 @@ std::vector<FaultCandidate> AddGaps(
   {
     JoinBesideGap(grid, gap, candidates, joints);
   }
-  // Of a candidate and a joint in one place the candidate stays.
+  // A candidate has priority over a joint at the same link.
   candidates.insert(candidates.end(), joints.begin(), joints.end());
   std::stable_sort(candidates.begin(), candidates.end(), ByLink);
   candidates.erase(std::unique(candidates.begin(), candidates.end(),
@@ -542,9 +511,8 @@ std::vector<FaultCandidate> AddGaps(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// 5. Lines.
+// Lines
 
-/// The throw and the height of links.
 class LinkMeter
 {
 public:
@@ -567,7 +535,7 @@ public:
     }
     const auto ramp = std::lower_bound(this->Ramps.begin(), this->Ramps.end(), link,
       [](const LinkThrow& step, std::int64_t place) { return step.Link < place; });
-    // A crack through a ramp keeps what is its own.
+    // A crack through a ramp keeps its own, larger throw.
     if (ramp != this->Ramps.end() && ramp->Link == link && !(std::abs(cut.Throw) > std::abs(ramp->Throw)))
     {
       cut.Throw = ramp->Throw;

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Finds faults in a horizon: lines along which the heights of neighbouring columns differ by more than dip and noise.
+// Finds faults in a horizon: lines along which heights of neighbouring columns differ by more than dip and noise.
 //
-//  1. Of each link, the height difference less the median of those around: its deviation.
-//  2. Candidates are the links where that is at least `Low`, strong ones those where it is at least `High`; and the
-//     links in the middle of gaps of a few missing columns whose two sides are as far apart.
-//  3. Candidates join where their cuts meet in a corner, and over one or two links between where one of them ends. A
-//     group stays when it has five strong candidates and is long enough.
-//  4. Of a group the maximum spanning tree over its corners stays: the links of the largest steps, without loops. Short
-//     branches are pruned. What is left is split into lines, the longest path through each tree first (FaultForest.h).
+//  1. The deviation of a link is its height difference minus the median of differences around it.
+//  2. Candidates have a deviation of at least `Low`, strong candidates of at least `High`; bands of a few missing
+//     columns with such a throw have a candidate in their middle.
+//  3. Candidates are connected if their cuts meet in a corner, or over one or two links at their ends. A group needs
+//     five strong candidates and a minimum extent.
+//  4. The maximum spanning tree of a group keeps the largest steps. Short branches are pruned, and the rest is split
+//     into lines, longest path first (FaultForest.h).
 //
-// So a fault that ends inside the horizon, or meets another one, is found; of one that closes upon itself, one link
-// stays whole.
+// Faults that end inside the horizon or meet other faults are found. A closed fault keeps one whole link. Time is
+// linear, memory is about 16 bytes per column of the raster and 100 per candidate, and the number of threads has no
+// effect.
 
 #ifndef SeismicHorizonsFaultDetection_h
 #define SeismicHorizonsFaultDetection_h
@@ -25,28 +26,26 @@ namespace SeismicHorizons
 {
 struct FaultDetectionOptions
 {
-  double SmallestThrow = 4.0; // vertical indices
-  double Noise = 0.0; // standard deviation of height differences in vertical indices; 0 to measure it
-  int SmallestExtent = 20; // columns along i or j that a group spans
-  int SmallestBranch = 10; // links
-  int LargestGap = 5; // missing columns
-  int LargestRamp = 7; // columns over which a fault bends the surface; 0 or 1 looks for steps alone
-  bool JoinThroughHoles = true; // lines on both sides of a hole
+  double SmallestThrow = 4.0; // This is in vertical indices.
+  double Noise = 0.0; // This is in vertical indices, and measured if 0.
+  int SmallestExtent = 20; // Extents, gaps and ramps are in columns, branches in links.
+  int SmallestBranch = 10;
+  int LargestGap = 5;
+  int LargestRamp = 7; // A fault bends the surface over at most this number of columns; 0 or 1 finds steps only.
+  bool JoinThroughHoles = true;
 };
 
-/// Throws InputError on a throw or a noise that is negative or not finite, and on sizes below 0.
+/// Throws InputError for values that are negative or not finite.
 void CheckOptions(const FaultDetectionOptions& options);
 
 struct FaultDetection
 {
   FaultLines Lines;
-  double Noise = 0.0; // as measured or given
-  double Low = 0.0; // least size of a candidate's step
-  double High = 0.0; // least size of a strong one's
+  double Noise = 0.0;
+  double Low = 0.0;
+  double High = 0.0;
 };
 
-/// Linear time; the result does not depend on the number of threads. About 16 bytes per column of the raster with the
-/// heights, and 100 per candidate.
 FaultDetection DetectFaults(
   const ColumnHeights& heights, const FaultDetectionOptions& options, const Monitor& monitor = Monitor());
 }

@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A group is what candidates form whose cuts meet in corners.
+// Candidates whose cuts meet in corners form a group.
 //
-//  1. BridgeEnds: where a single candidate ends, links join it to another group one or two links away.
-//  2. KeepForest: of each group its maximum spanning tree stays, the links of the largest steps without loops (Kruskal,
-//     1956); then small trees go, then short branches, the shortest first, and trees that these leave too small.
-//  3. ListLines: the longest path through each tree, from the vertex that is farthest from any (Bulterman et al.,
-//  2002);
-//     then each branch, which continues at a fork where it gets farthest.
-//
-// A fault that closes upon itself is opened where its step is smallest: one of its links stays whole.
+//  1. BridgeEnds: one or two links join the end of a single candidate to another group.
+//  2. KeepForest: each group keeps its maximum spanning tree (Kruskal, 1956). Small trees are dropped, then short
+//     branches, shortest first, then trees that have become too small.
+//  3. ListLines: the longest path through each tree, from the vertex farthest from any other (Bulterman et al., 2002),
+//     then branches, which continue along the longest path. A closed fault is opened at its smallest step.
 
 #include "FaultForest.h"
 
@@ -82,7 +79,6 @@ void CornerGraph::Drop(std::int32_t edge)
 
 namespace
 {
-/// Calls visit(edge) for each that is kept; it may drop the edge.
 template <typename Visitor>
 void ForEachKept(const CornerGraph& graph, Visitor&& visit)
 {
@@ -95,7 +91,6 @@ void ForEachKept(const CornerGraph& graph, Visitor&& visit)
   }
 }
 
-/// The groups of vertices that kept edges join.
 DisjointSets JoinKept(const CornerGraph& graph)
 {
   DisjointSets groups(graph.NumberOfVertices());
@@ -104,26 +99,25 @@ DisjointSets JoinKept(const CornerGraph& graph)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Bridges from ends of candidates.
+// Bridges
 
-/// A step from a corner to a neighbouring one, across a link.
 struct CornerStep
 {
-  std::int64_t Link = -1; // none when it is outside the box
+  std::int64_t Link = -1;
   std::int64_t Target = -1;
-  bool IsForward = true; // to the east or to the north
+  bool IsForward = true;
 };
 
-constexpr int NumberOfDirections = 4; // east, north, west, south
+constexpr int NumberOfDirections = 4; // The directions are east, north, west, south.
 
 CornerStep StepFrom(const LinkGrid& grid, std::int64_t corner, int direction)
 {
   const bool isForward = direction < 2;
-  const bool isAcrossNorth = direction % 2 == 0; // a step to the east crosses a link to the north
+  const bool isAcrossNorth = direction % 2 == 0;
   const std::int64_t shift = isForward ? 1 : -1;
   const std::int64_t x = grid.CornerX(corner) + (isAcrossNorth ? shift : 0);
   const std::int64_t y = grid.CornerY(corner) + (isAcrossNorth ? 0 : shift);
-  // The column of the link is that below and left of the end of a step forward.
+  // The column of the link is below and left of the end of a forward step.
   const std::int64_t columnX = isAcrossNorth && !isForward ? x + 1 : x;
   const std::int64_t columnY = !isAcrossNorth && !isForward ? y + 1 : y;
   if (columnX < 0 || columnY < 0 || columnX >= grid.Width() || columnY >= grid.Height())
@@ -134,7 +128,6 @@ CornerStep StepFrom(const LinkGrid& grid, std::int64_t corner, int direction)
   return grid.IsInside(link) ? CornerStep{ link, grid.CornerOf(x, y), isForward } : CornerStep{};
 }
 
-/// Looks for links that join the ends of candidates to other groups.
 class EndBridges
 {
 public:
@@ -170,14 +163,12 @@ private:
     return only;
   }
 
-  /// How much higher the left is than the right of a step from corner to corner.
   float LeftStep(std::int64_t link, bool isForward) const
   {
     const float step = this->StepAcross(link);
     return IsLeftBeyond(LinkGrid::SideOf(link), isForward) ? step : -step;
   }
 
-  /// Whether a step continues one whose left is higher by `left`.
   bool Continues(const CornerStep& step, float left) const
   {
     return this->LeftStep(step.Link, step.IsForward) * (left < 0.0F ? -1.0F : 1.0F) >= this->Least;
@@ -188,7 +179,7 @@ private:
     return other >= 0 && this->Groups.Find(other) != this->Groups.Find(vertex);
   }
 
-  /// Whether a single candidate starts at a vertex, and its left is the same side.
+  /// A single candidate must start at the vertex, with its left on the same side.
   bool StartsAlike(std::int32_t vertex, float left) const
   {
     if (this->Graph.Degree(vertex) != 1)
@@ -240,7 +231,7 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-// A forest of what is large enough.
+// Forest
 
 void KeepTrees(CornerGraph& graph)
 {
@@ -289,7 +280,6 @@ void DropSmallTrees(CornerGraph& graph, const ForestLimits& limits)
     });
 }
 
-/// The edges from an end of a tree to its next junction, at most `longest`; empty when there is none within them.
 std::vector<std::int32_t> WalkBranch(const CornerGraph& graph, std::int32_t end, int longest)
 {
   std::vector<std::int32_t> branch;
@@ -309,7 +299,7 @@ std::vector<std::int32_t> WalkBranch(const CornerGraph& graph, std::int32_t end,
       });
     if (next < 0)
     {
-      return {}; // the other end: the tree is a single line
+      return {}; // The tree is a single line.
     }
     if (graph.Degree(next) > 2)
     {
@@ -320,10 +310,10 @@ std::vector<std::int32_t> WalkBranch(const CornerGraph& graph, std::int32_t end,
   return {};
 }
 
-/// Shorter branches go first: what is left of their junction may be part of a longer one, which waits for its turn.
+/// Shorter branches go first, since the rest of their junction may belong to a longer branch.
 void PruneBranches(CornerGraph& graph, int smallest)
 {
-  std::set<std::pair<std::size_t, std::int32_t>> branches; // the length of each, and its end
+  std::set<std::pair<std::size_t, std::int32_t>> branches;
   for (std::int32_t vertex = 0; vertex < graph.NumberOfVertices(); ++vertex)
   {
     if (graph.Degree(vertex) == 1)
@@ -333,7 +323,7 @@ void PruneBranches(CornerGraph& graph, int smallest)
   }
   while (!branches.empty())
   {
-    const auto [length, end] = *branches.begin(); // the length is what is known so far: the branch has at least that
+    const auto [length, end] = *branches.begin();
     branches.erase(branches.begin());
     const std::vector<std::int32_t> branch = WalkBranch(graph, end, smallest - 1);
     if (branch.size() > length)
@@ -348,9 +338,8 @@ void PruneBranches(CornerGraph& graph, int smallest)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Lines through the forest.
+// Lines
 
-/// Paths through a tree from one of its vertices, the root; each other vertex knows the way back to it.
 class TreePaths
 {
 public:
@@ -365,7 +354,6 @@ public:
 
   bool IsVisited(std::int32_t vertex) const { return this->Back[vertex] >= 0; }
 
-  /// The vertices of a tree in an order in which each comes after the one on its way back; the last one is farthest.
   std::vector<std::int32_t> Visit(std::int32_t root)
   {
     std::vector<std::int32_t> order = { root };
@@ -379,7 +367,7 @@ public:
         {
           if (edge != this->EdgeBack[vertex])
           {
-            assert(!this->IsVisited(opposite)); // a tree has one way there
+            assert(!this->IsVisited(opposite));
             this->Back[opposite] = vertex;
             this->EdgeBack[opposite] = edge;
             order.push_back(opposite);
@@ -389,8 +377,7 @@ public:
     return order;
   }
 
-  /// Lines of the tree that was visited last, from its root: each continues with the vertex from which it gets
-  /// farthest.
+  /// Lines of the last visited tree continue along the longest path from each vertex.
   void AppendLines(const std::vector<std::int32_t>& order, std::vector<std::vector<ForestStep>>& lines)
   {
     for (auto vertex = order.rbegin(); vertex + 1 != order.rend(); ++vertex)
@@ -418,7 +405,6 @@ public:
   }
 
 private:
-  /// The line whose first step leads to `vertex`.
   void AppendLine(std::int32_t vertex, std::vector<std::vector<ForestStep>>& lines) const
   {
     std::vector<ForestStep> line;
@@ -431,10 +417,10 @@ private:
   }
 
   const CornerGraph& Graph;
-  std::vector<std::int32_t> EdgeBack; // the first edge on the way to the root
-  std::vector<std::int32_t> Back; // the vertex beyond it; a root has itself
-  std::vector<std::int32_t> Height; // how many edges the longest path away from the root has
-  std::vector<std::int32_t> Next; // the first vertex of that
+  std::vector<std::int32_t> EdgeBack;
+  std::vector<std::int32_t> Back; // The root is its own predecessor.
+  std::vector<std::int32_t> Height;
+  std::vector<std::int32_t> Next;
 };
 }
 
@@ -457,7 +443,7 @@ void KeepForest(CornerGraph& graph, const ForestLimits& limits)
   KeepTrees(graph);
   DropSmallTrees(graph, limits);
   PruneBranches(graph, limits.SmallestBranch);
-  DropSmallTrees(graph, limits); // of some, branches alone were long enough
+  DropSmallTrees(graph, limits); // Some trees were large only through their branches.
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -470,7 +456,7 @@ std::vector<std::vector<ForestStep>> ListLines(const CornerGraph& graph)
   {
     if (graph.Degree(vertex) > 0 && !probe.IsVisited(vertex))
     {
-      // The vertex farthest from any is an end of the longest path.
+      // The vertex farthest from any other is an end of the longest path.
       const std::int32_t end = probe.Visit(vertex).back();
       const std::vector<std::int32_t> order = paths.Visit(end);
       paths.AppendLines(order, lines);

@@ -13,28 +13,26 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Links of a line that tell its direction and its throw at an end. The throw tapers towards the tips of faults, but not
-// at holes.
+// These links of a line define its direction and throw at an end. The throw tapers towards tips of faults, but not at
+// holes.
 constexpr std::size_t LinksOfEnd = 20;
-// Detection needs whole neighbourhoods, so lines may end this many columns from a hole.
+// Detection needs complete neighbourhoods, so that lines may end this many columns from a hole.
 constexpr double LargestDistance = 8.0;
-// Between the direction of a line and that to the other end, in radians: 25 degrees.
+// This is 25 degrees, in radians, between the direction of a line and the other end.
 constexpr double LargestTurn = 0.4363;
-// One throw is at most so many times the other.
 constexpr double LargestRatio = 2.0;
-constexpr double Step = 0.5; // columns
-// Nothing is looked for beyond wider holes.
-constexpr double WidestHole = 1000.0; // columns
+constexpr double Step = 0.5;
+// This is in columns; wider holes are not bridged.
+constexpr double WidestHole = 1000.0;
 
-/// Where a line ends at a hole, seen along it from its middle outwards.
 struct LineEnd
 {
-  MapPlace Place; // in the middle of its last link
-  MapPlace Smooth; // the same without the stairs of links
-  MapPlace Direction; // of length 1
+  MapPlace Place;
+  MapPlace Smooth;
+  MapPlace Direction;
   double LeftThrow = 0.0;
   double Height = 0.0;
-  double Reach = 0.0; // columns to the other side of the hole
+  double Reach = 0.0;
 };
 
 struct EndPair
@@ -53,7 +51,6 @@ public:
   {
   }
 
-  /// By their x.
   std::vector<LineEnd> FindEnds() const
   {
     std::vector<LineEnd> ends;
@@ -67,7 +64,6 @@ public:
     return ends;
   }
 
-  /// By how straight they are.
   std::vector<EndPair> FindPairs(const std::vector<LineEnd>& ends) const
   {
     std::vector<EndPair> pairs;
@@ -97,10 +93,10 @@ private:
     LineEnd end;
     end.Place = MiddleOf(link(0));
     end.Height = link(0).Middle;
-    // The line of regression through the links has neither the stairs of single ones nor their direction.
+    // Linear regression removes the stairs of single links.
     const double half = 0.5 * double(number - 1);
     MapPlace mean;
-    MapPlace slope; // for each link towards the end
+    MapPlace slope;
     double squares = 0.0;
     double sum = 0.0;
     int known = 0;
@@ -132,7 +128,7 @@ private:
     }
   }
 
-  /// How far along its direction the horizon begins again; 0 where there is no hole nearby, or nothing beyond it.
+  /// Returns 0 without a hole nearby, or with nothing beyond it.
   double FindReach(const LineEnd& end) const
   {
     bool isHole = false;
@@ -152,14 +148,14 @@ private:
     }
   }
 
-  /// By what angle lines turn from one to the other at both ends together; more than any when they are no pair.
+  /// Returns the sum of turns at both ends, or a large angle if the ends do not match.
   double Turn(const LineEnd& a, const LineEnd& b) const
   {
     constexpr double none = 10.0;
     const double x = b.Place.X - a.Place.X;
     const double y = b.Place.Y - a.Place.Y;
     const double length = std::hypot(x, y);
-    const double throwBeyond = -b.LeftThrow; // seen from a
+    const double throwBeyond = -b.LeftThrow;
     const double ratio = throwBeyond / a.LeftThrow;
     if (length == 0.0 || length > 2.0 * a.Reach || length > 2.0 * b.Reach ||
       !(ratio >= 1.0 / LargestRatio && ratio <= LargestRatio))
@@ -217,12 +213,12 @@ private:
   const FaultLines& Lines;
 };
 
-/// The cubic that leaves both ends in their directions.
+/// A cubic leaves both ends in their directions.
 FaultPolyline Bend(const LineEnd& from, const LineEnd& to)
 {
   const double length = std::hypot(to.Smooth.X - from.Smooth.X, to.Smooth.Y - from.Smooth.Y);
   const int parts = std::max(1, int(std::ceil(length)));
-  // From just outside the last link, which is cut.
+  // The line starts just outside the last link, which is cut already.
   constexpr double outside = 1e-3;
   const auto start = [](const LineEnd& end) {
     return MapPlace{ end.Place.X + outside * end.Direction.X, end.Place.Y + outside * end.Direction.Y };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Faults through holes. Where columns are missing nothing can be detected, so a fault that crosses a hole is found as
-// two lines, and what is filled in between would be a ramp. Two lines that end at a hole become one fault when each
-// points at the end of the other and their throws are alike.
+// Faults through holes. Nothing can be detected where columns are missing, so that a fault across a hole is found as
+// two lines, and filling would create a ramp. Two lines that end at a hole are joined if they point at each other and
+// have similar throws.
 
 #ifndef SeismicHorizonsFaultJoins_h
 #define SeismicHorizonsFaultJoins_h
@@ -13,9 +13,8 @@
 
 namespace SeismicHorizons
 {
-/// Appends a line from end to end for each pair, bent as their directions are. At least half of its columns are
-/// missing. Throws and heights of its links change evenly from those of one line to those of the other where columns
-/// are missing. Each end is joined once, the straightest pairs first.
+/// Appends a curved line for each pair, of which at least half of the columns are missing. Throws and heights are
+/// interpolated there. Each end is joined once, straightest pairs first.
 void JoinThroughHoles(const ColumnHeights& heights, FaultLines& lines);
 }
 

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Traces and polygons become chains of faulted links (CutAlong) by a walk over the blocks of two by two columns that a
-// line crosses, each named by its least column. From a block to the next it cuts the link between them. Lines down a
-// fault pass through the horizon (FindPassages) between samples half a column apart, one above it and the next below.
+// CutAlong() walks over the blocks of two by two columns along a polyline and cuts the links between successive blocks.
+// FindPassages() samples lines down a fault every half column for passages through the horizon.
 //
-// Given lines may lie anywhere, and the time they take must not depend on where: each segment is clipped to the
-// neighbourhood of the box first. Differences of coordinates are counted with by halves, as the difference of two
-// large numbers may be infinite.
+// Given lines may be anywhere without a cost, since each segment is clipped to the neighbourhood of the box. Halves of
+// coordinates are subtracted, as the difference of two large numbers may be infinite.
 
 #include "FaultLines.h"
 
@@ -26,7 +24,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Throws InputError on coordinates that are not finite. `kind` is what has the number, and `units` are theirs.
 void RequireFinite(
   const char* kind, std::size_t number, std::initializer_list<double> coordinates, const std::string& units)
 {
@@ -46,13 +43,12 @@ void RequireFinite(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Segments near the box.
+// Clipping
 
-/// The coordinates of a segment along an axis of the box, from the least column to before `end`.
 class ClippedAxis
 {
 public:
-  double In = -1.0; // the parts of the segment at which it crosses the sides of the box
+  double In = -1.0; // These are fractions of the segment at the sides of the box.
   double Out = 2.0;
 
   ClippedAxis(double from, double to, double end)
@@ -73,8 +69,8 @@ public:
     }
   }
 
-  /// The coordinates at the parts where the segment is near the box first and last: where it crosses a side of this
-  /// axis there, that of the side, as from very far away coordinates are rounded to more than the box.
+  /// At a side, the exact coordinate of the side is returned, since far away coordinates are rounded to more than the
+  /// box.
   double First(double part) const
   {
     return part == this->In ? (this->Half > 0.0 ? Least : this->Greatest) : this->At(part);
@@ -88,7 +84,7 @@ public:
   double Clamp(double place) const { return std::clamp(place, Least, this->Greatest); }
 
 private:
-  // Up to two columns outside, so that rounding leaves what is inside as it is.
+  // A margin of two columns keeps rounding from changing anything inside.
   static constexpr double Margin = 2.0;
   static constexpr double Least = -Margin;
 
@@ -99,12 +95,11 @@ private:
   const double Greatest;
 };
 
-/// The part of a segment near the box. Its places count from the least column there.
 struct NearSegment
 {
   MapPlace From;
   MapPlace To;
-  double First = 0.0; // which parts of the segment these are, from 0 to 1
+  double First = 0.0;
   double Last = 1.0;
 
   NearSegment(const LinkGrid& box, const MapPlace& from, const MapPlace& to)
@@ -117,7 +112,6 @@ struct NearSegment
     this->Last = std::min({ 1.0, alongX.Out, alongY.Out });
     this->From = this->First > 0.0 ? MapPlace{ alongX.First(this->First), alongY.First(this->First) }
                                    : MapPlace{ alongX.Clamp(this->From.X), alongY.Clamp(this->From.Y) };
-    // An end far outside can be the place of the last crossing, too, as far as rounded parts tell.
     this->To = this->Last < 1.0 ? MapPlace{ alongX.Last(this->Last), alongY.Last(this->Last) }
                                 : MapPlace{ alongX.Clamp(this->To.X), alongY.Clamp(this->To.Y) };
   }
@@ -126,9 +120,8 @@ struct NearSegment
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-// Passages.
+// Passages
 
-/// Looks along lines for the places where they pass from one side of a horizon to the other.
 class StickProbe
 {
 public:
@@ -153,7 +146,6 @@ public:
       const MapPlace& from = near.From;
       const MapPlace& to = near.To;
       const double halfRise = 0.5 * b.Z - 0.5 * a.Z;
-      // Half a column from sample to sample.
       const int samples = int(std::ceil(2.0 * std::hypot(to.X - from.X, to.Y - from.Y)) + 1.0);
       for (int sample = 0; sample <= samples; ++sample)
       {
@@ -178,21 +170,20 @@ public:
 private:
   struct Sample
   {
-    MapPlace Place; // from the least column
-    double Above = std::numeric_limits<double>::quiet_NaN(); // how far above the horizon
+    MapPlace Place;
+    double Above = std::numeric_limits<double>::quiet_NaN();
   };
 
-  /// Where a stick is level with the horizon between two samples, in columns of the lattice.
   MapPlace Passage(const Sample& before, const Sample& after) const
   {
     const PlanePoint& least = this->Heights.Grid().Origin();
     const double known = 0.5 * before.Above / (0.5 * before.Above - 0.5 * after.Above);
-    const double share = std::isfinite(known) ? known : 0.5; // between infinite heights
+    const double share = std::isfinite(known) ? known : 0.5; // Infinite heights have no quotient.
     return { least.X + before.Place.X + share * (after.Place.X - before.Place.X),
       least.Y + before.Place.Y + share * (after.Place.Y - before.Place.Y) };
   }
 
-  /// By the height of the nearest column.
+  /// The nearest column determines the height.
   Sample Take(const MapPlace& place, double height) const
   {
     Sample sample;
@@ -211,7 +202,7 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-// From traces to cuts.
+// Walks
 
 class BlockWalk
 {
@@ -241,7 +232,7 @@ public:
     const bool isNorthward = to.Y > from.Y;
     while (stepsX + stepsY > 0)
     {
-      // The side of the block that the line reaches first; at its corner that to the east or west.
+      // At a corner of the block, the side to the east or west comes first.
       const double sideX = double(isEastward ? x + 1 : x);
       const double sideY = double(isNorthward ? y + 1 : y);
       const double partX = stepsX > 0 ? (sideX - from.X) / (to.X - from.X) : 2.0;
@@ -281,7 +272,6 @@ private:
   FaultLines& Lines;
 };
 
-/// Each link of each line takes memory, also one that was cut before.
 void CheckNumber(const FaultLines& lines, const LinkGrid& grid)
 {
   const std::int64_t most = std::max<std::int64_t>(1000000, 4 * grid.NumberOfLinks());
@@ -354,7 +344,6 @@ std::vector<LinkOfLine> SortLinks(const FaultLines& lines)
     const LatticeLink& link = lines[item.Link].Place;
     return std::make_tuple(link.Column.Y, link.Column.X, link.Side);
   };
-  // Stable, so that the first line that has a link comes first.
   std::stable_sort(
     sorted.begin(), sorted.end(), [&key](const LinkOfLine& a, const LinkOfLine& b) { return key(a) < key(b); });
   sorted.erase(std::unique(sorted.begin(), sorted.end(),

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fault lines as chains of faulted links, and from lines that are given: traces or polygons of an interpreter, and
-// sticks.
+// Fault lines as chains of faulted links, also from traces, polygons and sticks of an interpreter.
 //
-// A link is cut where a trace passes between its two columns, so that columns are parted just as the trace parts them,
-// and the cuts are a chain without breaks. A polygon that follows both cutoffs of a fault cuts along both: there is no
-// surface between them, and what is filled in later continues each side alone. Where a polygon is narrower than a
-// column, both of its sides cut the same links.
+// A link is cut where a trace passes between its columns, so that the cuts form a chain without breaks. A polygon
+// around both cutoffs of a fault cuts along both: there is no surface between them, and filling continues each side
+// alone. Both sides of a polygon narrower than a column cut the same links.
 
 #ifndef SeismicHorizonsFaultLines_h
 #define SeismicHorizonsFaultLines_h
@@ -23,22 +21,19 @@
 
 namespace SeismicHorizons
 {
-/// A faulted link as part of a fault line.
 struct FaultedLink
 {
   LatticeLink Place;
-  double Throw = 0.0; // height beyond the link minus height before it; nan where one of them is not known
-  double Middle = 0.0; // the height half way; nan where there is none near
-  bool IsForward = true; // whether the line goes north across a link to the east, or east across one to the north
+  double Throw = 0.0; // This is the height beyond the link minus the height before it, or NaN.
+  double Middle = 0.0; // This is the mean height, or NaN without a height nearby.
+  bool IsForward = true; // Forward lines go north across a link to the east, or east across a link to the north.
 
-  /// How much higher the left of the line is than its right.
+  /// The left of the line is higher by this.
   double LeftThrow() const { return IsLeftBeyond(this->Place.Side, this->IsForward) ? this->Throw : -this->Throw; }
 };
 
-/// A cut of a link in the box, with its throw where both columns have points.
 FaultedLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isForward);
 
-/// Chains of faulted links, each from an end to the other.
 class FaultLines
 {
 public:
@@ -49,11 +44,9 @@ public:
   FaultedLink& operator[](std::size_t n) { return this->Links[n]; }
   const FaultedLink& operator[](std::size_t n) const { return this->Links[n]; }
 
-  /// Appends to the line that is being built.
   void Append(const FaultedLink& link) { this->Links.push_back(link); }
-  /// Appends whole lines.
   void Append(const FaultLines& other);
-  /// Ends that line unless it has no link, and turns it so that its left is the higher side on the whole.
+  /// Ends the line and turns it so that its left is the higher side on average. Empty lines are ignored.
   void Close();
 
 private:
@@ -61,15 +54,14 @@ private:
   std::vector<std::size_t> Ends;
 };
 
-/// All links of the lines by j, i and side, each once: that of the first line that has it.
+/// Links are sorted by j, i and side; the first line with a link wins.
 struct LinkOfLine
 {
-  std::size_t Link = 0; // its number in the lines
+  std::size_t Link = 0;
   std::size_t Line = 0;
 };
 std::vector<LinkOfLine> SortLinks(const FaultLines& lines);
 
-/// A place on the map, in columns.
 struct MapPlace
 {
   double X = 0.0;
@@ -78,24 +70,19 @@ struct MapPlace
 
 using FaultPolyline = std::vector<MapPlace>;
 
-/// The links of the horizon's bounding box that polylines cut: a line for each part of a polyline inside the box, with
-/// the throw where both columns of a link have points. A polyline exactly through a column passes on the side of lesser
-/// coordinates. Throws InputError on a place that is not finite, and on lines that run back and forth until they have
-/// cut far more links than there are. Linear in the number of places and of links that are cut.
+/// Returns a line for each section of a polyline inside the bounding box. A polyline exactly through a column passes on
+/// the side of lesser coordinates. Throws InputError for places that are not finite, and far more cuts than links.
 FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines);
 
-/// A line down a fault surface.
 struct FaultStick
 {
   std::vector<SpacePoint> Places;
-  std::string Fault; // what sticks of one fault have in common
+  std::string Fault;
 };
 
-/// Throws InputError on a place of a stick that is not finite, with the number of the stick.
 void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick);
 
-/// Where a line in columns and vertical indices passes from above the horizon to below it, or back, in its direction.
-/// Over gaps in the horizon heights continue evenly along the line.
+/// The line is in columns and vertical indices. Over missing columns, heights are interpolated along it.
 std::vector<MapPlace> FindPassages(const ColumnHeights& heights, const std::vector<SpacePoint>& line);
 }
 

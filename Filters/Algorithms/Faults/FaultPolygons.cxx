@@ -19,7 +19,6 @@ namespace
 {
 constexpr std::size_t MostCrossings = 100000000;
 
-/// What a polygon covers of a row of columns.
 struct Stretch
 {
   std::int32_t Row;
@@ -59,7 +58,7 @@ public:
     }
   }
 
-  /// After all were added: those of a row that overlap become one.
+  /// Overlapping stretches of a row are merged after all polygons were added.
   void Join()
   {
     std::sort(this->Stretches.begin(), this->Stretches.end(), IsBefore);
@@ -87,8 +86,7 @@ public:
   }
 
 private:
-  /// Rows from the lower end of a side to before its upper one, so that each corner counts once. Halves, as places may
-  /// be as large as numbers can be.
+  /// A side includes its lower end only, so that corners count once. Halves avoid infinite differences.
   void Cross(const MapPlace& from, const MapPlace& to)
   {
     const double low = std::min(from.Y, to.Y);
@@ -107,10 +105,10 @@ private:
     }
   }
 
-  std::vector<std::int32_t> Rows; // that have points, ascending
-  std::vector<Stretch> Crossings; // of one polygon, by their first places
+  std::vector<std::int32_t> Rows;
+  std::vector<Stretch> Crossings;
   std::vector<Stretch> Stretches;
-  std::size_t Number = 0; // of crossings of all polygons
+  std::size_t Number = 0;
 };
 }
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-//  1. FindRises: means of as many columns as the widest ramp has, and their differences, along rows and along files.
-//  2. Peaks of these, row by row and file by file, that are steep enough; each is the middle of a ramp. A fault that
-//     runs aslant has peaks in both: those of the direction in which it is narrower count.
-//  3. Peaks of successive rows, or files, are joined, also over some that have none.
-//  4. Lines of these that are long and, on the average, steep enough. A single peak may be noise on a fold.
+// 1. FindRises: means over the width of the widest ramp, and their differences, along both axes.
+// 2. Peaks of rises that are steep enough mark the middle of a ramp. An oblique fault has peaks along both axes; the
+// axis along which it is narrower counts.
+// 3. Peaks of successive rows are joined, also across a few rows without a peak.
+// 4. Lines must be long and steep on average, since a single peak may be noise on a fold.
 
 #include "FaultRamps.h"
 
@@ -24,7 +24,6 @@ namespace
 {
 constexpr float Missing = std::numeric_limits<float>::quiet_NaN();
 
-/// The sizes of what is looked at, in columns.
 struct RampScale
 {
   explicit RampScale(int largest)
@@ -37,14 +36,14 @@ struct RampScale
     assert(largest >= 2 && this->Reach < ColumnHeights::Margin);
   }
 
-  const std::int64_t Mean; // of so many columns on each side
-  const std::int64_t Half; // distance at which a steep peak has fallen
-  const std::int64_t Shoulder; // distance at which a ramp is over
-  const int Fewest; // points of a mean
-  const std::int64_t Reach; // columns that a rise depends on
+  const std::int64_t Mean;
+  const std::int64_t Half; // A steep peak has fallen at this distance.
+  const std::int64_t Shoulder; // A ramp is over at this distance.
+  const int Fewest;
+  const std::int64_t Reach;
 };
 
-/// A mean height, and where the middle of its columns is; nan where too few columns have points.
+/// The place is the mean of known columns. The height is NaN if these are too few.
 struct MeanHeight
 {
   double Height = std::numeric_limits<double>::quiet_NaN();
@@ -53,23 +52,20 @@ struct MeanHeight
   bool IsKnown() const { return !std::isnan(this->Height); }
 };
 
-/// How much higher one mean is than another, and how far apart they are.
 struct Rise
 {
   double Height = 0.0;
-  double Distance = 0.0; // 0 where it is not known
+  double Distance = 0.0; // This is 0 if the rise is unknown.
 
   double Slope() const { return this->Height / this->Distance; }
 };
 
-/// What is left of a rise when that of the dip at the shoulders is taken off.
 struct NetRise
 {
   double Height = std::numeric_limits<double>::quiet_NaN();
-  double LeastOfSides = 0.0; // by the dip of one shoulder alone, with the sign of the height; 0 when signs differ
+  double LeastOfSides = 0.0; // This uses the less favourable shoulder alone, and is 0 if the signs differ.
 };
 
-/// Rises along one row or file. Places are from -Reach on, which are outside, to Reach beyond the last.
 class RiseStrip
 {
 public:
@@ -80,14 +76,13 @@ public:
   {
   }
 
-  /// The height at a place, to be set before FindMeans.
   double& operator[](std::int64_t place) { return this->Values[place + this->Scale.Reach]; }
 
   void FindMeans()
   {
     for (std::size_t first = 0; first < this->Means.size(); ++first)
     {
-      // Added up anew each time, so that it does not depend on what lies elsewhere.
+      // A new sum for each place makes the result independent of distant values.
       double sum = 0.0;
       std::int64_t places = 0;
       int points = 0;
@@ -107,7 +102,6 @@ public:
     }
   }
 
-  /// Across the link from a place to the next one.
   Rise At(std::int64_t place) const
   {
     const std::int64_t next = place + this->Scale.Reach + 1;
@@ -121,7 +115,7 @@ public:
                                                : Rise{};
   }
 
-  /// Less the dip at a distance on both sides, or on the one where it is known.
+  /// The dip at `distance` on both sides is subtracted, or on one side if the other is unknown.
   NetRise Net(std::int64_t place, std::int64_t distance) const
   {
     const Rise rise = this->At(place);
@@ -142,10 +136,10 @@ public:
 private:
   const RampScale& Scale;
   std::vector<double> Values;
-  std::vector<MeanHeight> Means; // from each place on
+  std::vector<MeanHeight> Means;
 };
 
-/// The raster along rows, or along files.
+/// A lane is a row or a grid column of the raster.
 struct Lanes
 {
   const ColumnHeights& Heights;
@@ -171,31 +165,30 @@ struct Lanes
   }
 };
 
-// Lanes that a thread takes at a time: of files so many that lie side by side in memory.
+// Adjacent grid columns share cache lines.
 constexpr std::int64_t LanesOfChunk = 8;
 
 //----------------------------------------------------------------------------------------------------------------------
 // 2. Peaks.
 
-/// Where a row or file passes the middle of a ramp, by link of the grid.
 struct RampPeak
 {
-  std::int64_t Along = 0; // of the grid
+  std::int64_t Along = 0;
   std::int64_t Lane = 0;
-  float Throw = 0.0F; // height beyond it less height before it, without the dip
-  float Fall = 0.0F; // what part of the rise is lost half way to the shoulders
+  float Throw = 0.0F;
+  float Fall = 0.0F; // The rise loses this fraction half way to the shoulders.
   bool IsStrong = false;
-  bool IsStep = false; // across one link for the most part
+  bool IsStep = false;
 };
 
-// Of the throw, what at least one link has where a fault is a step.
+// If a link has this fraction of the throw, the fault is a step.
 constexpr double StepShare = 0.6;
-// Of such a step, what both links beside it have less than.
+// Links beside a step have less than this fraction of it.
 constexpr double StepAlone = 0.5;
-// Of the net rise, what the dip of either shoulder leaves at least, and what is lost half way to them.
+// A ramp keeps this fraction of its net rise with the dip of either shoulder, and loses LeastFall half way to them.
 constexpr double LeastOfSides = 0.2;
 constexpr double LeastFall = 0.25;
-// How much less a rise may be than that along the other axis.
+// A rise must not be smaller than this fraction of the rise along the other axis.
 constexpr double LeastOfOther = 0.85;
 
 class PeakSearch
@@ -241,7 +234,6 @@ private:
     return true;
   }
 
-  /// Whether a fault is about as narrow along this axis as along the other one.
   bool IsAcross(const Lanes& lanes, std::int64_t along, std::int64_t lane) const
   {
     const Lanes others{ lanes.Heights, lanes.IsEast() ? LinkSide::North : LinkSide::East };
@@ -268,7 +260,7 @@ private:
     if (std::isnan(this->Heights.At(lanes.Column(along, lane))) ||
       std::isnan(this->Heights.At(lanes.Column(along + 1, lane))))
     {
-      return; // a gap
+      return;
     }
     const std::int64_t middle = this->Scale.Reach + this->Scale.Half;
     RiseStrip strip(this->Scale, 2 * middle + 2);
@@ -281,16 +273,16 @@ private:
     strip.FindMeans();
     if (strip.At(middle - this->Scale.Half).Distance == 0.0 || strip.At(middle + this->Scale.Half).Distance == 0.0)
     {
-      return; // at a rim every slope that grows or wanes has a peak
+      return; // At a rim every curved slope has a peak.
     }
     const NetRise net = strip.Net(middle, this->Scale.Shoulder);
     const NetRise near = strip.Net(middle, this->Scale.Half);
-    const double fall = near.Height / net.Height; // nan counts as none
+    const double fall = near.Height / net.Height;
     if (net.LeastOfSides / net.Height < LeastOfSides || !(fall >= LeastFall))
     {
       return;
     }
-    // A step has fallen by 4/7; the wider a ramp, the less, and the more of its throw the means have lost.
+    // A step has fallen by 4/7. Wider ramps fall less, and their means have lost more of the throw.
     const double lost = std::clamp(0.57 - fall, 0.0, 0.26);
     RampPeak peak;
     peak.Throw = float(net.Height * (1.0 + 2.2 * lost));
@@ -304,22 +296,22 @@ private:
     std::int64_t place = along;
     if (!this->FindStep(lanes, lane, place, peak))
     {
-      return; // several faults side by side
+      return; // Several faults lie side by side.
     }
     peak.Along = lanes.IsEast() ? this->Heights.GridX(place) : this->Heights.GridY(place);
     peak.Lane = lanes.IsEast() ? this->Heights.GridY(lane) : this->Heights.GridX(lane);
     peaks.push_back(peak);
   }
 
-  /// Moves the place from the middle of a ramp to the link that most of the throw is across, if there is one. False
-  /// where most is across several links that do not lie side by side.
+  /// Moves `place` to the link with most of the throw, if there is one. Returns false if most of the throw is at
+  /// several separate links.
   bool FindStep(const Lanes& lanes, std::int64_t lane, std::int64_t& place, RampPeak& peak) const
   {
     const std::int64_t middle = place;
     const double least = StepShare * double(std::abs(peak.Throw));
     const float sign = peak.Throw < 0.0F ? -1.0F : 1.0F;
     double largest = 0.0;
-    double alone = 0.0; // the sum of steps across one link
+    double alone = 0.0;
     for (std::int64_t n = middle - this->Scale.Mean; n <= middle + this->Scale.Mean; ++n)
     {
       const double step = this->StepAt(lanes, n, lane, sign);
@@ -339,7 +331,6 @@ private:
     return peak.IsStep || alone < least;
   }
 
-  /// Across a link; 0 where none is known.
   double StepAt(const Lanes& lanes, std::int64_t along, std::int64_t lane, float sign) const
   {
     const bool isLink = along >= 0 && along + 1 < lanes.Length();
@@ -357,12 +348,10 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 // 3. Joints.
 
-// A ramp is followed over so many lanes without a peak, less one.
+// A ramp may skip two lanes.
 constexpr std::int64_t LargestHop = 3;
-// How many columns it may run aside from a lane to the next.
 constexpr std::int64_t LargestShift = 2;
 
-/// The grid along rows, or along files.
 struct GridLanes
 {
   const LinkGrid& Grid;
@@ -373,7 +362,6 @@ struct GridLanes
     return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::East)
                                         : this->Grid.LinkOf(lane, along, LinkSide::North);
   }
-  /// From a lane to the next.
   std::int64_t Across(std::int64_t along, std::int64_t lane) const
   {
     return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::North)
@@ -381,7 +369,6 @@ struct GridLanes
   }
 };
 
-/// The links between two peaks, with the mean of their throws.
 void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std::vector<LinkThrow>& joints)
 {
   const std::int64_t hop = to.Lane - from.Lane;
@@ -393,7 +380,7 @@ void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std:
       from.Along + std::int64_t(std::floor(double((to.Along - from.Along) * (lane - from.Lane)) / double(hop) + 0.5));
     for (std::int64_t column = std::min(along, next) + 1; column <= std::max(along, next); ++column)
     {
-      // Where the ramp runs on, the next lane is before it where this one is beyond.
+      // Where the ramp shifts, the next lane is before it while this lane is beyond.
       joints.push_back({ lanes.Across(column, lane - 1), next > along ? -mean : mean });
     }
     if (lane < to.Lane)
@@ -404,7 +391,6 @@ void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std:
   }
 }
 
-/// Peaks are by lane, and along it.
 void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::vector<LinkThrow>& joints)
 {
   const auto byPlace = [](const RampPeak& a, const RampPeak& b)
@@ -448,11 +434,10 @@ bool IsSameLink(const FaultCandidate& a, const FaultCandidate& b)
   return a.Link == b.Link;
 }
 
-// Of the rises along a line, what is lost half way to the shoulders on the average. Ramps as wide as the means lose
-// 0.43, steps 0.57, and folds 20 columns long and longer at most 0.35, mostly much less.
+// The mean loss half way to the shoulders is 0.43 for ramps as wide as the means and 0.57 for steps, but at most 0.35
+// for folds at least 20 columns long.
 constexpr double LeastMeanFall = 0.29;
 
-/// A link of a ramp: the middle of it in a lane, or one that joins such.
 struct RampLink
 {
   std::int64_t Link = 0;
@@ -461,7 +446,7 @@ struct RampLink
   bool IsPeak = false;
   bool IsStrong = false;
   bool IsStep = false;
-  bool IsOfRamp = false; // whether most of its line are no steps
+  bool IsOfRamp = false;
 };
 
 class RampLinks
@@ -488,10 +473,8 @@ public:
     }
   }
 
-  /// Drops all that is in no line that is long enough and steep on the average.
   void KeepLines(const ForestLimits& limits)
   {
-    // In one place peaks come before joints.
     std::stable_sort(this->Links.begin(), this->Links.end(),
       [](const RampLink& a, const RampLink& b) { return a.Link != b.Link ? a.Link < b.Link : a.IsPeak && !b.IsPeak; });
     this->Links.erase(std::unique(this->Links.begin(), this->Links.end(),
@@ -546,7 +529,7 @@ public:
     return throws;
   }
 
-  /// Links of columns beside ramps, with the size below which they are part of these. Of several the largest.
+  /// Links beside a ramp belong to it if their size is below the listed size.
   std::vector<FaultCandidate> ListBeside(std::int64_t reach) const
   {
     std::vector<FaultCandidate> beside;
@@ -669,7 +652,7 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
                        return place != beside.end() && place->Link == candidate.Link && candidate.Size < place->Size;
                      }),
     candidates.end());
-  // In one place the candidate stays.
+  // Candidates have priority over ramps at the same link.
   const std::vector<FaultCandidate> added = ramps.Candidates();
   candidates.insert(candidates.end(), added.begin(), added.end());
   std::stable_sort(candidates.begin(), candidates.end(), ByLink);

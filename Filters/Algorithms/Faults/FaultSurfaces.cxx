@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-//  1. Sticks of one fault, by name.
-//  2. StickOrder: the way along the fault, from the nearest to the nearest, then without crossings.
-//  3. SheetBuilder: levels, the places of each stick at these, ends that are too short, and the extension.
-//  4. Traces: lines down the sheet half a column apart, each followed to where it passes through the horizon.
+// 1. Sticks are grouped by the name of the fault.
+// 2. StickOrder sorts sticks along the fault by nearest neighbours, then without crossings.
+// 3. BuildSheet creates levels, interpolates sticks at these, and continues short sticks and ends.
+// 4. SheetTracer follows lines down the sheet, half a column apart, to their passages through the horizon.
 
 #include "FaultSurfaces.h"
 
@@ -23,17 +23,16 @@ namespace
 {
 using Place = Eigen::Vector3d;
 
-/// A stick between two levels. Its places are relative and at most of size 1, so that no difference is infinite.
+/// Places are relative and at most 1 in size, so that differences are finite.
 class LevelStick
 {
 public:
   std::vector<Place> Places;
-  std::vector<double> Level; // of each place
-  std::vector<SpacePoint> Given; // the same as given
+  std::vector<double> Level;
+  std::vector<SpacePoint> Given;
 
   Place Across() const { return this->Places.back() - this->Places.front(); }
 
-  /// Levels along a direction; from the first place up.
   void Measure(const Place& direction)
   {
     if (this->Across().dot(direction) < 0.0)
@@ -53,7 +52,7 @@ public:
   double Least() const { return this->Top; }
   double Greatest() const { return this->Bottom; }
 
-  /// Where the stick reaches a level first, or where it is nearest to it.
+  /// Returns the first place at the level, or the nearest one.
   SpacePoint At(double level) const
   {
     const auto [segment, part] = this->Find(level);
@@ -69,7 +68,7 @@ public:
     return this->Places[segment] + part * (next - this->Places[segment]);
   }
 
-  /// By halves, as the difference may be infinite.
+  /// Halves are added, as the difference may be infinite.
   static double Between(double from, double to, double part)
   {
     const double half = 0.5 * to - 0.5 * from;
@@ -96,7 +95,7 @@ private:
   double Bottom = 0.0;
 };
 
-/// At the level in the middle of what both have, or from end to end.
+/// The distance is taken in the middle of the common levels, or between the nearest ends.
 double Distance(const LevelStick& a, const LevelStick& b)
 {
   const double least = std::max(a.Least(), b.Least());
@@ -106,7 +105,7 @@ double Distance(const LevelStick& a, const LevelStick& b)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// 2. Along the fault.
+// 2. Order.
 
 class StickOrder
 {
@@ -139,7 +138,6 @@ public:
   }
 
 private:
-  // Reversing parts costs the square of their number.
   static constexpr std::size_t MostToUncross = 1000;
   static constexpr int MostRounds = 20;
 
@@ -158,7 +156,6 @@ private:
     return sum;
   }
 
-  /// From the stick that is farthest from the first.
   std::vector<std::size_t> Nearest() const
   {
     std::vector<std::size_t> rest(this->Sticks.size());
@@ -197,7 +194,6 @@ private:
     }
   }
 
-  /// Reverses parts of the way as long as that makes it shorter.
   void Uncross(std::vector<std::size_t>& order) const
   {
     if (order.size() > MostToUncross)
@@ -230,7 +226,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 // 3. Sheets.
 
-// How far apart levels are, in parts of the sheet.
+// The unit is the height of the sheet.
 constexpr double LevelStep = 0.01;
 
 std::vector<double> ListLevels(const std::vector<LevelStick>& sticks)
@@ -262,8 +258,7 @@ SpacePoint Continue(const SpacePoint& from, const SpacePoint& beyond)
   return { beyond.X + (beyond.X - from.X), beyond.Y + (beyond.Y - from.Y), beyond.Z + (beyond.Z - from.Z) };
 }
 
-/// A single stick that does not reach a level as those on both sides do continues as these: as far off the line between
-/// them as it is at its end.
+/// A stick that ends short between two longer sticks is continued parallel to the line between them.
 void ContinueShortSticks(const std::vector<LevelStick>& sticks, const std::vector<double>& levels, FaultSheet& sheet)
 {
   for (std::size_t stick = 1; stick + 1 < sticks.size(); ++stick)
@@ -343,7 +338,6 @@ FaultSheet BuildSheet(const std::string& fault, const std::vector<LevelStick>& s
   return extended;
 }
 
-/// Of one fault, with directions along which all run about the same way.
 void Prepare(std::vector<LevelStick>& sticks)
 {
   Place origin(sticks[0].Given[0].X, sticks[0].Given[0].Y, sticks[0].Given[0].Z);
@@ -380,7 +374,7 @@ void Prepare(std::vector<LevelStick>& sticks)
   }
 }
 
-/// Where the way from a stick to the next is this many times the median, sticks without a name are of two faults.
+/// Sticks without a name belong to different faults if their distance exceeds the median by this factor.
 constexpr double LargestWay = 5.0;
 
 std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks)
@@ -408,7 +402,6 @@ std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks
 //----------------------------------------------------------------------------------------------------------------------
 // 4. Traces.
 
-/// The lines from one stick of a sheet to the next.
 class SheetTracer
 {
 public:
@@ -430,7 +423,7 @@ public:
 
 private:
   static constexpr double LinesPerColumn = 2.0;
-  // Neighbouring lines pass through the horizon in places that are not farther apart, in columns.
+  // Passages of neighbouring lines must not be farther apart, in columns.
   static constexpr double LargestJump = 8.0;
 
   void FollowStrip(std::size_t stick)
@@ -453,7 +446,6 @@ private:
       this->End();
       return;
     }
-    // What is farther apart than the horizon is large passes it somewhere far away, or hardly at all.
     const double most = 4.0 * double(grid.Width() + grid.Height());
     const auto lines = std::int64_t(std::ceil(std::clamp(LinesPerColumn * width, 1.0, most)));
     const double jump = LargestJump + 2.0 * width / double(lines);
@@ -472,8 +464,8 @@ private:
     }
   }
 
-  /// A horizon that steps down a dipping fault without a gap is passed three times: on the upper side, at the step, and
-  /// on the lower side. So it is the one in the middle, or else the one nearest to the last.
+  /// A horizon that steps down a dipping fault without a break is passed three times: above, at the step, and below.
+  /// The middle passage is chosen, or else the one nearest to the previous passage.
   void Append(const std::vector<SpacePoint>& line, double jump)
   {
     const std::vector<MapPlace> passages = FindPassages(this->Heights, line);
@@ -497,7 +489,7 @@ private:
     this->Trace.push_back(chosen);
   }
 
-  /// Sticks are picked on rows, and what ends on a row would leave the link there whole: ends go on by half a column.
+  /// Sticks are picked on rows; a trace that ends on a row would leave the link there whole, hence half a column more.
   void End()
   {
     if (this->Trace.size() > 1)

@@ -3,7 +3,7 @@
 //
 // The links of a lattice and its corners. A link joins a column to its neighbour to the east (i + 1) or to the north
 // (j + 1). A corner lies in the middle of two by two columns, or half a column outside the lattice. A cut of a link is
-// a step from a corner to the next one, across the link:
+// a step from a corner to the next corner, across the link:
 //
 //       o     o         o  columns
 //      p   n  q         n  link to the north of the column below, cut by the step from corner p to corner q
@@ -20,14 +20,14 @@
 
 namespace SeismicHorizons
 {
-/// To which neighbour a link leads. The numbers go into an array (Documentation/DataModel.md).
+/// The numbers are written to an array (Documentation/DataModel.md).
 enum class LinkSide : unsigned char
 {
   East = 0,
   North = 1
 };
 
-/// A link by its column of lesser coordinates.
+/// A link is identified by its column of lesser coordinates.
 struct LatticeLink
 {
   PlanePoint Column;
@@ -40,16 +40,14 @@ struct LatticeLink
   }
 };
 
-/// Whether the column beyond a link lies to the left of a line that cuts the link forwards, that is to the north across
-/// a link to the east, or to the east across one to the north; or backwards.
+/// A forward line goes north across a link to the east, or east across a link to the north.
 inline bool IsLeftBeyond(LinkSide side, bool isForward)
 {
   return (side == LinkSide::North) == isForward;
 }
 
-/// Numbers the columns of a box row by row, its links in the same order, of a column first that to the east, and its
-/// corners row by row. Links to columns outside the box are numbered as well. Numbers fit 64 bits for any box of
-/// columns (PlaneGeometry.h), however large: what is kept by number has to be sparse.
+/// Columns, links (east before north) and corners of a box are numbered row by row, including links to columns outside.
+/// Numbers fit 64 bits for any box (PlaneGeometry.h), so that containers indexed by them must be sparse.
 class LinkGrid
 {
 public:
@@ -87,7 +85,6 @@ public:
       SideOf(link) };
   }
 
-  /// Whether the column on the far side of a link is in the box.
   bool IsInside(std::int64_t link) const
   {
     const std::int64_t column = FirstColumn(link);
@@ -95,13 +92,11 @@ public:
                                           : column / this->SizeX + 1 < this->SizeY;
   }
 
-  /// The corner in the middle of the columns x, y to x + 1, y + 1, both counted from the least of the box.
   std::int64_t CornerOf(std::int64_t x, std::int64_t y) const { return (y + 1) * (this->SizeX + 1) + x + 1; }
   std::int64_t CornerX(std::int64_t corner) const { return corner % (this->SizeX + 1) - 1; }
   std::int64_t CornerY(std::int64_t corner) const { return corner / (this->SizeX + 1) - 1; }
 
-  /// From where to where the cut of a link leads: to the north across one to the east, and to the east across one to
-  /// the north.
+  /// A cut leads north across a link to the east, and east across a link to the north.
   std::array<std::int64_t, 2> CornersOf(std::int64_t link) const
   {
     const std::int64_t column = FirstColumn(link);

@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two ways:
+// Where no number is missing, many windows are processed side by side. Each column of seven numbers is sorted; sorted
+// columns are merged to two, three and four, which neighbouring windows share, and the median is selected from the
+// first four and the last three columns of a window. Sorting and merging are networks (Batcher 1968), without branches.
 //
-// Where no number is missing, many windows side by side. Each file is sorted; sorted files are merged to pairs, and
-// these to three and to four files, which the windows beside share; and the median of a window is selected from its
-// first four files and its last three. Sorting and merging are networks (Batcher 1968), which do the same to all
-// windows, without a branch.
-//
-// Elsewhere, from a place to the next one: a file leaves the window and another comes. Both are sorted, and so is the
-// window, so that it takes one pass over it.
+// Elsewhere, a window moves from place to place: one sorted column leaves, another one enters, in one pass over the
+// sorted window.
 
 #include "WindowMedians.h"
 
@@ -23,21 +20,18 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Numbers = WindowSide * WindowSide; // of a window
+constexpr std::int64_t Numbers = WindowSide * WindowSide;
 
 //----------------------------------------------------------------------------------------------------------------------
 // Networks
 
-/// The numbers of one rank, or of one row, at places side by side.
 constexpr std::size_t NumberOfLanes = 64;
 using Lanes = std::array<float, NumberOfLanes>;
-/// The places whose windows lie in the lanes.
 constexpr std::int64_t BlockSize = std::int64_t(NumberOfLanes) - 2 * WindowReach;
 
 using RowList = std::vector<std::size_t>;
 
-/// Which rows to compare, so that the first of a pair has the smaller numbers then, and in which order rows are
-/// ascending in the end.
+/// The first row of a pair receives the smaller numbers. In Order, rows are ascending at the end.
 struct Network
 {
   std::vector<std::pair<std::size_t, std::size_t>> Pairs;
@@ -69,7 +63,6 @@ RowList EveryOther(const RowList& rows, std::size_t first)
   return result;
 }
 
-/// Adds pairs that merge sorted rows, and gives the order in which they are sorted then.
 RowList AddMerge(Network& network, const RowList& a, const RowList& b)
 {
   if (a.empty() || b.empty())
@@ -102,7 +95,6 @@ RowList AddMerge(Network& network, const RowList& a, const RowList& b)
   return sorted;
 }
 
-/// Rows `first` to `last`, the latter not included.
 RowList Range(std::size_t first, std::size_t last)
 {
   RowList rows;
@@ -131,7 +123,6 @@ Network MakeSort(std::size_t size)
   return network;
 }
 
-/// Of sorted rows, the first `size` ones and so many others after them.
 Network MakeMerge(std::size_t size, std::size_t others)
 {
   Network network;
@@ -140,13 +131,11 @@ Network MakeMerge(std::size_t size, std::size_t others)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Windows without a number missing
+// Windows without missing numbers
 
-/// The medians of a block of windows.
 class WindowBlock
 {
 public:
-  /// `rows` begin at the first file of the first window.
   void Find(const std::array<const float*, WindowSide>& rows, float* medians)
   {
     static const Network sort = MakeSort(Side);
@@ -173,7 +162,6 @@ public:
 private:
   static constexpr std::size_t Side = std::size_t(WindowSide);
 
-  /// Sorted rows as the lanes so many places before see them.
   static void Copy(const Lanes* from, const Network& sorted, std::size_t shift, Lanes* to)
   {
     for (std::size_t n = 0; n < sorted.Order.size(); ++n)
@@ -183,7 +171,7 @@ private:
     }
   }
 
-  /// The median is the least number that so many of the four files and the rest of the three are at most.
+  /// The median is the least number that has half of the window at or below it in both sorted sets.
   void Select(const RowList& ofFour, const RowList& ofThree, float* medians) const
   {
     constexpr std::size_t rank = std::size_t(Numbers) / 2;
@@ -200,7 +188,6 @@ private:
     std::copy_n(result.begin(), BlockSize, medians);
   }
 
-  // What the last lanes of merged files have is never used.
   std::array<Lanes, Side> File = {};
   std::array<Lanes, 2 * Side> Pair = {};
   std::array<Lanes, 3 * Side> Three = {};
@@ -208,9 +195,8 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-// Others
+// Other windows
 
-/// The numbers of seven rows at one place, ascending; those that are nan are left out.
 struct SortedFile
 {
   std::array<float, std::size_t(WindowSide)> Values;
@@ -227,7 +213,6 @@ struct SortedFile
   }
 };
 
-/// The numbers of seven files, ascending.
 class SortedWindow
 {
 public:
@@ -266,11 +251,10 @@ private:
   std::size_t Size = 0;
 };
 
-/// The medians at the places from `first` on before `last`.
 void FindOneByOne(const std::array<const float*, WindowSide>& rows, std::int64_t width, std::int64_t first,
   std::int64_t last, float* medians)
 {
-  std::array<SortedFile, WindowSide> files; // a ring
+  std::array<SortedFile, WindowSide> files;
   SortedWindow window;
   for (std::int64_t x = first - 2 * WindowReach; x < last; ++x)
   {
@@ -293,7 +277,6 @@ void FindOneByOne(const std::array<const float*, WindowSide>& rows, std::int64_t
   }
 }
 
-/// The first place from `x` on whose file has a number missing, or has none.
 std::int64_t FindEnd(
   const std::array<const float*, WindowSide>& rows, std::int64_t width, std::int64_t x, bool isMissing)
 {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: find the known point nearest to each column; fill the heights by a plate and a membrane, or by a membrane
-// alone; fill each attribute by a membrane.
+// For each column of the hole the nearest known point is found. Heights are filled by a plate and a membrane, or by a
+// membrane alone, attributes by a membrane.
 //
-// A plate is the minimum of the sum of u_xx^2 + 2 u_xy^2 + u_yy^2 over all stencils whose places are of the gap or the
-// ring, and that no cut crosses. So the rim of the ring is a free edge. With a ring weight above 0 the ring has
-// unknowns, too, each held at its height by a spring of that strength; else its heights are kept. A ring that holds no
-// plate, as it is a line, or as cuts leave too few stencils, leaves all to the membrane.
+// The plate minimizes u_xx^2 + 2 u_xy^2 + u_yy^2 over all stencils within the hole and its ring that no cut crosses, so
+// that the outer rim of the ring is a free edge. With a positive ring weight the ring has unknowns, each held by a
+// spring of this strength; otherwise its heights are fixed. A ring that cannot hold a plate, as it is a line or cuts
+// leave too few stencils, leaves all to the membrane.
 
 #include "GapFiller.h"
 
@@ -24,15 +24,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Springs of a millionth of the least smoothing that shows would only cost digits.
+// Weaker smoothing has no visible effect, but costs digits.
 constexpr double LeastRimSmoothing = 1e-6;
 
 //----------------------------------------------------------------------------------------------------------------------
-// The nearest known points
 
-/// By steps to one of four neighbours over links that are not cut, from all columns beside known points at once; of
-/// equally near points that of the lowest number. For each of GapRegion::GapPlaces. Empty when a column of the gap
-/// reaches none.
+/// A breadth-first search follows uncut links to four neighbours; among equally near points the lowest number wins. The
+/// result is empty if a column of the hole reaches none.
 std::vector<PointId> FindNearestRim(const GapRegion& region)
 {
   std::vector<PointId> nearest(region.Kind.size(), NoPoint);
@@ -86,9 +84,7 @@ std::vector<PointId> FindNearestRim(const GapRegion& region)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The plate
 
-/// Calls visit(place, terms, weight) for each stencil of the plate's energy.
 template <typename Visitor>
 void ForEachStencil(const GapRegion& region, Visitor&& visit)
 {
@@ -98,7 +94,6 @@ void ForEachStencil(const GapRegion& region, Visitor&& visit)
     [&](std::int64_t place) { return region.IsWholeBlock(place); }, visit);
 }
 
-/// The matrix, with springs at the ring when their strength is above 0.
 SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
 {
   SiteSystem<2> plate(region.MakeSites(ringWeight > 0.0));
@@ -114,7 +109,7 @@ SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
   return plate;
 }
 
-/// What plates are the same by: the places, and what they are.
+/// Plates with equal places and kinds of places are equal.
 std::string KeyOf(const GapRegion& region)
 {
   const std::vector<BoxRun>& runs = region.Near->GetRuns();
@@ -123,7 +118,6 @@ std::string KeyOf(const GapRegion& region)
   return key;
 }
 
-/// The right side for heights known at the places of the ring.
 std::vector<double> PlateRightSide(
   const GapRegion& region, const SiteBox& sites, double ringWeight, const std::vector<double>& height)
 {
@@ -158,10 +152,10 @@ std::vector<double> PlateRightSide(
   return side;
 }
 
-/// Whether three of the columns of the ring are not on one line, as it takes to hold a plate.
+/// A plate needs three columns that are not on one line.
 bool HoldsPlate(const GapRegion& region)
 {
-  std::vector<PlanePoint> ends; // the first two columns
+  std::vector<PlanePoint> ends;
   for (std::size_t place = 0; place < region.Kind.size(); ++place)
   {
     if (region.Kind[place] != PlaceKind::Ring)
@@ -185,10 +179,8 @@ bool HoldsPlate(const GapRegion& region)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The membrane
 
-/// Each column of the gap is the mean of those of its four neighbours that are of the gap or known, and to which no
-/// link is cut. `isKnown` tells for each place which of the ring are.
+/// Each column is the mean of those of its four neighbours that are in the hole or known and that no cut separates.
 SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isKnown)
 {
   using Stencil = StencilMatrix<1>;
@@ -212,7 +204,6 @@ SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isK
   return membrane;
 }
 
-/// A membrane that is held at some places of the ring, and solves for any values there.
 class Membrane
 {
 public:
@@ -225,7 +216,6 @@ public:
     assert(this->Solver.IsDefinite());
   }
 
-  /// Adds what it has at each of GapRegion::GapPlaces, for values known at places.
   void AddTo(std::vector<double>& filled, const std::vector<double>& known, const Monitor& monitor) const
   {
     std::vector<double> values(this->System.Sites.Size(), 0.0);
@@ -249,7 +239,6 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-// Both
 
 class GapFiller
 {
@@ -280,7 +269,7 @@ public:
 
   std::vector<double> FillHeights(const std::vector<double>& heights, const Monitor& monitor)
   {
-    // Heights are far from 0, and their differences small.
+    // Heights are far from 0, while their differences are small.
     std::vector<double> known = this->AtRing([&](PointId point) { return heights[point]; });
     const double base = this->Mean(known);
     for (double& height : known)
@@ -299,7 +288,7 @@ public:
 
   std::vector<double> FillAttribute(const PointValue& attribute, const Monitor& monitor)
   {
-    // A membrane is held by the rim alone.
+    // The rim alone holds the membrane.
     std::vector<double> known(this->Region.Kind.size(), 0.0);
     std::size_t finite = 0;
     for (const std::int64_t place : this->Rim)
@@ -355,7 +344,6 @@ private:
     return sum / double(count);
   }
 
-  /// Whether all values of the rim are the same, but for rounding: so are those of heights, less what the surface has.
   bool IsLevel(const std::vector<double>& known) const
   {
     constexpr double rounding = 1e-9;
@@ -365,7 +353,6 @@ private:
       this->Rim.begin(), this->Rim.end(), [&](std::int64_t place) { return std::abs(known[place] - first) <= most; });
   }
 
-  /// The places of the ring whose values are finite.
   std::vector<bool> FiniteOnes(const std::vector<double>& known) const
   {
     std::vector<bool> result = this->IsRing;
@@ -376,7 +363,6 @@ private:
     return result;
   }
 
-  /// Adds the plate to the filled heights, and takes it from those of the ring. False when nothing holds it.
   bool AddPlate(std::vector<double>& known, std::vector<double>& filled, const Monitor& monitor) const
   {
     const double weight = this->RingWeight();
@@ -399,8 +385,8 @@ private:
     return true;
   }
 
-  /// What is left at the ring, smoothed itself where there is much noise: of strong springs it is the surface between
-  /// the known columns, which has to be carried on; of weak ones mostly noise.
+  /// Under strong springs the residual is surface between the known columns, to be continued; under weak springs it is
+  /// mostly noise, to be smoothed.
   std::vector<double> WithoutNoise(const std::vector<double>& rest) const
   {
     const double part = this->Options.RimSmoothing <= 1.0 ? 0.0 : 1.0 - 1.0 / this->Options.RimSmoothing;
@@ -416,7 +402,6 @@ private:
     return smooth;
   }
 
-  /// The mean of each place of the ring and those of its eight neighbours that are of the ring.
   std::vector<double> MeansAround(const std::vector<double>& values) const
   {
     std::vector<double> means(values.size(), 0.0);
@@ -451,7 +436,7 @@ private:
   const HoleFillingOptions& Options;
   GapPlates& Plates;
   std::vector<bool> IsRing;
-  std::vector<std::int64_t> Rim; // places of the ring beside the gap, once for each link to it
+  std::vector<std::int64_t> Rim; // A place occurs once for each link to the hole.
   std::optional<Membrane> HeldByRing;
 };
 }
@@ -499,7 +484,7 @@ GapFill FillGap(const GapRegion& region, const std::vector<double>& heights, con
     return result;
   }
   GapFiller filler(region, options, plates);
-  const double parts = double(attributes.size()) + 5.0; // a plate takes about as long as four membranes
+  const double parts = double(attributes.size()) + 5.0; // A plate takes about as long as four membranes.
   result.Height = filler.FillHeights(heights, monitor.Step(0.0, 5.0 / parts));
   for (std::size_t n = 0; n < attributes.size(); ++n)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The surface over one gap, or over a part of it that cuts divide from the rest.
+// The surface over one hole, or over one of the sections into which cuts divide it.
 
 #ifndef SeismicHorizonsGapFiller_h
 #define SeismicHorizonsGapFiller_h
@@ -21,8 +21,7 @@
 
 namespace SeismicHorizons
 {
-/// What a part of a gap is filled with, by its columns in the order of GapRegion::GapPlaces. Empty when no known column
-/// is linked to it.
+/// Entries are in the order of GapRegion::GapPlaces, and empty if no known column is linked to them.
 struct GapFill
 {
   std::vector<double> Height;
@@ -30,7 +29,6 @@ struct GapFill
   std::vector<std::vector<double>> Attribute;
 };
 
-/// The equations of the plate over a gap and its ring, which hold for any heights.
 struct GapPlate
 {
   GapPlate(const GapRegion& region, double ringWeight);
@@ -39,16 +37,16 @@ struct GapPlate
   const SiteSolver<2> Solver;
 };
 
-/// Plates of small gaps are kept, as many have the same shape: holes of one column in most cases. Several threads may
-/// ask for them, all with the same weight of the ring.
+/// Plates of small holes are cached, since many have the same shape, mostly a single column. Threads share the cache
+/// and must use one ring weight.
 class GapPlates
 {
 public:
   std::shared_ptr<const GapPlate> Get(const GapRegion& region, double ringWeight);
 
 private:
-  static constexpr std::int64_t LargestKept = 256; // places
-  static constexpr std::size_t MostKept = 256; // plates, of some 20 megabytes in all
+  static constexpr std::int64_t LargestKept = 256;
+  static constexpr std::size_t MostKept = 256;
 
   std::mutex Mutex;
   std::unordered_map<std::string, std::shared_ptr<const GapPlate>> Kept;

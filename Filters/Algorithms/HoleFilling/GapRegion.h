@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A gap with the known columns around it, cut out of the lattice.
+// A hole with the known columns around it, cut out of the lattice.
 
 #ifndef SeismicHorizonsGapRegion_h
 #define SeismicHorizonsGapRegion_h
@@ -18,7 +18,6 @@
 
 namespace SeismicHorizons
 {
-/// Where the places of a index are on the lattice.
 class RasterFrame
 {
 public:
@@ -40,43 +39,38 @@ private:
   std::vector<std::int32_t> RowOf;
 };
 
-/// What a place of a region is.
 enum class PlaceKind : unsigned char
 {
   Other = 0,
   Gap = 1,
-  Ring = 2 // a known column near the gap
+  Ring = 2
 };
 
-/// The surroundings of a gap in a box of their own. The box is turned over its diagonal where the gap is wider than
-/// high, as systems over narrow rows are quicker to solve; nothing that is solved here depends on which axis is which.
+/// The box is transposed if the hole is wider than high, since systems with short rows are faster to solve.
 class GapRegion
 {
 public:
-  /// `gap` are the places of the gap in the index, in their order. The ring are the known columns that so many steps
-  /// from the gap lead to, each to one of eight neighbours, over no faulted link and through no block with one.
+  /// The ring consists of known columns within `ringWidth` steps to eight neighbours, over no faulted link and through
+  /// no block with one.
   GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
     const std::vector<std::int64_t>& gap, int ringWidth);
 
-  /// The gap, its ring, and the places beside these.
   std::shared_ptr<const BoxPlaces> Near;
-  std::vector<PlaceKind> Kind; // of each place
-  std::vector<PointId> Point; // at each place of the ring
-  std::vector<std::int64_t> GapPlaces; // of the columns of the gap, in the order they were given
+  std::vector<PlaceKind> Kind;
+  std::vector<PointId> Point;
+  std::vector<std::int64_t> GapPlaces;
 
-  /// Whether the link to the next place of the row, or to that above in the next row, is cut.
   bool IsCutEast(std::int64_t place) const { return (this->Cuts[place] & EastBit) != 0; }
   bool IsCutNorth(std::int64_t place) const { return (this->Cuts[place] & NorthBit) != 0; }
   bool HasCuts() const { return !this->Cuts.empty(); }
 
-  /// Whether no side of the block of two by two places, the first of which is given, is cut.
+  /// No side of the block of two by two places is cut.
   bool IsWholeBlock(std::int64_t place) const
   {
     return !this->HasCuts() ||
       !(this->IsCutEast(place) || this->IsCutNorth(place) || this->IsCutEast(this->Near->Above(place)) ||
         this->IsCutNorth(place + 1));
   }
-  /// Whether a link is there to walk along: from a place to one of its four neighbours.
   bool IsLinked(std::int64_t place, std::int64_t neighbour) const
   {
     const std::int64_t first = place < neighbour ? place : neighbour;
@@ -84,10 +78,8 @@ public:
     return !this->HasCuts() || !(isEast ? this->IsCutEast(first) : this->IsCutNorth(first));
   }
 
-  /// The same for one of eight neighbours, or the place itself: diagonally through a block that is whole.
   bool CanStep(std::int64_t place, int dx, int dy) const;
 
-  /// Calls visit(neighbour) for those of the four neighbours of a place to which the link is not cut.
   template <typename Visitor>
   void ForEachLinked(std::int64_t place, Visitor&& visit) const
   {
@@ -100,7 +92,6 @@ public:
     }
   }
 
-  /// Sites for the places of the gap, or for those of the ring as well.
   SiteBox MakeSites(bool withRing) const;
 
 private:
@@ -119,8 +110,8 @@ private:
   }
 
   bool Turned = false;
-  std::int64_t First = 0; // the place in the index of the first place of the box
-  std::vector<unsigned char> Cuts; // of each place, when there are any
+  std::int64_t First = 0;
+  std::vector<unsigned char> Cuts;
 };
 }
 

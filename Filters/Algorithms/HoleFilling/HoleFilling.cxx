@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps: put the columns on a index; find the gaps by runs of empty columns; divide each where cuts do; fill the parts
-// (GapFiller.h), which are cut out of the index with the known columns around them (GapRegion.h); leave out those that
-// nothing known is linked to. Threads share the small gaps; the large ones, which take seconds, are filled one by one.
+// Holes are found by runs of empty columns and divided where cuts cross them; each section is cut out (GapRegion.h) and
+// filled (GapFiller.h). Sections without a link to a known column stay open. Threads share small holes; large holes,
+// which take seconds, are filled one by one.
 
 #include "HoleFilling.h"
 
@@ -25,7 +25,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Gaps that a thread takes at a time.
 constexpr std::int64_t Grain = 16;
 
 void CheckOptions(const HoleFillingOptions& options)
@@ -36,7 +35,6 @@ void CheckOptions(const HoleFillingOptions& options)
   CheckWithin("extrapolation distance", options.ExtrapolationDistance, 0, LargestExtrapolationDistance, " columns");
 }
 
-/// Numbers along an axis of the index, of which some are known, at least one: the others go on from their neighbours.
 std::vector<std::int32_t> Continued(std::vector<std::int32_t> numbers, const std::vector<bool>& isKnown)
 {
   const std::size_t first = std::size_t(std::find(isKnown.begin(), isKnown.end(), true) - isKnown.begin());
@@ -51,7 +49,7 @@ std::vector<std::int32_t> Continued(std::vector<std::int32_t> numbers, const std
   return numbers;
 }
 
-/// The column that each place of a index stands for. Every row and column of it in which there is a gap has a point.
+/// Every row and column of the index with a hole has a point.
 RasterFrame FindFrame(PlanePoints columns, const ColumnIndex& index)
 {
   const PlanePoints near = index.Columns();
@@ -73,25 +71,22 @@ RasterFrame FindFrame(PlanePoints columns, const ColumnIndex& index)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The gaps: groups of empty columns, connected side by side, that patches enclose. They are the holes of its outline
-// with a radius of 1.
+// Holes are groups of empty columns, connected by edges, that patches enclose, as with a radius of 1.
 
-/// Successive empty columns of a row, by places of the index: at least one.
 struct GapRun
 {
   std::int64_t First;
   std::int64_t Last;
 };
 
-/// Gaps, numbered in the order in which the rows of the lattice, from the least y, meet them.
+/// Holes are numbered row by row from the least y.
 struct GapList
 {
-  ItemLists<GapRun> Runs; // of each gap row by row
-  std::vector<std::int64_t> Columns; // how many each gap has
+  ItemLists<GapRun> Runs;
+  std::vector<std::int64_t> Columns;
 };
 
-/// The runs of empty columns of all rows, as sets of connected ones: those without a point, or some of them. Of all,
-/// the first row is the rim of the index: its run stands for the outside.
+/// Without `some`, the run of the first row, the rim of the index, belongs to the outside.
 class EmptyRuns
 {
 public:
@@ -125,7 +120,7 @@ public:
         gap[run] = std::int32_t(result.Columns.size());
         result.Columns.push_back(0);
       }
-      gap[run] = gap[root]; // the least number of a set stands for it, so that it came before
+      gap[run] = gap[root]; // The root has the least number of its set, and therefore came before.
       result.Columns[gap[run]] += this->Runs[run].Last - this->Runs[run].First + 1;
     }
     result.Runs = ItemLists<GapRun>(std::int64_t(result.Columns.size()),
@@ -142,7 +137,6 @@ public:
     return result;
   }
 
-  /// Whether each place of the index is outside.
   std::vector<bool> Outside()
   {
     std::vector<bool> result(std::size_t(this->Index.NumberOfPlaces()), false);
@@ -179,7 +173,6 @@ private:
     }
   }
 
-  /// Joins the runs from `begin` on with those of the row before, which are from `before` on.
   void JoinRows(std::size_t before, std::size_t begin)
   {
     std::size_t a = before;
@@ -202,7 +195,6 @@ private:
   DisjointSets Sets;
 };
 
-/// The places outside that so many steps from points, each to one of eight neighbours, lead to, and that are in a box.
 std::vector<bool> FindNearOutside(const ColumnIndex& index, const RasterFrame& frame, std::vector<bool> outside,
   int distance, const std::optional<PlaneBox>& box)
 {
@@ -237,7 +229,6 @@ std::vector<bool> FindNearOutside(const ColumnIndex& index, const RasterFrame& f
   return near;
 }
 
-/// The gaps, and after them those outside.
 struct AllGaps
 {
   GapList Enclosed;
@@ -258,8 +249,7 @@ AllGaps FindGaps(const ColumnIndex& index, const RasterFrame& frame, const HoleF
   return gaps;
 }
 
-/// The parts that cuts divide a gap into, given by its places in the index, in their order: in the order of their
-/// first places, and so are the places of each.
+/// Sections are in the order of their first places.
 std::vector<std::vector<std::int64_t>> SplitGap(
   const ColumnIndex& index, const RasterFrame& frame, const LinkCuts& cuts, const std::vector<std::int64_t>& gap)
 {
@@ -301,7 +291,6 @@ std::vector<std::vector<std::int64_t>> SplitGap(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Their columns
 
 class HoleFiller
 {
@@ -321,7 +310,7 @@ public:
   FilledColumns Run(const Monitor& monitor)
   {
     this->Allocate();
-    // The largest, which are solved one by one, tell how far they are themselves; threads share the others.
+    // Large holes report their own progress.
     const auto small = std::partition(this->Closed.begin(), this->Closed.end(),
       [this](std::size_t gap) { return this->SizeOf(gap) >= std::int64_t(MultigridSize); });
     const std::size_t large = std::size_t(small - this->Closed.begin());
@@ -343,7 +332,6 @@ public:
   }
 
 private:
-  // Gaps are numbered on, from those that are enclosed to those outside.
   std::size_t NumberOfHoles() const { return this->Gaps.Enclosed.Columns.size(); }
   bool IsOutside(std::size_t gap) const { return gap >= this->NumberOfHoles(); }
   std::int64_t SizeOf(std::size_t gap) const
@@ -352,7 +340,6 @@ private:
                                 : this->Gaps.Enclosed.Columns[gap];
   }
 
-  /// Finds which gaps are to be closed, and makes room for their columns.
   void Allocate()
   {
     const std::size_t gaps = this->NumberOfHoles() + this->Gaps.Outside.Columns.size();
@@ -378,7 +365,6 @@ private:
     this->Result.Attribute.assign(this->Attributes.size(), std::vector<double>(size));
   }
 
-  /// The places of a gap, in their order.
   std::vector<std::int64_t> Places(std::size_t gap) const
   {
     std::vector<std::int64_t> places;
@@ -432,7 +418,6 @@ private:
     }
   }
 
-  /// The result without the columns of parts that nothing known is linked to.
   FilledColumns WithoutOpenGaps()
   {
     bool isAnyCutOff = false;
@@ -488,8 +473,8 @@ private:
   const LinkCuts* const Cuts;
   const AllGaps Gaps;
   GapPlates Plates;
-  std::vector<std::size_t> Closed; // gaps
-  std::vector<std::size_t> Begin; // of the columns of each gap in the result
+  std::vector<std::size_t> Closed;
+  std::vector<std::size_t> Begin;
   FilledColumns Result;
 };
 }
@@ -500,10 +485,10 @@ FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const Monitor& monitor)
 {
   CheckOptions(options);
-  // Rings, and what stencils look at, are in it.
+  // The index has room for rings and stencils.
   const bool isChosen = options.Method == FillMethod::Automatic;
   const int rimWidth = isChosen ? WidestChosenRim : options.RimWidth;
-  // With what is outside nothing is far from what is known: all bands between stay as wide as they are.
+  // Extrapolated columns are close to known columns, so no empty band is narrowed.
   const int outside = options.ExtrapolationDistance;
   const ColumnIndex index(
     columns, rimWidth + SiteBox::Margin + outside, outside > 0 ? ColumnIndex::AllBands : rimWidth);

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// New points in the gaps of a horizon, before it has an outline.
+// Fills holes of a horizon before it has an outline.
 //
-// A gap is a group of empty columns, connected side by side, that a patch encloses. Each is closed for itself, by the
+// A hole is a group of empty columns, connected by edges, that a patch encloses. Each is filled independently, from
 // known columns around it:
-//  - Plate: a thin plate over the gap and a ring of known columns, that least sum of u_xx^2 + 2 u_xy^2 + u_yy^2 which
-//    comes near to the heights of the ring (Briggs 1974, whose surface goes through them). So the noise of single
-//    columns does not become the slope of the whole. Then what the ring differs from the plate is carried inwards by a
-//    membrane, so that there is no step at the rim.
+//  - Plate: a thin plate over the hole and a ring of known columns, which minimizes u_xx^2 + 2 u_xy^2 + u_yy^2 near the
+//    heights of the ring (Briggs 1974, who interpolates them), so that the noise of single columns does not become the
+//    slope of the surface. A membrane adds the residual at the ring, so that the rim has no step.
 //  - Membrane: each new column is the mean of its four neighbours (Laplace's equation).
 //
-// A gap that cuts divide is filled part by part. No stencil and no link of a membrane leads over a cut.
+// Cuts divide a hole into sections; no stencil and no link crosses them. Memory is about 600 bytes per column of the
+// largest hole, whatever its bounding box, the index, and up to 20 MB per thread.
 
 #ifndef SeismicHorizonsHoleFilling_h
 #define SeismicHorizonsHoleFilling_h
@@ -33,22 +33,19 @@ enum class FillMethod
 {
   Plate = 0,
   Membrane = 1,
-  Automatic = 2 // a plate whose smoothing and rim are chosen by how rough the horizon is
+  Automatic = 2 // The roughness of the horizon determines smoothing and rim of the plate.
 };
 
 struct HoleFillingOptions
 {
-  /// Gaps of more columns stay open.
+  /// Larger holes stay open.
   std::int64_t LargestHoleSize = 2500;
   FillMethod Method = FillMethod::Automatic;
-  /// Of Plate. How much a plate may differ from the ring: the inverse of the strength of the springs that hold it to
-  /// each known column. 0 makes it go through them.
+  /// This is the inverse spring strength that holds the plate to the known columns; 0 interpolates them.
   double RimSmoothing = 1.0;
-  /// How many columns wide the ring is.
   int RimWidth = 3;
-  /// Columns outside that are at most so many steps, each to one of eight neighbours, from a known one are filled, too.
+  /// Columns outside are filled within this number of steps to eight neighbours from a known column.
   int ExtrapolationDistance = 0;
-  /// Where these have to be: the columns of a survey; anywhere without any.
   std::optional<PlaneBox> Survey = std::nullopt;
 };
 
@@ -56,33 +53,27 @@ constexpr int LargestRimWidth = 64;
 constexpr double LargestRimSmoothing = 1e6;
 constexpr int LargestExtrapolationDistance = 10000;
 
-/// A number for each point that is filled by a membrane; places where it is not finite count as unknown.
+/// A membrane fills the values; values that are not finite count as unknown.
 using PointValue = std::function<double(PointId)>;
 
 struct FilledColumns
 {
   std::vector<PlanePoint> Column;
   std::vector<double> Height;
-  /// The known point nearest to each, counted in steps to one of four neighbours within the gap, of equally near ones
-  /// that of the lowest number.
+  /// Steps to four neighbours within the hole count; among equally near points the lowest number wins.
   std::vector<PointId> Nearest;
-  /// The values of each attribute; nan where none is known on the rim.
+  /// Values are NaN if none is known on the rim.
   std::vector<std::vector<double>> Attribute;
-  /// The entry that the columns outside begin with.
   std::size_t FirstOutside = 0;
-  std::int64_t FilledGaps = 0; // those enclosed
-  /// Gaps that are too large, or have a part that is cut off from all known columns.
+  std::int64_t FilledGaps = 0;
+  /// These are too large, or a section has no link to a known column.
   std::int64_t OpenGaps = 0;
-  /// Of the plates, as given or chosen.
   double RimSmoothing = 0.0;
   int RimWidth = 0;
 };
 
-/// `columns` and `heights` have an entry for each point, no two points in one column (InputError). New columns are in
-/// the order of their gaps, which rows from the least y meet, and in that of their rows within a gap; those outside,
-/// whose groups are gaps of any size, come last. The result does
-/// not depend on the number of threads. Memory beyond the result: that of the index, about 600 bytes for each column of
-/// the largest gap, whatever its bounding box is, and up to 20 megabytes for each thread.
+/// `columns` must be distinct (InputError). Columns of holes come first, row by row, then extrapolated columns. The
+/// result does not depend on the number of threads.
 FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts = nullptr,
   const Monitor& monitor = Monitor());

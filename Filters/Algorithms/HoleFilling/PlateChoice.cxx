@@ -14,13 +14,12 @@ constexpr PlateChoice Exact = { 0.0, 3 };
 constexpr PlateChoice Little = { 1.0, 3 };
 constexpr PlateChoice Much = { 32.0, WidestChosenRim };
 
-// Of the mean squares at l = 2 over those at l = 1. Chosen by Utilities/Studies/hole_filling.py.
+// Utilities/Studies/hole_filling.py determined these ratios of the mean squares at l = 2 and l = 1.
 constexpr double SmoothRatio = 2.4;
 constexpr double NoisyRatio = 1.4;
-// Rounding to whole numbers adds the variance 1 / 12 at each of four corners.
+// Rounding to integers adds a variance of 1 / 12 at each of four corners.
 constexpr double RoundingSquare = 4.0 / 12.0;
 
-/// The squares of twists.
 class TwistSums
 {
 public:
@@ -33,7 +32,6 @@ public:
   {
   }
 
-  /// Adds those of the squares of both sides whose first corner is a place.
   void Add(std::int64_t place)
   {
     if (!this->Index.Has(place))
@@ -72,7 +70,6 @@ public:
   }
 
 private:
-  /// Whether no link within a square is cut.
   bool IsWhole(std::int64_t place, std::int64_t side) const
   {
     bool isWhole = true;
@@ -90,7 +87,7 @@ private:
   const RasterFrame& Frame;
   const std::vector<double>& Heights;
   const LinkCuts* const Cuts;
-  double Sum[2] = { 0.0, 0.0 }; // of the sides 1 and 2
+  double Sum[2] = { 0.0, 0.0 };
   std::int64_t Count[2] = { 0, 0 };
   bool AreWhole = true;
 };
@@ -101,10 +98,10 @@ PlateChoice ChoosePlate(
   const ColumnIndex& index, const RasterFrame& frame, const std::vector<double>& heights, const LinkCuts* cuts)
 {
   constexpr std::int64_t enough = 250000;
-  // One row of so many, each time another one (by the fraction of the golden ratio), as noise may return with the rows.
+  // Sampled rows are spread by the golden ratio, as noise may repeat with the rows.
   constexpr double golden = 0.6180339887498949;
   const std::int64_t width = index.Width();
-  const std::int64_t rows = index.Height() - 2; // a square of 2 reaches two rows on
+  const std::int64_t rows = index.Height() - 2; // A square of size 2 reaches two rows further.
   const std::int64_t step = width * index.Height() / enough + 1;
   TwistSums twists(index, frame, heights, cuts);
   double part = 0.0;

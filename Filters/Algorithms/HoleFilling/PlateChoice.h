@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much plates over the gaps of a horizon smooth, by how rough it is.
+// Chooses the smoothing of plates by the roughness of the horizon.
 
 #ifndef SeismicHorizonsPlateChoice_h
 #define SeismicHorizonsPlateChoice_h
@@ -20,16 +20,14 @@ struct PlateChoice
   int RimWidth = 3;
 };
 
-/// The widest rim of any choice.
 constexpr int WidestChosenRim = 5;
 
-/// By the twists z(i, j) - z(i + l, j) - z(i, j + l) + z(i + l, j + l) of the squares without a cut: how much larger
-/// their mean square is at l = 2 than at l = 1. It is 1 of white noise, whose squares do not grow, and 16 of a smooth
-/// surface.
-///  - Above 2.4 there is hardly any noise: a plate goes through all heights.
-///  - Below 1.4, and where whole heights have no twists but those of rounding, it smooths much.
-///  - Else, and where there are no such squares, it smooths a little.
-/// Of many columns a part is looked at.
+/// The twist z(i, j) - z(i + l, j) - z(i, j + l) + z(i + l, j + l) measures roughness in squares without a cut, by the
+/// ratio of its mean squares at l = 2 and l = 1: 1 for white noise, 16 for a smooth surface. Large horizons are
+/// sampled.
+///  - Above 2.4 there is hardly any noise, and the plate interpolates.
+///  - Below 1.4, and if integer heights have twists of rounding alone, it smooths strongly.
+///  - Otherwise, and without such squares, it smooths slightly.
 PlateChoice ChoosePlate(
   const ColumnIndex& index, const RasterFrame& frame, const std::vector<double>& heights, const LinkCuts* cuts);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The bending energy of a thin plate on the lattice: the sum of u_xx^2 + 2 u_xy^2 + u_yy^2 over stencils.
+// Bending energy of a thin plate on the lattice: the sum of u_xx^2 + 2 u_xy^2 + u_yy^2 over stencils.
 
 #ifndef SeismicHorizonsPlateEnergy_h
 #define SeismicHorizonsPlateEnergy_h
@@ -15,7 +15,6 @@
 
 namespace SeismicHorizons
 {
-/// A term of a stencil: a coefficient for the place so far from the stencil's own.
 struct PlateTerm
 {
   int X;
@@ -23,8 +22,7 @@ struct PlateTerm
   double Coefficient;
 };
 
-/// Calls visit(place, terms, weight) for each stencil whose places are all in: `isIn(place)`; three in a line also have
-/// to be linked, `isLinked(place, neighbour)`, and blocks of four be whole, `isWholeBlock(first place)`.
+/// All places of a stencil must satisfy isIn(place); lines must be linked, and blocks of four whole.
 template <typename IsIn, typename IsLinked, typename IsWholeBlock, typename Visitor>
 void ForEachPlateStencil(
   const BoxPlaces& near, IsIn&& isIn, IsLinked&& isLinked, IsWholeBlock&& isWholeBlock, Visitor&& visit)
@@ -57,7 +55,7 @@ void ForEachPlateStencil(
   }
 }
 
-/// Adds the square of a sum of terms at a place, times a weight, to the matrix: of terms whose places have sites.
+/// Terms without a site are left out.
 template <typename Terms>
 void AddSquare(SiteSystem<2>& system, std::int64_t place, const Terms& terms, double weight)
 {

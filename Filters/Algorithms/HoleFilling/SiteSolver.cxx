@@ -1,21 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two methods:
+// Narrow and small systems have a direct solution: Cholesky factors L D L^T within the envelope of each column. Sites
+// are ordered row by row if the band is narrow, otherwise by reverse Cuthill-McKee, so that a hole with arms costs no
+// more than its arms. Pivots show whether known columns hold the surface.
 //
-// Narrow and small systems: Cholesky's factors L D L^T, each column from its diagonal element down to the last one that
-// is not 0 (its envelope). Sites are taken row by row where that leaves a narrow band. Else they are taken by their
-// steps from a site at one end, the farthest first (reverse Cuthill-McKee), so that a hole with arms costs no more than
-// its arms. The pivots tell whether anything known holds the surface.
-//
-// All others: conjugate gradients, preconditioned by a multigrid cycle. Each coarser level has half the sites along
-// each axis, and the matrix P^T A P of the space that the interpolation P spans (Galerkin). So holes may have any
-// shape. Time and memory are linear in the sites. The coarsest level is solved directly.
-//
-// What matters is that the interpolation spans surfaces of a low energy. For membranes these are bilinear. The bending
-// energy of bilinear surfaces however sits in their creases, and grows with each level; plates are interpolated by
-// quadratic splines (Chaikin's weights 1 3 3 1), which have none. The number of cycles hardly depends on the size then.
-// Both keep the reach of the matrix, on all levels.
+// Other systems use conjugate gradients, preconditioned by a multigrid cycle. Each coarser level has half the sites
+// along each axis, and the Galerkin matrix P^T A P of the interpolation P, so that holes may have any shape. Time and
+// memory are linear. The interpolation must span surfaces of low energy: bilinear for membranes. Bilinear plates would
+// have energy in their creases that grows with each level; quadratic splines (Chaikin's weights 1 3 3 1) have no
+// creases, so that the number of cycles hardly depends on the size.
 
 #include "SiteSolver.h"
 
@@ -33,15 +27,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// A pivot this much smaller than its diagonal element shows that the sites are not held by anything known: of plates
-/// of 10^5 columns that are held, the least are near 1e-4, of others near 1e-15.
+/// A smaller pivot, relative to its diagonal element, shows that nothing holds the sites: the least pivots of plates of
+/// 10^5 columns are near 1e-4 if held, and near 1e-15 otherwise.
 constexpr double SmallestPivot = 1e-9;
-/// Bands up to this width are narrow: another order of the sites would not pay, nor would multigrid.
+/// For narrower bands, neither reordering nor multigrid is faster.
 constexpr std::int32_t NarrowBand = 64;
 
-constexpr std::size_t CoarsestSize = 600; // sites, for which a direct solution takes less time than another cycle
+constexpr std::size_t CoarsestSize = 600; // A direct solution of this size is faster than another cycle.
 constexpr int MostCycles = 500;
-/// By what the residual, measured as the error in energy that the preconditioner expects, has to fall.
+/// The residual, as the expected error in energy, must fall by this factor.
 constexpr double MultigridAccuracy = 1e-11;
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -49,7 +43,7 @@ constexpr double MultigridAccuracy = 1e-11;
 
 using SiteOrder = std::vector<std::int32_t>;
 
-/// Calls visit(site, other, coefficient) for the coefficients of the diagonal and to one side of it that are not 0.
+/// The matrix is symmetric, so that one side of the diagonal suffices.
 template <int Radius, typename Visitor>
 void ForEachCoefficient(const SiteSystem<Radius>& system, Visitor&& visit)
 {
@@ -65,7 +59,7 @@ void ForEachCoefficient(const SiteSystem<Radius>& system, Visitor&& visit)
   }
 }
 
-/// The sites by their steps along coefficients from one of them; what it does not reach comes after it, likewise.
+/// Unreached sites follow, in the same way.
 template <int Radius>
 SiteOrder ByStepsFrom(std::int32_t start, const SiteSystem<Radius>& system)
 {
@@ -98,7 +92,6 @@ SiteOrder ByStepsFrom(std::int32_t start, const SiteSystem<Radius>& system)
   return order;
 }
 
-/// Whether coefficients are near the diagonal when sites are taken row by row.
 template <int Radius>
 bool IsNarrow(const SiteSystem<Radius>& system)
 {
@@ -115,7 +108,7 @@ SiteOrder ChooseOrder(const SiteSystem<Radius>& system)
   std::iota(order.begin(), order.end(), 0);
   if (!IsNarrow(system))
   {
-    order = ByStepsFrom(ByStepsFrom(0, system).back(), system); // the last one is at an end
+    order = ByStepsFrom(ByStepsFrom(0, system).back(), system); // The last site is at an end of the hole.
     std::reverse(order.begin(), order.end());
   }
   return order;
@@ -129,7 +122,7 @@ public:
     : Order(ChooseOrder(system))
     , Ends(Order.size())
   {
-    std::iota(this->Ends.begin(), this->Ends.end(), 1); // the diagonal, also where it is 0
+    std::iota(this->Ends.begin(), this->Ends.end(), 1); // The diagonal belongs to the envelope even if it is 0.
     std::vector<std::size_t> position(this->Order.size());
     for (std::size_t n = 0; n < position.size(); ++n)
     {
@@ -151,13 +144,12 @@ public:
     this->Factor();
   }
 
-  /// Whether the matrix is positive definite, beyond rounding.
   bool IsDefinite() const { return this->Definite; }
 
   void Solve(std::vector<double>& values) const;
 
 private:
-  /// Columns that are used together, so that numbers they change are read and written once.
+  /// A block of columns is used together, so that the columns that it changes are read and written once.
   static constexpr std::size_t Block = 4;
 
   void Allocate();
@@ -165,19 +157,18 @@ private:
   void FactorBlock(std::size_t first, std::size_t last, const std::vector<double>& diagonal);
   void SubtractBlock(std::size_t first);
 
-  /// By row: from the diagonal element on.
   double* Column(std::size_t n) { return this->Values.data() + this->Offsets[n]; }
   const double* Column(std::size_t n) const { return this->Values.data() + this->Offsets[n]; }
 
   const SiteOrder Order;
-  std::vector<std::size_t> Ends; // one beyond the last row of each column that can be other than 0
-  std::vector<std::ptrdiff_t> Offsets; // in Values, of where row 0 of each column would be
+  std::vector<std::size_t> Ends;
+  std::vector<std::ptrdiff_t> Offsets;
   std::vector<double> Values;
   bool Definite = true;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-/// A column reaches as far as any before it, as these change it, and the columns of a block equally far.
+/// A column reaches as far as earlier columns, which change it; the columns of a block reach equally far.
 void EnvelopeCholesky::Allocate()
 {
   const std::size_t size = this->Ends.size();
@@ -236,7 +227,6 @@ void EnvelopeCholesky::FactorBlock(std::size_t first, std::size_t last, const st
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Subtracts what the columns of a whole block make of those after it.
 void EnvelopeCholesky::SubtractBlock(std::size_t first)
 {
   static_assert(Block == 4, "one name for each column");
@@ -249,7 +239,7 @@ void EnvelopeCholesky::SubtractBlock(std::size_t first)
   {
     if (a[target] == 0.0 && b[target] == 0.0 && c[target] == 0.0 && d[target] == 0.0)
     {
-      continue; // another arm of the hole
+      continue; // The target belongs to another arm of the hole.
     }
     const double byA = a[target] / a[first];
     const double byB = b[target] / b[first + 1];
@@ -294,7 +284,6 @@ void EnvelopeCholesky::Solve(std::vector<double>& values) const
 //----------------------------------------------------------------------------------------------------------------------
 // Multigrid
 
-/// The two coarse sites that stand for a fine one along an axis, neighbours, and their weights.
 struct CoarsePair
 {
   std::int64_t Low;
@@ -302,7 +291,7 @@ struct CoarsePair
   double HighWeight;
 };
 
-/// Coordinates of a box to those of the coarser one: linear for membranes, quadratic splines for plates.
+/// Interpolation is linear for membranes, and by quadratic splines for plates.
 template <int Radius>
 CoarsePair Coarsened(std::int64_t x)
 {
@@ -318,8 +307,6 @@ CoarsePair Coarsened(std::int64_t x)
   }
 }
 
-/// Calls visit(place, weight) for the coarser sites that stand for the fine one of a column; `low` is the first of
-/// them.
 template <int Radius, typename Visitor>
 void ForEachCoarse(const PlanePoint& column, std::int64_t low, const BoxPlaces& coarser, Visitor&& visit)
 {
@@ -340,11 +327,9 @@ void ForEachCoarse(const PlanePoint& column, std::int64_t low, const BoxPlaces& 
   }
 }
 
-/// How far a row of the matrix reaches into the coarser level: the sites that stand for its fine ones, side by side.
 constexpr int CoarseReach = 4;
 using CoarseRow = std::array<double, CoarseReach>;
 
-/// The coarser sites that values of a row of fine places from `first` on are a sum of.
 template <int Radius>
 CoarseRow ToCoarse(const double* values, std::int64_t first)
 {
@@ -362,7 +347,7 @@ CoarseRow ToCoarse(const double* values, std::int64_t first)
   return result;
 }
 
-/// A row of A P, first along x and then along y: by rows of coarser places.
+/// A row of A P is computed along x, then along y.
 template <int Radius>
 std::array<CoarseRow, CoarseReach> CoarseImage(const double* row, std::int64_t x, std::int64_t y)
 {
@@ -387,13 +372,11 @@ std::array<CoarseRow, CoarseReach> CoarseImage(const double* row, std::int64_t x
   return image;
 }
 
-/// A level. Vectors have a number for each place of the box, 0 where there is no site, so that rows of the matrix need
-/// no indices.
+/// Vectors have a number for each place of the box, 0 without a site, so that rows of the matrix need no indices.
 template <int Radius>
 class GridLevel
 {
 public:
-  /// The system has to last as long as the level.
   explicit GridLevel(const SiteSystem<Radius>& system)
     : Solution(system.Sites.Number.size(), 0.0)
     , System(system)
@@ -411,11 +394,10 @@ public:
 
   std::size_t Size() const { return this->System.Sites.Size(); }
 
-  /// The system of the next level, whose surfaces are interpolated to this one.
   std::unique_ptr<SiteSystem<Radius>> MakeCoarser();
 
-  /// Prepares the direct solution. Coarse surfaces that are the same on all fine sites make the matrix singular, which
-  /// does no harm to what is interpolated; a diagonal that is larger by a trifle makes it regular.
+  /// Coarse surfaces that agree on all fine sites make the matrix singular, which is harmless; a slightly larger
+  /// diagonal makes it regular.
   void Factor()
   {
     constexpr double trifle = 1e-8;
@@ -433,10 +415,10 @@ public:
       { product[place] = row.Rows(-Radius, Radius, steps, values.data() + place); });
   }
 
-  // Steps of a cycle, by Side and Solution: a Gauss-Seidel sweep over a solution of 0; the rest of the right side to
-  // the coarser level; the coarser solution to this one; a sweep in the opposite order.
+  // A cycle is a Gauss-Seidel sweep from 0, restriction of the residual, interpolation of the coarser solution, and a
+  // sweep in reverse order.
 
-  /// Nothing is there yet at the sites after each one.
+  /// Sites after the current one are still 0.
   void SmoothFromNothing()
   {
     this->Table.ForEach(
@@ -447,7 +429,7 @@ public:
       });
   }
 
-  /// After that sweep, the rest is what the sites after each one add.
+  /// After that sweep, the residual comes from later sites alone.
   void RestrictResidual(GridLevel& coarser) const
   {
     coarser.Side.assign(coarser.System.Sites.Number.size(), 0.0);
@@ -507,7 +489,7 @@ public:
   }
 
   std::vector<double> Side;
-  std::vector<double> Solution; // 0 where there is no site
+  std::vector<double> Solution;
 
 private:
   using Row = typename StencilTable<Radius>::Row;
@@ -528,10 +510,10 @@ private:
 
   void AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const;
 
-  const std::unique_ptr<SiteSystem<Radius>> Own; // not that of the finest level
+  const std::unique_ptr<SiteSystem<Radius>> Own;
   const SiteSystem<Radius>& System;
   const StencilTable<Radius> Table;
-  std::vector<std::int64_t> CoarseOf; // for each site the first place of the next level that stands for it
+  std::vector<std::int64_t> CoarseOf;
   std::optional<EnvelopeCholesky> Direct;
 };
 
@@ -565,7 +547,6 @@ std::unique_ptr<SiteSystem<Radius>> GridLevel<Radius>::MakeCoarser()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// The coarser sites: they follow each other where the sites that they stand for do.
 template <int Radius>
 std::vector<BoxRun> GridLevel<Radius>::CoarseRuns() const
 {
@@ -593,7 +574,6 @@ std::vector<BoxRun> GridLevel<Radius>::CoarseRuns() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// What a row of the matrix adds to P^T A P.
 template <int Radius>
 void GridLevel<Radius>::AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const
 {
@@ -627,7 +607,6 @@ double Product(const std::vector<double>& a, const std::vector<double>& b)
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Adds `factor` times `b` to `a`.
 void AddTo(std::vector<double>& a, double factor, const std::vector<double>& b)
 {
   for (std::size_t n = 0; n < a.size(); ++n)
@@ -636,7 +615,6 @@ void AddTo(std::vector<double>& a, double factor, const std::vector<double>& b)
   }
 }
 
-/// The levels of the grid, the finest first.
 template <int Radius>
 class Multigrid
 {
@@ -657,7 +635,7 @@ public:
   void Solve(std::vector<double>& values, const Monitor& monitor);
 
 private:
-  /// An approximate solution for a right side, both by places: symmetric, as conjugate gradients need it.
+  /// The cycle is symmetric, as conjugate gradients require.
   void Cycle(const std::vector<double>& side, std::vector<double>& solution)
   {
     this->Levels.front()->Side = side;
@@ -740,7 +718,7 @@ struct SiteSolver<Radius>::Method
     }
   }
 
-  std::optional<EnvelopeCholesky> Direct; // one of the two
+  std::optional<EnvelopeCholesky> Direct;
   std::optional<Multigrid<Radius>> Levels;
 };
 

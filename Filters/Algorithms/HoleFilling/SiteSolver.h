@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Systems of equations with an unknown for some places of a box of the lattice, their sites, and matrices whose rows
-// reach no further than a few columns from their site.
+// Systems of equations with unknowns at sites, places of a box of the lattice, whose matrix rows reach a few columns.
 
 #ifndef SeismicHorizonsSiteSolver_h
 #define SeismicHorizonsSiteSolver_h
@@ -21,8 +20,7 @@ namespace SeismicHorizons
 {
 constexpr std::int32_t NoSite = -1;
 
-/// Sites are numbered row by row. All places up to Margin rows and columns from a site are there, so that neighbours
-/// need no test.
+/// All places within Margin of a site exist, so that neighbours need no test.
 struct SiteBox
 {
   static constexpr int Margin = 2;
@@ -33,7 +31,7 @@ struct SiteBox
   {
   }
 
-  /// Makes a site at a place beyond those of all others.
+  /// Sites must be added in ascending order.
   void Add(std::int64_t place)
   {
     this->Number[place] = std::int32_t(this->Place.size());
@@ -42,19 +40,17 @@ struct SiteBox
 
   std::size_t Size() const { return this->Place.size(); }
 
-  /// The number of the site so many columns and rows from one, or NoSite.
   std::int32_t Beside(std::size_t site, int dx, int dy) const
   {
     return this->Number[this->Near->Beside(this->Place[site], dx, dy)];
   }
 
   std::shared_ptr<const BoxPlaces> Near;
-  std::vector<std::int32_t> Number; // of the site at each place, or NoSite
-  std::vector<std::int64_t> Place; // of each site
+  std::vector<std::int32_t> Number;
+  std::vector<std::int64_t> Place;
 };
 
-/// A symmetric matrix with a row of (2 Radius + 1) squared coefficients for each site, row by row of the lattice; those
-/// of places without a site are 0.
+/// The matrix is symmetric. Each site has a row of (2 Radius + 1)^2 coefficients, 0 for places without a site.
 template <int Radius>
 class StencilMatrix
 {
@@ -69,7 +65,6 @@ public:
   {
   }
 
-  /// The position in a row of the coefficient for a place that is `dx`, `dy` away.
   static constexpr std::size_t Index(std::int64_t dx, std::int64_t dy) { return std::size_t(Centre + dy * Side + dx); }
 
   Row& operator[](std::size_t site) { return this->Rows[site]; }
@@ -79,7 +74,6 @@ private:
   std::vector<Row> Rows;
 };
 
-/// A matrix with its sites; a right side is a number for each of these.
 template <int Radius>
 struct SiteSystem
 {
@@ -91,7 +85,6 @@ struct SiteSystem
   {
   }
 
-  /// The number of the site that a position in the row of another one is for, or NoSite.
   std::int32_t SiteAt(std::size_t site, int index) const
   {
     return this->Sites.Beside(site, index % Stencil::Side - Radius, index / Stencil::Side - Radius);
@@ -101,25 +94,21 @@ struct SiteSystem
   StencilMatrix<Radius> Matrix;
 };
 
-/// From so many sites on, systems are solved by multigrid, unless they are narrow.
+/// Larger systems use multigrid, unless they are narrow.
 constexpr std::size_t MultigridSize = 10000;
 
-/// Solves a system for any number of right sides: directly when it is small or narrow, else by multigrid. Those of
-/// radius 1 are taken for membranes, of radius 2 for plates.
+/// A radius of 1 implies a membrane, 2 a plate.
 template <int Radius>
 class SiteSolver
 {
 public:
-  /// The system has to last as long as the solver.
   explicit SiteSolver(const SiteSystem<Radius>& system);
   ~SiteSolver();
 
-  /// Whether the matrix is positive definite, beyond rounding. Not known of systems for multigrid, for which it is
-  /// always true.
+  /// This is always true for multigrid, which cannot test it.
   bool IsDefinite() const;
 
-  /// Replaces a right side by the solution. Throws InputError when multigrid does not converge, which is the case for
-  /// nothing that was tried.
+  /// Throws InputError if multigrid does not converge, which has not been observed.
   void Solve(std::vector<double>& values, const Monitor& monitor) const;
 
 private:

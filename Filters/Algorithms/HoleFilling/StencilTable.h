@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A matrix as sweeps over its sites need it. Most rows, those inside the hole, are the same and kept once: so they stay
-// in the cache, where the matrix itself would come from memory at each sweep. Sites go by stretches, for each of which
-// it is looked up once where the neighbours are.
+// A matrix for sweeps over its sites. Most rows, inside the hole, are equal and stored once, so that they stay in the
+// cache. Sites are grouped in stretches whose neighbours are at equal offsets.
 
 #ifndef SeismicHorizonsStencilTable_h
 #define SeismicHorizonsStencilTable_h
@@ -18,16 +17,13 @@
 
 namespace SeismicHorizons
 {
-/// `Radius` as that of the matrix.
 template <int Radius>
 class StencilTable
 {
 public:
   static constexpr int Side = StencilMatrix<Radius>::Side;
-  /// From a place to those above and below, by rows of the stencil.
   using Steps = std::array<std::ptrdiff_t, std::size_t(Side)>;
 
-  /// A row of the matrix, seen from its place in a vector.
   struct Row
   {
     typename StencilMatrix<Radius>::Row Coefficients;
@@ -35,7 +31,6 @@ public:
 
     double operator[](int dx) const { return this->Coefficients[std::size_t(StencilMatrix<Radius>::Centre + dx)]; }
 
-    /// The part of the product that rows of the stencil have, from -Radius on.
     double Rows(int first, int last, const Steps& steps, const double* values) const
     {
       double sum = 0.0;
@@ -53,13 +48,12 @@ public:
       return sum;
     }
 
-    /// The same of the sites before, or after, that of the row.
     double Before(const Steps& steps, const double* values) const
     {
       double sum = this->Rows(-Radius, -1, steps, values);
       for (int dx = -Radius; dx < 0; ++dx)
       {
-        sum += (*this)[dx] * values[dx]; // the nearest last, as it was found last
+        sum += (*this)[dx] * values[dx]; // The nearest value comes last, as it was computed last.
       }
       return sum;
     }
@@ -80,7 +74,6 @@ public:
     this->FindRows(system);
   }
 
-  /// Calls visit(site, place, row, steps) for all sites.
   template <typename Visitor>
   void ForEach(Visitor&& visit) const
   {
@@ -108,12 +101,11 @@ public:
   }
 
 private:
-  /// Successive sites of a row of the box.
   struct Stretch
   {
     std::size_t First;
     std::size_t End;
-    std::int64_t Place; // of the first one
+    std::int64_t Place;
     Steps Next;
   };
 
@@ -135,7 +127,7 @@ private:
     }
   }
 
-  /// A row is looked for where the last one of its hash was put.
+  /// A small hash table of recent rows replaces a full search.
   void FindRows(const SiteSystem<Radius>& system)
   {
     constexpr int hashBits = 12;
@@ -152,7 +144,7 @@ private:
       std::uint64_t hash = 0;
       for (const double coefficient : row)
       {
-        hash = (hash ^ std::hash<double>()(coefficient)) * 0x9E3779B97F4A7C15U; // the golden ratio
+        hash = (hash ^ std::hash<double>()(coefficient)) * 0x9E3779B97F4A7C15U; // The multiplier is the golden ratio.
       }
       std::int32_t& known = recent[hash >> (64 - hashBits)];
       if (this->Distinct.empty() || this->Distinct[known].Coefficients != row)
@@ -165,7 +157,7 @@ private:
   }
 
   std::vector<Stretch> Stretches;
-  std::vector<std::int32_t> RowOf; // of each site, in Distinct
+  std::vector<std::int32_t> RowOf;
   std::vector<Row> Distinct;
 };
 }

@@ -17,8 +17,8 @@
 //     +-----------------+
 //
 // A wall grows from boundary edges across its line; other edges of its triangles go to one of the halves. Triangles
-// are the same as with a single front, as each third point depends on its edge alone, and their order does not depend on the
-// number of threads.
+// are the same as with a single front, as each third point depends on its edge alone. Their order does not depend on
+// the number of threads.
 
 #include "PatchFront.h"
 
