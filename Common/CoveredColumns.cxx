@@ -9,7 +9,6 @@
 #include "CoveredColumns.h"
 
 #include "FixedChunks.h"
-#include "Predicates.h"
 
 #include <algorithm>
 #include <tuple>
@@ -75,30 +74,6 @@ CoveredColumns::CoveredColumns(
         this->Changes.push_back({ row, greatest + 1, -1 });
       }
     });
-  this->MakeRuns();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-CoveredColumns::CoveredColumns(
-  PlanePoints vertices, const RawVector<PointId>& triangles, std::int32_t subVoxelsPerColumn)
-{
-  for (auto corner = triangles.begin(); corner != triangles.end(); corner += 3)
-  {
-    const PlanePoint& a = vertices[corner[0]];
-    PlanePoint b = vertices[corner[1]];
-    PlanePoint c = vertices[corner[2]];
-    const std::int64_t area = SignedArea(a, b, c);
-    if (area > 0)
-    {
-      std::swap(b, c);
-    }
-    if (area != 0)
-    {
-      this->AddEdge(a, b, subVoxelsPerColumn);
-      this->AddEdge(b, c, subVoxelsPerColumn);
-      this->AddEdge(c, a, subVoxelsPerColumn);
-    }
-  }
   this->MakeRuns();
 }
 

@@ -7,7 +7,6 @@
 #define SeismicHorizonsCoveredColumns_h
 
 #include "Ledger.h"
-#include "RawVector.h"
 #include "Types.h"
 
 #include <cstdint>
@@ -31,8 +30,6 @@ public:
   /// What loops enclose, with the surface to their right. Vertices are in columns, or in sub-voxels.
   CoveredColumns(PlanePoints vertices, const Loops& boundary, std::int32_t subVoxelsPerColumn,
     const SharedRows& rows = SharedRows());
-  /// What triangles cover, three vertices each, in whatever order.
-  CoveredColumns(PlanePoints vertices, const RawVector<PointId>& triangles, std::int32_t subVoxelsPerColumn);
 
   std::int64_t Count() const;
 

@@ -45,6 +45,20 @@ BoundedHorizon MakeHull(const LatticePoints& points)
   return horizon;
 }
 
+/// Each triangle, counter-clockwise, as a loop with the surface to its right.
+Loops MakeLoops(const RawVector<PointId>& triangles)
+{
+  Loops loops;
+  for (auto corner = triangles.begin(); corner != triangles.end(); corner += 3)
+  {
+    loops.Append(corner[0]);
+    loops.Append(corner[2]);
+    loops.Append(corner[1]);
+    loops.Close();
+  }
+  return loops;
+}
+
 /// The voxels as squares at the height of the horizon's first point.
 void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerColumn, const Lattice& lattice,
   double height, vtkPolyData* output)
@@ -123,7 +137,7 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& 
   output->SetLines(MakePolylines(horizon.Boundary));
   if (this->ConvexHull || this->MaximumNumberOfTriangles > 0)
   {
-    WriteLedger(points, CoveredColumns(horizon.Plane, mesh.Triangles, horizon.SubVoxelsPerColumn), output);
+    WriteLedger(points, CoveredColumns(horizon.Plane, MakeLoops(mesh.Triangles), horizon.SubVoxelsPerColumn), output);
   }
   else if (!input->GetFieldData()->HasArray(FieldArray::LedgerColumns))
   {

@@ -78,9 +78,10 @@ public:
     places.reserve(points.Column.size());
     for (const PlanePoint& column : points.Column)
     {
-      double& z = this->ZAt(column.X, column.Y);
-      z = this->WorldZ(vtkIdType(places.size()));
-      places.push_back(&z - this->Columns.Z.data());
+      const std::size_t place = this->Columns.Tiles.Place(column.X, column.Y);
+      this->Columns.Z.resize(this->Columns.Tiles.Size(), Null);
+      this->Columns.Z[place] = this->WorldZ(places.size());
+      places.push_back(place);
     }
     vtkPointData* const data = this->Horizon->GetPointData();
     for (int n = 0; n < data->GetNumberOfArrays(); ++n)
@@ -102,45 +103,20 @@ public:
       const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(this->Horizon->GetPoint(point)));
       points.push_back({ place.x(), place.y(), place.z() });
     }
-    SampleMesh(
-      points, ReadTriangles(this->Horizon), this->Columns.Lattice.Columns,
-      [this](int i, int j) -> double& { return this->ZAt(i, j); }, monitor);
-    for (double& z : this->Columns.Z)
+    MeshSampling sampling(this->Columns.Lattice.Columns);
+    sampling.AddTriangles(points, ReadTriangles(this->Horizon), monitor);
+    for (double& height : sampling.Heights)
     {
-      z = this->Sign * lattice.ToWorld({ 0.0, 0.0, z }).z();
+      height = this->Sign * lattice.ToWorld({ 0.0, 0.0, height }).z();
     }
-    this->AddBarePoints(points);
+    sampling.AddBarePoints(points, [this](std::size_t point) { return this->WorldZ(point); });
+    this->Columns.Tiles = std::move(sampling.Tiles);
+    this->Columns.Z = std::move(sampling.Heights);
     return std::move(this->Columns);
   }
 
 private:
-  double& ZAt(int i, int j)
-  {
-    const std::size_t place = this->Columns.Tiles.Place(i, j);
-    this->Columns.Z.resize(this->Columns.Tiles.Size(), Null);
-    return this->Columns.Z[place];
-  }
-
-  double WorldZ(vtkIdType point) const { return this->Sign * this->Horizon->GetPoint(point)[2]; }
-
-  /// Spurs of a horizon have no triangles.
-  void AddBarePoints(const std::vector<SpacePoint>& points)
-  {
-    constexpr double nearness = 1e-6; // columns: what world coordinates of surveys are rounded by
-    const auto [columns, rows] = this->Columns.Lattice.Columns;
-    for (std::size_t point = 0; point < points.size(); ++point)
-    {
-      const double i = std::round(points[point].X);
-      const double j = std::round(points[point].Y);
-      const bool isOnColumn = std::abs(points[point].X - i) <= nearness && std::abs(points[point].Y - j) <= nearness &&
-        i >= 0.0 && i < columns && j >= 0.0 && j < rows;
-      double* const z = isOnColumn ? &this->ZAt(int(i), int(j)) : nullptr;
-      if (z && std::isnan(*z))
-      {
-        *z = this->WorldZ(vtkIdType(point));
-      }
-    }
-  }
+  double WorldZ(std::size_t point) const { return this->Sign * this->Horizon->GetPoint(vtkIdType(point))[2]; }
 
   static bool IsAttribute(vtkDataArray* array)
   {
@@ -176,6 +152,12 @@ void RequireDense(const std::array<int, 3>& dimensions, const std::vector<double
   const std::int64_t columns = std::int64_t(dimensions[0]) * dimensions[1];
   const std::int64_t values =
     std::int64_t(z.size()) - std::count_if(z.begin(), z.end(), [](double value) { return std::isnan(value); });
+  if (values == 0)
+  {
+    throw InputError(
+      "no column under its triangles, expected some: shorter steps of columns and rows have more, or is it a "
+      "steep fault?");
+  }
   if (columns > std::max(EnoughColumns, MostColumnsPerValue * values))
   {
     throw InputError("lattice of " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +

@@ -29,8 +29,8 @@ std::size_t CountColumns(int columns, int rows, std::int64_t points);
 /// lattice, on points off its columns where there are no triangles, and on polygons that are no triangles.
 HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor);
 
-/// The same over its whole lattice, without attributes. Throws InputError on a lattice of 2^31 columns or more, and on
-/// a large one of which the horizon has hardly any.
+/// The same over its whole lattice, without attributes. Throws InputError on a lattice of 2^31 columns or more, on a
+/// large one of which the horizon has hardly any, and on a mesh over no column.
 HorizonGrid SampleWholeLattice(vtkPolyData* horizon, int sign, const Monitor& monitor);
 }
 

@@ -15,8 +15,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-// How far outside a triangle a column may be, in columns, to be on its side: what points in world coordinates of a
-// survey are rounded by.
+// World coordinates of surveys are rounded by this many columns at most, so that a column as far outside a triangle is
+// on its edge, and a point as far from a column is on it.
 constexpr double Rounding = 1e-6;
 
 /// Twice the area of a triangle seen from above, positive when it turns counter-clockwise.
@@ -43,12 +43,10 @@ public:
   {
   }
 
-  bool IsFlat() const { return this->FullArea == 0.0; }
-
   std::array<int, 2> Rows(int size) const
   {
     const auto [least, most] = std::minmax({ this->Corners[0]->Y, this->Corners[1]->Y, this->Corners[2]->Y });
-    return WholeRange(least, most, size);
+    return this->FullArea == 0.0 ? std::array<int, 2>{ 0, -1 } : WholeRange(least, most, size);
   }
 
   /// The columns of a row between the sides that it crosses.
@@ -112,8 +110,33 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SampleMesh(const std::vector<SpacePoint>& points, const std::vector<std::array<PointId, 3>>& triangles,
-  const std::array<int, 2>& columns, const std::function<double&(int i, int j)>& heightAt, const Monitor& monitor)
+double& MeshSampling::At(int i, int j)
+{
+  const std::size_t place = this->Tiles.Place(i, j);
+  this->Heights.resize(this->Tiles.Size(), std::numeric_limits<double>::quiet_NaN());
+  return this->Heights[place];
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshSampling::AddBarePoints(
+  const std::vector<SpacePoint>& points, const std::function<double(std::size_t point)>& heightOf)
+{
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    const double i = std::round(points[point].X);
+    const double j = std::round(points[point].Y);
+    const bool isOnColumn = std::abs(points[point].X - i) <= Rounding && std::abs(points[point].Y - j) <= Rounding;
+    if (isOnColumn && i >= 0.0 && i < this->Columns[0] && j >= 0.0 && j < this->Columns[1])
+    {
+      double& height = this->At(int(i), int(j));
+      height = std::isnan(height) ? heightOf(point) : height;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshSampling::AddTriangles(
+  const std::vector<SpacePoint>& points, const std::vector<std::array<PointId, 3>>& triangles, const Monitor& monitor)
 {
   for (std::size_t number = 0; number < triangles.size(); ++number)
   {
@@ -123,13 +146,13 @@ void SampleMesh(const std::vector<SpacePoint>& points, const std::vector<std::ar
     }
     const auto& [a, b, c] = triangles[number];
     const TriangleRow triangle(points[a], points[b], points[c]);
-    const std::array<int, 2> rows = triangle.IsFlat() ? std::array<int, 2>{ 0, -1 } : triangle.Rows(columns[1]);
+    const std::array<int, 2> rows = triangle.Rows(this->Columns[1]);
     for (int j = rows[0]; j <= rows[1]; ++j)
     {
-      const std::array<int, 2> run = triangle.Columns(j, columns[0]);
+      const std::array<int, 2> run = triangle.Columns(j, this->Columns[0]);
       for (int i = run[0]; i <= run[1]; ++i)
       {
-        double& height = heightAt(i, j);
+        double& height = this->At(i, j);
         const double own = triangle.Height(i, j);
         if (std::abs(height - own) > triangle.Tolerance() && triangle.HasInside(i, j))
         {

@@ -4,7 +4,6 @@
 #include "PlacedPoints.h"
 
 #include "Common/Errors.h"
-#include "Common/Survey/ColumnTiles.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
 #include "Common/Survey/Units.h"
@@ -55,12 +54,12 @@ Eigen::Vector3d PlaceOf(vtkIdType point, vtkPolyData* points, const Lattice& lat
   return place;
 }
 
-/// The nearest column, if there is one within a distance.
-std::optional<PlanePoint> ColumnOf(const Eigen::Vector3d& place, double nearness)
+/// The nearest column, if there is one within LargestDeviation.
+std::optional<PlanePoint> ColumnOf(const Eigen::Vector3d& place)
 {
   const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
-  const bool isThere =
-    (place.head<2>() - column).cwiseAbs().maxCoeff() <= nearness && column.cwiseAbs().maxCoeff() < LargestColumn;
+  const bool isThere = (place.head<2>() - column).cwiseAbs().maxCoeff() <= LargestDeviation &&
+    column.cwiseAbs().maxCoeff() < LargestColumn;
   return isThere ? std::optional<PlanePoint>({ std::int32_t(column.x()), std::int32_t(column.y()) }) : std::nullopt;
 }
 
@@ -120,7 +119,7 @@ PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonN
   for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
   {
     const Eigen::Vector3d place = PlaceOf(n, points, lattice, names);
-    const std::optional<PlanePoint> column = ColumnOf(place, LargestDeviation);
+    const std::optional<PlanePoint> column = ColumnOf(place);
     if (!column)
     {
       throw InputError("a point of " + names.Placed + " at " + ToText(Eigen::Vector3d(points->GetPoint(n))) +
@@ -142,7 +141,6 @@ bool IsMesh(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNames& names, const Monitor& monitor)
 {
-  constexpr double rounding = 1e-6; // columns: of world coordinates
   if (const vtkIdType hidden = mesh->GetNumberOfPoints() - CountVisiblePoints(mesh))
   {
     throw InputError(std::to_string(hidden) + " points of " + names.Placed +
@@ -153,33 +151,18 @@ PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNa
   const std::vector<SpacePoint> places = ReadPlaces(lattice, mesh, names, least, most);
   const std::vector<std::array<PointId, 3>> triangles = ReadOpenTriangles(mesh);
   RequireColumns(places, triangles, names);
-  ColumnTiles tiles;
-  std::vector<double> heights;
-  const auto heightAt = [&](int i, int j) -> double&
-  {
-    const std::size_t place = tiles.Place(i, j);
-    heights.resize(tiles.Size(), std::nan(""));
-    return heights[place];
-  };
   const Eigen::Array2d size = most - least + 1.0;
-  SampleMesh(places, triangles, { int(size.x()), int(size.y()) }, heightAt, monitor);
-  for (const SpacePoint& place : places)
-  {
-    const std::optional<PlanePoint> column = ColumnOf({ place.X, place.Y, 0.0 }, rounding);
-    double* const height = column ? &heightAt(column->X, column->Y) : nullptr;
-    if (height && std::isnan(*height))
-    {
-      *height = place.Z;
-    }
-  }
+  MeshSampling sampling({ int(size.x()), int(size.y()) });
+  sampling.AddTriangles(places, triangles, monitor);
+  sampling.AddBarePoints(places, [&places](std::size_t point) { return places[point].Z; });
   PlacedPoints placed;
-  tiles.ForEachPlace(
+  sampling.Tiles.ForEachPlace(
     [&](int i, int j, std::size_t place)
     {
-      if (!std::isnan(heights[place]))
+      if (!std::isnan(sampling.Heights[place]))
       {
         placed.Columns.push_back({ i + std::int32_t(least.x()), j + std::int32_t(least.y()) });
-        placed.Height.push_back(heights[place]);
+        placed.Height.push_back(sampling.Heights[place]);
       }
     });
   return placed;

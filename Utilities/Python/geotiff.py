@@ -68,8 +68,6 @@ def make_content(mesh, path):
     from, and warnings. Raises HorizonError."""
     gdal, osr = _load(path)
     points = sample(mesh, "Up", path.name)
-    if points is None:
-        raise HorizonError("%s: no column under the triangles, expected some" % path.name)
     data = points.GetFieldData()
     step_x, row_x, _, x, step_y, row_y, _, y = vtk_to_numpy(data.GetArray("LatticeToWorld")).ravel()[:8]
     columns, rows = (int(n) for n in vtk_to_numpy(data.GetArray("LatticeDimensions")).ravel()[:2])

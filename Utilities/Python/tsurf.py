@@ -201,7 +201,4 @@ def _sample(mesh, steps, origin, sign, path):
         array.InsertNextTuple([float(value) for value in values])
         sampled.GetFieldData().AddArray(array)
     points = sample(sampled, "Up" if sign > 0.0 else "Down", path.name)
-    if points is None:
-        raise HorizonError("%s: no column under its triangles, expected some: give shorter --column-step and --row-step, or "
-                           "is it a steep fault?" % path)
     return vtk_to_numpy(points.GetPoints().GetData())

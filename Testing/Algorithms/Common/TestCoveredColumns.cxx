@@ -43,11 +43,21 @@ void TestTriangles(std::int32_t subVoxels)
   for (int run = 0; run < 300; ++run)
   {
     std::vector<PlanePoint> corners(std::size_t(3 * (1 + run % 4)));
-    RawVector<PointId> triangles;
+    Loops triangles;
     for (PlanePoint& corner : corners)
     {
       corner = { place(random), place(random) };
-      triangles.push_back(PointId(triangles.size()));
+    }
+    for (PointId corner = 0; corner < PointId(corners.size()); corner += 3)
+    {
+      const std::int64_t area = SignedArea(corners[corner], corners[corner + 1], corners[corner + 2]);
+      if (area != 0)
+      {
+        triangles.Append(corner);
+        triangles.Append(corner + (area < 0 ? 1 : 2));
+        triangles.Append(corner + (area < 0 ? 2 : 1));
+        triangles.Close();
+      }
     }
     std::int64_t expected = 0;
     for (const PlanePoint& column : columns)

@@ -28,8 +28,17 @@ SpacePoint OnPlane(double x, double y)
 std::vector<double> Sample(
   const std::vector<SpacePoint>& points, const Triangles& triangles, const std::array<int, 2>& columns)
 {
+  MeshSampling sampling(columns);
+  sampling.AddTriangles(points, triangles);
   std::vector<double> heights(columns[0] * columns[1], std::numeric_limits<double>::quiet_NaN());
-  SampleMesh(points, triangles, columns, [&](int i, int j) -> double& { return heights[i + j * columns[0]]; });
+  sampling.Tiles.ForEachPlace(
+    [&](int i, int j, std::size_t place)
+    {
+      if (i < columns[0] && j < columns[1])
+      {
+        heights[i + j * columns[0]] = sampling.Heights[place];
+      }
+    });
   return heights;
 }
 
