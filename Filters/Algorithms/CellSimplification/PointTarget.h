@@ -22,13 +22,11 @@
 
 namespace SeismicHorizons
 {
-/// Throws InputError if boundary points and one point per patch exceed `most`. The number of runs is about twice the
-/// number of binary digits of the cell size.
+/// Throws InputError if boundary points and one point per patch exceed `most`. Takes about 2 log2(cell size) runs.
 Reduction SimplifyRoughTo(
   std::size_t most, const BoundedHorizon& horizon, CellOptions& options, const Monitor& monitor = Monitor());
 
-/// The cell size changes if no threshold suffices. Takes at most 12 runs, and about three times the number of binary
-/// digits of the cell size.
+/// The cell size changes if no threshold suffices. Takes at most about 12 + 3 log2(cell size) runs.
 Reduction SimplifyElaborateTo(
   std::size_t most, const BoundedHorizon& horizon, ElaborateOptions& options, const Monitor& monitor = Monitor());
 }

@@ -28,7 +28,7 @@ struct FaultDetectionOptions
 {
   double SmallestThrow = 4.0; // This is in vertical indices.
   double Noise = 0.0; // This is in vertical indices, and measured if 0.
-  int SmallestExtent = 20; // Extents, gaps and ramps are in columns, branches in links.
+  int SmallestExtent = 20; // Extents, missing columns and ramps are in columns, branches in links.
   int SmallestBranch = 10;
   int LargestGap = 5;
   int LargestRamp = 7; // A fault bends the surface over at most this number of columns; 0 or 1 finds steps only.

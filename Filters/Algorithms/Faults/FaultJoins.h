@@ -13,7 +13,7 @@
 
 namespace SeismicHorizons
 {
-/// Appends a curved line for each pair, of which at least half of the columns are missing. Throws and heights are
+/// Appends a curved line for each pair; at least half of its columns are missing. Throws and heights are
 /// interpolated there. Each end is joined once, straightest pairs first.
 void JoinThroughHoles(const ColumnHeights& heights, FaultLines& lines);
 }

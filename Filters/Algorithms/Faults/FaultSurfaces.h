@@ -54,9 +54,8 @@ private:
   std::vector<bool> Known;
 };
 
-/// Each fault with at least two sticks has a sheet. The given order stays if no shorter one is found; unnamed sticks
-/// are split at large distances. `extend` continues both ends by one interval. Throws InputError for places that are
-/// not finite.
+/// Sheets need two sticks. The given order stays if no shorter one is found; unnamed sticks are split at large
+/// distances. `extend` continues both ends by one interval. Throws InputError for places that are not finite.
 std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, bool extend);
 
 /// Traces have places half a column apart and end half a column beyond the sheet or the horizon. Over missing columns

@@ -180,7 +180,7 @@ bool HoldsPlate(const GapRegion& region)
 
 //----------------------------------------------------------------------------------------------------------------------
 
-/// Each column is the mean of those of its four neighbours that are in the hole or known and that no cut separates.
+/// Each column is the mean of its neighbours along rows and columns that are in the hole or known, and not cut off.
 SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isKnown)
 {
   using Stencil = StencilMatrix<1>;

@@ -545,8 +545,7 @@ constexpr std::int64_t LargestBoxToTraverse = 8;
 constexpr double CircleMargin = 1e-6;
 constexpr double CircleMarginPerRadius = 1e-12;
 
-/// Points on this circle to the left see the edge at an angle with the cotangent. Coordinates are relative to the start
-/// of the edge; points within the margin may be inside or outside.
+/// Points on this circle to the left see the edge at an angle with the cotangent. Coordinates are relative to its start.
 struct EdgeCircle
 {
   EdgeCircle(const ThirdPointQuery& query, double cotangent)

@@ -54,10 +54,8 @@ struct Triangulation
   std::vector<TracedVoxel> Walk;
 };
 
-/// Every boundary edge is in the mesh, except those without surface on either side (a spur, walked out and back); all
-/// points inside are vertices, and other edges are locally Delaunay.
-/// The result does not depend on the number of threads. Throws InputError for shared places, points on or outside the
-/// boundary, and boundary edges that cross or do not close. Time is nearly linear for even densities.
+/// Boundary edges are in the mesh, except along spurs, and other edges are locally Delaunay. Throws InputError for shared
+/// places, points on or outside the boundary, and boundary edges that cross or do not close.
 Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options = TriangulationOptions(),
   const Monitor& monitor = Monitor());
 }
