@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The input of the simplifications of the inside and of the triangulation.
+// The input of the interior simplification and the triangulation.
 
 #ifndef SeismicHorizonsBoundedHorizon_h
 #define SeismicHorizonsBoundedHorizon_h
@@ -18,7 +18,6 @@
 
 namespace SeismicHorizons
 {
-/// Places in sub-voxels, or those of columns, which are multiplied when they are asked for.
 class SubVoxelPlaces
 {
 public:
@@ -53,24 +52,21 @@ private:
   std::int32_t Factor;
 };
 
-/// A horizon inside its boundary. The arrays have one entry per point.
 struct BoundedHorizon
 {
-  std::vector<PlanePoint> Plane; // sub-voxels; or empty, and the places are
-  PlanePoints Columns; // those of all points, which others own
+  std::vector<PlanePoint> Plane; // sub-voxels; empty if places are columns
+  PlanePoints Columns; // Not owned.
   std::vector<double> Height; // lattice units
-  std::vector<std::int32_t> Patch; // points of different patches are never merged
-  std::vector<std::int64_t> Count; // how many points of the original horizon each one represents; empty: one
+  std::vector<std::int32_t> Patch; // Points of different patches are never merged.
+  std::vector<std::int64_t> Count; // Original points per point; empty for one each.
   Loops Boundary;
   std::int32_t SubVoxelsPerColumn = 1;
-  std::shared_ptr<const LinkCuts> Cuts; // points on two sides of these are never merged; null: there are none
+  std::shared_ptr<const LinkCuts> Cuts; // Points on different sides of cuts are never merged; null without cuts.
 
-  /// Wherever they are from.
   SubVoxelPlaces Places() const
   {
     return this->Plane.empty() ? SubVoxelPlaces(this->Columns, this->SubVoxelsPerColumn) : SubVoxelPlaces(this->Plane);
   }
-  /// The same where sub-voxels are columns.
   PlanePoints ColumnPlaces() const
   {
     assert(this->SubVoxelsPerColumn == 1);

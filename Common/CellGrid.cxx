@@ -20,7 +20,7 @@ std::int64_t FloorToMultiple(std::int64_t value, std::int64_t unit)
 
 //----------------------------------------------------------------------------------------------------------------------
 CellGrid::CellGrid(const std::vector<PlanePoint>& points, std::int32_t unit, std::int64_t cellSize)
-  : Side(std::min<std::int64_t>(cellSize, std::numeric_limits<std::int32_t>::max())) // wider than any horizon
+  : Side(std::min<std::int64_t>(cellSize, std::numeric_limits<std::int32_t>::max())) // Exceeds any horizon.
   , Inverse((this->Side & (this->Side - 1)) == 0 ? 1.0 / double(this->Side) : 0.0)
 {
   const PlaneBox box(points);

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Square cells over the bounding box of a horizon, and lists of what lies in each of them.
 
 #ifndef SeismicHorizonsCellGrid_h
 #define SeismicHorizonsCellGrid_h
@@ -14,7 +12,7 @@
 
 namespace SeismicHorizons
 {
-/// A place in the units of PlanePoint that may lie between whole coordinates.
+/// Coordinates may be fractions.
 struct SegmentEnd
 {
   double X;
@@ -32,12 +30,10 @@ struct SegmentEnd
   }
 };
 
-/// By how much ranges on a segment are widened to both sides, so that rounding leaves nothing out. With coordinates
-/// below 2^29 and the 53 bits of a double their ends are right to 10^-6; this is far on the safe side, and yet rarely
-/// reaches into one cell more.
+/// Widens ranges on a segment so that rounding omits no cell; with coordinates below 2^29 their ends are exact to
+/// 10^-6.
 constexpr double SegmentSlack = 1e-3;
 
-/// A segment, for asking where it passes a row of cells.
 class RowSegment
 {
 public:
@@ -52,14 +48,13 @@ public:
   double LeastY() const { return this->Low.Y; }
   double GreatestY() const { return this->High.Y; }
 
-  /// The range of X.
   struct Range
   {
     double First;
     double Last;
   };
 
-  /// Where the segment is from one Y to another, which it must reach, and SegmentSlack on both sides.
+  /// The segment must reach the range, which is widened by SegmentSlack.
   Range Between(double bottom, double top) const
   {
     const double x0 = this->Low.X + this->Slope * (std::max(bottom, this->Low.Y) - this->Low.Y);
@@ -75,46 +70,43 @@ private:
   const double Slope; // X per Y
 };
 
-/// Cells are half open: a point on the side between two belongs to the one of greater coordinates.
+/// Cells are half open: a point on an edge belongs to the cell of greater coordinates.
 class CellGrid
 {
 public:
-  /// Covers `points` (at least one), beginning at their least X and Y, rounded down to a multiple of `unit`.
+  /// Starts at the least X and Y of the points, rounded down to a multiple of `unit`.
   CellGrid(const std::vector<PlanePoint>& points, std::int32_t unit, std::int64_t cellSize);
 
   std::int64_t SizeX() const { return this->CellsX; }
   std::int64_t SizeY() const { return this->CellsY; }
-  /// The side of a cell, at most 2^31 - 1.
+  /// At most 2^31 - 1.
   std::int64_t CellSize() const { return this->Side; }
   std::int64_t Size() const { return this->CellsX * this->CellsY; }
 
-  /// The column and the row of cells at a coordinate; for one outside the box, of the nearest cell in it.
+  /// Coordinates outside the box give the nearest cell.
   std::int64_t CellX(double x) const { return Clamp(this->InCellsX(x), this->CellsX); }
   std::int64_t CellY(double y) const { return Clamp(this->InCellsY(y), this->CellsY); }
 
-  /// A coordinate in units of cells from the least corner.
   double InCellsX(double x) const { return this->InCells(x - this->MinX); }
   double InCellsY(double y) const { return this->InCells(y - this->MinY); }
 
-  /// The least corner of a cell, by its column and row.
   PlanePoint CornerOf(std::int64_t cellX, std::int64_t cellY) const
   {
     return { std::int32_t(this->MinX + cellX * this->Side), std::int32_t(this->MinY + cellY * this->Side) };
   }
 
-  /// The same, by its index.
   PlanePoint Corner(std::int64_t cell) const { return this->CornerOf(cell % this->CellsX, cell / this->CellsX); }
 
   std::int64_t Index(std::int64_t cellX, std::int64_t cellY) const { return cellY * this->CellsX + cellX; }
   std::int64_t CellOf(const PlanePoint& p) const
   {
-    // 32 bits are enough, and take less time to divide by than 64.
+    // A 32-bit division is faster.
     const std::uint32_t size = std::uint32_t(this->Side);
     return this->Index(std::uint32_t(p.X - this->MinX) / size, std::uint32_t(p.Y - this->MinY) / size);
   }
 
-  /// Calls visit(cell) for every cell that the segment between two places touches, row by row, and at times for one
-  /// that it misses by less than SegmentSlack.
+  /// Calls visit(cell), row by row, for cells that the segment touches, and some that it misses by less than
+  /// SegmentSlack.
   template <typename Visitor>
   void ForEachCellAlong(const SegmentEnd& from, const SegmentEnd& to, Visitor&& visit) const
   {
@@ -133,7 +125,7 @@ public:
   }
 
 private:
-  /// By a product where that is exact, which it is for powers of two: a division takes several times as long.
+  /// For powers of two a product is exact and several times faster.
   double InCells(double distance) const
   {
     return this->Inverse > 0.0 ? distance * this->Inverse : distance / double(this->Side);
@@ -146,8 +138,8 @@ private:
 
   std::int64_t MinX = 0;
   std::int64_t MinY = 0;
-  std::int64_t Side = 1; // below 2^31
-  double Inverse = 0.0; // of Side, when that is a power of two
+  std::int64_t Side = 1;
+  double Inverse = 0.0;
   std::int64_t CellsX = 0;
   std::int64_t CellsY = 0;
 };
@@ -155,10 +147,9 @@ private:
 using PointLists = ItemLists<PointId>;
 using EdgeLists = ItemLists<Edge>;
 
-/// The points in each cell.
 PointLists SortByCell(const CellGrid& grid, const std::vector<PlanePoint>& points);
 
-/// The boundary edges that touch each cell, and at times some that miss it by less than SegmentSlack.
+/// May include edges that miss the cell by less than SegmentSlack.
 EdgeLists SortByCell(const CellGrid& grid, const std::vector<PlanePoint>& points, const Loops& boundary);
 }
 

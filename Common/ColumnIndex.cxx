@@ -15,11 +15,11 @@ namespace SeismicHorizons
 {
 namespace
 {
-// An index may have so many columns per point, or so many in all, before empty bands are narrowed.
+// Above both limits empty bands are narrowed.
 constexpr std::int64_t EnoughColumnsPerPoint = 16;
 constexpr std::int64_t EnoughColumns = 1 << 20;
 
-/// Throws InputError when two points stand in the same column.
+/// Throws InputError if two points share a column.
 void CheckColumns(PlanePoints columns)
 {
   std::vector<PointId> order(columns.size());
@@ -34,7 +34,6 @@ void CheckColumns(PlanePoints columns)
   }
 }
 
-/// Narrows the bands across one axis to `widest` columns from point to point.
 void Narrow(std::vector<PlanePoint>& columns, std::int32_t PlanePoint::*axis, std::int32_t widest)
 {
   std::vector<std::int32_t> before;
@@ -86,7 +85,7 @@ bool AreScattered(PlanePoints columns)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PlanePoint> NarrowEmptyBands(PlanePoints columns, int reach)
 {
-  CheckColumns(columns); // first, so that the message names the columns as they were
+  CheckColumns(columns); // Messages must have the original columns.
   std::vector<PlanePoint> narrow(columns.begin(), columns.end());
   Narrow(narrow, &PlanePoint::X, reach + 1);
   Narrow(narrow, &PlanePoint::Y, reach + 1);

@@ -17,9 +17,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-using Point = std::int32_t; // by its number
+using Point = std::int32_t;
 
-/// A single surface and a layer that touch, and how often.
 struct Contact
 {
   Point Surface = 0;
@@ -49,7 +48,7 @@ public:
 
   bool IsSingle() const { return this->Starts.size() == this->Heights.size() + 1; }
 
-  /// The sheet of each point; -1 for one that is dropped.
+  /// Returns the sheet of each point, or -1 for dropped points.
   std::vector<int> Split()
   {
     this->JoinNeighbours();
@@ -66,11 +65,9 @@ private:
 
   int Size(std::int32_t column) const { return this->Starts[column + 1] - this->Starts[column]; }
 
-  /// One past the points of a column that are joined with others. Each is compared with each, and more than there can
-  /// be sheets have no place anyway.
+  /// Comparisons are quadratic, and points beyond MostSheets have no sheet anyway.
   Point End(std::int32_t column) const { return this->Starts[column] + std::min(this->Size(column), MostSheets); }
 
-  /// The column at a place, or -1.
   std::int32_t FindColumn(const std::pair<int, int>& place) const
   {
     const auto last = this->Starts.end() - 1;
@@ -79,7 +76,7 @@ private:
     return found != last && this->Place(*found) == place ? std::int32_t(found - this->Starts.begin()) : -1;
   }
 
-  /// The point of a column nearest to another one, the first of those as near.
+  /// Ties go to the first point.
   Point FindNearest(Point point, std::int32_t column) const
   {
     const double height = this->Heights[point];
@@ -94,7 +91,7 @@ private:
 
   void JoinNeighbours()
   {
-    // The other four have this column as one of theirs.
+    // The other four neighbours look at this column.
     constexpr std::array<std::array<int, 2>, 4> steps = { { { 0, 1 }, { 1, -1 }, { 1, 0 }, { 1, 1 } } };
     for (std::int32_t column = 0; column + 1 < std::int32_t(this->Starts.size()); ++column)
     {
@@ -130,7 +127,6 @@ private:
     }
   }
 
-  /// Which layers lie above each other.
   void ListConflicts()
   {
     this->Above.resize(this->Heights.size());
@@ -156,7 +152,7 @@ private:
     }
   }
 
-  /// Layers are above each other in many columns: what is there already goes whenever the list would grow.
+  /// Layers overlap in many columns; duplicates are removed before the list grows.
   void AddAbove(Point part, Point other)
   {
     std::vector<Point>& parts = this->Above[part];
@@ -174,7 +170,6 @@ private:
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
   }
 
-  /// Those of each surface with each layer, the most frequent first.
   std::vector<Contact> CountContacts()
   {
     for (Contact& contact : this->Touching)
@@ -220,7 +215,7 @@ private:
     this->Above[this->Parts.Find(a)] = std::move(all);
   }
 
-  /// Each part goes on the first sheet that has none of its columns, the largest part first.
+  /// The largest part goes first, to the first sheet without its columns.
   std::vector<int> DealOut()
   {
     const std::size_t size = this->Heights.size();
@@ -238,7 +233,7 @@ private:
         const Point partB = this->Parts.Find(b);
         return std::make_tuple(-sizes[partA], partA) < std::make_tuple(-sizes[partB], partB);
       });
-    std::vector<std::uint64_t> taken(this->Starts.size(), 0); // sheets that have a point in the column, as bits
+    std::vector<std::uint64_t> taken(this->Starts.size(), 0);
     std::vector<int> sheets(size, -1);
     for (std::size_t first = 0; first < size;)
     {
@@ -269,10 +264,10 @@ private:
   const PlanePoints Columns;
   const std::vector<double>& Heights;
   DisjointSets Parts;
-  std::vector<Point> Starts; // the first point of each column, and the end
-  std::vector<std::int32_t> ColumnOf; // each point
+  std::vector<Point> Starts;
+  std::vector<std::int32_t> ColumnOf;
   std::vector<Contact> Touching;
-  std::vector<std::vector<Point>> Above; // by part
+  std::vector<std::vector<Point>> Above;
 };
 }
 

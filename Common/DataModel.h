@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The names of the arrays that readers and stages write and read. Documentation/DataModel.md gives their meaning.
+// Names of arrays. Documentation/DataModel.md gives their meaning.
 
 #ifndef SeismicHorizonsDataModel_h
 #define SeismicHorizonsDataModel_h
@@ -107,11 +107,11 @@ constexpr const char* NumberOfSpurPoints = "NumberOfSpurPoints";
 constexpr const char* FaultedLinks = "FaultedLinks";
 constexpr const char* FaultThrow = "FaultThrow";
 constexpr const char* FaultLine = "FaultLine";
-constexpr const char* OldFaultedLinks = "CutLinks"; // in files of version 0.2
-constexpr const char* OldFaultThrow = "CutThrow"; // likewise
-constexpr const char* OldFaultLine = "CutLine"; // likewise
+constexpr const char* OldFaultedLinks = "CutLinks"; // Files of version 0.2 have these names.
+constexpr const char* OldFaultThrow = "CutThrow";
+constexpr const char* OldFaultLine = "CutLine";
 constexpr const char* CrackOpenEnds = "CrackOpenEnds";
-constexpr const char* OldCrackOpenEnds = "CutMouths"; // in files of version 0.2
+constexpr const char* OldCrackOpenEnds = "CutMouths";
 constexpr const char* CrackLoops = "CrackLoops";
 constexpr const char* BlankedPoints = "BlankedPoints";
 constexpr const char* FaultNoise = "FaultNoise";
@@ -131,7 +131,7 @@ constexpr const char* LargestDistance = "LargestDistance";
 constexpr const char* LargestDistanceFound = "LargestDistanceFound";
 constexpr const char* MeanDistance = "MeanDistance";
 constexpr const char* RmsDistance = "RmsDistance";
-constexpr const char* DistancePercentile = "DistancePercentile"; // followed by the number
+constexpr const char* DistancePercentile = "DistancePercentile"; // A number follows.
 constexpr const char* OutlineDistance = "OutlineDistance";
 constexpr const char* Grading = "Grading";
 constexpr const char* LedgerColumns = "LedgerColumns";
@@ -139,12 +139,11 @@ constexpr const char* LedgerArea = "LedgerArea";
 constexpr const char* LedgerVolume = "LedgerVolume";
 }
 
-/// The values of the point array Boundary.
 enum class BoundaryKind : unsigned char
 {
-  Inside = 0, // on no loop
-  Exterior = 1, // on the outline of a patch, whether on a hole's loop or not
-  Hole = 2 // on the loop of a hole only
+  Inside = 0,
+  Exterior = 1, // Takes precedence over Hole.
+  Hole = 2
 };
 }
 

@@ -17,8 +17,8 @@ std::vector<int> DealOut(const std::vector<std::int64_t>& sizes, int numberOfPie
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&sizes](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
-  using Load = std::pair<std::int64_t, int>; // of a piece, and its number
-  std::priority_queue<Load, std::vector<Load>, std::greater<Load>> pieces; // the least first
+  using Load = std::pair<std::int64_t, int>;
+  std::priority_queue<Load, std::vector<Load>, std::greater<Load>> pieces;
   for (int piece = 0; piece < numberOfPieces; ++piece)
   {
     pieces.push({ 0, piece });

@@ -12,18 +12,16 @@
 
 namespace SeismicHorizons
 {
-/// Sets of numbers that are joined one after the other. A set is named by the least of its numbers.
+/// The least number of a set is its representative.
 class DisjointSets
 {
 public:
-  /// So many numbers from 0 on, each a set of its own.
   explicit DisjointSets(std::size_t size = 0)
     : Parents(size)
   {
     std::iota(this->Parents.begin(), this->Parents.end(), 0);
   }
 
-  /// Adds the next number, a set of its own, and gives it.
   std::int32_t Add()
   {
     this->Parents.push_back(std::int32_t(this->Parents.size()));
@@ -35,13 +33,13 @@ public:
     while (this->Parents[std::size_t(item)] != item)
     {
       std::int32_t& parent = this->Parents[std::size_t(item)];
-      parent = this->Parents[std::size_t(parent)]; // halves the way for the next one
+      parent = this->Parents[std::size_t(parent)]; // Path halving.
       item = parent;
     }
     return item;
   }
 
-  /// Whether they were apart.
+  /// Returns false if both were in one set.
   bool Join(std::int32_t a, std::int32_t b)
   {
     const std::int32_t first = this->Find(a);

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Few points of a horizon that are dropped, and the numbers that the others have then.
 
 #ifndef SeismicHorizonsDroppedPoints_h
 #define SeismicHorizonsDroppedPoints_h
@@ -18,13 +16,12 @@ namespace SeismicHorizons
 struct DroppedPoint
 {
   PointId Point = NoPoint;
-  PointId Target = NoPoint; // the point, which is kept, that represents it
+  PointId Target = NoPoint;
 };
 
-/// By ascending points.
+/// Ascending.
 using DroppedPoints = std::vector<DroppedPoint>;
 
-/// The number of a point that is kept.
 inline PointId NumberWithout(const DroppedPoints& dropped, PointId point)
 {
   const auto after = std::lower_bound(
@@ -32,13 +29,12 @@ inline PointId NumberWithout(const DroppedPoints& dropped, PointId point)
   return point - PointId(after - dropped.begin());
 }
 
-/// Loops over points that are all kept, by their numbers.
+/// All points of the loops must be kept.
 inline Loops RenumberWithout(const DroppedPoints& dropped, const Loops& loops)
 {
   return loops.RenumberedBy([&dropped](PointId point) { return NumberWithout(dropped, point); });
 }
 
-/// The points of a horizon that are not dropped.
 inline KeptPoints KeepOthers(const DroppedPoints& dropped, std::size_t total)
 {
   KeptPoints kept(total);

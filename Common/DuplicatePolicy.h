@@ -6,14 +6,13 @@
 
 namespace SeismicHorizons
 {
-/// Which voxel or point is kept when a horizon has several in one column; or that all are, or their mean.
 enum class DuplicatePolicy
 {
-  StrongestAmplitude, ///< the largest absolute amplitude; of equal ones the topmost
+  StrongestAmplitude, ///< The largest absolute amplitude; the topmost if equal.
   Topmost,
   Lowest,
-  Sheets, ///< all, on sheets that are horizons of their own (ColumnSheets.h)
-  Mean ///< that of z and of attributes, each over the values that there are
+  Sheets, ///< All, as separate horizons (ColumnSheets.h).
+  Mean ///< Means of z and of each attribute, without null values.
 };
 }
 

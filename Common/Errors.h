@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What algorithms and parsers throw. VTK classes turn an InputError into an error of VTK
-// (Common/VTK/PipelineRequest.h), programs print its text.
+// VTK classes report an InputError by Common/VTK/PipelineRequest.h; programs print its text.
 
 #ifndef SeismicHorizonsErrors_h
 #define SeismicHorizonsErrors_h
@@ -12,14 +11,14 @@
 
 namespace SeismicHorizons
 {
-/// Input that a stage cannot work on. The message says what was found, what was expected, and where.
+/// The message says what was found, what was expected, and where.
 class InputError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Runs `work` so that the InputErrors it throws begin with `name`, and gives what it returns.
+/// Adds `name` to the front of InputErrors.
 template <typename Work>
 auto PrefixErrors(const std::string& name, Work&& work)
 {
@@ -33,11 +32,10 @@ auto PrefixErrors(const std::string& name, Work&& work)
   }
 }
 
-/// The end of work that was asked to stop (Monitor.h). The caller returns an empty result, and reports no error.
+/// Work stopped on request (Monitor.h). The caller returns an empty result without an error.
 class Aborted : public std::exception
 {
 public:
-  /// For logs alone: nobody is told of work that was asked to stop.
   const char* what() const noexcept override { return "stopped on request"; }
 };
 }

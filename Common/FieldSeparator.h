@@ -6,11 +6,10 @@
 
 namespace SeismicHorizons
 {
-/// How the fields of a line are told apart.
 enum class FieldSeparator
 {
-  Blanks, ///< any number of blanks and tabs
-  Colons, ///< the same, or colons
+  Blanks,
+  Colons,
   Tab,
   Comma,
   Semicolon

@@ -10,15 +10,15 @@
 
 namespace SeismicHorizons
 {
-/// What is wrong with a file, for programs that do not read messages: readers and writers make a vtkErrorCode of it.
+/// Readers and writers convert these to vtkErrorCode.
 enum class FileProblem
 {
   NoName,
   NotFound,
   CannotOpen,
-  CutOff, ///< it ends before it should
+  CutOff,
   WrongContent,
-  NoRoom ///< it could not be written to its end
+  NoRoom ///< Writing did not complete.
 };
 
 class FileError : public InputError
@@ -36,8 +36,7 @@ private:
   FileProblem Kind;
 };
 
-/// Runs work on a file, and gives what it returns. The InputErrors it throws begin with the name; those that say
-/// nothing else are about the contents of the file.
+/// Adds the file name to InputErrors, which become FileErrors on contents.
 template <typename Work>
 auto PrefixFileErrors(const std::string& name, Work&& work)
 {

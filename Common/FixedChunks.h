@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loops over chunks whose size does not depend on the number of threads. A sum of real numbers depends on the order in
-// which they are added: added up within each chunk, and then chunk by chunk, it is the same for any number of threads.
-// So are random numbers that start anew in each chunk.
+// Sums depend on the order of addition. Sums within chunks of fixed size, added in the order of chunks, do not depend
+// on the number of threads, nor do random numbers that restart in each chunk.
 
 #ifndef SeismicHorizonsFixedChunks_h
 #define SeismicHorizonsFixedChunks_h
@@ -16,13 +15,11 @@
 
 namespace SeismicHorizons
 {
-/// How many chunks it takes to hold `size` items. The last one may be smaller.
 inline std::size_t CountChunks(std::int64_t size, std::int64_t chunkSize)
 {
   return std::size_t((size + chunkSize - 1) / chunkSize);
 }
 
-/// Calls work(chunk, first, last) for each chunk of the indices 0 to `size`, `last` not included, on several threads.
 template <typename Work>
 void ForEachChunk(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Work&& work)
 {
@@ -36,8 +33,7 @@ void ForEachChunk(std::int64_t size, std::int64_t chunkSize, const Monitor& moni
     });
 }
 
-/// Calls work(part, first, last) for each chunk of the indices 0 to `size`, on several threads, with a part of its own
-/// for each, and adds the parts up in their order: `Sums` begins with nothing, and has a function Add for another one.
+/// Calls work(part, first, last) with a part per chunk, and adds the parts in order by Sums::Add.
 template <typename Sums, typename Work>
 Sums AddUpChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Work&& work)
 {

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// zlib decodes the members of the file and checks them (GzipDecoder), block by block, and the next block on a thread of
-// its own while the one at hand is read (GzipBuffer). Two blocks of some megabytes are in memory.
+// zlib decodes and checks the members of the file block by block; a thread decodes the next block ahead. Two blocks of
+// some megabytes are in memory.
 //
-// zlib's gzread would find the members itself. But it takes no notice of what follows them: rubbish, a member cut off
-// after one byte, and whole members behind zeros are left out without a word; and where a checksum is wrong, the text
-// before it is lost.
+// zlib's gzread would silently ignore data after a member: rubbish, a member of a single byte, and members after zeros.
+// If a checksum is wrong, it also loses the text before it.
 
 #include "GzipStream.h"
 
@@ -31,9 +30,9 @@ namespace
 {
 constexpr std::array<char, 2> Magic = { '\x1F', '\x8B' };
 constexpr std::size_t InputSize = 64 * 1024;
-// As much as readers look at to recognise a file, so that this takes no thread, and no time for more.
+// Readers recognise a file by this size, without a thread.
 constexpr std::size_t FirstBlockSize = 256 * 1024;
-// As much as readers parse at a time, so that decoding and parsing take turns without waiting.
+// Readers parse this size at a time.
 constexpr std::size_t BlockSize = 4 * 1024 * 1024;
 
 class GzipDecoder
@@ -44,7 +43,7 @@ public:
     , CompressedSize(CountBytes(*this->Compressed))
     , Input(InputSize)
   {
-    constexpr int gzipOnly = 16; // added to the bits of the window
+    constexpr int gzipOnly = 16;
     if (inflateInit2(&this->Inflation, MAX_WBITS + gzipOnly) != Z_OK)
     {
       throw std::bad_alloc();
@@ -54,8 +53,7 @@ public:
   GzipDecoder(const GzipDecoder&) = delete;
   GzipDecoder& operator=(const GzipDecoder&) = delete;
 
-  /// Gives the next bytes: fewer than `count` only before the end or an error, and none at the end. Throws InputError
-  /// when there are none because something is wrong.
+  /// Returns less than `count` bytes only before the end or an error. Throws InputError if an error leaves no bytes.
   std::size_t Read(char* bytes, std::size_t count)
   {
     const std::size_t most = std::min<std::size_t>(count, std::numeric_limits<uInt>::max());
@@ -73,7 +71,6 @@ public:
     return made;
   }
 
-  /// Goes back to the first byte.
   void Rewind()
   {
     this->Compressed->clear();
@@ -83,7 +80,6 @@ public:
     this->Now = State();
   }
 
-  /// Which part of the compressed bytes was used, 0 to 1.
   double PartRead() const
   {
     return SeismicHorizons::PartRead(*this->Compressed, static_cast<double>(this->Position()), this->CompressedSize);
@@ -92,12 +88,12 @@ public:
 private:
   struct State
   {
-    std::int64_t BytesTaken = 0; // from the stream
-    bool IsInMember = true; // or before the next one, or the end
+    std::int64_t BytesTaken = 0;
+    bool IsInMember = true; // False between members and at the end.
     bool IsInPadding = false;
     bool IsAtEnd = false;
-    bool IsCutOff = false; // with a problem
-    std::string Problem; // empty while there is none
+    bool IsCutOff = false; // The data are incomplete.
+    std::string Problem; // Empty without an error.
   };
 
   void Advance()
@@ -128,7 +124,7 @@ private:
     }
   }
 
-  /// Takes the next compressed bytes. False when there are none.
+  /// Returns false if there are no more bytes.
   bool Fill()
   {
     this->Compressed->read(this->Input.data(), static_cast<std::streamsize>(this->Input.size()));
@@ -153,7 +149,7 @@ private:
     return false;
   }
 
-  /// Looks at the bytes behind a member: the next one begins, or nothing but zeros follows.
+  /// A further member may follow, or zeros only.
   void FindMember()
   {
     for (; this->Inflation.avail_in > 0 && *this->Inflation.next_in == 0; --this->Inflation.avail_in)
@@ -179,13 +175,12 @@ private:
     this->Now.Problem = "byte " + std::to_string(this->Position()) + ": " + text;
   }
 
-  /// The number of compressed bytes that were used.
   std::int64_t Position() const { return this->Now.BytesTaken - std::int64_t(this->Inflation.avail_in); }
 
   const std::unique_ptr<std::istream> Compressed;
-  const double CompressedSize; // bytes
+  const double CompressedSize;
   z_stream Inflation = {};
-  std::vector<char> Input; // the compressed bytes at hand
+  std::vector<char> Input;
   State Now;
 };
 
@@ -246,8 +241,8 @@ private:
   struct Block
   {
     std::vector<char> Bytes;
-    std::size_t Count = 0; // of the bytes that are in use
-    double PartRead = 0.0; // of the file, with this block
+    std::size_t Count = 0;
+    double PartRead = 0.0;
   };
 
   Block Decode(std::vector<char> bytes, std::size_t size)
@@ -261,7 +256,7 @@ private:
   {
     const bool isFirst = this->BytesBefore == 0 && this->Current.Count == 0;
     this->BytesBefore += this->egptr() - this->eback();
-    this->setg(nullptr, nullptr, nullptr); // also when there is an error
+    this->setg(nullptr, nullptr, nullptr);
     std::vector<char> memory = std::move(this->Current.Bytes);
     this->Current =
       this->Next.valid() ? this->Next.get() : this->Decode(std::move(memory), isFirst ? FirstBlockSize : BlockSize);
@@ -269,7 +264,7 @@ private:
     this->setg(first, first, first + this->Current.Count);
     if (!isFirst && this->Current.Count > 0)
     {
-      // Where no thread can be had, the block is decoded when it is asked for.
+      // Without a free thread the block is decoded on demand.
       this->Next = std::async(std::launch::async | std::launch::deferred,
         [this, memory = std::move(memory)]() mutable { return this->Decode(std::move(memory), BlockSize); });
     }
@@ -290,8 +285,8 @@ private:
 
   GzipDecoder Decoder;
   Block Current;
-  off_type BytesBefore = 0; // the block at hand
-  std::future<Block> Next; // uses the decoder, and waits when it is destroyed: before the decoder
+  off_type BytesBefore = 0; // Bytes before the current block.
+  std::future<Block> Next; // Destroyed before the decoder, which it uses.
 };
 }
 
@@ -312,6 +307,6 @@ GzipStream::GzipStream(std::unique_ptr<std::istream> compressed)
   , Buffer(std::make_unique<GzipBuffer>(std::move(compressed)))
 {
   this->rdbuf(this->Buffer.get());
-  this->exceptions(std::ios::badbit); // passes errors of the buffer on
+  this->exceptions(std::ios::badbit); // Passes on errors of the buffer.
 }
 }

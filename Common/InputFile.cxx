@@ -86,7 +86,7 @@ std::string PeekText(std::istream& stream, std::size_t most)
   }
   catch (const std::exception&)
   {
-    // What a compressed file was made from has an end before its own where it was cut; reading it tells.
+    // A truncated compressed file ends early here; reading reports it.
   }
   stream.clear();
   stream.seekg(here);
@@ -99,7 +99,7 @@ std::string PeekLines(std::istream& stream, std::size_t most)
   std::string text = PeekText(stream, most);
   if (text.size() + ByteOrderMark.size() >= most)
   {
-    text.resize(text.rfind('\n') + 1); // 0 where there is none
+    text.resize(text.rfind('\n') + 1); // npos + 1 is 0.
   }
   return text;
 }

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Files that readers read: opened by names in UTF-8, and recognised while they stay as they were.
 
 #ifndef SeismicHorizonsInputFile_h
 #define SeismicHorizonsInputFile_h
@@ -17,12 +15,11 @@
 
 namespace SeismicHorizons
 {
-/// What is compared to see whether a file is still the one that was read.
 struct FileStamp
 {
   std::string Name;
-  std::filesystem::file_time_type Time; // of the last change
-  std::uintmax_t Size = 0; // bytes
+  std::filesystem::file_time_type Time;
+  std::uintmax_t Size = 0;
 
   bool operator==(const FileStamp& other) const
   {
@@ -30,39 +27,36 @@ struct FileStamp
   }
 };
 
-/// The stamp of a file as it is now. Throws InputError when there is no regular file of that name.
+/// Throws InputError unless the file is regular.
 FileStamp MakeFileStamp(const std::string& name);
 
-/// Opens a file to read its bytes or, where gzip compressed it, what they were made from (GzipStream.h). Throws
-/// InputError when that fails.
+/// Decodes gzip (GzipStream.h). Throws InputError on failure.
 std::unique_ptr<std::istream> OpenInputFile(const std::string& name);
 
-/// The name of a file without its folder and extension: "a" for "b/a.vsm", and for "b/a.vsm.gz".
+/// Returns "a" for "b/a.vsm" and "b/a.vsm.gz".
 std::string StemOf(const std::string& name);
 
-/// The extension of a name in lower case: "vsm" for "b/a.VSM", and for "b/a.vsm.gz"; empty where there is none.
+/// Returns "vsm" for "b/a.VSM" and "b/a.vsm.gz".
 std::string ExtensionOf(const std::string& name);
 
-/// The first bytes of a stream, at most that many, without a byte order mark. Goes back to where it was.
+/// Skips a byte order mark. The stream keeps its position.
 std::string PeekText(std::istream& stream, std::size_t most);
 
-/// The same without a last line that is cut off there.
+/// Omits an incomplete last line.
 std::string PeekLines(std::istream& stream, std::size_t most);
 
-/// Refuses a name that was not set.
 void RequireFileName(const char* name);
 
-/// What errors about a file begin with: its name, and a colon.
 std::string FilePrefix(const char* name);
 
-/// Whether recognise(stream) says so of a regular file that can be opened; false where that throws.
+/// Returns false if the file is not regular or recognise(stream) throws.
 template <typename Recognise>
 bool IsRecognised(const char* name, Recognise&& recognise)
 {
   try
   {
     const std::string text = name ? name : "";
-    MakeFileStamp(text); // refuses what is no regular file
+    MakeFileStamp(text); // Refuses folders and devices.
     return recognise(*OpenInputFile(text));
   }
   catch (const std::exception&)

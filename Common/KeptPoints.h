@@ -15,14 +15,13 @@
 
 namespace SeismicHorizons
 {
-/// The points of a horizon that are kept, in an order. They are stored as runs of points that follow each other: where
-/// few are dropped, that takes next to no memory, and arrays are copied run by run.
+/// Stored as runs of consecutive points: if few points are dropped, this takes little memory, and arrays are copied by
+/// runs.
 class KeptPoints
 {
 public:
   KeptPoints() = default;
 
-  /// None yet of so many points.
   explicit KeptPoints(std::size_t total)
     : Total(total)
   {
@@ -37,7 +36,6 @@ public:
 
   void Append(PointId point) { this->AppendRun(point, 1); }
 
-  /// Adds so many points that follow each other.
   void AppendRun(PointId first, std::size_t length)
   {
     const bool goesOn =
@@ -51,21 +49,19 @@ public:
 
   bool empty() const { return this->Count == 0; }
   std::size_t size() const { return this->Count; }
-  /// Whether all points are kept, in their order.
+  /// All points are kept in their order.
   bool AreAll() const
   {
     return this->Count == this->Total && (this->empty() || (this->Runs.size() == 1 && this->Runs.front().First == 0));
   }
 
-  /// The n-th of them, by a search among the runs.
   PointId operator[](std::size_t n) const
   {
     const Run& run = this->Runs[this->RunOf(n)];
     return run.First + PointId(n - run.Position);
   }
 
-  /// Calls visit(n, point, length) for the runs of those from the `first`-th to before the `last`-th: the n-th is
-  /// `point`, and the next ones, `length` in all, follow it.
+  /// Calls visit(n, point, length) for runs from position `first` to before `last`.
   template <typename Visitor>
   void ForEachRun(std::size_t first, std::size_t last, Visitor&& visit) const
   {
@@ -77,7 +73,6 @@ public:
     }
   }
 
-  /// What an array by point has at these.
   template <typename Values>
   auto Select(const Values& values) const
   {
@@ -89,7 +84,6 @@ public:
     return selected;
   }
 
-  /// For each of all points its position among these, or NoPoint.
   std::vector<PointId> Numbers() const
   {
     std::vector<PointId> numbers = LargeVector(this->Total, NoPoint);
@@ -102,7 +96,7 @@ public:
 private:
   struct Run
   {
-    std::size_t Position; // of its first point among those that are kept
+    std::size_t Position; // Position in the selection.
     PointId First;
   };
 

@@ -13,19 +13,18 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Coordinates stay below 2^29, half a column outside the lattice included (see PlanePoint).
+// Coordinates stay below 2^29 even half a column outside the lattice (see PlanePoint).
 constexpr int CoordinateBits = 29;
-// No point is known more finely than to a millionth of a column, and smaller numbers are quicker to compare.
+// A millionth of a column is finer than any data, and smaller numbers compare faster.
 constexpr int MaximumSubVoxelBits = 20;
 
-// The least sine of the angle between two column steps. World coordinates have about 16 digits, and turning them into
-// columns loses as many as the sine has zeros: with a smaller one, less than seven digits tell where a column is.
+// Least sine of the angle between column steps. World coordinates have 16 digits, and the conversion to columns
+// loses one per leading zero of the sine; seven remain.
 constexpr double SmallestSine = 1e-9;
-// How far the scalar products of the steps may be from those of a cube, relative to them: about fifty roundings of a
-// double, which is more than the sines and cosines of a turned survey bring in.
+// Relative deviation of the scalar products of steps from a cube, about fifty roundings of a double, which covers
+// rotated surveys.
 constexpr double RoundingOfProducts = 1e-14;
 
-/// The bits of whole numbers from 0 to `size`.
 int BitsFor(std::int64_t size)
 {
   int bits = 0;

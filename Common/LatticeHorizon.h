@@ -14,21 +14,20 @@
 
 namespace SeismicHorizons
 {
-/// A horizon on a lattice as parallel arrays, one entry per point by ascending j and then i, at most one in a column.
+/// Parallel arrays with one entry per point, by ascending j, then i, at most one per column.
 struct LatticeHorizon
 {
-  int SurfaceId = 0; // sheets of one horizon have the same
+  int SurfaceId = 0; // Sheets of a horizon share it.
   HeapArray<PlanePoint> Column;
-  HeapArray<int> K; // the vertical index; empty where horizons come with z alone
-  HeapArray<double> Thickness; // this and amplitude are of voxels, and empty for others
+  HeapArray<int> K; // Empty for horizons with z alone.
+  HeapArray<double> Thickness; // Thickness and amplitude are of voxels only.
   HeapArray<double> Amplitude;
-  HeapArray<double> RealZ; // in the unit and with the sign of the file; finite
-  std::vector<std::pair<std::string, HeapArray<double>>> Attributes; // others, by name; nan where there is none
-  std::int64_t DroppedDuplicates = 0; // left out because another one is in their column
-  std::int64_t DroppedNulls = 0; // left out because they have no z
+  HeapArray<double> RealZ; // In the unit and with the sign of the file; finite.
+  std::vector<std::pair<std::string, HeapArray<double>>> Attributes;
+  std::int64_t DroppedDuplicates = 0; // Points dropped for another one in their column.
+  std::int64_t DroppedNulls = 0; // Points dropped for lack of z.
 };
 
-/// Calls visit(array) for each array of a horizon of voxels.
 template <typename Visit>
 void ForEachVoxelArray(LatticeHorizon& horizon, Visit&& visit)
 {

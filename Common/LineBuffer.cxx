@@ -15,8 +15,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t SmallestSize = 2; // room for one character and a newline
-constexpr std::size_t LongestLine = (1 << 26) - 1; // bytes, where the stream cannot tell how many there are
+constexpr std::size_t SmallestSize = 2; // One character and a newline.
+constexpr std::size_t LongestLine = (1 << 26) - 1; // Bytes, for streams of unknown length.
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -35,7 +35,7 @@ std::vector<std::string_view> CutLines(std::string_view lines, std::size_t size)
 //----------------------------------------------------------------------------------------------------------------------
 std::int64_t CountLines(std::string_view text)
 {
-  // So many counts fit a byte, and compilers add bytes side by side.
+  // Counts fit a byte, so that compilers vectorise the loop.
   constexpr std::size_t most = std::numeric_limits<unsigned char>::max();
   std::int64_t lines = 0;
   while (!text.empty())
@@ -84,7 +84,6 @@ bool LineBuffer::Read()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Reads behind the start of a line, and adds the last newline of the file. False when reading failed.
 bool LineBuffer::ReadMore()
 {
   if (this->Filled + 1 == this->Bytes.size())

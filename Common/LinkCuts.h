@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a surface is torn: a bit for the link from each column to that east of it (i + 1), and one for that to the
-// north (j + 1), whether there are points in the columns or not. A fault is a chain of faulted links.
-//
-// Only blocks of 8 by 8 columns that have a cut take memory. They are found by hashing, with open addressing: a table
-// of their keys, of which at most a quarter is taken, so that nearly all look-ups end with the first key.
+// Marks faulted links: each column has a bit for the link to the east (i + 1) and one for the link to the north (j +
+// 1), even without points. Blocks of 8 by 8 columns with a cut are in a hash table with open addressing, of which at
+// most a quarter is used, so that nearly all look-ups end at the first key.
 
 #ifndef SeismicHorizonsLinkCuts_h
 #define SeismicHorizonsLinkCuts_h
@@ -26,7 +24,7 @@ namespace SeismicHorizons
 class LinkCuts
 {
 public:
-  /// No link is cut. The links of columns outside the box never are.
+  /// Links of columns outside the box are never cut.
   explicit LinkCuts(const PlaneBox& box)
     : Box(box)
   {
@@ -46,7 +44,6 @@ public:
     return block && (block->North & Bit(column)) != 0;
   }
 
-  /// Whether a link beside a step from a column to one of its eight neighbours is cut.
   bool IsCutBeside(const PlanePoint& column, const PlanePoint& step) const
   {
     const PlanePoint least = { std::min(column.X, column.X + step.X), std::min(column.Y, column.Y + step.Y) };
@@ -57,14 +54,13 @@ public:
   }
 
 private:
-  /// A bit for the links of each column, row by row.
   struct Block
   {
     std::uint64_t East = 0;
     std::uint64_t North = 0;
   };
 
-  // No key has its greatest bits: coordinates have 32.
+  // Real keys do not have the highest bits.
   static constexpr std::uint64_t NoKey = ~std::uint64_t(0);
 
   static std::uint64_t Bit(const PlanePoint& column)
@@ -77,10 +73,10 @@ private:
     return std::uint64_t(std::uint32_t(column.Y) >> 3) << 32 | std::uint32_t(column.X) >> 3;
   }
 
-  /// The slot that has a key, or the free one where it would be. There must be a free one.
+  /// A free slot must exist.
   std::size_t SlotOf(std::uint64_t key) const
   {
-    // The fraction of the golden ratio scatters keys that follow each other (Knuth, 6.4).
+    // The golden ratio scatters consecutive keys (Knuth, 6.4).
     std::size_t slot = std::size_t((key * 0x9E3779B97F4A7C15U) >> 32) & this->Mask;
     while (this->Keys[slot] != key && this->Keys[slot] != NoKey)
     {
@@ -136,10 +132,11 @@ private:
   }
 
   PlaneBox Box;
-  std::vector<std::uint64_t> Keys = std::vector<std::uint64_t>(16, NoKey); // by slot; a power of two of them
+  // Indexed by slot; the size is a power of two.
+  std::vector<std::uint64_t> Keys = std::vector<std::uint64_t>(16, NoKey);
   std::vector<Block> Blocks = std::vector<Block>(16);
   std::size_t Mask = 15;
-  std::size_t Taken = 0; // slots
+  std::size_t Taken = 0;
 };
 }
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Three passes: over the triangles, one by one; over their edges, sorted by the two ends so that an edge and the same
-// edge of the triangle beyond it, its twin, are found by bisection; over the patches. Geometry is its own, in numbers
-// of 128 bits, so that a fault in the predicates shows.
+// Three passes check the triangles; their edges, sorted so that twins are found by bisection; and the patches. Geometry
+// uses its own 128-bit arithmetic, so that faults in the predicates show.
 
 #include "MeshChecker.h"
 
@@ -20,7 +19,6 @@ namespace SeismicHorizons::MeshChecker
 {
 namespace
 {
-/// A directed edge with a triangle to its left.
 struct MeshEdge
 {
   PointId From;
@@ -58,7 +56,7 @@ public:
     return this->Wrong;
   }
 
-  /// Points - edges + triangles = 1 for each patch, which is one loop and what it encloses, less 1 for each hole.
+  /// Euler's formula for a patch: points - edges + triangles = 1 - holes.
   std::string CheckEuler(const std::vector<std::int32_t>& patches) const
   {
     std::map<std::int32_t, std::int64_t> sums;
@@ -78,7 +76,7 @@ public:
     {
       ++sums[patches[this->Corners[corner]]];
     }
-    // One loop of each patch is not that of a hole.
+    // One loop of each patch is its outline.
     for (std::size_t loop = 0; loop < this->Boundary.Size(); ++loop)
     {
       ++sums[patches[*this->Boundary.begin(loop)]];
@@ -102,7 +100,6 @@ private:
       TellTriangle(this->Corners, edge.Triangle));
   }
 
-  /// Lists their edges.
   bool LookAtTriangles()
   {
     if (this->Corners.size() % 3 != 0)
@@ -160,7 +157,7 @@ private:
 
   bool LookAtEdges(Kind kind)
   {
-    // The surface lies to the right of boundary edges, so triangles have their reverses.
+    // The surface is to the right of boundary edges, so that triangles have the reversed edges.
     std::vector<std::pair<PointId, PointId>> reverses;
     this->Boundary.ForEachEdge([&](PointId from, PointId to) { reverses.push_back({ to, from }); });
     std::sort(reverses.begin(), reverses.end());
@@ -202,8 +199,8 @@ private:
   const std::vector<PlanePoint>& Plane;
   const Loops& Boundary;
   const Triangles& Corners;
-  std::vector<MeshEdge> Edges; // by their ends, once all triangles were looked at
-  Int128 MeshArea = 0; // twice
+  std::vector<MeshEdge> Edges;
+  Int128 MeshArea = 0; // Twice the area.
   std::string Wrong;
 };
 }
@@ -241,7 +238,7 @@ Int128 Turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// By cofactors of the 4 x 4 determinant.
+// Expands the 4 x 4 determinant by cofactors.
 int SideOfCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
 {
   const auto lift = [&d](const PlanePoint& p)

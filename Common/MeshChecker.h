@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must be true of meshes, checked with none of the code that makes them: of the project it uses plain data alone.
-// The tests use it, and builds with SEISMICHORIZONS_CHECK_MESHES check each mesh that a method makes.
+// Checks meshes independently of the code that makes them. Tests use it, and builds with SEISMICHORIZONS_CHECK_MESHES
+// check all meshes.
 
 #ifndef SeismicHorizonsMeshChecker_h
 #define SeismicHorizonsMeshChecker_h
@@ -17,9 +17,9 @@
 
 namespace SeismicHorizons::MeshChecker
 {
-using Triangles = RawVector<PointId>; // three points each
+using Triangles = RawVector<PointId>;
 
-/// Whether methods check the meshes that they make. It takes longer than making them.
+/// Checking takes longer than meshing.
 #ifdef SEISMICHORIZONS_CHECK_MESHES
 constexpr bool IsOn = true;
 #else
@@ -32,31 +32,29 @@ enum class Kind
   Any
 };
 
-/// `plane` holds the places of the points, and the boundary has the surface to its right. Triangles have points of the
-/// plane and turn counter-clockwise; every edge has at most one triangle on each side; areas sum to that of the
-/// boundary; all points are used; the edges with one triangle are the boundary edges with surface on one side; unless
-/// any mesh will do, every other edge is locally Delaunay, where the boundary does not run along it in both directions.
+/// The surface is to the right of the boundary. Triangles must be counterclockwise; an edge has at most one triangle on
+/// each side; areas sum to the area of the boundary; all points are used; edges with one triangle are boundary edges
+/// with surface on one side; and for Kind::Delaunay other edges are locally Delaunay, unless the boundary runs along
+/// them in both directions.
 ///
-/// So every place inside the boundary is in one triangle, and no other place in any: a path from one place to another
-/// enters a triangle whenever it leaves one, but for where it crosses the boundary.
+/// So every place inside the boundary is in one triangle, and no other place is in any: a path that leaves a triangle
+/// enters another one, except across the boundary.
 ///
-/// Empty when all is well, else what is wrong first, with the triangle.
+/// Returns the first problem, or an empty text.
 std::string CheckTriangles(
   const std::vector<PlanePoint>& plane, const Loops& boundary, const Triangles& triangles, Kind kind = Kind::Delaunay);
 
-/// That, and Euler's formula, patch by patch. Patches must be connected, with one loop around each and the others
-/// around holes.
+/// Adds Euler's formula per patch. Patches must be connected, with one outline and loops around holes.
 std::string CheckMesh(const BoundedHorizon& horizon, const Triangles& triangles, Kind kind = Kind::Delaunay);
 
-/// Throws std::logic_error with what CheckTriangles finds; `method` is the one that made the mesh. To be called as
-/// `if (MeshChecker::IsOn)`.
+/// Throws std::logic_error for a problem in the mesh of `method`. Call it as `if (MeshChecker::IsOn)`.
 void Require(const char* method, const std::vector<PlanePoint>& plane, const Loops& boundary,
   const Triangles& triangles, Kind kind = Kind::Delaunay);
 
-/// Twice the area of the triangle a, b, c: positive when it turns to the left.
+/// Twice the signed area; positive for a left turn.
 Int128 Turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
-/// 1 when d is inside the circle of a, b and c, which turn to the left, 0 when on it, -1 when outside.
+/// Returns 1 inside, 0 on and -1 outside of the circle of a, b and c, which must turn left.
 int SideOfCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 }
 

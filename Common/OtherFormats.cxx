@@ -32,7 +32,7 @@ struct Format
   std::string_view Remedy;
 };
 
-/// Those that their first bytes tell; the first one that fits.
+/// The first signature that fits applies.
 constexpr std::array<Format, 23> Formats = { {
   { "LASF"sv, "a point cloud (LAS)", "convert it to text, as with pdal translate, or open it in ParaView" },
   { "AutoCAD Binary DXF"sv, "a drawing (DXF)", AsText },
@@ -59,7 +59,6 @@ constexpr std::array<Format, 23> Formats = { {
   { "GOCAD"sv, "an object of GOCAD", "export it as TSurf, or x, y and z as text" },
 } };
 
-/// The complete lines that are not blank, trimmed, and at most so many.
 std::vector<std::string_view> ListLines(std::string_view text, std::size_t most)
 {
   std::vector<std::string_view> lines;
@@ -75,7 +74,7 @@ std::vector<std::string_view> ListLines(std::string_view text, std::size_t most)
   return lines;
 }
 
-/// Pairs of lines, a code and a value; those of code 999 are comments.
+/// DXF has pairs of lines, a code and a value; code 999 is a comment.
 bool IsDrawing(const std::vector<std::string_view>& lines)
 {
   std::size_t line = 0;
@@ -86,7 +85,7 @@ bool IsDrawing(const std::vector<std::string_view>& lines)
   return line + 1 < lines.size() && lines[line] == "0" && lines[line + 1] == "SECTION";
 }
 
-/// Whether all lines begin with the words of Wavefront, some of them with that for vertices.
+/// All lines must begin with words of Wavefront OBJ, and at least one must be a vertex.
 bool IsWavefront(const std::vector<std::string_view>& lines)
 {
   constexpr std::array<std::string_view, 11> words = { "#", "v", "vn", "vt", "f", "l", "o", "g", "s", "mtllib",
@@ -98,7 +97,7 @@ bool IsWavefront(const std::vector<std::string_view>& lines)
       [&](std::string_view line) { return std::find(words.begin(), words.end(), first(line)) != words.end(); });
 }
 
-/// Triangles of 50 bytes behind 84: a normal, which has a length of 0 or 1, corners, and two bytes that are 0.
+/// Triangles of 50 bytes follow a header of 84: a normal of length 0 or 1, corners, and two zero bytes.
 bool IsBinarySTL(std::string_view bytes)
 {
   constexpr std::size_t header = 84;
@@ -136,7 +135,7 @@ Format FindFormat(std::string_view bytes)
 //----------------------------------------------------------------------------------------------------------------------
 void RefuseOtherFormats(std::string_view beginning, std::string_view expected)
 {
-  constexpr std::size_t lookedAt = 8192; // bytes
+  constexpr std::size_t lookedAt = 8192;
   const std::string_view bytes = WithoutByteOrderMark(beginning.substr(0, lookedAt));
   const Format found = FindFormat(bytes);
   if (!found.Name.empty())

@@ -42,7 +42,7 @@ void WriteStream(const fs::path& path, const std::function<void(std::ostream&)>&
   }
 }
 
-/// A path in the same folder that no other file has. It is short, as names may have 255 bytes at most.
+/// The path is in the same folder, and short since names have 255 bytes at most.
 fs::path MakeTemporaryPath(const fs::path& path)
 {
   std::random_device random;
@@ -56,7 +56,7 @@ fs::path MakeTemporaryPath(const fs::path& path)
   return temporary;
 }
 
-/// Gives the file that was written the name of the other one, and the permissions of a file that was there.
+/// Renames the written file, and keeps the permissions of a replaced file.
 void Replace(const fs::path& written, const fs::path& path)
 {
   std::error_code error;
@@ -86,7 +86,7 @@ OutputFile::OutputFile(const std::string& name, const std::function<void(std::os
   {
     throw FileError(FileProblem::CannotOpen, "folder \"" + this->Path.parent_path().u8string() + "\" does not exist");
   }
-  constexpr std::size_t longest = 255; // bytes of a name, on all usual systems
+  constexpr std::size_t longest = 255; // Bytes of a name on all usual systems.
   if (const std::size_t length = this->Path.filename().u8string().size(); length > longest)
   {
     throw FileError(FileProblem::CannotOpen,
@@ -95,7 +95,7 @@ OutputFile::OutputFile(const std::string& name, const std::function<void(std::os
   const fs::file_status status = fs::status(this->Path, ignored);
   if (fs::is_fifo(status) || fs::is_socket(status))
   {
-    throw FileError(FileProblem::CannotOpen, "a pipe or socket, expected a file"); // opening one may wait for ever
+    throw FileError(FileProblem::CannotOpen, "a pipe or socket, expected a file"); // Opening a pipe may block.
   }
   if (fs::exists(status) && !fs::is_regular_file(status))
   {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Files that writers write, by names in UTF-8.
 
 #ifndef SeismicHorizonsOutputFile_h
 #define SeismicHorizonsOutputFile_h
@@ -13,9 +11,8 @@
 
 namespace SeismicHorizons
 {
-/// A file that is written under a name of its own in the same folder, and gets the right one by Keep(). Without that,
-/// nothing is left of it, and a file of that name stays as it was. A device is written to directly. Throws InputError
-/// when the file cannot be written.
+/// The file is written under a temporary name in the same folder, and renamed by Keep(). Otherwise it is removed, and
+/// an existing file stays. Devices are written directly. Throws InputError if the file cannot be written.
 class OutputFile
 {
 public:
@@ -28,10 +25,9 @@ public:
 
 private:
   std::filesystem::path Path;
-  std::filesystem::path Temporary; // empty where there is none
+  std::filesystem::path Temporary;
 };
 
-/// Writes a file as a whole or not at all.
 void WriteOutputFile(const std::string& name, const std::function<void(std::ostream&)>& write);
 }
 

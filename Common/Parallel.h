@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loops over several threads. In the module they run on vtkSMPTools, whose back-end and number of threads users choose
-// (VTK/SMPToolsLoop.cxx); in programs without VTK on std::thread (ThreadLoop.cxx). A program links one of the two.
-//
-// Work on one range must neither read nor write what work on another range writes. Then results are the same for any
-// number of threads.
+// In the module loops run on vtkSMPTools, whose back-end and threads users choose (VTK/SMPToolsLoop.cxx); in programs
+// without VTK on std::thread (ThreadLoop.cxx). A program links one of the two. Work on one range must not access data
+// that another range writes, so that results do not depend on threads.
 
 #ifndef SeismicHorizonsParallel_h
 #define SeismicHorizonsParallel_h
@@ -22,8 +20,7 @@ namespace SeismicHorizons
 {
 namespace Detail
 {
-/// Catches the exceptions of a loop, as one that leaves a thread ends the program, and keeps that of the range with the
-/// least first index.
+/// Keeps the exception of the lowest range, since one that leaves a thread ends the program.
 class FirstException
 {
 public:
@@ -59,19 +56,17 @@ private:
   std::int64_t Range = 0;
 };
 
-/// Calls range(first, last) for ranges that together are 0 to `size`.
 void RunOnThreads(std::int64_t size, std::int64_t grain, const std::function<void(std::int64_t, std::int64_t)>& range);
 
-/// How many threads loops of programs without VTK use.
+/// Applies to programs without VTK.
 int& NumberOfThreads();
 }
 
-/// Calls work(first, last) for ranges of indices, `last` not included, that together are 0 to `size`: in any order, and
-/// several at a time. A range has about `grain` indices or more, so that starting it takes little of the time.
+/// Calls work(first, last) for ranges of about `grain` or more indices, which cover 0 to `size`, `last` excluded, in
+/// any order and in parallel.
 ///
-/// An exception of the work does not stop the other ranges. After the last of them the one of the lowest range is
-/// thrown again. So work that throws at the first wrong item of its range gives the error of the first wrong item of
-/// all, for any number of threads.
+/// An exception does not stop other ranges; the exception of the lowest range is rethrown at the end. So work that
+/// throws at the first wrong item of its range reports the first wrong item of all.
 template <typename Work>
 void ParallelFor(std::int64_t size, std::int64_t grain, Work&& work)
 {
@@ -81,8 +76,8 @@ void ParallelFor(std::int64_t size, std::int64_t grain, Work&& work)
   exception.Rethrow();
 }
 
-/// The same in at most 16 batches, one after the other. Before each of them the monitor is called, on the calling
-/// thread: callbacks need not be safe to call from several threads.
+/// Runs at most 16 batches in sequence. The monitor is called on the calling thread, so that callbacks need not be
+/// thread-safe.
 template <typename Work>
 void ParallelFor(std::int64_t size, std::int64_t grain, const Monitor& monitor, Work&& work)
 {

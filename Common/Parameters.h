@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Checks of parameters that are numbers. No parameter is silently brought into its range.
+// No parameter is silently clamped.
 
 #ifndef SeismicHorizonsParameters_h
 #define SeismicHorizonsParameters_h
@@ -16,7 +16,7 @@
 
 namespace SeismicHorizons
 {
-/// Throws InputError unless a number is finite and at least `least`. `unit` follows that in the message.
+/// Throws InputError; `unit` follows `least` in its text.
 template <typename Number>
 void CheckAtLeast(const char* name, Number value, Number least, const char* unit)
 {
@@ -30,7 +30,6 @@ void CheckAtLeast(const char* name, Number value, Number least, const char* unit
   }
 }
 
-/// The same for a number from `least` to `most`.
 template <typename Number>
 void CheckWithin(const char* name, Number value, Number least, Number most, const char* unit)
 {
@@ -42,8 +41,7 @@ void CheckWithin(const char* name, Number value, Number least, Number most, cons
   }
 }
 
-/// The first and last column or row of a range, in which -1 stands for the last there is. Throws InputError when it is
-/// no range.
+/// -1 means the last column or row. Throws InputError for an invalid range.
 inline std::array<int, 2> MakeRange(const char* name, const int (&range)[2])
 {
   if (range[0] < 0 || range[1] < -1 || (range[1] >= 0 && range[1] < range[0]))

@@ -10,8 +10,8 @@ namespace SeismicHorizons
 //----------------------------------------------------------------------------------------------------------------------
 PlaneFrame::PlaneFrame(const std::vector<PlanePoint>& places)
 {
-  // A power of two that divides all distances from the first place also divides those from the least coordinates. The
-  // lowest bit that is set in any of them is the largest such power.
+  // The lowest bit set in any distance from the first place is the largest power of two that divides them all, and
+  // all distances from the least coordinates.
   const PlanePoint first = places.front();
   PlaneBox box;
   std::int32_t bits = 0;

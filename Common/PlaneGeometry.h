@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lengths and boxes of places in the plane. Coordinates are below 2^29 in size (PlanePoint), so that squared lengths
-// fit 64 bits and are exact.
+// Coordinates are below 2^29 (PlanePoint), so that squared lengths fit 64 bits and are exact.
 
 #ifndef SeismicHorizonsPlaneGeometry_h
 #define SeismicHorizonsPlaneGeometry_h
@@ -17,7 +16,6 @@
 
 namespace SeismicHorizons
 {
-/// From the origin to the end of a vector.
 inline std::int64_t SquaredLength(const PlanePoint& vector)
 {
   return std::int64_t(vector.X) * vector.X + std::int64_t(vector.Y) * vector.Y;
@@ -30,8 +28,8 @@ inline std::int64_t SquaredDistance(const PlanePoint& a, const PlanePoint& b)
   return x * x + y * y;
 }
 
-/// Calls visit(column, part) for the columns between two others on the straight line through them, both left out: part
-/// is how far along it they are, from 0 to 1.
+/// Calls visit(column, part) for the columns strictly between two columns on a straight line; part is the fraction of
+/// the way.
 template <typename Visit>
 void ForEachColumnBetween(const PlanePoint& from, const PlanePoint& to, Visit&& visit)
 {
@@ -43,7 +41,6 @@ void ForEachColumnBetween(const PlanePoint& from, const PlanePoint& to, Visit&& 
   }
 }
 
-/// The scalar product of the vectors from `origin` to a and to b.
 inline std::int64_t ScalarProduct(const PlanePoint& origin, const PlanePoint& a, const PlanePoint& b)
 {
   const std::int64_t ax = std::int64_t(a.X) - origin.X;
@@ -53,7 +50,7 @@ inline std::int64_t ScalarProduct(const PlanePoint& origin, const PlanePoint& a,
   return ax * bx + ay * by;
 }
 
-/// The least and the greatest coordinates of some places; the least are above the greatest as long as there is none.
+/// An empty box has its least coordinates above its greatest.
 struct PlaneBox
 {
   PlaneBox() = default;

@@ -9,7 +9,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// a, b and c as seen from d.
+/// Coordinates are relative to d.
 struct Triangle
 {
   std::int64_t X[3];
@@ -23,7 +23,7 @@ Triangle SeenFrom(const PlanePoint& d, const PlanePoint& a, const PlanePoint& b,
   return { { a.X - x, b.X - x, c.X - x }, { a.Y - y, b.Y - y, c.Y - y } };
 }
 
-/// The determinant of the rows (x, y, lift) for the three points.
+/// The rows of the determinant are (x, y, lift).
 template <typename Lift>
 int DeterminantSign(const Triangle& t, Lift&& lift)
 {
@@ -37,11 +37,11 @@ int DeterminantSign(const Triangle& t, Lift&& lift)
   return Sign(sum);
 }
 
-// Coordinates are exact as doubles. Each term of the determinant is rounded seven times at the most and the sum twice,
-// each time by no more than 2^-53 of the sum of absolute terms: 16 times that is on the safe side.
+// Terms of the determinant are rounded at most seven times and their sum twice, each by 2^-53 of the sum of absolute
+// terms; 16 is a safe bound.
 constexpr double DeterminantRounding = 16.0 / 9007199254740992.0;
 
-/// The same for the lift x^2 + y^2 in plain doubles; 0 when rounding might have changed the sign.
+/// Uses doubles and the lift x^2 + y^2; returns 0 if rounding may have changed the sign.
 int FilteredDeterminantSign(const Triangle& t)
 {
   double sum = 0.0;

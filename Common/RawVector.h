@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A vector that does not set new elements to 0. An array that is filled right after it was made is then written once
-// instead of twice. And as systems provide memory page by page at the first write, which takes time, threads that fill
-// a part each share that time too.
+// A vector that does not initialise new elements, so that an array is written once, and threads that fill it share the
+// cost of first-touching its pages.
 
 #ifndef SeismicHorizonsRawVector_h
 #define SeismicHorizonsRawVector_h
@@ -18,7 +17,6 @@
 
 namespace SeismicHorizons
 {
-/// An allocator that constructs elements without a value as C++ does for local variables: numbers stay uninitialised.
 template <typename T>
 struct RawAllocator : std::allocator<T>
 {
@@ -48,7 +46,6 @@ struct RawAllocator : std::allocator<T>
   }
 };
 
-/// For numbers only. Elements that `resize` adds have no value before one is assigned.
 template <typename T>
 using RawVector = std::vector<T, RawAllocator<T>>;
 }

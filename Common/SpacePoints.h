@@ -16,9 +16,8 @@
 
 namespace SeismicHorizons
 {
-/// The points of a horizon with their heights, in lattice units. They are made of what a horizon has when they are
-/// asked for, so that methods that look at few of them need no memory for all: heights, too, can come from a function.
-/// Keeps references. A column has a power of two of sub-voxels.
+/// Points with heights in lattice units, computed on access, so that methods that look at few points need no memory.
+/// Keeps references.
 class SpacePoints
 {
 public:
@@ -49,7 +48,6 @@ public:
       this->Height ? this->Height[n] : this->HeightAt(n) };
   }
 
-  /// The columns of the points, where places are columns.
   PlanePoints Columns() const
   {
     assert(this->PerSubVoxel == 1.0);
@@ -58,9 +56,9 @@ public:
 
 private:
   const PlanePoints Plane;
-  const double* const Height = nullptr; // or
+  const double* const Height = nullptr; // Null if HeightAt is used.
   const std::function<double(std::size_t)> HeightAt;
-  const double PerSubVoxel; // exact
+  const double PerSubVoxel; // A power of two, so that products are exact.
 };
 }
 

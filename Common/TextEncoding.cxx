@@ -7,7 +7,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// How many bytes a character takes that begins with this one in UTF-8; 0 where none does.
+/// Returns 0 for bytes that start no character in UTF-8.
 std::size_t SizeOfCharacter(unsigned char first)
 {
   return first < 0x80U ? 1 : first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3 : first < 0xF5U ? 4 : 0;
@@ -34,7 +34,6 @@ bool IsUtf8(std::string_view text)
   return true;
 }
 
-/// As text in UTF-16 has, here of some first characters in ASCII.
 bool HasEverySecondByteZero(std::string_view text)
 {
   constexpr std::size_t looked = 64;

@@ -9,10 +9,10 @@
 
 namespace SeismicHorizons
 {
-/// Whether text begins as in UTF-16: with its mark, or with characters of ASCII that are two bytes each.
+/// Requires a byte order mark, or ASCII characters of two bytes.
 bool IsUtf16(std::string_view text);
 
-/// Text that is not in UTF-8 is taken for Latin-1: which encoding of single bytes it is in, files do not say.
+/// Text that is not UTF-8 is converted from Latin-1, since files do not state their encoding.
 std::string ToUtf8(const std::string& text);
 }
 

@@ -24,7 +24,7 @@ bool IsSkipped(std::string_view line)
 //----------------------------------------------------------------------------------------------------------------------
 NumberKind ReadNumber(std::string_view field, double& value)
 {
-  constexpr std::size_t mostCharacters = 64; // of a number with such an exponent
+  constexpr std::size_t mostCharacters = 64; // Longest number with a Fortran exponent.
   const NumberKind kind = ReadAnyNumber(field, value);
   if (kind != NumberKind::NotANumber || field.size() > mostCharacters || field.find_first_of("Dd") == field.npos)
   {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The fields of a line of text.
 
 #ifndef SeismicHorizonsTextFields_h
 #define SeismicHorizonsTextFields_h
@@ -15,18 +13,17 @@
 
 namespace SeismicHorizons
 {
-/// Whether a line is one that some programs end a file with: EOB, EOD, EOF, or the control character of DOS.
+/// Some programs end files with EOB, EOD, EOF, or the control character of DOS.
 bool IsEndMark(std::string_view line);
 
-/// Whether a line has nothing for the reader: blanks alone, or a comment behind # or !.
+/// Blank lines and comments after # or !.
 bool IsSkipped(std::string_view line);
 
-/// Reads a number as any of the programs write it: with an exponent as in C or as in Fortran, 1.5D+03.
+/// Accepts exponents of C and Fortran, such as 1.5D+03.
 NumberKind ReadNumber(std::string_view field, double& value);
 
-/// Visits the fields of a line. Text in quotes is one field, without the quotes, whatever is in it; where the second
-/// quote is missing, the first is part of the field. Defined here, where
-/// compilers inline it: this is what reading takes its time for.
+/// Quoted text is one field, without the quotes; an unmatched quote belongs to its field. The class is inline because
+/// it dominates the time of reading.
 class FieldCursor
 {
 public:
@@ -38,8 +35,7 @@ public:
   {
   }
 
-  /// Gives the next field, and false after the last. Between two commas there is an empty field, behind one at the end
-  /// of the line is none. Blanks around fields are left out.
+  /// Between two commas there is an empty field, but none after a trailing comma.
   bool Next(std::string_view& field)
   {
     this->SkipBlanks();
@@ -64,11 +60,10 @@ public:
     return true;
   }
 
-  /// Whether a comma, or what stands for it, is behind the last field. To be asked when there is no further one.
+  /// Valid after Next() returned false.
   bool EndsInSeparator() const { return this->IsSeparated; }
 
 private:
-  /// The character, or 0 where blanks separate.
   static char SeparatorOf(FieldSeparator separator)
   {
     switch (separator)
@@ -116,7 +111,7 @@ private:
   std::string_view Unquoted()
   {
     const char* const first = this->Place;
-    const char* last = first; // of the field, blanks at its end left out
+    const char* last = first;
     while (this->Place != this->Last && !this->IsSeparator(*this->Place))
     {
       if (!this->IsSkipped(*this->Place))
@@ -136,7 +131,7 @@ private:
   const char* const Last;
   const char Separator;
   const bool SkipsColons;
-  bool IsSeparated = false; // the field from what comes behind it
+  bool IsSeparated = false;
 };
 }
 

@@ -10,8 +10,8 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-// fast_float, as std::from_chars for double is not in every library (libc++ before 20), and says of a number out of
-// range whether it is too large or too small.
+// fast_float replaces std::from_chars for double, which libc++ lacks before 20, and distinguishes overflow from
+// underflow.
 NumberKind ReadAnyNumber(std::string_view token, double& value)
 {
   const std::string_view number = WithoutPlus(token);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tokens and numbers of text files, independent of the locale. All text ends in a newline, which also
-// ends a token. So functions stop there, and do not take the end of the text.
+// All text ends in a newline, which ends tokens, so that functions need no end pointer.
 
 #ifndef SeismicHorizonsTextNumbers_h
 #define SeismicHorizonsTextNumbers_h
@@ -19,7 +18,7 @@
 
 namespace SeismicHorizons
 {
-/// Carriage returns are blanks, so that lines may end in \r\n.
+/// Lines may end in \r\n.
 inline bool IsBlank(char c)
 {
   return c == ' ' || c == '\t' || c == '\r';
@@ -44,7 +43,6 @@ inline const char* SkipBlanks(const char* text)
   return text;
 }
 
-/// The token that starts at `text`; empty at a blank or a newline.
 inline std::string_view TokenAt(const char* text)
 {
   const char* last = text;
@@ -55,7 +53,6 @@ inline std::string_view TokenAt(const char* text)
   return std::string_view(text, static_cast<std::size_t>(last - text));
 }
 
-/// Appends the digits at `text` to `number`, and returns where they end.
 inline const char* ReadDigits(const char* text, std::uint64_t& number)
 {
   for (; IsDigit(*text); ++text)
@@ -65,10 +62,9 @@ inline const char* ReadDigits(const char* text, std::uint64_t& number)
   return text;
 }
 
-/// Reads a number without exponent whose digits, taken as an integer, are at most 2^53. A double holds that integer
-/// exactly, and the power of ten to divide it by as well, so that one division gives the nearest double. Returns the
-/// end of the token, or null when it is anything else. Nearly all numbers are of this kind. With fast_float for these,
-/// too, reading of a file takes a quarter longer.
+/// Reads a number without exponent whose digits form an integer of at most 2^53. This integer and the power of ten are
+/// exact doubles, so that one division gives the nearest double. Returns the end of the token, or null. Nearly all
+/// numbers are of this kind; with fast_float alone reading takes a quarter longer.
 inline const char* ReadPlainNumber(const char* text, double& value)
 {
   constexpr std::array<double, 20> powersOfTen = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
@@ -102,7 +98,7 @@ inline const char* ReadPlainNumber(const char* text, double& value)
   return last;
 }
 
-/// Reads a token of at most nine digits and perhaps a minus sign. Returns its end, or null when it is anything else.
+/// Accepts nine digits and a minus sign. Returns the end, or null.
 inline const char* ReadShortInteger(const char* text, int& value)
 {
   constexpr std::ptrdiff_t mostDigits = std::numeric_limits<int>::digits10;
@@ -118,13 +114,12 @@ inline const char* ReadShortInteger(const char* text, int& value)
   return last != first && EndsToken(*last) ? last : nullptr;
 }
 
-/// The token without a leading plus sign, which the standard library does not take.
 inline std::string_view WithoutPlus(std::string_view token)
 {
   return token.size() > 1 && token[0] == '+' && token[1] != '-' ? token.substr(1) : token;
 }
 
-/// What a token is. Numbers too large for a double, infinity and nan are not finite.
+/// Overflow, infinity and nan are not finite.
 enum class NumberKind
 {
   Finite,
@@ -132,17 +127,17 @@ enum class NumberKind
   NotANumber
 };
 
-/// Reads a number of any length, with or without exponent. One too small for a double is 0.
+/// Underflow gives 0.
 NumberKind ReadAnyNumber(std::string_view token, double& value);
 
-/// The shortest text that is read as the same number again.
+/// Reading the text restores the number.
 inline std::string ShortestText(double value)
 {
-  std::array<char, 32> text; // the longest number takes 24 characters
+  std::array<char, 32> text;
   return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
 }
 
-/// A positive integer of 32 bits, or 0 when the token is anything else.
+/// Returns 0 for any other token.
 inline int ReadPositiveInteger(std::string_view token)
 {
   int value = 0;

@@ -14,10 +14,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t BufferSize = 1 << 20; // bytes
-constexpr std::size_t LongestNumber = 32; // characters
+constexpr std::size_t BufferSize = 1 << 20;
+constexpr std::size_t LongestNumber = 32;
 
-// Numbers between are printed without an exponent.
+// Other numbers have an exponent.
 constexpr double LeastPlain = 1e-6;
 constexpr double GreatestPlain = 1e15;
 }

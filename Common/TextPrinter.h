@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Prints text and numbers into a stream, independent of the locale. Text is collected in a buffer, so that printing a
-// number takes little more than finding its digits.
 
 #ifndef SeismicHorizonsTextPrinter_h
 #define SeismicHorizonsTextPrinter_h
@@ -18,28 +15,25 @@ namespace SeismicHorizons
 class TextPrinter
 {
 public:
-  /// The stream must outlive the printer.
   explicit TextPrinter(std::ostream& stream);
 
   void Print(char c);
   void Print(std::string_view text);
   void Print(std::int64_t number);
 
-  /// The shortest digits that give the same number when they are read, 17 at most. With an exponent only where there
-  /// would be many zeros without.
+  /// The shortest digits that restore the number, with an exponent instead of many zeros.
   void Print(double number);
 
-  /// To be called at the end. Here, and now and then before, InputError is thrown when the stream takes no more.
+  /// Must be called at the end. Flushing throws InputError if writing fails.
   void Flush();
 
 private:
-  /// Makes room for that many characters.
   char* Reserve(std::size_t length);
 
   std::ostream& Stream;
   std::vector<char> Buffer;
   std::size_t Filled = 0;
-  std::int64_t Written = 0; // bytes that went into the stream
+  std::int64_t Written = 0;
 };
 }
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The plain data the algorithms work on.
 
 #ifndef SeismicHorizonsTypes_h
 #define SeismicHorizonsTypes_h
@@ -14,13 +12,13 @@
 
 namespace SeismicHorizons
 {
-/// The index of a point of one horizon. Stages take horizons of less than 2^29 points.
+/// Stages take horizons of less than 2^29 points.
 using PointId = std::int32_t;
 
 constexpr PointId NoPoint = -1;
 
-/// A place in the plane of the lattice, in whole columns or in sub-voxels (Lattice.h); names and comments of variables
-/// tell in which. The size of both coordinates is below 2^29, so that products of differences fit 64 bits.
+/// Coordinates are columns or sub-voxels (Lattice.h), with absolute values below 2^29, so that products of differences
+/// fit 64 bits.
 struct PlanePoint
 {
   std::int32_t X = 0;
@@ -28,14 +26,14 @@ struct PlanePoint
 
   friend bool operator==(const PlanePoint& a, const PlanePoint& b) { return a.X == b.X && a.Y == b.Y; }
   friend bool operator!=(const PlanePoint& a, const PlanePoint& b) { return !(a == b); }
-  /// By x, and where that is the same by y. Outlines start at the least of their points, as in the thesis.
+  /// By x, then y. Outlines start at their least point, as in the thesis.
   friend bool operator<(const PlanePoint& a, const PlanePoint& b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
 };
 
-/// The column of points that have left theirs, as those that a simplification merged.
+/// The column of merged points, which are on none.
 constexpr PlanePoint NoColumn = { -1, -1 };
 
-/// Places of points that others own, as a std::vector or an array of VTK.
+/// Does not own the places.
 class PlanePoints
 {
 public:
@@ -44,7 +42,7 @@ public:
     : PlanePoints(places.data(), places.size())
   {
   }
-  PlanePoints(std::initializer_list<PlanePoint> places) // which have to outlive it
+  PlanePoints(std::initializer_list<PlanePoint> places)
     : PlanePoints(places.begin(), places.size())
   {
   }
@@ -66,7 +64,7 @@ private:
   std::size_t Count = 0;
 };
 
-/// A point of the plane with its height, in lattice units.
+/// lattice units
 struct SpacePoint
 {
   double X = 0.0;
@@ -74,16 +72,16 @@ struct SpacePoint
   double Z = 0.0;
 };
 
-/// A side of a loop or of a triangle, in one of its two directions.
+/// A directed edge of a loop or a triangle.
 struct Edge
 {
   PointId From = NoPoint;
   PointId To = NoPoint;
 };
 
-/// Loops, which are closed polylines over the points of a horizon, one after the other; the edge from the last point of
-/// a loop to its first is implied. Together they are a boundary. Seen from +z the surface lies to the right of every
-/// edge: outlines of patches run clockwise, and the loops of holes counter-clockwise.
+/// Closed polylines over points, which form a boundary; the edge from the last point to the first is implied. Seen from
+/// +z the surface is to the right of every edge: outlines of patches run clockwise, and loops of holes
+/// counterclockwise.
 class Loops
 {
 public:
@@ -94,25 +92,21 @@ public:
   const PointId* begin(std::size_t loop) const { return this->Points.data() + this->Start(loop); }
   const PointId* end(std::size_t loop) const { return this->Points.data() + this->Ends[loop]; }
 
-  /// Appends to the loop that is being built.
   void Append(PointId point) { this->Points.push_back(point); }
-  /// Ends the loop that is being built; the next point starts another one.
   void Close() { this->Ends.push_back(this->Points.size()); }
 
-  /// Appends a whole loop of another set.
   void AppendLoop(const Loops& other, std::size_t loop)
   {
     this->Points.insert(this->Points.end(), other.begin(loop), other.end(loop));
     this->Close();
   }
 
-  /// The same loops over points that have other numbers: number[point] for each point.
+  /// number[point] is the new index of each point.
   Loops Renumbered(const std::vector<PointId>& number) const
   {
     return this->RenumberedBy([&number](PointId point) { return number[std::size_t(point)]; });
   }
 
-  /// The same with number(point).
   template <typename Number>
   Loops RenumberedBy(Number&& number) const
   {
@@ -121,7 +115,7 @@ public:
     return result;
   }
 
-  /// Calls visit(point) for each point of each loop, as often as loops visit it.
+  /// Points of several loops are visited repeatedly.
   template <typename Visitor>
   void ForEachPoint(Visitor&& visit) const
   {
@@ -131,7 +125,7 @@ public:
     }
   }
 
-  /// For each of `points` points 1 when a loop visits it, else 0.
+  /// Marks visited points with 1.
   std::vector<unsigned char> MarkPoints(std::size_t points) const
   {
     std::vector<unsigned char> marks(points, 0);
@@ -139,14 +133,13 @@ public:
     return marks;
   }
 
-  /// How many of `points` points loops visit.
   std::size_t CountPoints(std::size_t points) const
   {
     const std::vector<unsigned char> marks = this->MarkPoints(points);
     return std::size_t(std::count(marks.begin(), marks.end(), 1));
   }
 
-  /// Calls visit(from, to) for each edge, the closing one included. A loop of one point has none.
+  /// Includes the closing edge. A loop of one point has no edge.
   template <typename Visitor>
   void ForEachEdge(Visitor&& visit) const
   {
@@ -156,7 +149,6 @@ public:
     }
   }
 
-  /// The same for one loop.
   template <typename Visitor>
   void ForEachEdgeOf(std::size_t loop, Visitor&& visit) const
   {
@@ -175,7 +167,6 @@ private:
   std::vector<std::size_t> Ends;
 };
 
-/// Where a point of a simplified horizon comes from. The numbers go into an array (Documentation/DataModel.md).
 enum class PointKind : unsigned char
 {
   Boundary = 0,
@@ -185,45 +176,40 @@ enum class PointKind : unsigned char
 
 struct PointOrigin
 {
-  std::int32_t Ring = 0; // of its cell: 1 at the boundary; 0 where cells have no rings
-  unsigned char Level = 0; // how many times the cell was halved
+  std::int32_t Ring = 0; // Ring of the cell, 1 at the boundary; 0 without rings.
+  unsigned char Level = 0; // Number of times the cell was halved.
   PointKind Kind = PointKind::Boundary;
 };
 
-/// One of the cells that a horizon was cut into, for inspection.
+/// A cell of a simplification, for inspection.
 struct SimplificationCell
 {
-  SpacePoint Low; // its least corner, in lattice units
+  SpacePoint Low;
   double Size = 0.0;
-  PointOrigin Origin; // that of the representative of the cell; Boundary for a cell that keeps boundary points
-  double Flatness = 0.0; // of its points; 0 where a stage does not look at it
+  PointOrigin Origin; // Origin of the representative; Boundary for a cell that keeps boundary points.
+  double Flatness = 0.0; // 0 if the stage does not use it.
   std::int32_t Patch = 0;
-  std::int32_t Points = 0; // how many input points it holds
+  std::int32_t Points = 0;
 };
 
-/// What a simplification made of the points of a horizon.
 struct Reduction
 {
-  /// For each input point the output point that represents it: itself, or the one it was merged into.
+  /// Output point that represents each input point.
   std::vector<PointId> Target;
-  /// For each output point the input point it is, or the input point of its group that lies nearest to it.
+  /// Input point at each output point, or nearest to it in its group.
   std::vector<PointId> Source;
-  /// For each output point: 1 when it is the barycentre of several input points, else 0. Bytes, because the bits of a
-  /// std::vector<bool> cannot be written by several threads at a time.
+  /// 1 if the output point is the barycentre of several input points. Threads cannot write bits of a std::vector<bool>.
   std::vector<unsigned char> Averaged;
-  /// For each output point its place: in the plane in sub-voxels, of which a column has so many, in lattice units
-  /// upwards.
+  /// Position per output point: x and y in sub-voxels, height in lattice units.
   std::vector<PlanePoint> Plane;
   std::vector<double> Height;
   std::int32_t SubVoxelsPerColumn = 1;
-  /// The loops over the output points.
   Loops Boundary;
-  /// For each output point the cell it comes from. Empty where a stage has no cells.
+  /// Empty without cells.
   std::vector<PointOrigin> Origin;
-  /// For each output point how flat the points of that cell were (thesis eq. 4.5). Empty where a stage does not look at
-  /// it.
+  /// Flatness of the cell's points (thesis eq. 4.5); empty if the stage does not use it.
   std::vector<double> Flatness;
-  /// The cells, when they were asked for.
+  /// Empty unless requested.
   std::vector<SimplificationCell> Cells;
 };
 }
