@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Outlines are cut by the rows of the lattice. Where an edge has the surface to its right, a run of covered columns
-// begins with the first column that is not left of the edge, and where it has the surface to its left, the run ends
-// with the last column that is not right of it. Counted just above and just below each row, no edge along a row
-// matters.
+// Rows of the lattice cut the outlines. A run of covered columns begins at an edge with the surface to its right, and
+// ends at an edge with the surface to its left. Counting just above and just below each row makes edges along rows
+// irrelevant.
 
 #include "CoveredColumns.h"
 
@@ -17,7 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16; // points
+constexpr std::int64_t ChunkSize = 1 << 16;
 
 std::int64_t FloorQuotient(std::int64_t value, std::int64_t divisor)
 {
@@ -29,7 +28,7 @@ std::int64_t CeilQuotient(std::int64_t value, std::int64_t divisor)
   return -FloorQuotient(-value, divisor);
 }
 
-/// The edges of loops but for those that they go along in both directions.
+/// Omits edges that loops follow in both directions.
 std::vector<Edge> ListOneWayEdges(const Loops& boundary)
 {
   std::vector<Edge> edges;
@@ -67,7 +66,7 @@ CoveredColumns::CoveredColumns(
     [&](PointId from, PointId to)
     {
       const std::int32_t row = vertices[from].Y;
-      if (rows.Kept && row == *rows.Kept && row == vertices[to].Y) // parts are on whole columns
+      if (rows.Kept && row == *rows.Kept && row == vertices[to].Y) // Parts are on whole columns.
       {
         const auto [least, greatest] = std::minmax(vertices[from].X, vertices[to].X);
         this->Changes.push_back({ row, least, 1 });
@@ -89,7 +88,7 @@ void CoveredColumns::AddEdge(const PlanePoint& from, const PlanePoint& to, std::
   for (std::int64_t row = CeilQuotient(low.Y, subVoxelsPerColumn); rise > 0 && row <= last; ++row)
   {
     const std::int64_t y = row * subVoxelsPerColumn;
-    const std::int64_t x = low.X * rise + (y - low.Y) * way; // of the cut, times the rise
+    const std::int64_t x = low.X * rise + (y - low.Y) * way; // Intersection, times the rise.
     const std::int32_t sides = (y > low.Y ? 1 : 0) + (y < high.Y ? 1 : 0);
     const std::int64_t column =
       isUp ? CeilQuotient(x, rise * subVoxelsPerColumn) : FloorQuotient(x, rise * subVoxelsPerColumn) + 1;
@@ -138,7 +137,6 @@ std::int64_t CoveredColumns::Count() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The run that a column is in, or null.
 const CoveredColumns::Run* CoveredColumns::FindRun(const PlanePoint& column) const
 {
   const auto after = std::upper_bound(this->Runs.begin(), this->Runs.end(), column,
@@ -163,7 +161,7 @@ Ledger CoveredColumns::Account(PlanePoints columns, const std::vector<unsigned c
         ++point;
         continue;
       }
-      for (; point < std::size_t(last) && run->Contains(columns[point]); ++point) // as points come row by row
+      for (; point < std::size_t(last) && run->Contains(columns[point]); ++point) // Points are mostly row-major.
       {
         ++ledger[entryOf(point)];
       }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which columns a surface covers, and the ledger of its points (Ledger.h).
+// Finds the columns that a surface covers, and the ledger of its points (Ledger.h).
 
 #ifndef SeismicHorizonsCoveredColumns_h
 #define SeismicHorizonsCoveredColumns_h
@@ -15,32 +15,30 @@
 
 namespace SeismicHorizons
 {
-/// Rows that parts of a surface share, which one of them counts (SurfaceJoin.h).
+/// Rows between parts of a surface are counted once (SurfaceJoin.h).
 struct SharedRows
 {
-  std::optional<std::int32_t> Left; // counted by another part
-  std::optional<std::int32_t> Kept; // counted here, also where edges along it have no area beside them
+  std::optional<std::int32_t> Left; // Another part counts this row.
+  std::optional<std::int32_t> Kept; // Counted here, even along edges without area.
 };
 
-/// The columns inside closed outlines and on them. Edges in both directions, as around a single row of points, enclose
-/// nothing. Memory and time follow from the rows that edges cross, and not from the area.
+/// Columns inside closed outlines and on them. Edges in both directions enclose nothing. Memory and time depend on the
+/// rows that edges cross, not on the area.
 class CoveredColumns
 {
 public:
-  /// What loops enclose, with the surface to their right. Vertices are in columns, or in sub-voxels.
+  /// The surface is to the right of loops. Vertices are columns or sub-voxels.
   CoveredColumns(PlanePoints vertices, const Loops& boundary, std::int32_t subVoxelsPerColumn,
     const SharedRows& rows = SharedRows());
 
   std::int64_t Count() const;
 
-  /// Whether these are the columns of a part.
   bool ArePart() const { return this->Rows.Left || this->Rows.Kept; }
 
-  /// The ledger of points with a column each. `filled` has for each the value of the array Filled, or is empty.
+  /// `filled` has the array Filled, or is empty.
   Ledger Account(PlanePoints columns, const std::vector<unsigned char>& filled) const;
 
 private:
-  /// Columns of a row, both included.
   struct Run
   {
     std::int32_t Row;
@@ -52,7 +50,7 @@ private:
       return column.Y == this->Row && this->First <= column.X && column.X <= this->Last;
     }
   };
-  /// How much more of the surface there is from a column of a row on.
+  /// Layers of the surface that begin or end at a column.
   struct Change
   {
     std::int32_t Row;
@@ -65,8 +63,8 @@ private:
   const Run* FindRun(const PlanePoint& column) const;
 
   SharedRows Rows;
-  std::vector<Change> Changes; // until there are runs
-  std::vector<Run> Runs; // by rows and columns
+  std::vector<Change> Changes;
+  std::vector<Run> Runs;
 };
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Marks faulted links: each column has a bit for the link to the east (i + 1) and one for the link to the north (j +
-// 1), even without points. Blocks of 8 by 8 columns with a cut are in a hash table with open addressing, of which at
-// most a quarter is used, so that nearly all look-ups end at the first key.
+// 1), even without points. Blocks of 8 by 8 columns with a cut are in a hash table with open addressing, at
+// most a quarter full, so that nearly all look-ups end at the first key.
 
 #ifndef SeismicHorizonsLinkCuts_h
 #define SeismicHorizonsLinkCuts_h

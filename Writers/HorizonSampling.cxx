@@ -46,7 +46,7 @@ void CheckLines(const LineNumbering& lines)
 
 SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
 {
-  ReadLattice(horizon); // refuses what is no lattice
+  ReadLattice(horizon); // Refuses horizons without a valid lattice.
   const std::array<int, 3> size = ReadLatticeDimensions(horizon);
   SurveyLattice lattice = MakeLatticeFrame(size, ReadLatticeMap(horizon), VerticalDirection::Up).Lattice;
   vtkDataArray* const lines = horizon->GetFieldData()->GetArray(FieldArray::LineNumbers);
@@ -59,7 +59,6 @@ SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
   return lattice;
 }
 
-/// The horizon as it is being sampled.
 class Sampler
 {
 public:
@@ -124,7 +123,7 @@ private:
     return isReal && array->GetName() && array->GetNumberOfComponents() == 1 && !IsOwnArray(array->GetName());
   }
 
-  /// Takes the place of each point.
+  /// `places` has an index for each point.
   void AddAttribute(vtkDataArray* array, const std::vector<std::size_t>& places)
   {
     PickAttribute attribute = { array->GetName(), std::vector<double>(this->Columns.Z.size(), Null) };
@@ -143,8 +142,8 @@ private:
 
 namespace
 {
-// A lattice may have so many columns in all, or so many for each of the horizon, to be written as a grid.
-constexpr std::int64_t EnoughColumns = 1 << 22; // take 32 MB, and about 40 in a file
+// A grid may have more columns than either limit alone.
+constexpr std::int64_t EnoughColumns = 1 << 22; // They take 32 MB, and about 40 MB in a file.
 constexpr std::int64_t MostColumnsPerValue = 10000;
 
 void RequireDense(const std::array<int, 3>& dimensions, const std::vector<double>& z)

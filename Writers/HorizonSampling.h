@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// From points and meshes to z at the columns of their lattice.
 
 #ifndef SeismicHorizonsHorizonSampling_h
 #define SeismicHorizonsHorizonSampling_h
@@ -17,20 +15,19 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Whether point arrays of that name are of readers and stages, and say nothing of the picks but their places.
+/// Stages and readers write such arrays, which are no attributes.
 bool IsOwnArray(const std::string& name);
 
-/// How many columns the lattice of a horizon of some points has. Throws InputError from 2^31 on: a file with something
-/// for each of them would fill disks, and mostly is of a few points that are far apart.
+/// Throws InputError for 2^31 columns and more, which mostly come from a few distant points, and would fill disks.
 std::size_t CountColumns(int columns, int rows, std::int64_t points);
 
-/// The horizon on the columns that it has, with z as `sign` times world z. Point arrays of real numbers, other than
-/// those that stages keep for themselves, are attributes; meshes have none. Throws InputError on a horizon without a
-/// lattice, on points off its columns where there are no triangles, and on polygons that are no triangles.
+/// z is `sign` times world z. Point arrays of real numbers are attributes, except the stages' own; meshes have none.
+/// Throws InputError without a lattice, for points off columns without triangles, and for polygons other than
+/// triangles.
 HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor);
 
-/// The same over its whole lattice, without attributes. Throws InputError on a lattice of 2^31 columns or more, on a
-/// large one of which the horizon has hardly any, and on a mesh over no column.
+/// Covers the whole lattice, without attributes. Throws InputError for 2^31 columns and more, for a large lattice that
+/// is nearly empty, and for a mesh over no column.
 HorizonGrid SampleWholeLattice(vtkPolyData* horizon, int sign, const Monitor& monitor);
 }
 

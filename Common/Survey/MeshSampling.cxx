@@ -15,17 +15,16 @@ namespace SeismicHorizons
 {
 namespace
 {
-// World coordinates of surveys are rounded by this many columns at most, so that a column as far outside a triangle is
-// on its edge, and a point as far from a column is on it.
+// In columns; world coordinates are rounded. Within this distance a column is on an edge, and a point on a column.
 constexpr double Rounding = 1e-6;
 
-/// Twice the area of a triangle seen from above, positive when it turns counter-clockwise.
+/// Twice the area from above, positive for counterclockwise triangles.
 double Area(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c)
 {
   return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
 }
 
-/// The first and last whole number within a range, widened by the rounding, and within 0 to below `size`.
+/// Widens the range by the rounding, and clips it to 0 to `size` - 1.
 std::array<int, 2> WholeRange(double least, double most, int size)
 {
   const double first = std::max(std::ceil(least - Rounding), 0.0);
@@ -33,7 +32,6 @@ std::array<int, 2> WholeRange(double least, double most, int size)
   return first <= last ? std::array<int, 2>{ int(first), int(last) } : std::array<int, 2>{ 0, -1 };
 }
 
-/// A triangle over a row of columns.
 class TriangleRow
 {
 public:
@@ -49,7 +47,6 @@ public:
     return this->FullArea == 0.0 ? std::array<int, 2>{ 0, -1 } : WholeRange(least, most, size);
   }
 
-  /// The columns of a row between the sides that it crosses.
   std::array<int, 2> Columns(int row, int size) const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -80,7 +77,7 @@ public:
     return a->Z + ofB * (b->Z - a->Z) + ofC * (c->Z - a->Z);
   }
 
-  /// Whether a column is inside by more than rounding. On a side another triangle may have another height: at a fault.
+  /// At a fault another triangle may have another height on the edge.
   bool HasInside(int i, int j) const
   {
     const SpacePoint column = { double(i), double(j), 0.0 };
@@ -96,7 +93,7 @@ public:
     return isInside;
   }
 
-  /// How far heights may be apart by rounding of the column.
+  /// Rounding of the column changes heights by this much.
   double Tolerance() const
   {
     const auto [least, most] = std::minmax({ this->Corners[0]->Z, this->Corners[1]->Z, this->Corners[2]->Z });

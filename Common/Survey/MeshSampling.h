@@ -15,8 +15,7 @@
 
 namespace SeismicHorizons
 {
-/// The heights of a mesh at the columns of a lattice, from (0, 0) on, that it covers. Points and heights are in lattice
-/// units.
+/// Heights of a mesh at the columns of a lattice, from (0, 0), in lattice units.
 class MeshSampling
 {
 public:
@@ -25,15 +24,15 @@ public:
   {
   }
 
-  /// A column on the edge of a triangle is on it, and of several triangles over one column the first counts. Throws
-  /// InputError where a column is inside a triangle and has another height already.
+  /// Edges belong to triangles, and the first triangle over a column counts. Throws InputError if a column inside a
+  /// triangle already has another height.
   void AddTriangles(const std::vector<SpacePoint>& points, const std::vector<std::array<PointId, 3>>& triangles,
     const Monitor& monitor = Monitor());
-  /// Spurs of a horizon have no triangles: a point on a column without a height gives it heightOf(point).
+  /// Spurs of a horizon have no triangles; their points give heightOf(point) to columns without a height.
   void AddBarePoints(const std::vector<SpacePoint>& points, const std::function<double(std::size_t point)>& heightOf);
 
   ColumnTiles Tiles;
-  std::vector<double> Heights; // by place in the tiles, nan where there is none
+  std::vector<double> Heights; // Indexed by Tiles; nan without a height.
 
 private:
   double& At(int i, int j);
