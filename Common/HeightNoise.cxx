@@ -18,15 +18,13 @@ namespace
 constexpr double ErrorPerNoise = 6.0;
 constexpr std::int32_t LongestStride = 32;
 
-/// Differences along one axis.
 struct Differences
 {
-  std::vector<double> Second; // sizes
-  double LeastStep = 1.0; // between neighbours
+  std::vector<double> Second; // Absolute values.
+  double LeastStep = 1.0; // Between neighbours.
 };
 
-/// One of so many points, each time another one (by the fraction of the golden ratio), as noise may return with the
-/// rows.
+/// The golden ratio spreads the sample, since noise may repeat with the rows.
 std::vector<std::size_t> SamplePoints(std::size_t points)
 {
   constexpr std::size_t enough = 100000;
@@ -42,7 +40,7 @@ std::vector<std::size_t> SamplePoints(std::size_t points)
   return sample;
 }
 
-/// Of columns that are the least stride apart with which one in a hundred points has both neighbours.
+/// Uses the least stride at which one in a hundred points has both neighbours.
 Differences Measure(const ColumnIndex& index, const std::vector<double>& heights, const PlanePoint& axis, double digits)
 {
   const PlanePoints columns = index.Columns();
@@ -67,8 +65,8 @@ Differences Measure(const ColumnIndex& index, const std::vector<double>& heights
   return found;
 }
 
-/// The standard deviation of normal noise by the median size of its second differences, which spikes and steps do not
-/// change; where it is less, their root mean square: medians of whole numbers leap.
+/// Estimates the deviation from the median of second differences, which ignores spikes and steps, or from their root
+/// mean square if that is less: medians of integers jump.
 double NoiseOf(std::vector<double> sizes)
 {
   if (sizes.empty())
@@ -81,7 +79,7 @@ double NoiseOf(std::vector<double> sizes)
   const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   const double deviation = std::min(deviationPerMedian * *middle, std::sqrt(squares / double(sizes.size())));
-  return deviation / std::sqrt(6.0); // they have 1, -2 and 1 times the noise
+  return deviation / std::sqrt(6.0); // Second differences have 1, -2 and 1 times the noise.
 }
 }
 
@@ -92,7 +90,7 @@ double ChooseMaximumError(PlanePoints columns, const std::vector<double>& height
   {
     return 0.0;
   }
-  const double digits = 1e-6 * // of single precision
+  const double digits = 1e-6 * // Single precision.
     std::abs(
       *std::max_element(heights.begin(), heights.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
   const ColumnIndex index(columns, 1, LongestStride);

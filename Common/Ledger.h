@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The ledger accounts for all columns of a horizon, a mesh or a layer: each column is in exactly one of five entries.
+// Accounts for all columns of a horizon, a mesh or a layer: each column is in exactly one of five entries.
 
 #ifndef SeismicHorizonsLedger_h
 #define SeismicHorizonsLedger_h
@@ -13,21 +13,21 @@
 
 namespace SeismicHorizons
 {
-/// The entries of the ledger, in the order of the components of its arrays.
+/// In the order of the components of its arrays.
 enum class LedgerEntry
 {
-  Known, // the column has a point that was read, and is in the result
-  Filled, // hole filling or gridding computed a height between known columns
-  Bridged, // triangles or cells cover the column, which has no point
-  Extrapolated, // a height was computed outside the known columns
-  LeftOut // the column has a point, which the result does not cover
+  Known, // The column has a point that was read, and is in the result.
+  Filled, // Hole filling or gridding computed a height between known columns.
+  Bridged, // Triangles or cells cover the column, which has no point.
+  Extrapolated, // A height was computed outside the known columns.
+  LeftOut // The column has a point that the result does not cover.
 };
 
 constexpr std::size_t LedgerEntries = 5;
 constexpr std::array<const char*, LedgerEntries> LedgerNames = { "Known", "Filled", "Bridged", "Extrapolated",
   "LeftOut" };
 
-/// Columns per entry. The area of an entry is its number of columns times the area of a bin.
+/// Columns per entry; the area is their number times the area of a bin.
 struct Ledger
 {
   std::array<std::int64_t, LedgerEntries> Columns{};
@@ -35,7 +35,6 @@ struct Ledger
   std::int64_t& operator[](LedgerEntry entry) { return this->Columns[std::size_t(entry)]; }
   std::int64_t operator[](LedgerEntry entry) const { return this->Columns[std::size_t(entry)]; }
 
-  /// Columns that the result has: all but those left out.
   std::int64_t Covered() const
   {
     std::int64_t sum = 0;
@@ -46,7 +45,6 @@ struct Ledger
     return sum;
   }
 
-  /// Columns with a point that was read.
   std::int64_t Read() const { return (*this)[LedgerEntry::Known] + (*this)[LedgerEntry::LeftOut]; }
 
   void Add(const Ledger& other)
@@ -57,7 +55,7 @@ struct Ledger
     }
   }
 
-  /// Makes n columns the covered ones where nobody knows any more which have points: those without lose or gain first.
+  /// Sets the covered columns to n if it is unknown which have points; entries without points change first.
   void CoverOnly(std::int64_t n)
   {
     (*this)[LedgerEntry::Bridged] += std::max<std::int64_t>(0, n - this->Covered());
@@ -71,7 +69,7 @@ struct Ledger
   }
 };
 
-/// The entry of a point in the result by its value of the array Filled.
+/// `filled` is the value of the array Filled.
 constexpr LedgerEntry EntryOf(unsigned char filled)
 {
   return filled == 0 ? LedgerEntry::Known : filled == 1 ? LedgerEntry::Filled : LedgerEntry::Extrapolated;

@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> MakeHorizonPoints(LatticeHorizon horizon, const Lat
     MoveToArray<vtkDoubleArray>(data, PointArray::Amplitude, horizon.Amplitude);
   }
   MoveToArray<vtkDoubleArray>(data, PointArray::RealZ, horizon.RealZ);
-  data->RemoveArray(PointArray::PointCount); // Each point stands for a single one, whatever the file's attribute says.
+  data->RemoveArray(PointArray::PointCount); // Each point represents itself, despite such an attribute.
   data->SetActiveScalars(PointArray::VerticalIndex);
   points->SetVerts(MakeVertices(numberOfPoints));
 

@@ -55,7 +55,7 @@ void SetNames(const std::vector<std::string>& names, int settingOfOthers, vtkDat
   selection->SetArraysWithDefault(texts.data(), static_cast<int>(texts.size()), settingOfOthers);
 }
 
-/// Names keep their choice; new ones are enabled. `disabled` keeps the choice for names that reappear.
+/// Names keep their choice; new names are enabled. `disabled` keeps the choice for names that reappear.
 void ListNames(
   const std::vector<std::string>& names, vtkDataArraySelection* selection, std::unordered_set<std::string>& disabled)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fields without names are recognised by their values. Ambiguous ones are refused, since a wrong guess gives a wrong
+// Fields without names are recognised by their values. Ambiguous fields are refused, since a wrong guess gives a wrong
 // horizon.
 
 #ifndef SeismicHorizonsColumnDoubts_h

@@ -14,7 +14,7 @@ namespace SeismicHorizons
 struct TextOptions
 {
   std::string Columns; // See ParseColumnList; empty to detect the fields.
-  std::string NullValues; // Added to the usual ones, see NullValues.
+  std::string NullValues; // Added to the usual values, see NullValues.
   int HeaderLines = 0; // Skipped before any other header.
 
   bool operator==(const TextOptions& other) const

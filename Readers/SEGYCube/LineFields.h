@@ -33,7 +33,7 @@ bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trac
 
 /// Finds fields that form a grid. Both vary and repeat; at most 5 % of the traces share a bin, or 50 % with
 /// `mayRepeat`; at least 10 % of the bins have traces. Among pairs within 0.15 of the fullest grid the first of the
-/// usual ones is used; the fields of x and y only with numbers up to 99,999. Else a line is accepted, with one constant
+/// usual pairs is used; the fields of x and y only with numbers up to 99,999. Else a line is accepted, with one constant
 /// field and another that differs for each trace. Throws InputError for different offsets (pre-stack data).
 std::optional<FieldPair> FindLineFields(
   const TraceTable& table, bool mayRepeat = false, const Monitor& monitor = Monitor());

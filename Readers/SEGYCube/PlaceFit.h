@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fits a lattice to places with line numbers, of which a few may be wrong.
+// Fits a lattice to places with line numbers; a few may be wrong.
 
 #ifndef SeismicHorizonsPlaceFit_h
 #define SeismicHorizonsPlaceFit_h

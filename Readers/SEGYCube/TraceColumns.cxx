@@ -237,7 +237,7 @@ void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lin
   cube.Traces.assign(columns, NoTrace);
   cube.MissingTraces = std::int64_t(columns);
   std::array<int, 2> previous = { 0, 0 };
-  std::int64_t alongCrosslines = 0; // Neighbouring traces on a crossline, minus those on an inline.
+  std::int64_t alongCrosslines = 0; // Steps between traces along crosslines, minus steps along inlines.
   for (std::int64_t trace = 0; trace < table.Traces; ++trace)
   {
     if (!lines.IsUsed(trace))

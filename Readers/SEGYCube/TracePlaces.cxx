@@ -139,7 +139,7 @@ PlacedTraces LinesForPlaces(const std::string& problems, const LineNumbering& nu
   return placed;
 }
 
-/// Uses fields that follow the line numbers, with a warning, for lack of better ones.
+/// Uses fields that follow the line numbers, with a warning, for lack of better fields.
 PlacedTraces UseDoubtful(PlacedTraces doubtful, bool areLineNumbers, const LineNumbering& numbering)
 {
   if (areLineNumbers)

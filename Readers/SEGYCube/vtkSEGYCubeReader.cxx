@@ -241,7 +241,7 @@ int vtkSEGYCubeReader::RequestData(vtkInformation* request, vtkInformationVector
     {
       StopLikeInformation(this, this->IsInformationStopped);
       line->Initialize();
-      output->Initialize(); // Otherwise an image keeps its scalars besides the new ones.
+      output->Initialize(); // Otherwise an image keeps its scalars besides the new scalars.
       // The file may have changed since RequestInformation.
       this->UpdateContent(monitor.Step(0.0, 0.1));
       CubeExtent extent;

@@ -45,7 +45,7 @@ public:
   const SparseMatrixSize& Size() const { return this->Cells; }
   const SparseMatrixVerticalFit& VerticalFit() const { return this->Fit; }
 
-  /// Returns all listed horizons; only those at `places` are certain to have voxels.
+  /// Returns all listed horizons; only horizons at `places` are certain to have voxels.
   virtual SparseMatrix Take(const std::vector<int>& places, const Monitor& monitor) = 0;
 
   virtual int CountRows() const { return 0; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Summarises files larger than memory, of which some rows are read at a time.
+// Summarises files larger than memory, from which rows are read in parts.
 
 #ifndef SeismicHorizonsSparseMatrixOverview_h
 #define SeismicHorizonsSparseMatrixOverview_h
