@@ -29,9 +29,8 @@ struct ColumnSheets
   std::int64_t Dropped = 0;
 };
 
-/// Points must be sorted by j, then i; heights are finite, in any unit. A sheet has at most one point per column. Drops
-/// points of a column beyond the largest number of sheets, points above their own part, and points that need a further
-/// sheet. Time is of order n log n.
+/// Points must be sorted by j, then i; heights are finite. A sheet has at most one point per column; points above their
+/// own part, or beyond the largest number of sheets, are dropped. Time is of order n log n.
 ColumnSheets SplitIntoSheets(PlanePoints columns, const std::vector<double>& heights);
 }
 

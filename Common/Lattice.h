@@ -31,9 +31,8 @@ class Lattice
 public:
   Lattice() = default;
 
-  /// `dimensions` count columns along i and j and vertical indices; `toWorld` maps (i, j, k) to the world. Throws
-  /// InputError for dimensions that are not positive, or 2^28 and more along i or j, and for a map that is not finite,
-  /// affine, invertible and vertical: x and y must not depend on k, nor z on i and j.
+  /// `dimensions` are along i, j and k, below 2^28 along i and j; `toWorld` is affine and invertible, x and y do not
+  /// depend on k, nor z on i and j. Throws InputError for others.
   Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& toWorld);
 
   Eigen::Vector3d ToLattice(const Eigen::Vector3d& world) const { return this->FromWorld * world; }

@@ -55,7 +55,7 @@ struct Ledger
     }
   }
 
-  /// Sets the covered columns to n if it is unknown which have points; entries without points change first.
+  /// Sets the covered columns to n if it is unknown which have points; Bridged changes first.
   void CoverOnly(std::int64_t n)
   {
     (*this)[LedgerEntry::Bridged] += std::max<std::int64_t>(0, n - this->Covered());

@@ -3,6 +3,12 @@
 //
 // Checks meshes independently of the code that makes them. Tests use it, and builds with SEISMICHORIZONS_CHECK_MESHES
 // check all meshes.
+//
+// CheckTriangles requires that triangles are counterclockwise; an edge has at most one triangle on each side; areas sum
+// to the area of the boundary; all points are used; edges with one triangle are boundary edges with surface on one
+// side; and for Kind::Delaunay other edges are locally Delaunay, unless the boundary runs along them in both
+// directions. So every place inside the boundary is in one triangle, and no other place is in any: a path that leaves a
+// triangle enters another one, except across the boundary.
 
 #ifndef SeismicHorizonsMeshChecker_h
 #define SeismicHorizonsMeshChecker_h
@@ -32,15 +38,7 @@ enum class Kind
   Any
 };
 
-/// The surface is to the right of the boundary. Triangles must be counterclockwise; an edge has at most one triangle on
-/// each side; areas sum to the area of the boundary; all points are used; edges with one triangle are boundary edges
-/// with surface on one side; and for Kind::Delaunay other edges are locally Delaunay, unless the boundary runs along
-/// them in both directions.
-///
-/// So every place inside the boundary is in one triangle, and no other place is in any: a path that leaves a triangle
-/// enters another one, except across the boundary.
-///
-/// Returns the first problem, or an empty text.
+/// The surface is to the right of the boundary. Returns the first problem, or an empty text.
 std::string CheckTriangles(
   const std::vector<PlanePoint>& plane, const Loops& boundary, const Triangles& triangles, Kind kind = Kind::Delaunay);
 

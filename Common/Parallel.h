@@ -4,6 +4,9 @@
 // In the module loops run on vtkSMPTools, whose back-end and threads users choose (VTK/SMPToolsLoop.cxx); in programs
 // without VTK on std::thread (ThreadLoop.cxx). A program links one of the two. Work on one range must not access data
 // that another range writes, so that results do not depend on threads.
+//
+// Exceptions do not stop other ranges. So work that throws at the first wrong item of its range reports the first wrong
+// item of all.
 
 #ifndef SeismicHorizonsParallel_h
 #define SeismicHorizonsParallel_h
@@ -63,10 +66,7 @@ int& NumberOfThreads();
 }
 
 /// Calls work(first, last) for ranges of about `grain` or more indices, which cover 0 to `size`, `last` excluded, in
-/// any order and in parallel.
-///
-/// An exception does not stop other ranges; the exception of the lowest range is rethrown at the end. So work that
-/// throws at the first wrong item of its range reports the first wrong item of all.
+/// any order and in parallel. Rethrows the exception of the lowest range after all ranges.
 template <typename Work>
 void ParallelFor(std::int64_t size, std::int64_t grain, Work&& work)
 {

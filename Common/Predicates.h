@@ -3,6 +3,12 @@
 //
 // Exact geometric predicates for coordinates below 2^29 (PlanePoint): signed areas fit 64 bits, and in-circle
 // determinants 128.
+//
+// On a lattice many quadrangles are cocircular, and diagonals must be consistent. Circles of InCircle are therefore of
+// the metric x^2 + y^2 + e x y + e^2 x^2 with infinitesimal e > 0, which gives the Delaunay triangulation of
+// infinitesimally sheared points. Only parallel diagonals could leave all three terms undecided, and diagonals of a
+// convex quadrangle cross. The answer depends on positions alone, not on the order of points, the search, or the
+// origin.
 
 #ifndef SeismicHorizonsPredicates_h
 #define SeismicHorizonsPredicates_h
@@ -61,11 +67,6 @@ inline bool OnOpenSegment(const PlanePoint& a, const PlanePoint& b, const PlaneP
 
 /// Positive if d is inside the circle through a, b and c, which must be counterclockwise, and negative if it is
 /// outside; never 0 for the corners of a convex quadrangle.
-///
-/// On a lattice many quadrangles are cocircular, and diagonals must be consistent. Circles are therefore of the metric
-/// x^2 + y^2 + e x y + e^2 x^2 with infinitesimal e > 0, which gives the Delaunay triangulation of infinitesimally
-/// sheared points. Only parallel diagonals could leave all three terms undecided, and diagonals of a convex quadrangle
-/// cross. The answer depends on positions alone, not on the order of points, the search, or the origin.
 int InCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d);
 }
 

@@ -142,7 +142,7 @@ private:
 
 namespace
 {
-// A grid may have more columns than either limit alone.
+// The larger of both limits applies to the columns of a grid.
 constexpr std::int64_t EnoughColumns = 1 << 22; // They take 32 MB, and about 40 MB in a file.
 constexpr std::int64_t MostColumnsPerValue = 10000;
 

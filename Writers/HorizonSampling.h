@@ -22,8 +22,7 @@ bool IsOwnArray(const std::string& name);
 std::size_t CountColumns(int columns, int rows, std::int64_t points);
 
 /// z is `sign` times world z. Point arrays of real numbers are attributes, except the stages' own; meshes have none.
-/// Throws InputError without a lattice, for points off columns without triangles, and for polygons other than
-/// triangles.
+/// Throws InputError without a lattice, for bare points off columns, and for other polygons.
 HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor);
 
 /// Covers the whole lattice, without attributes. Throws InputError for 2^31 columns and more, for a large lattice that

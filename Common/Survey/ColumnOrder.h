@@ -32,9 +32,8 @@ struct ColumnOrder
 
 std::vector<ColumnOrder> ListPicks(const PickTable& picks);
 
-/// Sorts picks by ascending j, then i, and resolves duplicates by the policy. Without amplitudes the topmost pick
-/// replaces the strongest. Sheets keep all picks of different z, the topmost first. The mean is stored in the topmost
-/// pick.
+/// Sorts by ascending j, then i, and resolves duplicates. Without amplitudes the topmost pick replaces the strongest.
+/// Sheets keep all picks of different z, the topmost first. The topmost pick gets the mean.
 void OrderPicks(
   ColumnOrder& order, PickTable& picks, const std::vector<PlanePoint>& columns, const PlacementOptions& options);
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Vertical indices for horizons with z alone. The vertical step is the unit of thresholds.
+//
+// Without a given step each horizon gets its own, which does not depend on others in the file: the median difference
+// between neighbouring columns of different z, rounded to 1, 2 or 5 times a power of ten, or 1.
 
 #ifndef SeismicHorizonsVerticalSampling_h
 #define SeismicHorizonsVerticalSampling_h
@@ -20,10 +23,8 @@ struct VerticalSampling
   int Indices = 1;
 };
 
-/// Samplings start at a multiple of the step, at most the least z. A given step makes horizons comparable. With 0 each
-/// horizon gets its own, which does not depend on others in the file: the median difference between neighbouring
-/// columns of different z, rounded to 1, 2 or 5 times a power of ten, or 1. Throws InputError for an invalid step, and
-/// for 2^31 indices or more.
+/// Samplings start at a multiple of the step, at most the least z. A given step applies to all horizons. Throws
+/// InputError for an invalid step, and for 2^31 indices or more.
 std::vector<VerticalSampling> FindVerticalSamplings(
   const std::vector<LatticeHorizon>& horizons, double step, const Monitor& monitor = Monitor());
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Runs the work of pipeline requests; failures give one error and an empty output.
+//
+// Exceptions become one error of the algorithm, and a vtkErrorCode. Errors and stops empty the outputs. If one rank
+// fails, all outputs are emptied and all ranks return 0; the first rank reports a common error.
 
 #ifndef SeismicHorizonsPipelineRequest_h
 #define SeismicHorizonsPipelineRequest_h
@@ -26,12 +29,8 @@ struct ImageFrame;
 /// `subject` may be set to a name for errors, such as "Horizon 7".
 using RequestWork = std::function<void(std::string& subject, const Monitor& monitor)>;
 
-/// Returns 1, or 0 after an error. Exceptions become one error of `algorithm`, lack of memory with the text `noMemory`.
-/// Errors and stops empty the outputs, which may be null. `errorCode` must be the algorithm's member, since its setter
-/// would mark the algorithm as modified; it gets a vtkErrorCode.
-///
-/// If one rank fails, the outputs of all are emptied and all return 0. The first rank reports a common error.
-/// Collective.
+/// Returns 1, or 0 after an error. `noMemory` is the text for lack of memory. Outputs may be null. `errorCode` must be
+/// the algorithm's member, since its setter would mark the algorithm as modified. Collective.
 int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outputs, const std::string& noMemory,
   const RequestWork& work, const Ranks& ranks = Ranks(), unsigned long* errorCode = nullptr);
 

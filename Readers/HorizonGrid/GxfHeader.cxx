@@ -173,9 +173,8 @@ Extent FindExtent(const SurveyLattice& lattice)
   return extent;
 }
 
-/// The standard's origin is the first node, and the rotation is the direction of its row, counterclockwise from x.
-/// OpenWorks writes the corner of the bounding box, and adds 90 degrees. Its reading is used if only that fits the
-/// other corner, ##XMAX and ##YMAX, which OpenWorks writes as well.
+/// By the standard the origin is the first node, and the rotation is counterclockwise from x. OpenWorks writes the
+/// corner of the bounding box and adds 90 degrees, which applies if only that fits ##XMAX and ##YMAX.
 SurveyLattice ReadLattice(const GxfFields& fields, const StorageOrder& order)
 {
   std::array<int, 2> columns = { fields.Count("POINTS"), fields.Count("ROWS") };

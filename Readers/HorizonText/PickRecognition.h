@@ -11,9 +11,8 @@
 
 namespace SeismicHorizons
 {
-/// Reads the first 256 kilobytes and rewinds. With an extension of picks, or none, ambiguous fields are accepted, since
-/// the reader explains them. Others need a recognised format, or picks on a lattice without header or below complete
-/// names.
+/// Rewinds the stream. With an extension of picks, or none, ambiguous fields are accepted. Others need a recognised
+/// format, or picks on a lattice without header or below complete names, in the first 256 kilobytes.
 bool ArePicks(std::istream& stream, const std::string& extension);
 }
 

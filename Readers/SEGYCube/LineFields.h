@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Finds the fields of line numbers and places, on which programs do not agree.
+//
+// Fields form a grid if both vary and repeat, at most 5 % of the traces share a bin, and at least 10 % of the bins have
+// traces. Among pairs within 0.15 of the fullest grid the first of the usual pairs is used; the fields of x and y only
+// with numbers up to 99,999. A line has one constant field and another that differs for each trace.
 
 #ifndef SeismicHorizonsLineFields_h
 #define SeismicHorizonsLineFields_h
@@ -31,10 +35,8 @@ std::vector<FieldPair> ListPlaceFields();
 /// Some programs pad files with dead traces without line numbers.
 bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trace);
 
-/// Finds fields that form a grid. Both vary and repeat; at most 5 % of the traces share a bin, or 50 % with
-/// `mayRepeat`; at least 10 % of the bins have traces. Among pairs within 0.15 of the fullest grid the first of the
-/// usual pairs is used; the fields of x and y only with numbers up to 99,999. Else a line is accepted, with one constant
-/// field and another that differs for each trace. Throws InputError for different offsets (pre-stack data).
+/// Finds fields of a grid or a line. `mayRepeat` allows 50 % of the traces to share a bin. Throws InputError for
+/// different offsets (pre-stack data).
 std::optional<FieldPair> FindLineFields(
   const TraceTable& table, bool mayRepeat = false, const Monitor& monitor = Monitor());
 

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Finds the first trace and the length of traces, from the traces themselves, as headers are often wrong.
+//
+// ChooseLayout prefers the shortest traces that fill the file exactly and state the same number of samples, whatever it
+// is; with a multiple of the true length only every second trace, say, would be found. Next best are, in order: the
+// first such layout of the others, a likely layout that is consistent except at the end of the file, the first that
+// fills the file, and the first.
 
 #ifndef SeismicHorizonsSEGYLayout_h
 #define SeismicHorizonsSEGYLayout_h
@@ -31,10 +36,7 @@ struct SEGYExtents
   std::int64_t TraceSize(const SEGYLayout& layout) const;
 };
 
-/// Chooses the shortest traces that fill the file exactly and state the same number of samples, whatever it is; with a
-/// multiple of the true length only every second trace, say, would be found. Next best are, in order: the first such
-/// layout of `others`, a likely layout that is consistent except at the end of the file, the first that fills the file,
-/// and the first.
+/// `likely` and `others` are in order of preference.
 SEGYLayout ChooseLayout(
   const SEGYExtents& file, const std::vector<SEGYLayout>& likely, const std::vector<SEGYLayout>& others);
 }

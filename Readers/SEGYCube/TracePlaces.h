@@ -19,9 +19,8 @@ struct PlacedTraces
   std::vector<std::string> Warnings;
 };
 
-/// Uses the first pair whose places form a lattice. Pairs that follow the line numbers are a last resort, and pairs
-/// that repeat them are ignored; without a pair line numbers are places. Throws InputError if fields of the user have
-/// no lattice, except for a single line.
+/// Uses the first pair on a lattice, pairs that follow the line numbers last, and line numbers if there is none. Throws
+/// InputError if fields of the user have no lattice, except for a single line.
 PlacedTraces PlaceTraces(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
   const SEGYOptions& options, bool isLine, const Monitor& monitor);
 

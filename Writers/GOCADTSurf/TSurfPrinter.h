@@ -14,9 +14,8 @@
 
 namespace SeismicHorizons
 {
-/// Vertices without triangles are omitted, and values that are not finite become a null value. `withBorders` adds
-/// FindBorders instead of the surface's own borders. Throws InputError for coordinates that are not finite, for names
-/// and units that the format cannot hold, and if writing fails.
+/// Omits vertices without triangles. `withBorders` adds FindBorders instead of the surface's own borders. Throws
+/// InputError for invalid coordinates, names and units, and if writing fails.
 void PrintTSurf(const TSurf& surface, bool withBorders, std::ostream& stream, const Monitor& monitor = Monitor());
 }
 

@@ -9,9 +9,8 @@
 
 namespace SeismicHorizons
 {
-/// Resamples a grid onto the axes from the south-western corner of the lattice, so that all grids of a lattice share
-/// nodes. Values are bilinear; a node is null if a column with a weight is. Line numbers are lost. Throws InputError
-/// for a lattice that fills a tiny fraction of its extent, and for a result without values.
+/// Resamples bilinearly from the south-western corner of the lattice, so that all its grids share nodes. Line numbers
+/// are lost. Throws InputError for a lattice that is nearly empty, and for a result without values.
 HorizonGrid MakeUpright(const HorizonGrid& grid, const Monitor& monitor = Monitor());
 }
 

@@ -44,9 +44,8 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
 /// Each layer is a set of elements. Pyramids are wedges with a repeated node.
 void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 
-/// Package DISV of MODFLOW 6. Cells are horizontal, at mean heights, which preserves volume. Where a layer pinches out
-/// between two others it is passed through (idomain -1); elsewhere the cell is absent (0). Throws InputError if cells
-/// of a triangle are not above each other.
+/// DISV of MODFLOW 6. Cells are horizontal, at mean heights, which preserves volume; idomain is -1 where a layer
+/// pinches out, 0 without a cell. Throws InputError if cells of a triangle are not above each other.
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 }
 

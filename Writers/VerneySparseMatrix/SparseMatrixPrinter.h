@@ -15,9 +15,8 @@
 
 namespace SeismicHorizons
 {
-/// Horizons may be in any order. Time is n log n in the voxels and linear in the columns; memory is 16 bytes per voxel.
-/// Throws InputError for repeated surface IDs, voxels outside the lattice or in the same cell, numbers that are not
-/// finite, and if writing fails.
+/// Memory is 16 bytes per voxel. Throws InputError for repeated surface IDs, voxels outside the lattice or in the same
+/// cell, numbers that are not finite, and if writing fails.
 void PrintSparseMatrix(const SparseMatrix& matrix, std::ostream& stream, const Monitor& monitor = Monitor());
 }
 
