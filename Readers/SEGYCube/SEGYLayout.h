@@ -5,7 +5,7 @@
 //
 // ChooseLayout prefers the shortest traces that fill the file exactly and state the same number of samples, whatever it
 // is; with a multiple of the true length only every second trace, say, would be found. Next best are, in order: the
-// first such layout of the others, a likely layout that is consistent except at the end of the file, the first that
+// shortest such layout of the others, a likely layout that is consistent except at the end of the file, the first that
 // fills the file, and the first.
 
 #ifndef SeismicHorizonsSEGYLayout_h
