@@ -109,7 +109,7 @@ public:
 
   ///@{
   /**
-   * Where layers are. EachLayer: where both horizons of a layer are. Common: where all horizons are, with outlines simplified within MaximumError, at most 2 columns on the map, and small holes closed. Default:
+   * Where layers are. EachLayer: where both horizons of a layer are. Common: where all horizons are, with outlines simplified within MaximumError, at most 0.75 columns on the map, and small holes closed. Default:
    * EachLayer.
    */
   vtkSetClampMacro(Domain, int, EachLayer, Common);

@@ -166,8 +166,8 @@ public:
 
   ///@{
   /**
-   * Whether the tolerance of outlines on the map, in columns, is the error of the mesh, but at most 2 unless the target
-   * is NumberOfTriangles. Off: OutlineTolerance. Default: on.
+   * Whether the tolerance of outlines on the map, in columns, is the error of the mesh, but at most 0.75 unless the
+   * target is NumberOfTriangles. Off: OutlineTolerance. Default: on.
    */
   vtkSetMacro(AutomaticOutlineTolerance, bool);
   vtkGetMacro(AutomaticOutlineTolerance, bool);

@@ -263,7 +263,7 @@ void TestErrorUnits()
   surface->SetMaximumError(5.0);
   surface->Update();
   CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "ChosenMaximumError"), 1.25);
-  CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "ChosenOutlineTolerance"), 1.25);
+  CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "ChosenOutlineTolerance"), 0.75);
   surface->SetErrorUnitToDiagonal();
   surface->SetMaximumError(1.25 / std::sqrt(29.0 * 29.0 + 23.0 * 23.0 + 12.0 * 12.0));
   surface->Update();

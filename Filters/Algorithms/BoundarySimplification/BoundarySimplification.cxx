@@ -185,17 +185,18 @@ bool LoopGuard::IsClear(std::size_t before, std::size_t middle, std::size_t afte
 }
 
 // ---- Loops ---------------------------------------------------------------------------------------------------------
-int FindLongestHop(const SpacePoints& points, const Loops& boundary)
+/// An edge may cross an empty band that an index would remove.
+bool HasLongEdges(const SpacePoints& points, const Loops& boundary)
 {
-  double longest = 1.0;
+  bool hasLong = false;
   boundary.ForEachEdge(
     [&](PointId from, PointId to)
     {
       const SpacePoint a = points[from];
       const SpacePoint b = points[to];
-      longest = std::max({ longest, std::abs(a.X - b.X), std::abs(a.Y - b.Y) });
+      hasLong = hasLong || std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y)) > ColumnIndex::LongestReach;
     });
-  return int(longest);
+  return hasLong;
 }
 
 struct SpannedPoint
@@ -223,16 +224,13 @@ public:
     }
     if (options.Method == OutlineMethod::FewestPoints)
     {
-      const int longestHop = FindLongestHop(points, boundary);
       if (!options.Index)
       {
-        // An edge may cross an empty band that an index would remove.
-        this->OwnIndex.emplace(points.Columns(), 1,
-          longestHop > ColumnIndex::LongestReach ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
+        this->OwnIndex.emplace(
+          points.Columns(), 1, HasLongEdges(points, boundary) ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
       }
       this->Fewest.emplace(points, options.Index ? *options.Index : *this->OwnIndex, this->Visits,
-        options.OutlineTolerance, options.DistanceThreshold, longestHop,
-        [this]() { this->Watch.Progress(this->Part); });
+        options.OutlineTolerance, options.DistanceThreshold, [this]() { this->Watch.Progress(this->Part); });
     }
     else if (options.OutlineTolerance > 0.0)
     {

@@ -11,7 +11,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -162,11 +161,6 @@ constexpr std::size_t ReachOfBar = 2 * LookBack;
 
 constexpr std::size_t RunEnd = 32;
 
-// This is in columns; wider openings are bays, which large tolerances may close.
-constexpr std::int32_t WidestGap = 8;
-constexpr std::array<PlanePoint, 8> EightSteps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 }, { -1, 0 }, { -1, -1 },
-  { 0, -1 }, { 1, -1 } } };
-
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 }
 
@@ -209,24 +203,6 @@ void ShortcutGuard::SetChain(const std::vector<PointId>& chain)
   {
     this->PositionOf(chain[position]) = position;
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::size_t ShortcutGuard::StepsTo(std::size_t position, PointId point) const
-{
-  const std::int64_t number = this->OnLoops[this->Index.Place(this->Columns[point])];
-  const std::size_t length = this->Chain.size() - 1;
-  std::size_t at = number == PlaceNumbers::None ? position : this->Position[number];
-  if (at == NoPosition && point != this->Chain.front())
-  {
-    if (point != this->Chain.back())
-    {
-      return std::numeric_limits<std::size_t>::max();
-    }
-    at = length;
-  }
-  const std::size_t steps = std::max(at, position) - std::min(at, position);
-  return this->Chain.front() == this->Chain.back() ? std::min(steps, length - steps) : steps;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -358,14 +334,11 @@ bool ShortcutGuard::IsClearAt(std::int64_t x, std::int64_t y) const
 
 //----------------------------------------------------------------------------------------------------------------------
 FewestPoints::FewestPoints(const SpacePoints& points, const ColumnIndex& index,
-  const std::vector<unsigned char>& visits, double outlineTolerance, double heightTolerance, int longestHop,
-  std::function<void()> goOn)
+  const std::vector<unsigned char>& visits, double outlineTolerance, double heightTolerance, std::function<void()> goOn)
   : Points(points)
-  , Index(index)
   , Visits(visits)
   , OutlineTolerance(outlineTolerance)
   , HeightTolerance(heightTolerance)
-  , LongestHop(longestHop)
   , GoOn(std::move(goOn))
   , Guard(index, visits)
 {
@@ -428,48 +401,17 @@ void FewestPoints::SetChain(std::vector<PointId> chain)
   this->Chain = std::move(chain);
   this->Guard.SetChain(this->Chain);
   this->Places.clear();
-  this->Tolerances.clear();
   this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
   for (const PointId point : this->Chain)
   {
     const SpacePoint place = this->Points[point];
     this->Places.emplace_back(place.X, place.Y, place.Z);
-    this->Tolerances.push_back(this->ToleranceAt(this->Tolerances.size()));
     const Eigen::Vector3d way = this->Places.back() - this->Places.front();
     const Moments& before = this->Before.back();
     this->Before.push_back(
       { before.Ways + way, before.Products + way * way.transpose(), before.Lengths + way.squaredNorm() });
   }
   this->ListNodes();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// The tolerance is limited by the narrowest opening along rows, columns and diagonals. A notch that is not deeper than
-/// it is wide does not count.
-double FewestPoints::ToleranceAt(std::size_t position) const
-{
-  const PlanePoint column = this->Index.Columns()[std::size_t(this->Chain[position])];
-  double tolerance = this->OutlineTolerance;
-  for (const PlanePoint& step : EightSteps)
-  {
-    const double half = 0.5 * std::hypot(step.X, step.Y);
-    std::int32_t missing = 0;
-    PointId across = NoPoint;
-    for (; missing <= WidestGap && missing * half < tolerance; ++missing)
-    {
-      across = this->Index.PointAt({ column.X + (missing + 1) * step.X, column.Y + (missing + 1) * step.Y });
-      if (across != NoPoint)
-      {
-        break;
-      }
-    }
-    if (across != NoPoint && missing >= this->LongestHop &&
-      this->Guard.StepsTo(position, across) > std::size_t(missing) + 2)
-    {
-      tolerance = std::min(tolerance, missing * half);
-    }
-  }
-  return tolerance;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -618,12 +560,13 @@ bool FewestPoints::IsAdmissible(std::size_t from, std::size_t to)
     return false;
   }
   const SpanningEdge edge(this->Places[first], this->Places[last]);
-  bool isNear = true;
-  for (std::size_t position = first + 1; isNear && position < last; ++position)
-  {
-    const MapDistances distances = edge.OnMap(this->Places[position]);
-    isNear = distances.InPlan <= this->Tolerances[position] && distances.InHeight <= this->HeightTolerance;
-  }
+  const bool isNear =
+    std::all_of(this->Places.begin() + std::ptrdiff_t(first) + 1, this->Places.begin() + std::ptrdiff_t(last),
+      [&](const Eigen::Vector3d& place)
+      {
+        const MapDistances distances = edge.OnMap(place);
+        return distances.InPlan <= this->OutlineTolerance && distances.InHeight <= this->HeightTolerance;
+      });
   return isNear && this->Guard.IsClear(first, last);
 }
 

@@ -95,9 +95,6 @@ public:
 
   void SetChain(const std::vector<PointId>& chain);
 
-  /// Returns the steps along the chain: 0 if no loop visits the point, the maximum if only other chains do.
-  std::size_t StepsTo(std::size_t position, PointId point) const;
-
   bool IsClear(std::size_t from, std::size_t to);
 
   /// Tests the last blocking columns, which is fast for successive edges to the same or the next points.
@@ -136,10 +133,10 @@ private:
 class FewestPoints
 {
 public:
-  /// `visits` saturates at 2. Tolerances are in columns and, vertically, in lattice units; beside an opening of
-  /// `longestHop` to 8 columns, half its width limits the first. `goOn` is called regularly and may throw to abort.
+  /// `visits` saturates at 2. Tolerances are in columns and, vertically, in lattice units. `goOn` is called regularly
+  /// and may throw to abort.
   FewestPoints(const SpacePoints& points, const ColumnIndex& index, const std::vector<unsigned char>& visits,
-    double outlineTolerance, double heightTolerance, int longestHop, std::function<void()> goOn);
+    double outlineTolerance, double heightTolerance, std::function<void()> goOn);
 
   /// Returns the positions that a loop keeps, ascending. A loop without fixed points is processed twice, from its first
   /// point and from a point kept about half-way round.
@@ -166,7 +163,6 @@ private:
   };
 
   bool IsFixed(PointId point) const { return this->Visits[point] > 1; }
-  double ToleranceAt(std::size_t position) const;
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
   void SetChain(std::vector<PointId> chain);
   void ListNodes();
@@ -181,16 +177,13 @@ private:
   void FollowPath(const Step& last);
 
   const SpacePoints& Points;
-  const ColumnIndex& Index;
   const std::vector<unsigned char>& Visits;
   const double OutlineTolerance;
   const double HeightTolerance;
-  const int LongestHop;
   const std::function<void()> GoOn;
   ShortcutGuard Guard;
   std::vector<PointId> Chain;
   std::vector<Eigen::Vector3d> Places;
-  std::vector<double> Tolerances;
   std::vector<Moments> Before;
   std::vector<std::size_t> Nodes;
   std::vector<Step> Fewest;

@@ -70,10 +70,11 @@ struct SurfacePoints
   std::vector<double> Height; // lattice units
 };
 
-/// Columns limit outlines, which should stay even if an error spans many short vertical indices.
+/// The tolerance of outlines on the map, in columns. It has a limit below 1, so that outlines stay on their side of the
+/// middle of holes that are two or more columns wide, however large the vertical error is.
 inline double ToleranceOfOutlines(double error)
 {
-  constexpr double Most = 2.0;
+  constexpr double Most = 0.75;
   return std::min(error, Most);
 }
 

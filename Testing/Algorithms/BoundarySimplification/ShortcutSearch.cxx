@@ -13,7 +13,6 @@ using namespace SeismicHorizons;
 namespace
 {
 constexpr double Rounding = 1e-9;
-constexpr double WidestGap = 8.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -23,18 +22,6 @@ ShortcutSearch::ShortcutSearch(const BoundedHorizon& horizon, double tolerance, 
   , Threshold(threshold)
 {
   horizon.Boundary.ForEachPoint([this](PointId point) { ++this->Visits[point]; });
-  horizon.Boundary.ForEachEdge(
-    [&](PointId from, PointId to)
-    {
-      const PlanePoint& a = horizon.Plane[std::size_t(from)];
-      const PlanePoint& b = horizon.Plane[std::size_t(to)];
-      const double hop = std::max(std::abs(a.X - b.X), std::abs(a.Y - b.Y));
-      this->LongestHop = std::max(this->LongestHop, hop / horizon.SubVoxelsPerColumn);
-    });
-  for (const auto& [point, visits] : this->Visits)
-  {
-    this->Tolerances[point] = visits > 1 ? tolerance : this->FindTolerance(point);
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -126,73 +113,9 @@ bool ShortcutSearch::IsNear(const Ids& chain) const
       const double along = ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / length;
       const double part = std::clamp(along / length, 0.0, 1.0);
       const double off = std::hypot(a[0] + part * (b[0] - a[0]) - p[0], a[1] + part * (b[1] - a[1]) - p[1]);
-      return off <= this->Tolerances.at(point) + Rounding &&
+      return off <= this->Tolerance + Rounding &&
         std::abs(a[2] + part * (b[2] - a[2]) - p[2]) <= this->Threshold + Rounding;
     });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// The points of loops from one that stays, or from anywhere, to the next, with a point between them.
-ShortcutSearch::Ids ShortcutSearch::ChainOf(PointId point) const
-{
-  for (std::size_t loop = 0; loop < this->Horizon.Boundary.Size(); ++loop)
-  {
-    Ids chain(this->Horizon.Boundary.begin(loop), this->Horizon.Boundary.end(loop));
-    const auto found = std::find(chain.begin(), chain.end(), point);
-    if (found != chain.end())
-    {
-      std::rotate(chain.begin(), found, chain.end());
-      const auto isFixed = [this](PointId one) { return this->IsFixed(one); };
-      const auto last = std::find_if(chain.begin(), chain.end(), isFixed);
-      if (last != chain.end())
-      {
-        const auto first = std::find_if(chain.rbegin(), chain.rend(), isFixed).base() - 1;
-        Ids part(first, chain.end());
-        part.insert(part.end(), chain.begin(), last + 1);
-        return part;
-      }
-      chain.push_back(chain.front());
-      return chain;
-    }
-  }
-  return {};
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// Beside a gap, which lies between the point and the next one along one of eight directions, half of what is missing:
-/// where the loops lead around it by more steps than it is wide.
-double ShortcutSearch::FindTolerance(PointId point) const
-{
-  const PlanePoint& here = this->Horizon.Plane[std::size_t(point)];
-  std::map<std::pair<int, int>, std::pair<int, PointId>> steps; // to the nearest point in each direction
-  for (PointId other = 0; other < PointId(this->Horizon.Plane.size()); ++other)
-  {
-    const PlanePoint& there = this->Horizon.Plane[std::size_t(other)];
-    const int x = (there.X - here.X) / this->Horizon.SubVoxelsPerColumn;
-    const int y = (there.Y - here.Y) / this->Horizon.SubVoxelsPerColumn;
-    const int far = std::max(std::abs(x), std::abs(y));
-    if (far > 0 && (x == 0 || y == 0 || std::abs(x) == std::abs(y)))
-    {
-      auto& nearest = steps.insert({ { x / far, y / far }, { far, other } }).first->second;
-      nearest = std::min(nearest, { far, other });
-    }
-  }
-  const Ids chain = this->ChainOf(point);
-  double tolerance = this->Tolerance;
-  for (const auto& [direction, nearest] : steps)
-  {
-    const double missing = nearest.first - 1.0;
-    const auto at = std::find(chain.begin(), chain.end(), nearest.second) - chain.begin();
-    const auto length = std::ptrdiff_t(chain.size()) - 1;
-    auto way = std::abs(at - (std::find(chain.begin(), chain.end(), point) - chain.begin()));
-    way = chain.front() == chain.back() ? std::min(way, length - way) : way;
-    const bool isAcross = at > length || double(way) > missing + 2.0;
-    if (this->Visits.count(nearest.second) != 0 && missing >= this->LongestHop && missing <= WidestGap && isAcross)
-    {
-      tolerance = std::min(tolerance, 0.5 * missing * std::hypot(direction.first, direction.second));
-    }
-  }
-  return tolerance;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -30,8 +30,6 @@ private:
   bool IsFixed(SeismicHorizons::PointId point) const { return this->Visits.at(point) > 1; }
   bool MayTakePlace(const Ids& chain) const;
   bool IsNear(const Ids& chain) const;
-  Ids ChainOf(SeismicHorizons::PointId point) const;
-  double FindTolerance(SeismicHorizons::PointId point) const;
   bool SweepsOver(const Ids& chain) const;
   bool IsSwept(const Ids& chain, const SeismicHorizons::PlanePoint& place) const;
   std::size_t LeastEdges(const Ids& chain) const;
@@ -41,8 +39,6 @@ private:
   double Tolerance;
   double Threshold;
   std::map<SeismicHorizons::PointId, int> Visits;
-  double LongestHop = 1.0;
-  std::map<SeismicHorizons::PointId, double> Tolerances; // of points that may go
 };
 
 #endif
