@@ -36,7 +36,7 @@ void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBou
   for (const char* const name : { FieldArray::BoundaryDeviation, FieldArray::OutlineDeviation,
          FieldArray::OutlineHeightDeviation, FieldArray::NumberOfOutsidePoints })
   {
-    figures->RemoveArray(name); // of other outlines
+    figures->RemoveArray(name); // These describe an earlier outline.
   }
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(boundary.NumberOfPatches));
   AddValue<vtkIdTypeArray>(

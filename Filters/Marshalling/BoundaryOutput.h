@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The output of what finds the boundary of a horizon.
 
 #ifndef SeismicHorizonsBoundaryOutput_h
 #define SeismicHorizonsBoundaryOutput_h
@@ -17,16 +15,15 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Makes `output` the points of `input` that are `kept`, in their order and with all their arrays, which both share
-/// where all points are, with the boundary that numbers them so: loops, PatchId, Boundary (`marks`), cracks, and the
-/// figures.
+/// Output points keep their order and arrays, which are shared if all points are kept. `boundary` numbers the kept
+/// points.
 void WriteBoundary(vtkPolyData* input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, vtkPolyData* output);
 
-/// Takes the faulted links and their cracks out of the field data of a horizon.
+/// Also removes the cracks along faulted links.
 void RemoveCuts(vtkPolyData* output);
 
-/// What to warn of when no patch of a horizon is large enough.
+/// Returns the warning for a horizon without a patch of `minimumPatchSize` points.
 std::string NothingLeft(vtkPolyData* input, int minimumPatchSize);
 }
 

@@ -36,7 +36,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int OpenEndComponents = 4; // the columns of both points
+constexpr int OpenEndComponents = 4; // i and j of both points
 
 bool HasCuts(vtkFieldData* data)
 {
@@ -44,7 +44,7 @@ bool HasCuts(vtkFieldData* data)
   return links && links->GetNumberOfTuples() > 0;
 }
 
-/// A whole number, at least 0, of an array.
+/// Throws InputError unless the value is a whole number of at least 0.
 int ReadNumber(vtkDataArray* array, vtkIdType tuple, int component)
 {
   const double value = array->GetComponent(tuple, component);
@@ -57,7 +57,7 @@ int ReadNumber(vtkDataArray* array, vtkIdType tuple, int component)
   return int(value);
 }
 
-/// An array of the field data with so many components; null where there is none.
+/// Returns null without the array, and throws InputError on another number of components.
 vtkDataArray* FindTuples(vtkFieldData* data, const char* name, int components)
 {
   vtkDataArray* const array = FindNumbers(data, name);
@@ -69,7 +69,7 @@ vtkDataArray* FindTuples(vtkFieldData* data, const char* name, int components)
   return array;
 }
 
-/// Open ends, each by the columns of its two points. Files of version 0.2 have them by another name.
+/// Version 0.2 used another name.
 std::vector<std::array<PlanePoint, 2>> ReadOpenEnds(vtkFieldData* data)
 {
   std::vector<std::array<PlanePoint, 2>> openEnds;
@@ -84,7 +84,6 @@ std::vector<std::array<PlanePoint, 2>> ReadOpenEnds(vtkFieldData* data)
   return openEnds;
 }
 
-/// The points of loops in the columns of open ends, by columns.
 class OpenEndPoints
 {
 public:
@@ -111,7 +110,7 @@ public:
       });
   }
 
-  /// NoPoint where there is none.
+  /// Returns NoPoint if no loop has a point in the column.
   PointId At(const PlanePoint& column) const { return this->Points[this->SlotOf(column)]; }
 
   std::vector<PointId> All() const
@@ -130,11 +129,11 @@ private:
                                                             : this->Columns.size();
   }
 
-  std::vector<PlanePoint> Columns; // the first of equal ones has a point
+  std::vector<PlanePoint> Columns; // Sorted; only the first of equal columns has a point.
   std::vector<PointId> Points;
 };
 
-/// Loops are named by numbers: none may be gone.
+/// Cracks refer to loops by number, so no loop may be missing.
 void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
 {
   vtkDataArray* const patches = FindTuples(data, FieldArray::NumberOfPatches, 1);
@@ -176,8 +175,7 @@ Cracks ReadCracks(vtkPolyData* horizon, const Loops& boundary)
   return cracks;
 }
 
-/// Adds the values of new triangles to the cell data of a mesh that has no cells of them yet: nan unless they are
-/// known.
+/// New triangles have nan in all other arrays.
 void ExtendCellData(const TriangleQuality& quality, std::size_t triangles, vtkCellData* data)
 {
   const std::vector<std::pair<const char*, const RawVector<float>*>> known = {
@@ -216,7 +214,7 @@ void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
     const PlanePoint to = columns[openEnd.To];
     tuples.push_back({ from.X, from.Y, to.X, to.Y });
   }
-  std::sort(tuples.begin(), tuples.end()); // whatever the order of the points
+  std::sort(tuples.begin(), tuples.end()); // The result must not depend on the order of points.
   auto openEnds = NewArray<vtkIntArray>(FieldArray::CrackOpenEnds, vtkIdType(tuples.size()), OpenEndComponents);
   for (std::size_t n = 0; n < tuples.size(); ++n)
   {

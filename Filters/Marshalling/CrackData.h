@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The cracks of a horizon with faulted links, in its field data (Documentation/DataModel.md), and meshes that are
-// closed there.
 
 #ifndef SeismicHorizonsCrackData_h
 #define SeismicHorizonsCrackData_h
@@ -18,18 +15,14 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Writes cracks between the loops of a horizon as CrackOpenEnds and CrackLoops. A horizon without faulted links gets
-/// neither, and loses those that it has.
+/// Writes CrackOpenEnds and CrackLoops, or removes both from a horizon without faulted links.
 void WriteCracks(const Cracks& cracks, vtkPolyData* horizon);
 
-/// The points of loops at open ends of cracks, to be kept: those that are there. Throws InputError on an array
-/// of another form.
+/// Skips open ends without a loop point. Throws InputError on a malformed array.
 std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary);
 
-/// Adds the triangles that close its cracks to a mesh that has all else: points, whose places in plan are `plane`,
-/// loops, triangles with their cell data, and field data. They have Compactness and Quality, nan in other arrays, and 1
-/// in the new one, Fault, where all other cells have 0. Their number is the figure FaultTriangleCount. Throws
-/// InputError on arrays of another form, and where they do not fit the loops, as when some are gone.
+/// Adds triangles, marked in the new array Fault, to a complete mesh; `plane` has the columns of its points. Throws
+/// InputError on malformed arrays, and if loops are missing.
 void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, vtkPolyData* mesh,
   const Monitor& monitor);
 }

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The output of a decimation.
 
 #ifndef SeismicHorizonsDecimationOutput_h
 #define SeismicHorizonsDecimationOutput_h
@@ -13,8 +11,7 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Makes `output` the mesh of the decimated `input`: points with their data, loops, triangles and figures. Moves the
-/// triangles away.
+/// Moves the triangles out of the decimation.
 void WriteDecimation(vtkPolyData* input, const Lattice& lattice, Decimation& decimation, vtkPolyData* output);
 }
 

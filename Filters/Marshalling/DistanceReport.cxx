@@ -25,7 +25,7 @@ namespace
 constexpr std::array<const char*, Directions> DirectionNames = { "Reference to mesh", "Mesh to reference",
   "Two-sided" };
 
-// The units, in their order in tuples and rows.
+// Field data tuples and table rows have this order of units.
 constexpr std::size_t WorldUnit = 1;
 constexpr std::size_t DiagonalUnit = 2;
 constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal" };
@@ -33,7 +33,7 @@ constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal
 constexpr const char* GradingMedian = "GradingMedian";
 constexpr const char* Grading95 = "Grading95";
 constexpr const char* Samples = "Samples";
-constexpr const char* BinFrom = "bin_extents"; // what charts of ParaView have on their x axis
+constexpr const char* BinFrom = "bin_extents"; // ParaView's charts expect this name for their x axis.
 constexpr const char* BinShare = "Area (%)";
 
 using Figure = std::pair<std::string, double>;
@@ -51,7 +51,7 @@ std::vector<Figure> ListFigures(const DistanceFigures& figures)
   return list;
 }
 
-/// The figures of a direction in one of the units. The diagonal is in lattice units.
+/// The diagonal is in lattice units.
 std::vector<Figure> ListFigures(const DistanceReport& report, std::size_t direction, std::size_t unit)
 {
   std::vector<Figure> list = ListFigures(unit == WorldUnit ? report.World[direction] : report.Lattice[direction]);
@@ -134,7 +134,7 @@ void AppendRows(const DistanceReport& report, const std::string& horizon, vtkTab
       number(GradingMedian)->InsertNextValue(ofOne ? report.Surfaces[direction].Median : none);
       number(Grading95)->InsertNextValue(ofOne ? report.Surfaces[direction].Percentile95 : none);
       vtkIdTypeArray::SafeDownCast(table->GetColumnByName(Samples))
-        ->InsertNextValue(report.Lattice[direction].Samples); // the same in all units
+        ->InsertNextValue(report.Lattice[direction].Samples); // All units have the same samples.
     }
   }
 }

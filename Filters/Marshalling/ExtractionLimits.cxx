@@ -21,7 +21,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The samples of a horizon by trace, nan where it has none.
+/// nan without a point on the trace
 std::vector<double> ReadSamples(const HorizonLeaf& leaf, const ImageCube& cube, const CubePlaces& places)
 {
   const std::array<int, 3>& size = cube.Traces.Size;
@@ -52,7 +52,7 @@ std::vector<double> ReadSamples(const HorizonLeaf& leaf, const ImageCube& cube, 
       isOnSamples = isOnSamples || places.HasSample(place);
     }
   }
-  if (isOnTraces && !isOnSamples) // as where z grows the other way
+  if (isOnTraces && !isOnSamples) // This happens if z has the other sign.
   {
     throw InputError("limit \"" + leaf.Name +
       "\": all of its points are above or below the samples of the cube, expected points from " + places.CornersText());
@@ -98,7 +98,7 @@ ExtractionLimits ReadLimits(const std::vector<vtkDataObject*>& horizons, const I
     {
       std::swap(first, last);
     }
-    limits.Limited += first <= last ? 1 : 0; // neither is nan
+    limits.Limited += first <= last ? 1 : 0; // nan fails the comparison.
   }
   if (limits.Limited == 0)
   {

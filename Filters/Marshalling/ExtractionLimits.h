@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// From horizons in the world to the limits between which a seismic cube is searched.
 
 #ifndef SeismicHorizonsExtractionLimits_h
 #define SeismicHorizonsExtractionLimits_h
@@ -16,10 +14,9 @@ class vtkDataObject;
 
 namespace SeismicHorizons
 {
-/// Which side of a single limit is searched.
 enum class LimitSide
 {
-  Below, // samples at the limit and those after it
+  Below, // at and after the limit, in the order of samples
   Above
 };
 
@@ -29,10 +26,8 @@ struct ExtractionLimits
   std::int64_t Limited = 0; // traces with all limits
 };
 
-/// Between two horizons, whichever is the upper one on a trace, or on one side of one: datasets of points, or composite
-/// ones whose blocks are horizons. Nothing is searched on traces where a horizon has no point. Throws InputError
-/// on no horizon or more than two, on two points of one on the same trace, on a place that is not finite, on a horizon
-/// beyond all samples, and when no trace has all limits.
+/// Two horizons may cross: limits are sorted by trace. Traces without a point of each are not searched. Throws
+/// InputError on two points on a trace, on a horizon beyond all samples, and if no trace has all limits.
 ExtractionLimits ReadLimits(const std::vector<vtkDataObject*>& horizons, const ImageCube& cube, LimitSide side);
 }
 

@@ -30,14 +30,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// A text without its last word.
 std::string WithoutLastWord(const std::string& text)
 {
   const std::size_t blank = text.find_last_of(' ');
   return blank == std::string::npos ? text : text.substr(0, blank);
 }
 
-/// Appends the polylines of some cells, the first of which has the number `first` among those of the dataset.
+/// `first` is the cell id of the first cell.
 void AppendCells(vtkPolyData* data, vtkCellArray* cells, vtkIdType first, std::vector<FaultStick>& polylines)
 {
   const bool arePolygons = cells == data->GetPolys();
@@ -87,7 +86,6 @@ void AppendDataSet(vtkDataObject* object, std::vector<FaultStick>& polylines)
   AppendCells(data, data->GetPolys(), data->GetNumberOfVerts() + data->GetNumberOfLines(), polylines);
 }
 
-/// What takes the points of a polyline.
 class PolylineWriter
 {
 public:
@@ -128,7 +126,6 @@ public:
   }
 
 private:
-  /// The corner where the cut of a link ends, or begins.
   static MapPlace EndOf(const FaultedLink& cut, bool isLast)
   {
     const double shift = cut.IsForward == isLast ? 0.5 : -0.5;
@@ -137,8 +134,8 @@ private:
                                             : MapPlace{ column.X + shift, column.Y + 0.5 };
   }
 
-  /// Those of the links; where one is not known that of the link before it, or else of the first that has one. A height
-  /// of one side alone, as beside a gap, counts only where no link of the line has two.
+  /// A link without a height takes the previous one, or else the first known one. Heights from one side only, as at a
+  /// hole, count only if no link of the line has both.
   void FindHeights(const FaultLines& lines, std::size_t start, std::size_t end)
   {
     bool hasBoth = false;
@@ -193,7 +190,7 @@ std::vector<FaultStick> ReadPolylines(vtkDataObject* lines)
   {
     const std::size_t first = polylines.size();
     AppendDataSet(leaves->GetCurrentDataObject(), polylines);
-    // Sticks of two datasets are of two faults.
+    // Sticks in different datasets belong to different faults.
     const std::string number = std::to_string(leaves->GetCurrentFlatIndex());
     std::for_each(polylines.begin() + std::ptrdiff_t(first), polylines.end(),
       [&number](FaultStick& polyline) { polyline.Fault += ' ' + number; });

@@ -29,7 +29,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 1 << 20; // bytes that a thread copies at a time
+constexpr std::int64_t Grain = 1 << 20; // bytes per chunk
 
 bool IsFloating(vtkAbstractArray* array)
 {
@@ -42,7 +42,7 @@ bool HasName(vtkAbstractArray* array, std::initializer_list<const char*> names)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The slope of the line through the values over the heights, of some of the points; 0 when they are level.
+/// Fits values over heights, at a sample of the points. The slope is 0 if heights are all equal.
 double FitSlope(vtkDataArray* values, const std::vector<double>& height)
 {
   constexpr std::size_t enough = 100000;
@@ -89,7 +89,6 @@ vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, vtkIdTyp
   return result;
 }
 
-/// Copies all tuples of one array to the begin of another of the same kind.
 void CopyTuples(vtkAbstractArray* from, vtkAbstractArray* to)
 {
   vtkDataArray* const numbers = vtkDataArray::FastDownCast(from);
@@ -105,7 +104,7 @@ void CopyTuples(vtkAbstractArray* from, vtkAbstractArray* to)
   to->InsertTuples(0, from->GetNumberOfTuples(), 0, from);
 }
 
-/// Writes the values of one filled array at new points, which `values` has component by component from `first` on.
+/// Components of the array begin at index `first` of the values.
 void WriteFilledValues(const FilledArray& array, const FilledColumns& filled, std::size_t first, vtkDataArray* output)
 {
   const vtkIdType known = array.Array->GetNumberOfTuples();
@@ -121,7 +120,7 @@ void WriteFilledValues(const FilledArray& array, const FilledColumns& filled, st
   }
 }
 
-/// Writes what is not filled at new points.
+/// Floating-point values become nan; others are copied from the nearest point.
 void WriteOtherValues(vtkAbstractArray* input, const FilledColumns& filled, vtkAbstractArray* output)
 {
   const vtkIdType known = input->GetNumberOfTuples();
@@ -163,8 +162,7 @@ void WritePoints(vtkPolyData* input, const Lattice& lattice, const FilledColumns
   output->SetPoints(points);
 }
 
-/// Adds a point array that tells known points from new ones, and of these the ones from `outside` on; those that were
-/// new before stay what they were.
+/// Points from id `outside` on are extrapolated. Points added by an earlier filling keep their mark.
 template <typename Array>
 void AddMark(
   vtkPolyData* input, const char* name, int known, int filled, int extrapolated, vtkIdType outside, vtkPolyData* output)

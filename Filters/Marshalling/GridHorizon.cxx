@@ -22,7 +22,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The kinds of cells a vtkPolyData has; strips are not among those that filters make of horizons.
+/// Filters make no strips of horizons.
 struct Cells
 {
   vtkNew<vtkCellArray> Vertices;

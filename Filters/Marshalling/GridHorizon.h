@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Horizons in unstructured grids: Threshold, Clip and Merge Blocks turn a vtkPolyData into one.
+// Threshold, Clip and Merge Blocks turn a vtkPolyData into an unstructured grid.
 
 #ifndef SeismicHorizonsGridHorizon_h
 #define SeismicHorizonsGridHorizon_h
@@ -13,8 +13,7 @@ class vtkUnstructuredGrid;
 
 namespace SeismicHorizons
 {
-/// The points of a grid with their arrays, its vertices, lines and polygons, and its field data. Cell data are left
-/// out. Throws InputError on cells of other kinds.
+/// Drops cell data. Throws InputError on cells other than vertices, lines and polygons.
 vtkSmartPointer<vtkPolyData> ToPolyData(vtkUnstructuredGrid* grid);
 }
 

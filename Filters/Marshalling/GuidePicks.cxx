@@ -96,7 +96,7 @@ private:
 
   const CubePlaces Places;
   std::vector<GuidePicks> Guides;
-  std::map<std::string, std::size_t> Numbers; // of guides, by the names that were given
+  std::map<std::string, std::size_t> Numbers; // Guides are found by their given names.
 };
 }
 

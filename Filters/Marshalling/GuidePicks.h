@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// From points in the world to the picks that guide the extraction of a seismic cube.
 
 #ifndef SeismicHorizonsGuidePicks_h
 #define SeismicHorizonsGuidePicks_h
@@ -20,16 +18,14 @@ namespace SeismicHorizons
 {
 struct GuidePicks
 {
-  Guide Given; // on the cube
-  std::vector<std::array<double, 3>> Places; // of the picks of the guide, in the world
-  std::size_t Outside = 0; // points that are not on the cube; they are no picks
-  std::string FirstOutside; // where the first of these is
+  Guide Given; // columns and samples of the cube
+  std::vector<std::array<double, 3>> Places; // world coordinates of the picks
+  std::size_t Outside = 0; // points outside the cube, which are not picks
+  std::string FirstOutside; // world coordinates of the first of these
 };
 
-/// A guide for each horizon of `points`: a dataset of points, or a composite one, whose blocks are horizons. The point
-/// array Horizon, of numbers or texts, parts the points of a dataset among horizons of these names. A horizon without a
-/// name is Guide 1, and so on. Throws InputError on no points, on a place that is not finite, and on a horizon none of
-/// whose points is on the cube.
+/// Blocks, or values of the point array Horizon, separate guides; an unnamed guide is called Guide 1, and so on. Throws
+/// InputError without points, on infinite places, and if no point of a guide is on the cube.
 std::vector<GuidePicks> ReadGuides(vtkDataObject* points, const ImageCube& cube);
 }
 

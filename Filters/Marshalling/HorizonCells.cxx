@@ -21,7 +21,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // triangles that a thread takes at a time
+constexpr std::int64_t Grain = 16384; // triangles per chunk
 
 template <typename Array>
 vtkSmartPointer<vtkCellArray> MakeCells(Array* offsets, Array* points)
@@ -95,7 +95,7 @@ double WriteTriangles(
   const TriangleQuality quality = MeasureQuality(plane, triangles);
   FaceUp(lattice, triangles);
   mesh->SetPolys(MakeTriangles(triangles));
-  triangles = RawVector<PointId>(); // before the arrays are made, which take as much
+  triangles = RawVector<PointId>(); // This frees memory for the arrays, which need as much.
   AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, mesh);
   AddTriangleArray<vtkFloatArray>(CellArray::Quality, quality.Shape, mesh);
   return quality.SmallestAngle;

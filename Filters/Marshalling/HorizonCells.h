@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Cells out of the plain data of the algorithms.
 
 #ifndef SeismicHorizonsHorizonCells_h
 #define SeismicHorizonsHorizonCells_h
@@ -23,11 +21,11 @@ class vtkCellArray;
 
 namespace SeismicHorizons
 {
-/// One closed polyline for each loop: its last point is its first one again.
+/// Each polyline ends at its first point.
 vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
 vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles);
 
-/// Adds an array with a value for each triangle of a mesh, whose polylines come first and have nan.
+/// `values` has one per triangle; the polylines, which come first, get nan.
 template <typename Array, typename Values>
 void AddTriangleArray(const char* name, const Values& values, vtkPolyData* mesh)
 {
@@ -38,11 +36,11 @@ void AddTriangleArray(const char* name, const Values& values, vtkPolyData* mesh)
   mesh->GetCellData()->AddArray(array);
 }
 
-/// Turns triangles that are counter-clockwise on a lattice so that they are in the world.
+/// Reverses triangles, counter-clockwise on the lattice, if the lattice is mirrored in the world.
 void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles);
 
-/// Adds triangles that are counter-clockwise on the lattice to a mesh that has its loops: facing up in the world, with
-/// Compactness and Quality as cell data. `plane` holds the places of the vertices. Gives the smallest angle in degrees.
+/// Triangles are counter-clockwise on the lattice, and `plane` has their vertices. Returns the smallest angle in
+/// degrees.
 double WriteTriangles(
   const std::vector<PlanePoint>& plane, const Lattice& lattice, RawVector<PointId> triangles, vtkPolyData* mesh);
 }

@@ -36,9 +36,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
+constexpr std::int64_t Grain = 16384; // points per chunk
 
-// More voxels than any horizon has. Averages add up as many places in sub-voxels, below 2^29 each, which fits 64 bits.
+// Exceeds any horizon. Sums of this many sub-voxel coordinates, below 2^29 each, fit 64 bits.
 constexpr std::int64_t MostVoxels = std::int64_t(1) << 32;
 
 vtkDataArray* FindFieldArray(vtkDataObject* horizon, const char* name, int values)
@@ -62,7 +62,6 @@ std::string Text(Number number)
   return text.str();
 }
 
-/// Whether a number can be stored as another type without a change.
 template <typename Number, typename Value>
 bool Fits(Value value)
 {
@@ -78,7 +77,7 @@ bool Fits(Value value)
   }
 }
 
-/// A point array of one number per point; null when there is none of that name.
+/// Null without the array; throws InputError on several components.
 vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
 {
   vtkDataArray* const array = FindNumbers(horizon->GetPointData(), name);
@@ -90,7 +89,6 @@ vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
   return array;
 }
 
-/// A number as one of another type, which the array and the point name in the message.
 template <typename Number, typename Value>
 Number Convert(Value value, vtkDataArray* array, std::size_t point)
 {
@@ -102,7 +100,6 @@ Number Convert(Value value, vtkDataArray* array, std::size_t point)
   return static_cast<Number>(value);
 }
 
-/// The values of an array as whole numbers, on threads.
 template <typename Number>
 std::vector<Number> CopyValues(vtkDataArray* array)
 {
@@ -127,12 +124,12 @@ std::vector<Number> CopyValues(vtkDataArray* array)
   return values;
 }
 
-/// Refuses loops that go from a point to another one twice: the surface would be there twice. Both ways it is a spur,
-/// or a bridge between two sides.
+/// Refuses a repeated edge, which would double the surface. An edge in both directions is allowed: it is a spur or a
+/// bridge.
 void CheckSides(const Loops& loops, vtkIdType numberOfPoints)
 {
   std::vector<PointId> firstEnd = LargeVector(std::size_t(numberOfPoints), NoPoint);
-  std::set<std::pair<PointId, PointId>> others; // few: from points that loops visit again
+  std::set<std::pair<PointId, PointId>> others; // Only points that loops visit again have entries.
   for (std::size_t loop = 0; loop < loops.Size(); ++loop)
   {
     PointId from = *(loops.end(loop) - 1);
@@ -150,7 +147,7 @@ void CheckSides(const Loops& loops, vtkIdType numberOfPoints)
   }
 }
 
-/// The columns around a box of places in sub-voxels, which may be between columns.
+/// Rounded outwards: places may lie between columns.
 PlaneBox ColumnsAround(PlaneBox box, std::int32_t subVoxelsPerColumn)
 {
   if (!box.IsEmpty())

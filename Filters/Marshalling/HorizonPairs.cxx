@@ -54,7 +54,7 @@ HorizonPairs::HorizonPairs(vtkDataObject* reference, vtkDataObject* mesh, vtkDat
     {
       references = ListHorizons(reference, { referenceOutput });
       meshes = ListHorizons(mesh, { meshOutput });
-      for (std::size_t n = 0; ranks.Size() > 1 && n < meshes.size(); ++n) // which may be sent: VTK reads their arrays
+      for (std::size_t n = 0; ranks.Size() > 1 && n < meshes.size(); ++n) // Sending makes VTK read their arrays.
       {
         PrefixErrors(meshes[n].Name, [&]() { CheckArraySizes(meshes[n].Input); });
       }
@@ -89,7 +89,7 @@ void HorizonPairs::MatchNames(const std::vector<RankedHorizon>& references, std:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// All ranks go through all pairs in one order, so that each message finds its receiver waiting.
+// All ranks handle all pairs in the same order, so that each message finds its receiver waiting.
 void HorizonPairs::Take(
   const Match& match, const std::vector<HorizonLeaf>& references, const std::vector<HorizonLeaf>& meshes)
 {

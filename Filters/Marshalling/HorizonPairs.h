@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Which horizon of one dataset belongs to which of another, on all ranks of a program.
 
 #ifndef SeismicHorizonsHorizonPairs_h
 #define SeismicHorizonsHorizonPairs_h
@@ -23,41 +21,33 @@ namespace SeismicHorizons
 {
 class Ranks;
 
-/// A horizon of the reference and of the mesh, with an empty output for each.
 struct HorizonPair
 {
-  std::string Name; // empty when there is none
+  std::string Name; // empty if unnamed
   vtkSmartPointer<vtkPolyData> Reference;
   vtkSmartPointer<vtkPolyData> Mesh;
   vtkSmartPointer<vtkPolyData> ReferenceOutput;
   vtkSmartPointer<vtkPolyData> MeshOutput;
-  std::array<vtkSmartPointer<vtkTable>, 2> Rows; // of the pair in each of the tables; empty
+  std::array<vtkSmartPointer<vtkTable>, 2> Rows; // rows of the pair for each table
 };
 
-/// Pairs the horizons of two datasets, each a vtkPolyData or a composite of them, in the order of the reference. One
-/// horizon on either side are a pair whatever they are called. Otherwise names have to agree: that of the block or of
-/// the dataset above it, or "Horizon <SurfaceId>" where there is none; of equal names the first belong together, then
-/// the second.
-///
-/// A pair is worked on by the rank of its reference. When its mesh is on another one, it is sent there, and what is
-/// made of it is sent back.
+/// A single horizon on either side makes a pair with any names. Otherwise names must agree, and equal names pair in
+/// order. The rank of the reference works on a pair: it receives the mesh, and Deliver returns the output.
 class HorizonPairs
 {
 public:
-  /// Gives each output the structure of its input. Throws InputError when a horizon has no counterpart, and on other
-  /// data than vtkPolyData. Collective. Keeps the reference.
+  /// Throws InputError if a horizon has no counterpart, and on other data than vtkPolyData. Collective. Refers to
+  /// `ranks`.
   HorizonPairs(vtkDataObject* reference, vtkDataObject* mesh, vtkDataObject* referenceOutput, vtkDataObject* meshOutput,
     const Ranks& ranks);
 
-  /// The pairs that this rank works on.
   std::vector<HorizonPair>& OwnPairs() { return this->Own; }
 
-  /// When all are done: sends the outputs of meshes to the ranks that have these, and the rows of all pairs to the
-  /// tables on the first rank, in the order of pairs. Collective.
+  /// Sends outputs to the ranks of the meshes, and all rows, in the order of pairs, to the tables of the first rank.
+  /// Collective.
   void Deliver(const std::array<vtkTable*, 2>& tables) const;
 
 private:
-  /// A pair by the ranks of its two sides.
   struct Match
   {
     RankedHorizon Reference;
@@ -70,7 +60,7 @@ private:
   const Ranks& Group;
   std::vector<Match> Matches; // of all ranks
   std::vector<HorizonPair> Own; // in the order of Matches
-  std::vector<vtkPolyData*> Away; // the outputs of meshes that other ranks work on, in that order
+  std::vector<vtkPolyData*> Away; // outputs of meshes on other ranks' pairs, in the order of Matches
 };
 }
 

@@ -33,14 +33,14 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
+constexpr std::int64_t Grain = 16384; // points per chunk
 
 bool IsVisible(unsigned char ghost)
 {
   return (ghost & (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) == 0;
 }
 
-/// Copies tuples of so many bytes; those of points that follow each other at once.
+/// Runs of consecutive points are copied at once.
 void CopyBytes(const char* from, std::size_t bytes, const KeptPoints& kept, char* to)
 {
   ParallelFor(std::int64_t(kept.size()), Grain,
@@ -52,7 +52,6 @@ void CopyBytes(const char* from, std::size_t bytes, const KeptPoints& kept, char
     });
 }
 
-/// For arrays of any kind.
 void GetTuples(vtkAbstractArray* from, const KeptPoints& kept, vtkAbstractArray* to)
 {
   vtkNew<vtkIdList> ids;
@@ -63,14 +62,12 @@ void GetTuples(vtkAbstractArray* from, const KeptPoints& kept, vtkAbstractArray*
   from->GetTuples(ids, to);
 }
 
-/// Whether the tuples of an array lie one after the other in memory.
 bool HasPlainTuples(vtkAbstractArray* array)
 {
   return vtkDataArray::SafeDownCast(array) && array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT;
 }
 
-/// How many lattice units points rise for each vertical index, by a line through some of them; 1 when they are too
-/// level to tell, or there are no vertical indices.
+/// Slope of height over vertical index, in a sample of the points; 1 without indices, or if points are too level.
 double MeasureStretch(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height)
 {
   vtkDataArray* const index = FindNumbers(horizon->GetPointData(), PointArray::VerticalIndex);
@@ -94,7 +91,7 @@ double MeasureStretch(vtkPolyData* horizon, const std::function<double(vtkIdType
     square += (pair.x() - mean.x()) * (pair.x() - mean.x());
     product += (pair.x() - mean.x()) * (pair.y() - mean.y());
   }
-  constexpr double LeastDeviation = 2.0; // vertical indices: with less, rounding and real z could decide
+  constexpr double LeastDeviation = 2.0; // vertical indices; below this, rounding and real z could dominate.
   return square > LeastDeviation * LeastDeviation * double(pairs.size()) ? product / square : 1.0;
 }
 }
@@ -197,7 +194,7 @@ void ActivateHeight(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 void CheckHeights(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height)
 {
-  // Real z is not a multiple of the vertical index, but in a survey about as long everywhere.
+  // RealZ may differ from the vertical index, but in a survey their ratio is about constant.
   constexpr double MostStretch = 2.0;
   const double stretch = MeasureStretch(horizon, height);
   if (stretch < 1.0 / MostStretch || stretch > MostStretch)

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Which points of a vtkPolyData count, copies of some of them, and what they are coloured by.
 
 #ifndef SeismicHorizonsHorizonPoints_h
 #define SeismicHorizonsHorizonPoints_h
@@ -18,27 +16,25 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// How many points are not hidden. The array vtkGhostType hides points, or marks them as those of another process.
+/// The array vtkGhostType hides points or marks them as copies from another process.
 vtkIdType CountVisiblePoints(vtkPolyData* horizon);
 
-/// The horizon itself; or, when some of its points are hidden, the others alone, without cells.
+/// Returns the horizon itself, or, if points are hidden, its visible points without cells.
 vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon);
 
-/// What an array has at some points, on threads.
 vtkSmartPointer<vtkAbstractArray> CopyTuples(vtkAbstractArray* array, const KeptPoints& kept);
 
-/// Adds what was made of the n-th point array of `input` to `output`, as the active scalars, say, when it is those.
+/// Keeps the role, such as active scalars, of the n-th point array of `input`.
 void AddPointArray(vtkPolyData* input, int n, vtkAbstractArray* made, vtkPolyData* output);
 
-/// Gives `output` some of the points of `input`, with their arrays and a vertex cell for each. Where all are kept, both
-/// share the arrays.
+/// Each point gets a vertex cell. If all points are kept, the arrays are shared.
 void CopyPoints(vtkPolyData* input, const KeptPoints& kept, vtkPolyData* output);
 
-/// Throws InputError when heights, height(point) in lattice units, do not rise with the vertical index: Transform moves
-/// points, and leaves the lattice in the field data as it is.
+/// Throws InputError unless heights, in lattice units, rise with the vertical index: Transform moves points, but not
+/// the lattice in the field data.
 void CheckHeights(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height);
 
-/// Makes the vertical index, where there is one, the active scalars, by which windows colour.
+/// ParaView colours by the active scalars.
 void ActivateHeight(vtkPolyData* horizon);
 }
 

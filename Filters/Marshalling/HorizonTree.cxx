@@ -27,7 +27,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// What was said of the triangles of the input, which an output does not have, or has others.
+/// Outputs have no triangles, or different ones.
 void RemoveMeshFigures(vtkFieldData* figures)
 {
   for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> ToHorizon(vtkDataObject* data)
     " in the composite dataset, expected only vtkPolyData, as Extract Surface makes them");
 }
 
-/// One horizon out of the points of several partitions. The field data are those of the first one.
+/// Keeps the field data of the first partition.
 vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& partitions, const std::string& name)
 {
   vtkNew<vtkAppendPolyData> append;
@@ -79,7 +79,6 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
   return joined;
 }
 
-/// Walks over a dataset and the same places of the outputs.
 class Collector
 {
 public:
@@ -116,7 +115,7 @@ public:
   }
 
 private:
-  int Position = -1; // of the block that is being looked at
+  int Position = -1; // position of the current block
 
   template <typename Type, typename Part>
   static std::vector<vtkDataObject*> At(const std::vector<vtkDataObject*>& outputs, Part&& part)
@@ -232,7 +231,7 @@ std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vt
     {
       vtkDataObjectTree::SafeDownCast(output)->CopyStructure(tree);
     }
-    // Before the work: the output of a single horizon is `output` itself, and gets figures of the same names then.
+    // This must come before the work: a single horizon writes its figures to `output` itself.
     output->GetFieldData()->PassData(input->GetFieldData());
     single.push_back(vtkPolyData::SafeDownCast(output));
   }

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The horizons of a dataset, one or many, and places for what a stage makes of them.
 
 #ifndef SeismicHorizonsHorizonTree_h
 #define SeismicHorizonsHorizonTree_h
@@ -18,18 +16,16 @@ class vtkInformationVector;
 
 namespace SeismicHorizons
 {
-/// The error of a stage whose memory runs out.
 constexpr const char* NotEnoughMemory = "not enough memory, expected a horizon whose bounding box has fewer columns";
 
-/// Lets an input port take a vtkPolyData, a vtkUnstructuredGrid of such cells, or a composite dataset.
+/// The port accepts vtkPolyData, vtkUnstructuredGrid and composite datasets.
 void AcceptHorizons(vtkInformation* port);
 
-/// Throws InputError when an array does not have a tuple for each point or cell, or ghosts not one number. Whatever
-/// reads horizons asks this first: nothing behind it looks at the sizes of arrays.
+/// Throws InputError unless arrays have a tuple per point or cell, and ghosts one component. Later code does not check
+/// sizes.
 void CheckArraySizes(vtkPolyData* horizon);
 
-/// Gives an output port a composite dataset of the class of `input`, or a dataset of the class Single for any other
-/// input, unless it has one. Does nothing without an input.
+/// Keeps an existing output of the right class. Other inputs than composite ones give a `Single`.
 template <typename Single = vtkPolyData>
 void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort)
 {
@@ -42,28 +38,20 @@ void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort)
   }
 }
 
-/// The data objects of all output ports.
 std::vector<vtkDataObject*> ListOutputs(vtkInformationVector* outputPorts);
 
-/// A horizon of a dataset.
 struct HorizonLeaf
 {
-  /// That of the block or of the dataset above it; else by the surface ID of its points; empty when there is none.
+  /// The name of the block or the dataset above it, or "Horizon <SurfaceId>", or empty.
   std::string Name;
-  /// Its number among the blocks of the dataset, those included that are empty here: the same on all ranks of a
-  /// program.
+  /// The index among all blocks, with those that are empty on this rank, so that it is the same on all ranks.
   int Position;
   vtkSmartPointer<vtkPolyData> Input;
-  std::vector<vtkPolyData*> Outputs; // by port; empty but for the field data of the input
+  std::vector<vtkPolyData*> Outputs; // by port, with only the field data of the input
 };
 
-/// The horizons of `input`, a vtkPolyData or vtkUnstructuredGrid or a composite dataset of them. Gives each of
-/// `outputs`, which are of the same class, the structure of the input with an empty vtkPolyData for each horizon, and
-/// the field data of the whole input.
-///
-/// Several partitions of one vtkPartitionedDataSet are one horizon: their points are put together, and the output takes
-/// the place of the first of them. Throws InputError when such partitions have lines or polygons, and when a dataset is
-/// no vtkPolyData.
+/// Outputs get the structure and field data of `input`. Partitions of a vtkPartitionedDataSet are one horizon, in place
+/// of the first. Throws InputError on partitions with lines or polygons, and on other datasets.
 std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs);
 }
 

@@ -62,8 +62,7 @@ void CheckImage(vtkImageData* image, vtkDataArray* amplitudes)
   }
 }
 
-// ---- Samples
-// ---------------------------------------------------------------------------------------------------------
+// ---- Samples ---------------------------------------------------------------------------------------------------------
 template <typename Sample>
 TraceCube MakeTraces(const Sample* first, const Indices& size, vtkUnsignedCharArray* ghosts)
 {
@@ -91,9 +90,7 @@ TraceCube MakeTraces(vtkImageData* image, vtkDataArray* amplitudes)
   }
 }
 
-// ---- Lattices
-// --------------------------------------------------------------------------------------------------------
-/// The image's own map from indices to the world.
+// ---- Lattices --------------------------------------------------------------------------------------------------------
 Eigen::Affine3d IndexToWorld(vtkImageData* image)
 {
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
@@ -114,14 +111,14 @@ bool IsVertical(const Eigen::Affine3d& map)
   return axes(2, 0) == 0.0 && axes(2, 1) == 0.0 && axes(0, 2) == 0.0 && axes(1, 2) == 0.0;
 }
 
-/// The frame of a lattice, whose vertical indices count as the field data say, or else as its map does.
+/// VerticalDirection in the field data counts before the map.
 LatticeFrame MakeFrame(vtkImageData* image, const Indices& size, const Eigen::Matrix4d& map)
 {
   const bool isDown = FirstValue(image->GetFieldData(), FieldArray::VerticalDirection, map(2, 2)) < 0.0;
   return MakeLatticeFrame(size, map, isDown ? VerticalDirection::Down : VerticalDirection::Up);
 }
 
-/// The lattice of the image itself, from its first point on.
+/// The lattice begins at the first point of the image.
 void PlaceByImage(vtkImageData* image, ImageCube& cube)
 {
   const Eigen::Affine3d map = IndexToWorld(image);
@@ -133,12 +130,12 @@ void PlaceByImage(vtkImageData* image, ImageCube& cube)
   const int* const extent = image->GetExtent();
   const Eigen::Vector3d first(extent[0], extent[2], extent[4]);
   const Eigen::Affine3d fromFirst = map * Eigen::Translation3d(first);
-  Lattice(cube.Traces.Size, fromFirst.matrix()); // refuses wrong ones
+  Lattice(cube.Traces.Size, fromFirst.matrix()); // This throws on invalid lattices.
   cube.Frame = MakeFrame(image, cube.Traces.Size, fromFirst.matrix());
 }
 
-/// Resample, Extract Subset with steps, and Transform leave the lattice in the field data as it is. An image without an
-/// origin, spacing and direction of its own has nothing to compare.
+/// Resample, Extract Subset and Transform do not change the lattice in the field data. An image with the default map
+/// has nothing to compare.
 void CheckPlaces(vtkImageData* image, const Lattice& lattice)
 {
   const Eigen::Affine3d map = IndexToWorld(image);
@@ -162,7 +159,6 @@ void CheckPlaces(vtkImageData* image, const Lattice& lattice)
   }
 }
 
-/// The lattice in the field data.
 void PlaceByFields(vtkImageData* image, ImageCube& cube)
 {
   const Indices dimensions = ReadLatticeDimensions(image);

@@ -23,7 +23,6 @@ namespace
 {
 constexpr double Null = std::numeric_limits<double>::quiet_NaN();
 
-/// The array with z, and the data it is part of.
 struct Elevation
 {
   vtkDataSetAttributes* Data = nullptr;
@@ -63,7 +62,7 @@ Elevation FindElevation(vtkImageData* image, const std::string& name)
                                 : "no array " + name + ", expected one with z");
 }
 
-/// Columns are at the points, or half a spacing off them at the centres of cells.
+/// Columns are points, or centres of cells, half a spacing away.
 SurveyLattice MakeLattice(vtkImageData* image, bool areCells)
 {
   const int* const extent = image->GetExtent();
@@ -95,7 +94,7 @@ SurveyLattice MakeLattice(vtkImageData* image, bool areCells)
   return lattice;
 }
 
-/// ParaView's readers of GDAL rasters and of DEM files call the heights so, and that of TIFF files its only values.
+/// ParaView names heights so: in GDAL rasters and DEM files, and values of TIFF files.
 bool AreElevations(vtkDataArray* array)
 {
   const std::string name = array->GetName() ? array->GetName() : "";

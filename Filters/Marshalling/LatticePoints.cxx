@@ -34,7 +34,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
+constexpr std::int64_t Grain = 16384; // points per chunk
 
 void CheckPoints(vtkPolyData* horizon)
 {
@@ -62,7 +62,7 @@ Eigen::Vector3d WorldOf(vtkPolyData* horizon, std::int64_t point)
   return world;
 }
 
-/// Gives world(point) to work(world), as fast as the type of the coordinates allows.
+/// Calls work(world), with direct access to float and double coordinates.
 template <typename Work>
 void WithCoordinates(vtkPolyData* horizon, Work&& work)
 {
@@ -94,8 +94,7 @@ bool IsInSinglePrecision(vtkPolyData* horizon)
   return horizon->GetNumberOfPoints() > 0 && horizon->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-/// How far from its column a point may stand, in columns: far enough for the rounding of world coordinates, and near
-/// enough that no other column could be meant.
+/// columns; exceeds the rounding of world coordinates, and is below half the distance to another column.
 double FindTolerance(vtkPolyData* horizon, const Lattice& lattice)
 {
   constexpr double Hundredth = 0.01;
@@ -104,7 +103,7 @@ double FindTolerance(vtkPolyData* horizon, const Lattice& lattice)
   {
     return Hundredth;
   }
-  const double rounding = lattice.LargestCoordinate() * std::numeric_limits<float>::epsilon(); // twice the largest
+  const double rounding = lattice.LargestCoordinate() * std::numeric_limits<float>::epsilon(); // twice the bound
   const double columns = rounding * lattice.ColumnsPerUnit();
   if (columns > Most)
   {
@@ -122,7 +121,7 @@ PlanePoint* Columns(vtkIntArray* array)
   return reinterpret_cast<PlanePoint*>(array->GetPointer(0));
 }
 
-/// The array Column of a horizon; null when there is none that could be it.
+/// Null without a usable array Column.
 vtkIntArray* FindGivenColumns(vtkPolyData* horizon)
 {
   auto* const given = vtkIntArray::SafeDownCast(horizon->GetPointData()->GetAbstractArray(PointArray::Column));
@@ -136,11 +135,10 @@ double DistanceToColumn(const Eigen::Vector3d& place, const PlanePoint& column)
   return std::max(std::abs(place.x() - column.X), std::abs(place.y() - column.Y));
 }
 
-/// What is found out of some points.
 struct Placement
 {
-  double Deviation = 0.0; // the largest distance of a point to its column
-  bool AreMerged = false; // whether some have no column
+  double Deviation = 0.0; // columns
+  bool AreMerged = false; // Some points have no column.
 
   void Add(const Placement& other)
   {
@@ -149,7 +147,7 @@ struct Placement
   }
 };
 
-/// Puts the points of a horizon on columns: on those that it names if they stand there, else on the nearest ones.
+/// The array Column is used if points are there, and nearest columns otherwise.
 class ColumnFinder
 {
 public:
@@ -181,7 +179,8 @@ public:
   }
 
 private:
-  /// Calls visit(placement, point, place) for the places of all points in lattice units, on threads. Keeps heights.
+  /// Calls visit(placement, point, place), in parallel, with places in lattice units, and writes heights if they are
+  /// kept.
   template <typename Visit>
   Placement Place(Visit&& visit)
   {
@@ -193,7 +192,7 @@ private:
         all = AddUpChunks<Placement>(this->Size, Grain, Monitor(),
           [&](Placement& placement, std::int64_t first, std::int64_t last)
           {
-            const Lattice lattice = this->Result.Lattice; // a copy, which no write to the arrays can change
+            const Lattice lattice = this->Result.Lattice; // Writes cannot change a copy.
             for (std::int64_t point = first; point < last; ++point)
             {
               const Eigen::Vector3d place = lattice.ToLattice(world(point));
@@ -209,7 +208,7 @@ private:
     return all;
   }
 
-  /// False when points do not stand where the array says, as when they were moved, or came from another horizon.
+  /// False if points are not at the given columns, as after Transform or with the array of another horizon.
   bool TakeGiven()
   {
     const PlanePoint* const columns = Columns(this->Given);
@@ -219,7 +218,7 @@ private:
         const bool isMerged = columns[point] == NoColumn;
         part.Add({ isMerged ? 0.0 : DistanceToColumn(place, columns[point]), isMerged });
       });
-    // Points that others were merged into have counts.
+    // Only points that represent merged ones have counts.
     const bool mayHaveMerged = this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount);
     if (placement.Deviation > this->Tolerance || (placement.AreMerged && !mayHaveMerged))
     {
@@ -269,11 +268,11 @@ private:
     this->Result.AreMerged = placement.AreMerged;
   }
 
-  /// Of points some of which were merged, those that are known to stand on a column are others: boundary points, say.
-  /// Nearly on one is not enough, as any point may be.
+  /// After merging only points exactly at a column, such as boundary points, are known to be unmerged; any merged point
+  /// may be nearly at one.
   void LeaveMerged(PlanePoint* columns)
   {
-    constexpr double rounding = 1e-6; // columns: what world coordinates of surveys are rounded by in double precision
+    constexpr double rounding = 1e-6; // columns; rounding of double-precision world coordinates of surveys
     const double nearest = IsInSinglePrecision(this->Result.Horizon) ? this->Tolerance : rounding;
     this->Place(
       [&](Placement&, std::int64_t point, const Eigen::Vector3d& place)
@@ -298,7 +297,7 @@ private:
     }
   }
 
-  /// From here on coordinates are double, and those of points on columns exact: the next stage must find them there.
+  /// The next stage must find points exactly at their columns, so coordinates become double.
   void MakeExactPoints()
   {
     auto exact = NewArray<vtkDoubleArray>("Points", this->Size, 3);
@@ -375,7 +374,7 @@ LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& 
 //----------------------------------------------------------------------------------------------------------------------
 PlanePoints ColumnsOf(vtkPolyData* horizon)
 {
-  vtkIntArray* const array = FindGivenColumns(horizon); // null only where there are no points
+  vtkIntArray* const array = FindGivenColumns(horizon); // null only without points
   return array ? PlanePoints(Columns(array), std::size_t(array->GetNumberOfTuples())) : PlanePoints();
 }
 

@@ -30,7 +30,6 @@ namespace
 {
 constexpr double Null = std::numeric_limits<double>::quiet_NaN();
 
-/// The rows of a table, or the points of a point set.
 class Rows
 {
 public:
@@ -94,7 +93,7 @@ private:
   std::vector<vtkIdType> Kept;
 };
 
-/// Texts, or whole numbers: others are heights of a surface or an attribute.
+/// Other numbers are heights or attributes.
 bool CanName(vtkAbstractArray* array)
 {
   auto* const numbers = vtkDataArray::SafeDownCast(array);
@@ -109,7 +108,6 @@ bool CanName(vtkAbstractArray* array)
   return !numbers || numbers->GetNumberOfComponents() == 1;
 }
 
-/// Fills a table with picks, array by array.
 class TableMaker
 {
 public:
@@ -142,7 +140,7 @@ public:
   }
 
 private:
-  /// Chosen arrays come first, then the first one whose name tells a role. Point sets have x, y and z themselves.
+  /// Chosen arrays come before names. Coordinates of point sets serve as x, y and z.
   void FindArrays()
   {
     for (const auto& [role, name] : this->Choice)
@@ -181,7 +179,7 @@ private:
     }
   }
 
-  /// The values of an array with a role, or of a coordinate; none where there is neither.
+  /// Empty without an array or a coordinate.
   std::vector<double> Values(ColumnRole role, int coordinate) const
   {
     const auto found = this->Arrays.find(role);
@@ -208,7 +206,6 @@ private:
     }
   }
 
-  /// Adds two arrays that only make sense together.
   void AddPair(ColumnRole firstRole, ColumnRole secondRole, std::vector<double>& first, std::vector<double>& second)
   {
     const bool mayBeCoordinates = firstRole == ColumnRole::X;
@@ -251,7 +248,6 @@ private:
       });
   }
 
-  /// All other numbers.
   void AddAttributes()
   {
     for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)

@@ -17,7 +17,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Names can hold any character but this.
+// Names cannot contain this character.
 constexpr char Separator = '\0';
 
 std::string Write(const std::vector<HorizonLeaf>& leaves)
@@ -47,7 +47,7 @@ std::vector<RankedHorizon> Read(const std::vector<std::string>& texts)
   return horizons;
 }
 
-/// Drops those without points where there are others at their position.
+/// A horizon without points stays if no rank has points at its position.
 void DropEmpty(std::vector<RankedHorizon>& horizons)
 {
   std::set<int> filled;
@@ -104,7 +104,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ShareOnRanks(
   ranks.Together(
     [&]()
     {
-      for (const RankedHorizon& horizon : shared) // VTK reads their arrays
+      for (const RankedHorizon& horizon : shared) // Sending makes VTK read their arrays.
       {
         if (horizon.Rank == ranks.Own())
         {

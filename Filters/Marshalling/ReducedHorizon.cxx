@@ -36,13 +36,13 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points that a thread takes at a time
+constexpr std::int64_t Grain = 16384; // points per chunk
 
-/// The input points of each output point, ascending, and how many voxels each of them represents.
+/// Input points of an output point are ascending. Counts are voxels per input point.
 class MergedPoints
 {
 public:
-  /// Without counts, each point represents one.
+  /// Empty counts mean one voxel per point.
   MergedPoints(const Reduction& reduction, std::vector<std::int64_t> counts)
     : Merged(reduction)
     , Counts(std::move(counts))
@@ -80,8 +80,7 @@ private:
   const ItemLists<PointId, std::uint32_t> Points;
 };
 
-/// Writes the values of output points: those of the input point that each is, or that is nearest to it, and the means
-/// at averaged points. Values that are not finite do not count; where there are no others, the nearest one's stays.
+/// Averaged points get the mean of finite values, or else, as other points, the value of the nearest input point.
 struct AverageWorker
 {
   const MergedPoints& Points;
@@ -108,7 +107,7 @@ struct AverageWorker
       });
   }
 
-  /// Weighted by the counts of the points. Where all are 0, as those of points that were filled in, all weigh the same.
+  /// Weighted by counts; if all are 0, as of filled points, weights are equal.
   template <typename Tuples>
   double Mean(const Tuples& tuples, vtkIdType target, int component, double otherwise) const
   {
@@ -145,7 +144,7 @@ bool IsAveraged(vtkDataArray* array)
     (array->GetName() && !std::strcmp(array->GetName(), PointArray::VerticalIndex));
 }
 
-/// Means of floats are floats, all others double.
+/// Means of float arrays are float, and double otherwise.
 vtkSmartPointer<vtkDataArray> Average(vtkDataArray* array, const MergedPoints& points)
 {
   vtkSmartPointer<vtkDataArray> result;
@@ -197,7 +196,7 @@ void ReduceAttributes(
   }
 }
 
-/// Points that were merged have left their columns, but for those whose heights alone were.
+/// Merged points leave their columns, unless only heights were merged.
 void WriteColumns(const Reduction& reduction, vtkPolyData* output)
 {
   int* const columns = vtkIntArray::SafeDownCast(output->GetPointData()->GetArray(PointArray::Column))->GetPointer(0);
@@ -211,7 +210,7 @@ void WriteColumns(const Reduction& reduction, vtkPolyData* output)
   }
 }
 
-/// Points that simplified loops have left inside are no longer on the boundary.
+/// Simplified loops may have left points inside.
 void UnmarkInside(const Loops& boundary, vtkPolyData* output)
 {
   vtkDataArray* const marks = output->GetPointData()->GetArray(PointArray::Boundary);
@@ -219,12 +218,12 @@ void UnmarkInside(const Loops& boundary, vtkPolyData* output)
   {
     return;
   }
-  auto* const bytes = vtkUnsignedCharArray::FastDownCast(marks); // as our own are
+  auto* const bytes = vtkUnsignedCharArray::FastDownCast(marks); // This is the type of our own marks.
   const unsigned char* const values = bytes ? bytes->GetPointer(0) : nullptr;
   const auto isMarked = [&](vtkIdType point)
   { return values ? values[point] != 0 : marks->GetComponent(point, 0) != 0.0; };
   const std::vector<unsigned char> isOnLoop = boundary.MarkPoints(std::size_t(output->GetNumberOfPoints()));
-  vtkSmartPointer<vtkDataArray> changed; // the input may have the same array
+  vtkSmartPointer<vtkDataArray> changed; // The input may share the array.
   for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
   {
     if (isMarked(point) && isOnLoop[point] == 0)
@@ -243,7 +242,7 @@ void UnmarkInside(const Loops& boundary, vtkPolyData* output)
   }
 }
 
-/// The counts of the points that are kept, with those of the others.
+/// Counts of dropped points are added to their targets.
 vtkSmartPointer<vtkIdTypeArray> AddDropped(
   const std::vector<std::int64_t>& counts, const KeptPoints& kept, const DroppedPoints& dropped)
 {
@@ -312,7 +311,7 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice
       {
         const std::size_t point = std::size_t(n);
         const PlanePoint& place = reduction.Plane[point];
-        // A point that is still itself keeps its place to the last bit.
+        // A point that was not averaged keeps its coordinates exactly.
         Eigen::Vector3d world;
         if (reduction.Averaged[point])
         {

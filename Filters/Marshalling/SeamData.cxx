@@ -61,7 +61,7 @@ vtkDataArray* RequireSeamRows(vtkPolyData* mesh)
   return rows;
 }
 
-/// How many points each vertex represents, one where the mesh does not say.
+/// One each without PointCount.
 std::vector<std::int64_t> CountsOf(vtkPolyData* mesh)
 {
   std::vector<std::int64_t> counts = ReadCounts(mesh);
@@ -76,7 +76,7 @@ RawVector<PointId> ReadTrianglesOnLattice(vtkPolyData* mesh, const Lattice& latt
   {
     triangles.insert(triangles.end(), triangle.begin(), triangle.end());
   }
-  FaceUp(lattice, triangles); // once more, which undoes it
+  FaceUp(lattice, triangles); // FaceUp is its own inverse.
   return triangles;
 }
 
@@ -134,7 +134,7 @@ void WriteBoundary(const JoinedSurface& joined, vtkPolyData* output)
   output->SetLines(MakePolylines(joined.Boundary));
 }
 
-/// For each triangle the error of the one that it was, or was a piece of.
+/// A piece of a triangle keeps the triangle's error.
 std::vector<double> GatherErrors(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined)
 {
   std::vector<vtkDataArray*> arrays;
@@ -177,7 +177,7 @@ void WriteSum(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFiel
   AddValue<vtkIdTypeArray>(figures, name, vtkIdType(sum));
 }
 
-/// Each row that parts share is in the ledger of one of them.
+/// A row shared by two parts is in the ledger of one.
 void WriteLedgerOfParts(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, vtkFieldData* figures)
 {
   Ledger all;
@@ -189,7 +189,7 @@ void WriteLedgerOfParts(const std::vector<vtkPolyData*>& meshes, const JoinedSur
   WriteLedger(all, figures);
 }
 
-/// The mean over the points of all parts. Those on seams are in two.
+/// Points on seams count twice.
 double FindMeanError(const std::vector<vtkPolyData*>& meshes)
 {
   double sum = 0.0;
@@ -210,7 +210,7 @@ void WriteFigures(
   vtkFieldData* const figures = output->GetFieldData();
   figures->PassData(meshes.front()->GetFieldData());
   figures->RemoveArray(FieldArray::SeamRows);
-  figures->RemoveArray(FieldArray::SliverCount); // seams are meshed anew, and no angle is asked for here
+  figures->RemoveArray(FieldArray::SliverCount); // Seams are meshed anew without a least angle.
   for (const char* const name : { FieldArray::LargestError, FieldArray::LargestLoopError, FieldArray::BoundaryDeviation,
          FieldArray::OutlineDeviation, FieldArray::OutlineHeightDeviation })
   {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Meshes of parts of horizons as datasets, and their mesh when they are joined.
 
 #ifndef SeismicHorizonsSeamData_h
 #define SeismicHorizonsSeamData_h
@@ -16,16 +14,14 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// Gives the mesh of a part what is joined by: the arrays SeamRows and SeamGap, the heights of points that were put
-/// onto the lines of seams, and counts without the points on the lower seam, which belong to the part below. `points`
-/// are those of the part, all of which the surface has kept, `onLowerSeam` some of them.
+/// Adds SeamRows and SeamGap, moves points to the lines of seams, and excludes points on the lower seam, which belong
+/// to the part below, from counts. The surface has kept all `points` of the part.
 void WriteSeams(vtkPolyData* points, const Lattice& lattice, const Surface& surface, const SeamRows& seams,
   const std::vector<PointId>& onLowerSeam, vtkPolyData* mesh);
 
-/// The part that a mesh has become. Throws InputError when it is none.
+/// Throws InputError on a mesh without SeamRows.
 SurfacePart ReadSurfacePart(vtkPolyData* mesh);
 
-/// Makes `output` the mesh that parts were joined to. `meshes` are these parts.
 void WriteJoinedSurface(
   const std::vector<vtkPolyData*>& meshes, const Lattice& lattice, const JoinedSurface& joined, vtkPolyData* output);
 }
