@@ -78,9 +78,8 @@ int vtkHorizonAlgorithm::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
-// The loop over the horizons is here, and not that of vtkCompositeDataPipeline over the leaves of a dataset. That one
-// goes on after an error or a request to stop, and leaves in the output what was done by then; here the whole output
-// has to be empty. Nor does it put the partitions of a horizon together.
+// vtkCompositeDataPipeline would loop over leaves, but it continues after errors and aborts, keeps partial output, and
+// does not join the partitions of a horizon.
 int vtkHorizonAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -93,7 +92,8 @@ int vtkHorizonAlgorithm::RequestData(
     std::vector<HorizonLeaf> horizons;
     const auto end = outputs.begin() + this->GetNumberOfHorizonPorts();
     ranks.Together([&]() { horizons = ListHorizons(input, { outputs.begin(), end }); });
-    this->ShareHorizons(horizons, ListOnRanks(horizons, ranks), ranks); // throws when one is on several ranks
+    // This throws if several ranks have points of a horizon.
+    this->ShareHorizons(horizons, ListOnRanks(horizons, ranks), ranks);
     ranks.Together(
       [&]()
       {

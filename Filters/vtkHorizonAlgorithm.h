@@ -62,25 +62,24 @@ protected:
   vtkHorizonAlgorithm() = default;
   ~vtkHorizonAlgorithm() override = default;
 
-  /// The outputs of one horizon, by port.
   using Outputs = std::vector<vtkPolyData*>;
 
-  /// Turns one horizon that has points into the outputs, which are empty but for the field data of the input. Throws
-  /// SeismicHorizons::InputError on input that breaks the contract of the stage.
+  /// The outputs, by port, have only the field data of the input, which has visible points. Throws
+  /// SeismicHorizons::InputError on unsuitable input.
   virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
 
-  /// Whether horizons may be meshes; else one with triangles is refused. No by default.
+  /// Stages refuse triangles unless they override this.
   virtual bool TakesMeshes() { return false; }
 
-  /// Called before horizons are processed, with those of this rank and of all: a stage that looks at several can share
-  /// them here. Collective. Does nothing by default.
+  /// Called before horizons are processed, with the horizons of this rank and of all ranks, for stages that need
+  /// several at once. Collective.
   virtual void ShareHorizons(const std::vector<SeismicHorizons::HorizonLeaf>& own,
     const std::vector<SeismicHorizons::RankedHorizon>& all, const SeismicHorizons::Ranks& ranks);
 
-  /// How many of the outputs have horizons, from the first on. All of them by default.
+  /// The first ports have horizons; by default all have.
   virtual int GetNumberOfHorizonPorts() { return this->GetNumberOfOutputPorts(); }
 
-  /// Fills the other outputs, of all ports, once each horizon is processed. Does nothing by default.
+  /// Fills the remaining outputs once all horizons are processed.
   virtual void ProcessOutputs(const std::vector<vtkDataObject*>& outputs);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -36,7 +36,7 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   vtkPolyData* const output = outputs.front();
-  // Heights of the loops alone are looked at.
+  // The method needs heights only on loops.
   const auto read = this->Method == FewestPoints ? ReadColumns : ReadPoints;
   const LatticePoints points = read(horizon, outputs, KeptHeights::None);
   vtkPolyData* const input = points.Horizon;
@@ -58,7 +58,7 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   const PlanePoints places = points.AreMerged ? PlanePoints(plane) : points.Column;
   const std::int32_t subVoxels = points.AreMerged ? points.Lattice.SubVoxelsPerColumn() : 1;
   WriteLedger(points, CoveredColumns(places, simplified.Boundary, subVoxels), output);
-  // Points that an earlier simplification dropped are not here any more: with its figures these are bounds.
+  // Points dropped by an earlier simplification are missing, so adding its figures gives upper bounds.
   vtkFieldData* const figures = output->GetFieldData();
   const auto add = [&](const char* name, double value)
   { AddValue<vtkDoubleArray>(figures, name, FirstValue(figures, name) + value); };

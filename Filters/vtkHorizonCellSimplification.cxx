@@ -24,14 +24,13 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// A square, or a box, as one line along its edges. No line runs along all edges of a box just once: it takes 15 steps
-/// for the 12 edges.
+/// A single line along the edges; for a box it retraces some of the 12 edges and takes 15 steps.
 void AddOutline(const SimplificationCell& cell, bool isCube, const Lattice& lattice, vtkPolyData* output)
 {
   const vtkIdType first = output->GetNumberOfPoints();
   for (int corner = 0; corner < (isCube ? 8 : 4); ++corner)
   {
-    // Around the bottom, then around the top.
+    // Corners run around the bottom, then around the top.
     const bool right = corner % 4 == 1 || corner % 4 == 2;
     const bool back = corner % 4 >= 2;
     const Eigen::Vector3d steps(right ? 1.0 : 0.0, back ? 1.0 : 0.0, corner >= 4 ? 1.0 : 0.0);
@@ -100,7 +99,7 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Ou
   const vtkSmartPointer<vtkPolyData> input = points.Horizon;
   const Lattice lattice = points.Lattice;
   monitor.Progress(0.1);
-  // The horizon is gone before the output is made.
+  // The input horizon is freed before the output is made.
   Reduction reduction =
     this->Simplify(ReadBoundedHorizon(std::move(points)), output->GetFieldData(), monitor.Step(0.2, 0.8));
   if (this->ShowCells)
@@ -110,7 +109,7 @@ void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Ou
   else
   {
     output->SetPoints(MakePoints(input, lattice, reduction));
-    reduction.Plane = std::vector<PlanePoint>(); // memory that the arrays can use
+    reduction.Plane = std::vector<PlanePoint>(); // This frees memory for the arrays.
     reduction.Height = std::vector<double>();
     WriteReduction(input, reduction, output);
     ActivateHeight(output);

@@ -93,10 +93,10 @@ protected:
   }
   ~vtkHorizonCellSimplification() override = default;
 
-  /// Runs the method of the subclass on a horizon. Adds what was chosen for a number of points to the field data.
+  /// Adds parameters chosen for MaximumNumberOfPoints to the field data.
   virtual SeismicHorizons::Reduction Simplify(
     const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen, const SeismicHorizons::Monitor& monitor) = 0;
-  /// Whether cells are cubes, which are shown as boxes, or squares, which are shown flat.
+  /// Cubes are shown as boxes, squares flat.
   virtual bool HasCubes() const = 0;
 
   void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) final;

@@ -33,7 +33,7 @@ int vtkHorizonCrossings::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-// By z as it was given: horizons that become one have the same number then, and what does not move keeps its own.
+// Repair works on the given z, so that merged horizons get equal values and unmoved points keep theirs exactly.
 RepairedHorizons vtkHorizonCrossings::Repair(const HorizonStack& stack, const Monitor& monitor)
 {
   const HeightStack heights = stack.WorldHeights();

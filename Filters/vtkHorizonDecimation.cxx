@@ -74,7 +74,7 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
   bounded.Boundary = ReadBoundary(points.Horizon);
   bounded.Height = std::move(points.Height);
   bounded.Cuts = ShareCuts(points.Horizon, PlaneBox(points.Column));
-  ReadCounts(points.Horizon); // refuses wrong ones before the work
+  ReadCounts(points.Horizon); // Invalid counts are refused before the work.
   monitor.Progress(0.1);
   const DecimationOptions options = this->MakeOptions(bounded, lattice);
   Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));

@@ -31,9 +31,8 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr double FewPercent = 2.0; // of spikes; the picks of a tracker have less
+constexpr double FewPercent = 2.0; // percent of points; picks of a tracker have fewer spikes
 
-/// The points of the input that are neither spikes nor on spurs.
 void CopyOthers(vtkPolyData* input, const std::vector<SpikeKind>& kinds, vtkPolyData* output)
 {
   KeptPoints kept(kinds.size());

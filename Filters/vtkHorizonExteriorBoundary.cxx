@@ -46,8 +46,8 @@ std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea)
 {
   CheckAtLeast("smallest hole size", this->SmallestHoleSize, 1, " column");
   CheckAtLeast("smallest hole area", this->SmallestHoleArea, 0.0, " square units of the world");
-  // Areas are often whole multiples of the column's. The quotient may then come out a few roundings (1e-16 each) above
-  // the whole number, which must not ask for one more column.
+  // Areas are often whole multiples of a column's area. The quotient may exceed the whole number by a few roundings
+  // (1e-16 each), which must not require another column.
   constexpr double rounding = 1e-12;
   const double columns = std::ceil(this->SmallestHoleArea / columnArea * (1.0 - rounding));
   const double most = double(std::numeric_limits<std::int64_t>::max() / 2);

@@ -164,7 +164,7 @@ private:
   vtkHorizonExteriorBoundary(const vtkHorizonExteriorBoundary&) = delete;
   void operator=(const vtkHorizonExteriorBoundary&) = delete;
 
-  /// The larger of the two limits, in columns.
+  /// Returns the larger of both limits, in columns.
   std::int64_t FindSmallestHoleSize(double columnArea) const;
 
   int BoundaryType = Exterior;

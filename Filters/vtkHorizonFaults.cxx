@@ -34,8 +34,8 @@ namespace
 {
 constexpr int LinesPort = 1;
 
-/// The smallest throw that is worth a cut, where none is given: terrain and tracking leave steps of a few times the
-/// noise. Differences, whose noise may be given, have that of two heights.
+/// Terrain and tracking leave steps of a few times the noise, so that throws must be larger. Differences of heights have
+/// sqrt(2) times the noise of heights.
 double ThrowAboveNoise(const LatticePoints& points, double noiseOfDifferences)
 {
   constexpr double factor = 8.0;
@@ -108,7 +108,6 @@ int vtkHorizonFaults::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// Leaves points out of the horizon, or lines out of those that cut.
 void vtkHorizonFaults::UsePolygons(std::vector<FaultPolyline>& polylines, LatticePoints& points, const Outputs& outputs)
 {
   if (this->Polygons == Leave)
@@ -153,7 +152,7 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
     if (this->LineType == Sticks)
     {
       std::vector<FaultSheet> sheets = MakeFaultSheets(lines, this->ExtendSticks);
-      if (isFirst) // surfaces are those of all horizons
+      if (isFirst) // All horizons have the same fault surfaces.
       {
         WriteFaultSheets(sheets, outputs[2]);
       }
@@ -176,7 +175,7 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   FaultLines lines = CutAlong(heights, polylines);
   this->NumberOfGivenLines = givenLines;
   this->DoesGivenLineCut = this->DoesGivenLineCut || lines.Size() > 0;
-  vtkNew<vtkFieldData> figures; // with what was found of the columns
+  vtkNew<vtkFieldData> figures; // These include figures from ReadColumns.
   figures->ShallowCopy(output->GetFieldData());
   output->ShallowCopy(points.Horizon);
   output->SetFieldData(figures);

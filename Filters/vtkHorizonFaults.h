@@ -251,8 +251,8 @@ private:
   double MeasuredNoise = 0.0;
   vtkIdType NumberOfFaultLines = 0;
   vtkIdType NumberOfFaultedLinks = 0;
-  vtkIdType NumberOfGivenLines = 0; // that the last horizon was given
-  bool DoesGivenLineCut = false; // any link of any horizon
+  vtkIdType NumberOfGivenLines = 0; // number for the last horizon
+  bool DoesGivenLineCut = false; // True if a given line cuts a link of any horizon.
 };
 
 #endif

@@ -118,7 +118,7 @@ private:
   char* NameArray = nullptr;
   char* NullValues = nullptr;
 
-  std::unique_ptr<SeismicHorizons::PickTable> Picks; // between the list of horizons and their making
+  std::unique_ptr<SeismicHorizons::PickTable> Picks; // Set from listing horizons until they are made.
   vtkTimeStamp PickTime;
 };
 

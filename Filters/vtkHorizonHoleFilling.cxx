@@ -56,8 +56,8 @@ HoleFillingOptions vtkHorizonHoleFilling::MakeOptions(double columnArea) const
   CheckAtLeast("largest hole area", this->LargestHoleArea, 0.0, " square units of the world");
   HoleFillingOptions options;
   options.LargestHoleSize = this->LargestHoleSize;
-  // Areas are often whole multiples of the column's. The quotient may then come out a few roundings (1e-16 each) below
-  // the whole number, which must not leave a hole open.
+  // Areas are often whole multiples of a column's area. The quotient may fall short of the whole number by a few
+  // roundings (1e-16 each), which must not leave a hole open.
   constexpr double rounding = 1e-12;
   const double columns = std::floor(this->LargestHoleArea / columnArea * (1.0 + rounding));
   if (this->LargestHoleArea > 0.0 && columns < double(this->LargestHoleSize))

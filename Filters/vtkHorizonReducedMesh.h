@@ -139,8 +139,7 @@ protected:
 
   SeismicHorizons::DecimationQuality MakeQuality() const;
   bool IsErrorAutomatic() const;
-  /// MaximumError in lattice units, for a horizon with these places, in sub-voxels, and heights; chosen for these where
-  /// it is automatic.
+  /// The result is in lattice units, and chosen from the points if automatic; `columns` are in sub-voxels.
   double FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
     const SeismicHorizons::Lattice& lattice) const;
 

@@ -29,7 +29,7 @@ namespace
 {
 constexpr std::array<const char*, 4> PolicyNames = { "Mean", "UpperWins", "LowerWins", "Stop" };
 
-/// The policies that a text names, one for each layer.
+/// The text has one policy per layer, from the top.
 std::vector<CrossingPolicy> ParsePolicies(const std::string& text, std::size_t layers)
 {
   std::vector<CrossingPolicy> policies;
@@ -144,11 +144,11 @@ int vtkHorizonStackStage::FillInputPortInformation(int port, vtkInformation* inf
 //------------------------------------------------------------------------------
 int vtkHorizonStackStage::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  return 1; // the executive makes them
+  return 1; // The executive makes the outputs.
 }
 
 //------------------------------------------------------------------------------
-// Of several processes each reads all horizons, so that all have the same blocks; the first one does the work.
+// Each process reads all horizons, so that all have the same blocks; the first does the work.
 int vtkHorizonStackStage::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {

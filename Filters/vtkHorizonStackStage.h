@@ -118,11 +118,11 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// The horizons of all connections, in order; `subject` is the one that is read. Throws SeismicHorizons::InputError.
+  /// `subject` names the horizon being read, for messages. Throws SeismicHorizons::InputError.
   SeismicHorizons::HorizonStack ReadStack(
     vtkInformationVector* inputs, std::string& subject, const SeismicHorizons::Monitor& monitor);
   SeismicHorizons::CrossingOptions MakeCrossings(const SeismicHorizons::HorizonStack& stack) const;
-  /// How many vertical indices a height is.
+  /// Converts HeightUnit to vertical indices.
   double IndicesOf(double height, const SeismicHorizons::HorizonStack& stack) const;
 
 private:

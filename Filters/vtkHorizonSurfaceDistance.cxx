@@ -76,7 +76,7 @@ int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformatio
 int vtkHorizonSurfaceDistance::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (const int port : { ReferencePort, MeshPort }) // the executive makes the tables
+  for (const int port : { ReferencePort, MeshPort }) // The executive makes the tables.
   {
     MakeOutputLike(vtkDataObject::GetData(inputVector[port], 0), outputVector->GetInformationObject(port));
   }

@@ -29,7 +29,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// Parameters that parts must have in common, as all of them decide what a seam is like.
+/// Parts must agree in parameters that affect seams.
 void RequireSame(vtkPolyData* first, vtkPolyData* other, const char* name)
 {
   vtkDataArray* const expected = first->GetFieldData()->GetArray(name);
@@ -47,7 +47,7 @@ void RequireSame(vtkPolyData* first, vtkPolyData* other, const char* name)
   }
 }
 
-/// The inputs that have points, from the least row on.
+/// Parts with points, in ascending order of rows.
 std::vector<vtkPolyData*> ListParts(vtkInformationVector* inputs)
 {
   std::vector<std::pair<double, vtkPolyData*>> parts;

@@ -45,7 +45,7 @@ BoundedHorizon MakeHull(const LatticePoints& points)
   return horizon;
 }
 
-/// Each triangle, counter-clockwise, as a loop with the surface to its right.
+/// The surface is to the right of loops, so triangles are reversed.
 Loops MakeLoops(const RawVector<PointId>& triangles)
 {
   Loops loops;
@@ -59,7 +59,7 @@ Loops MakeLoops(const RawVector<PointId>& triangles)
   return loops;
 }
 
-/// The voxels as squares at the height of the horizon's first point.
+/// Voxels are drawn as squares at the height of the first point.
 void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerColumn, const Lattice& lattice,
   double height, vtkPolyData* output)
 {

@@ -120,7 +120,7 @@ vtkDataArray* vtkSeismicReflectionExtraction::FindAmplitudes(vtkImageData* cube)
 {
   vtkInformation* const choice = this->GetInputArrayInformation(0);
   const char* const given = choice->Get(vtkDataObject::FIELD_NAME());
-  // ParaView gives none as "" where it knows of no array yet.
+  // ParaView passes "" before it knows of an array.
   const char* const name = given && *given ? given : nullptr;
   if (choice->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
@@ -131,7 +131,7 @@ vtkDataArray* vtkSeismicReflectionExtraction::FindAmplitudes(vtkImageData* cube)
   vtkDataArray* const array = name ? data->GetArray(name) : own;
   if (!array && own && own->GetName())
   {
-    // Scripts of ParaView name an array of the active source where they are given none.
+    // ParaView scripts fill in an array of the active source if none is named.
     vtkWarningMacro(<< "no point array " << name << " in the image: amplitudes are those of " << own->GetName());
     return own;
   }
@@ -218,13 +218,13 @@ void vtkSeismicReflectionExtraction::Describe()
     description += std::to_string(result.NumberOfSurfaces) + " surfaces of " + std::to_string(result.SmallestSize) +
       " picks or more, " + std::to_string(result.Surfaces.size() - this->Found->Guides.size()) + " taken\n";
   }
-  description.pop_back(); // the end of the last line
+  description.pop_back(); // This drops the last newline.
   this->Description = std::move(description);
 }
 
 namespace
 {
-/// The numbers of some picks from 1 on, and where the first of them is.
+/// Picks are numbered from 1.
 std::string PicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide)
 {
   constexpr std::size_t most = 5;
@@ -293,7 +293,7 @@ void vtkSeismicReflectionExtraction::DescribeGuides(std::ostream& text)
                       << " picks are nearer to a reflection of " << (use.IsNegative ? "positive" : "negative")
                       << " amplitude than to one of the sign of the others, expected one sign");
     }
-    constexpr std::int64_t many = 20; // one of so many points; guides meet along their rims
+    constexpr std::int64_t many = 20; // One in 20 points may be shared, as guides meet along their rims.
     if (many * use.Shared > static_cast<std::int64_t>(result.Surfaces[n].Column.size()) + use.Shared)
     {
       vtkWarningMacro(<< name << use.Shared << " of its points were assigned to guide \""
@@ -305,7 +305,7 @@ void vtkSeismicReflectionExtraction::DescribeGuides(std::ostream& text)
 
 namespace
 {
-/// From the samples of the cube to the lattice and the world.
+/// Converts cube samples to lattice indices and world z.
 void Place(LatticeHorizon& voxels, const ImageCube& cube)
 {
   const int sign = static_cast<int>(cube.Frame.Direction);
@@ -338,7 +338,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSeismicReflectionExtraction::Make
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
-    // Moved out of the list, so that the voxels of each horizon are freed once it is made.
+    // Each horizon's voxels are freed once it is made.
     LatticeHorizon voxels = std::move(found->Result.Surfaces[static_cast<std::size_t>(number)]);
     Place(voxels, cube);
     vtkSmartPointer<vtkPolyData> horizon = MakeHorizonPoints(std::move(voxels), cube.Frame);

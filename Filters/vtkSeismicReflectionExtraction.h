@@ -389,7 +389,7 @@ private:
   std::string Description;
 
   struct Surfaces;
-  std::unique_ptr<Surfaces> Found; // between the list of horizons and their making
+  std::unique_ptr<Surfaces> Found; // Set from listing horizons until they are made.
 };
 
 #endif
