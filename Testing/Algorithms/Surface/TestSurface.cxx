@@ -149,11 +149,10 @@ void TestSameAsMethods()
     options.Effort = n % 7 < 3 ? DecimationEffort::Fast : DecimationEffort::Best;
     const Surface surface = MakeSurface(points, options);
     CHECK_EQUAL(Tell(points, surface), RunMethods(points, options, surface));
-    const double mostOff = n % 2 == 0 ? 0.75 : 1e9;
-    CHECK_EQUAL(surface.Parameters.OutlineTolerance, std::min(surface.Parameters.MaximumError, mostOff));
-    CHECK_EQUAL(surface.Parameters.DistanceThreshold, surface.Parameters.MaximumError);
-    const std::int64_t hole = ChooseSmallestHoleSize(surface.Parameters.Radius, surface.Parameters.OutlineTolerance);
-    CHECK_EQUAL(surface.Parameters.SmallestHoleSize, hole);
+    const SurfaceParameters& chosen = surface.Parameters;
+    CHECK_EQUAL(chosen.OutlineTolerance, std::min(chosen.MaximumError, n % 2 == 0 ? 0.75 : 1e9));
+    CHECK_EQUAL(chosen.DistanceThreshold, chosen.MaximumError);
+    CHECK_EQUAL(chosen.SmallestHoleSize, ChooseSmallestHoleSize(chosen.Radius, chosen.OutlineTolerance));
   }
 }
 
