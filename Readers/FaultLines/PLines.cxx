@@ -199,12 +199,12 @@ private:
   std::int64_t Line = 0;
   std::string Keyword;
   bool IsPLine = false;
-  bool IsInBlock = false;
+  bool IsInBlock = false; // between braces
   bool IsDepth = false; // z increases downwards.
   std::string Name;
   VertexIds Ids;
   std::vector<SpacePoint> Vertices;
-  PointId End = NoPoint;
+  PointId End = NoPoint; // last vertex of the current polyline
 };
 }
 

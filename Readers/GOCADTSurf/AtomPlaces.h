@@ -16,7 +16,7 @@ namespace SeismicHorizons
 struct Atom
 {
   PointId Vertex;
-  std::int64_t PlaceId;
+  std::int64_t PlaceId; // id of the other vertex
   std::int64_t Line;
   bool HasValues; // Without own values the atom takes those of the other vertex.
 };

@@ -49,7 +49,7 @@ private:
   std::vector<Atom> Atoms;
   std::int64_t Line = 0;
   std::string_view Keyword;
-  std::int32_t Part = -1;
+  std::int32_t Part = -1; // current TFACE; -1 before the first
 };
 }
 

@@ -22,7 +22,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t HeadSize = 4096;
+constexpr std::size_t HeadSize = 4096; // bytes
 constexpr const char* ExpectedObject = ", expected \"GOCAD TSurf 1\"";
 
 bool SaysNothing(const LineTokens& line)
@@ -281,13 +281,13 @@ private:
   const TSurfChoice Choice;
   std::int64_t Line = 1;
   std::string Capitals;
-  std::int64_t ObjectLine = 0;
-  std::int64_t BlockLine = 0;
+  std::int64_t ObjectLine = 0; // first line of the object; 0 outside
+  std::int64_t BlockLine = 0; // first line of the block; 0 outside
   std::string BlockEnd;
   BlockKind Block = BlockKind::Unknown;
   std::int64_t HeaderLine = 0; // Line of HEADER if its brace is on the next line, else 0.
   bool IsHeaderOpen = false; // Values follow the opening brace, and may precede the closing one.
-  std::vector<std::int64_t> GroupLines;
+  std::vector<std::int64_t> GroupLines; // first lines of open groups
   bool IsTSurf = false;
   TSurfHeader Header;
   std::optional<TSurfBuilder> Builder;

@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double LeastNull = 1e20;
+constexpr double LeastNull = 1e20; // if the header states no other value
 
 class EarthVisionPoints
 {

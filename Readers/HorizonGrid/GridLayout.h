@@ -53,7 +53,7 @@ void RequirePoints(std::int64_t nodes, std::int64_t points);
 
 struct StorageOrder
 {
-  bool AlongY = false;
+  bool AlongY = false; ///< Column by column instead of row by row.
   bool FromRight = false; ///< The largest i comes first.
   bool FromTop = false; ///< The largest j comes first.
 };

@@ -14,7 +14,7 @@ namespace
 {
 constexpr int Base = 90;
 constexpr char Zero = '%'; // The other digits follow in ASCII.
-constexpr char NoValue = '!';
+constexpr char NoValue = '!'; // starts a group without value
 constexpr char Repeat = '"'; // Groups with a count and with the repeated value follow.
 
 /// Values in base 90 have no separators.

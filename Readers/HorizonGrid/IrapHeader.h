@@ -16,8 +16,8 @@ struct IrapHeader
   std::array<int, 2> Columns = {};
   std::array<double, 2> Steps = {};
   Eigen::Vector2d Origin = Eigen::Vector2d::Zero();
-  double Degrees = 0.0;
-  Eigen::Vector2d Centre = Eigen::Vector2d::Zero();
+  double Degrees = 0.0; // counterclockwise
+  Eigen::Vector2d Centre = Eigen::Vector2d::Zero(); // of the rotation
 };
 
 /// Throws InputError if the rotation is not around the origin, because programs disagree on its meaning.

@@ -16,7 +16,7 @@ struct ZmapHeader
   std::string Name;
   int Width = 0; // Characters of a value, for files without separators.
   NullRule IsNull;
-  std::string NullText;
+  std::string NullText; // for files without a null number
   int Decimals = 0; // Implied decimals of values without a point.
   int FirstCharacter = 1; // Character from 1 at which the values of a line begin.
   SurveyLattice Lattice;

@@ -23,7 +23,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr const char* Remedy = ": name the columns in Columns, such as Inline, Crossline, X, Y, Z";
-constexpr std::size_t MostColumns = 12;
+constexpr std::size_t MostColumns = 12; // fields that are compared with each other
 
 std::string Two(std::size_t column)
 {
@@ -248,8 +248,8 @@ void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
   {
     return;
   }
-  constexpr double smooth = 0.25;
-  constexpr double alike = 0.1;
+  constexpr double smooth = 0.25; // fraction of the range, from field to field
+  constexpr double alike = 0.1; // fraction by which ranges of fields differ
   std::vector<Range> ranges(count);
   std::vector<Mean> steps(count);
   for (const std::string_view line : sample)

@@ -25,10 +25,10 @@ std::size_t CountFields(const TextLines& sample, FieldSeparator separator);
 
 struct ColumnValues
 {
-  bool AreText = false;
+  bool AreText = false; // No value is a number, and some are not null.
   bool AreNames = false; // Texts other than units, or at most 20 different whole numbers.
   bool AreAllDifferent = false; // Ids of picks are all different.
-  bool AreLines = true;
+  bool AreLines = true; // Whole numbers small enough for line numbers.
 };
 
 ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size_t column);

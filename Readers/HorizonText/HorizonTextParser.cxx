@@ -24,7 +24,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t LookAhead = 256 * 1024;
+constexpr std::size_t LookAhead = 256 * 1024; // bytes
 
 template <typename Take>
 void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& monitor, Take&& take)
@@ -68,10 +68,10 @@ private:
   const TextLayout& Layout;
   PickTable Table;
   std::size_t Picks = 0;
-  std::int64_t Lines = 0;
+  std::int64_t Lines = 0; // before the next block
   bool HasEnded = false;
   bool HasComment = false;
-  bool IsLatin1 = false;
+  bool IsLatin1 = false; // A name is not UTF-8.
   std::unordered_map<std::string, int> Numbers;
 };
 
@@ -365,7 +365,7 @@ PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout)
     return {};
   }
   TextLayout first = layout;
-  first.Picks = -1;
+  first.Picks = -1; // The beginning has fewer picks than the file.
   PickCollector picks(first);
   picks.Add(ParsePicks(lines, first));
   return picks.Take();

@@ -25,8 +25,8 @@ PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout);
 /// Sizes do not change the result.
 struct TextPieces
 {
-  std::size_t Buffer = 8 * 1024 * 1024;
-  std::size_t Block = 256 * 1024;
+  std::size_t Buffer = 8 * 1024 * 1024; // bytes in memory at a time
+  std::size_t Block = 256 * 1024; // bytes per task
 };
 
 /// Progress is by bytes.

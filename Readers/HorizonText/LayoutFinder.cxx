@@ -191,7 +191,7 @@ void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const Tex
 {
   if (sample.size() > 1 && IsLatticeSize(sample, 1.0) && !IsLatticeSize(sample))
   {
-    std::int64_t picks = -1;
+    std::int64_t picks = -1; // The line of sizes is no pick.
     for (auto line = std::size_t(layout.HeaderLines); line < lines.size(); ++line)
     {
       picks += IsSkipped(lines[line]) ? 0 : 1;

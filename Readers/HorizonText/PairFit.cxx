@@ -57,8 +57,8 @@ std::vector<Pair> ReadPairs(const TextLines& sample, const TextLayout& layout, s
 /// A few lines may be wrong, and are left out of the map.
 struct TrimmedFit
 {
-  std::optional<PlaneMap> Map;
-  std::vector<double> Off;
+  std::optional<PlaneMap> Map; // maps differences from the first pair
+  std::vector<double> Off; // distances from the map, ascending
   Eigen::Vector2d Extent = Eigen::Vector2d::Zero();
 
   /// The most reliable pairs come first.

@@ -17,10 +17,10 @@ constexpr double LargestPlace = 1e9; // Larger than any place on Earth in any un
 struct PairFit
 {
   bool AreTelling = false; // The lines suffice, and are not all of one inline.
-  bool AreAffine = false;
+  bool AreAffine = false; // An affine map leads from the first pair to the second.
   bool AreMostlyAffine = false; // The map holds roughly for most lines.
   bool AreLarger = false; // Steps of the second pair are longer.
-  bool AreCoordinates = true;
+  bool AreCoordinates = true; // The second pair is as large as coordinates.
 };
 
 /// All lines if they are few, else nine of ten.

@@ -16,7 +16,7 @@
 
 namespace SeismicHorizons
 {
-/// Lines count from 0.
+/// Lines count from 0; -1 means none.
 struct PickBlock
 {
   std::vector<std::vector<double>> Values; // Numbers per field of the layout; nan for null values.
@@ -24,10 +24,10 @@ struct PickBlock
   std::vector<int> Horizon; // Index of the name per pick; empty without a field of names.
   std::vector<PickLine> PickLines;
   std::int64_t Lines = 0;
-  std::int64_t FirstLine = -1;
+  std::int64_t FirstLine = -1; // The first that is neither empty nor a comment.
   std::int64_t CommentLine = -1; // The first comment in words that a pick follows.
-  std::int64_t EndLine = -1;
-  std::int64_t ErrorLine = -1;
+  std::int64_t EndLine = -1; // The line of an end mark.
+  std::int64_t ErrorLine = -1; // Later lines are not parsed.
   std::string Error;
 };
 

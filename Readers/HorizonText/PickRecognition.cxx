@@ -21,7 +21,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t LookedAt = 64 * 1024;
+constexpr std::size_t LookedAt = 64 * 1024; // bytes
 
 /// Other programs do not use these extensions for tables of numbers.
 bool IsOfPicks(const std::string& extension)

@@ -42,10 +42,10 @@ struct TextLayout
   bool HasLineOfNames = false; // A line of words that is not a comment precedes the picks.
   /// Lines from the names to the picks. Concatenated files repeat them, and they are skipped.
   std::vector<std::string> NamesLines;
-  std::string Doubt;
+  std::string Doubt; // warning about guessed fields
   bool HasDecimalCommas = false;
-  bool IsGuessed = false;
-  std::int64_t HeaderLines = 0;
+  bool IsGuessed = false; // Fields are known by their values alone.
+  std::int64_t HeaderLines = 0; // lines before the first pick
   std::int64_t Picks = -1; // Number stated in the header, or -1.
   std::string HorizonName;
   SurveyDescription Survey;

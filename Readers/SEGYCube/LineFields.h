@@ -19,6 +19,7 @@
 
 namespace SeismicHorizons
 {
+/// First bytes of two fields, from 1.
 struct FieldPair
 {
   int First = 0;

@@ -25,7 +25,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int LastFieldByte = SEGYTraceHeaderSize - 3;
+constexpr int LastFieldByte = SEGYTraceHeaderSize - 3; // last start of a field of 4 bytes
 
 void CheckField(const char* name, int byte)
 {
@@ -101,7 +101,7 @@ void RefuseOtherLengths(const TraceTable& table)
 
 std::optional<FieldPair> SuggestLines(const std::string& name, SEGYHeader header)
 {
-  constexpr std::int64_t most = 1 << 16;
+  constexpr std::int64_t most = 1 << 16; // traces
   header.Traces = std::min(header.Traces, most);
   std::vector<int> bytes;
   for (int byte = 1; byte <= LastFieldByte; byte += 4)

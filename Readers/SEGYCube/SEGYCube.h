@@ -38,8 +38,8 @@ enum class DelayRule
 /// Bytes count from 1; 0 means detect, NoField means none.
 struct SEGYOptions : SEGYHeaderOptions
 {
-  FieldPair LineFields;
-  FieldPair PlaceFields;
+  FieldPair LineFields; // inline and crossline
+  FieldPair PlaceFields; // x and y
   double Tolerance = 0.25; // Largest distance of a trace from its column, in columns.
   double VerticalStep = 0.0; // 0 keeps the step of the file.
   DuplicateRule Duplicates = DuplicateRule::Refuse;
@@ -71,10 +71,10 @@ struct SEGYCube
   double LargestDistance = 0.0; // In columns.
   VerticalSampling Sampling; // Milliseconds, or the unit that the user sets.
   bool IsCrosslineSorted = false;
-  std::int64_t MissingTraces = 0;
-  std::int64_t DeadTraces = 0;
-  std::int64_t Fillers = 0;
-  std::int64_t DuplicateTraces = 0;
+  std::int64_t MissingTraces = 0; // columns without a trace
+  std::int64_t DeadTraces = 0; // dead by their headers
+  std::int64_t Fillers = 0; // dead traces without line numbers
+  std::int64_t DuplicateTraces = 0; // ignored or averaged
   std::int64_t StrayPlaces = 0;
   std::vector<std::string> Warnings;
   RawVector<std::int32_t> Traces; // Trace of column (i, j) at i + j * Columns[0], or NoTrace or DeadTrace.

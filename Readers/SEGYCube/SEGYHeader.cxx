@@ -16,7 +16,7 @@ namespace
 {
 constexpr int HeaderSize = SEGYTextSize + 400;
 constexpr int LineLength = 80;
-constexpr std::int64_t MostTraces = std::int64_t(1) << 31;
+constexpr std::int64_t MostTraces = std::int64_t(1) << 31; // Columns store trace numbers in 32 bits.
 constexpr std::int64_t MostExtendedTexts = 1 << 15;
 
 // Offsets of bytes from 1, as in the standard.
@@ -34,7 +34,7 @@ constexpr int TrailersByte = 3529;
 constexpr int TraceSamplesByte = 115;
 constexpr int TraceIntervalByte = 117;
 constexpr double IntervalTolerance = 0.0011; // Milliseconds; traces state whole microseconds.
-constexpr std::uint32_t ByteOrderNumber = 16909060;
+constexpr std::uint32_t ByteOrderNumber = 16909060; // bytes 01 02 03 04
 
 using HeaderBytes = std::vector<unsigned char>;
 

@@ -16,8 +16,8 @@
 
 namespace SeismicHorizons
 {
-constexpr int SEGYTextSize = 3200;
-constexpr int SEGYTraceHeaderSize = 240;
+constexpr int SEGYTextSize = 3200; // bytes
+constexpr int SEGYTraceHeaderSize = 240; // bytes
 
 struct SEGYHeaderOptions
 {
@@ -38,7 +38,7 @@ struct SEGYHeader
   double Interval = 0.0; // Milliseconds; 0 if not stated.
   std::string LengthUnit; // "m", "ft", or empty if not stated.
   int ExtendedTexts = 0;
-  std::int64_t FirstTrace = 0;
+  std::int64_t FirstTrace = 0; // offset in bytes
   std::int64_t Traces = 0;
   std::vector<std::string> Warnings;
 

@@ -12,7 +12,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr int HeaderSize = 3600;
-constexpr std::int64_t LookedAt = 8;
+constexpr std::int64_t LookedAt = 8; // traces
 
 bool IsWhole(const SEGYExtents& file, const SEGYLayout& layout)
 {

@@ -21,8 +21,8 @@ namespace SeismicHorizons
 {
 struct SEGYLayout
 {
-  int Texts = 0;
-  int Samples = 0;
+  int Texts = 0; // after the binary header
+  int Samples = 0; // per trace
 };
 
 struct SEGYExtents

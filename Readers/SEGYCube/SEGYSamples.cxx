@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t BufferSize = 256;
+constexpr std::size_t BufferSize = 256; // samples
 
 template <std::size_t Size>
 using BitsOf = std::conditional_t<Size == 8, std::uint64_t, std::uint32_t>;
@@ -43,7 +43,7 @@ To CopyBits(From bits)
 /// The format has a sign, an exponent to the base 16 and a fraction of 24 bits; a double holds all values.
 float FromIbm(std::uint32_t bits)
 {
-  constexpr int Bias = 4 * 64 + 24;
+  constexpr int Bias = 4 * 64 + 24; // in powers of 2, with the fraction as an integer
   constexpr int DoubleBias = 1023;
   constexpr int DoubleDigits = 52;
   const auto exponent = std::uint64_t(4 * int(bits >> 24 & 0x7f) - Bias + DoubleBias);

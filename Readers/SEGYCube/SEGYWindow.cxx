@@ -24,7 +24,7 @@ namespace
 {
 constexpr std::size_t TileBytes = std::size_t(1) << 22;
 constexpr std::int64_t MostTileColumns = 1024;
-constexpr int StripWidth = 64;
+constexpr int StripWidth = 64; // columns
 constexpr int NarrowStrip = 16; // A cache line.
 
 struct Tile
@@ -140,7 +140,7 @@ private:
     struct Place
     {
       std::int32_t Trace;
-      std::size_t Column;
+      std::size_t Column; // index in the tile
     };
     std::vector<Place> places;
     this->Slots.assign(tile.Columns(), NoTrace);
@@ -270,10 +270,10 @@ private:
   float* const Values;
   SEGYWindow& Window;
   SEGYFile File;
-  RawVector<unsigned char> Bytes;
-  std::vector<std::int32_t> Slots;
+  RawVector<unsigned char> Bytes; // traces of a tile
+  std::vector<std::int32_t> Slots; // trace in Bytes per column, or NoTrace
   std::vector<float> Samples;
-  RawVector<float> Strip;
+  RawVector<float> Strip; // column by column
   std::int64_t Bad = 0;
 };
 }

@@ -27,7 +27,7 @@ struct SampleRange
 struct SEGYWindow
 {
   std::vector<SampleRange> Columns; // i fastest.
-  bool IsFull = true;
+  bool IsFull = true; // All columns have samples at all levels.
   std::int64_t NotFinite = 0;
 };
 

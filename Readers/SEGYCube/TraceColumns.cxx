@@ -44,7 +44,7 @@ std::array<double, 2> DelayRange(const SEGYCube& cube, const TraceTable& table)
 /// Returns a delay that differs by whole steps from the delay of most columns.
 double CommonDelay(const SEGYCube& cube, const TraceTable& table, double least)
 {
-  constexpr int parts = 1000;
+  constexpr int parts = 1000; // per step
   std::array<std::int64_t, parts> counts = {};
   const auto partOf = [&](std::int32_t trace)
   {

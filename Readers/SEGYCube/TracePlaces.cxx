@@ -17,6 +17,7 @@ namespace
 {
 constexpr std::int64_t SampledPlaces = 1000;
 
+/// Returns the traces with a place, or every n-th of them.
 PickTable ListPlaces(
   const TraceTable& table, const LineNumbers& lines, const FieldPair& fields, std::int64_t stride = 1)
 {

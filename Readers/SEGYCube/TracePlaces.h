@@ -19,8 +19,8 @@ struct PlacedTraces
   std::vector<std::string> Warnings;
 };
 
-/// Uses the first pair on a lattice, pairs that follow the line numbers last, and line numbers if there is none. Throws
-/// InputError if fields of the user have no lattice, except for a single line.
+/// Uses the first pair on a lattice, last a pair that follows the line numbers, never their copy, else line numbers.
+/// Throws InputError if fields of the user have no lattice, except for a single line.
 PlacedTraces PlaceTraces(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
   const SEGYOptions& options, bool isLine, const Monitor& monitor);
 

@@ -30,7 +30,7 @@ constexpr int TimeScalar = 215;
 class TraceField
 {
 public:
-  static constexpr std::int64_t PartSize = 1 << 12;
+  static constexpr std::int64_t PartSize = 1 << 12; // traces
 
   explicit TraceField(std::int64_t traces = 0);
 

@@ -109,7 +109,7 @@ int vtkSEGYCubeReader::CanReadFile(const char* fileName)
     [fileName, isOwn](std::istream&)
     {
       const auto path = std::filesystem::u8path(fileName);
-      std::ifstream stream(path, std::ios::binary);
+      std::ifstream stream(path, std::ios::binary); // without decoding gzip
       return IsSEGY(stream) &&
         (isOwn ||
           (BeginsWithText(stream) &&
@@ -142,7 +142,7 @@ CubeView vtkSEGYCubeReader::MakeView() const
   survey = cube.Survey;
   if (this->VerticalUnit && *this->VerticalUnit)
   {
-    survey.VerticalDomain.clear();
+    survey.VerticalDomain.clear(); // The domain follows from the unit.
     SeismicHorizons::SetVerticalUnit(survey, this->VerticalUnit);
   }
   Override(survey.VerticalDomain, this->VerticalDomain);

@@ -169,7 +169,7 @@ private:
   {
     PlanePoint Column;
     double Voxels = 0.0;
-    double Index = 0.0;
+    double Index = 0.0; // not rounded
   };
 
   SparseMatrixOptions Options;

@@ -189,7 +189,7 @@ vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeH
   const VolumePoints points(imageExtent, place.VerticalSign);
   CheckBackground(horizons, options.Background);
   auto image = vtkSmartPointer<vtkImageData>::New();
-  VoxelExtent extent = imageExtent;
+  VoxelExtent extent = imageExtent; // SetExtent takes no const array.
   image->SetExtent(extent.data());
   PlaceImage(image, place);
   AddFrameFields(image->GetFieldData(), frame);

@@ -27,7 +27,7 @@ struct VolumeOptions
 {
   VolumeAttribute Attribute = VolumeAttribute::None;
   int Background = 0; // Surface ID of points without a voxel.
-  int MemoryLimit = 0;
+  int MemoryLimit = 0; // 2^20 bytes
 };
 
 /// The conversion is its own inverse.

@@ -18,7 +18,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t HeaderLines = 1;
-constexpr std::size_t BlockSize = 256 * 1024;
+constexpr std::size_t BlockSize = 256 * 1024; // bytes per task
 
 constexpr std::size_t ValuesPerVoxel = 5;
 constexpr std::array<const char*, ValuesPerVoxel> ValueNames = { "vertical index ", "surface ID ", "thickness ",
@@ -180,7 +180,7 @@ private:
 
   const SparseMatrixSize Size;
   const std::int64_t NumberOfColumns;
-  std::int64_t Column;
+  std::int64_t Column; // columns before the current line
   int I;
   int J;
   std::vector<SparseMatrixVoxel> Voxels;

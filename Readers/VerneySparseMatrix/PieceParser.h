@@ -41,7 +41,7 @@ private:
 
   const SparseMatrixSize Size;
   const SparseMatrixOptions Options;
-  std::int64_t Lines;
+  std::int64_t Lines; // lines before the next piece
   std::vector<HorizonSorter> Parsed;
 };
 }

@@ -28,7 +28,7 @@ struct HorizonOverview
 struct SparseMatrixOverview
 {
   SparseMatrixSize Size = {};
-  std::map<int, HorizonOverview> Horizons;
+  std::map<int, HorizonOverview> Horizons; // by surface ID
   SparseMatrixVerticalFit VerticalFit; // Ignores the range of rows.
 
   struct Line

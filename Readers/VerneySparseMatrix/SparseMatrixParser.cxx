@@ -24,7 +24,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr const char* ExpectedHeader = ", expected three positive integers \"nX nY nZ\" below 2^31";
-constexpr std::size_t MaximumHeader = 4096;
+constexpr std::size_t MaximumHeader = 4096; // characters with the newline
 
 /// The number of cells must fit 63 bits.
 bool IsCountable(const SparseMatrixSize& size)

@@ -24,6 +24,7 @@
 
 namespace SeismicHorizons
 {
+/// nX, nY and nZ: cells of the lattice along i, j and k.
 using SparseMatrixSize = std::array<int, 3>;
 
 struct SparseMatrixVoxel
@@ -50,15 +51,15 @@ struct SparseMatrix
 {
   SparseMatrixSize Size = {};
   std::vector<LatticeHorizon> Horizons; ///< By ascending surface ID, then in the order of sheets; none is empty.
-  SparseMatrixVerticalFit VerticalFit;
+  SparseMatrixVerticalFit VerticalFit; ///< By least squares, through all voxels.
 };
 
 /// Excluded data are checked, too.
 struct SparseMatrixOptions
 {
   DuplicatePolicy Policy = DuplicatePolicy::StrongestAmplitude;
-  std::array<int, 2> ColumnRange = { 0, std::numeric_limits<int>::max() };
-  std::array<int, 2> RowRange = { 0, std::numeric_limits<int>::max() };
+  std::array<int, 2> ColumnRange = { 0, std::numeric_limits<int>::max() }; ///< First and last i.
+  std::array<int, 2> RowRange = { 0, std::numeric_limits<int>::max() }; ///< First and last j.
   std::int64_t SmallestSize = 1; ///< In voxels within the ranges.
   std::vector<int> Surfaces = {}; ///< Ascending surface IDs; empty for all.
 

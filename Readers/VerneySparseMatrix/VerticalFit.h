@@ -73,7 +73,7 @@ private:
   void Add(const LatticeHorizon& voxels, Sums& sums) const;
 
   std::optional<ReferenceVoxel> Reference;
-  std::map<int, Sums> Horizons;
+  std::map<int, Sums> Horizons; // by surface ID
 };
 }
 
