@@ -27,6 +27,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
+/// All processes, if they write together, or this one alone.
 Ranks RanksOf(bool areTogether)
 {
   return areTogether ? Ranks(vtkMultiProcessController::GetGlobalController()) : Ranks();

@@ -58,7 +58,7 @@ bool FindHeights(vtkPVDataInformation* data, ColorRange& range)
   range.Array = axis.Name;
   range.Association = vtkDataObject::POINT;
   range.IsDownwards = axis.IsDownwards;
-  range.IsOfData = false; // Heights of the bounds are no array of the data.
+  range.IsOfData = false; // No array of the data has these heights.
   range.Ends =
     axis.IsDownwards ? std::array<double, 2>{ -bounds[5], -bounds[4] } : std::array<double, 2>{ bounds[4], bounds[5] };
   return !axis.Name.empty() && range.Ends[0] < range.Ends[1];

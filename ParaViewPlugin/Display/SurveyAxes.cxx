@@ -33,7 +33,7 @@ struct Lines
   std::string Name;
   double First = 0.0;
   double Step = 1.0;
-  double Count = 0.0;
+  double Count = 0.0; // an integer of at least 1
   std::array<double, 2> Spacing = {}; // World x and y between lines.
 
   std::array<double, 2> PerNumber() const { return { this->Spacing[0] / this->Step, this->Spacing[1] / this->Step }; }
@@ -42,7 +42,7 @@ struct Lines
 struct Survey
 {
   std::array<Lines, 2> Directions; // Right-handed as seen from +z; otherwise axes would hide behind the data.
-  std::array<double, 2> Origin = {};
+  std::array<double, 2> Origin = {}; // world x and y of the first lines
 };
 
 double Cross(const std::array<double, 2>& a, const std::array<double, 2>& b)
@@ -77,7 +77,7 @@ bool ReadSurvey(vtkPVDataInformation* data, Survey& survey)
   return area != 0.0 && std::isfinite(area);
 }
 
-/// Row-major.
+/// The matrix is row-major.
 std::vector<double> ToWorld(const Survey& survey, double verticalExaggeration)
 {
   const std::array<double, 2> x = survey.Directions[0].PerNumber();
@@ -100,7 +100,7 @@ std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box)
 {
   const std::array<double, 2> x = survey.Directions[0].Spacing;
   const std::array<double, 2> y = survey.Directions[1].Spacing;
-  vtkBoundingBox lines; // From 0.
+  vtkBoundingBox lines; // Lines count from 0.
   for (int corner = 0; corner < 4; ++corner)
   {
     const std::array<double, 2> place = { box.GetBound(corner % 2) - survey.Origin[0],

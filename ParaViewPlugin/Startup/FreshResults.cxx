@@ -38,7 +38,7 @@ void KeepResultsFresh()
   if (vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
     vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_BATCH)
   {
-    return;
+    return; // Servers have no panels.
   }
   static vtkNew<vtkCallbackCommand> refresh;
   static vtkNew<vtkCallbackCommand> watch;

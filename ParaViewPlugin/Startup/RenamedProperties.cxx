@@ -99,7 +99,7 @@ void ReadRenamedProperties()
   if (vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
     vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_BATCH)
   {
-    return;
+    return; // Servers read no state files.
   }
   static vtkNew<vtkCallbackCommand> read;
   read->SetCallback(ReadState);

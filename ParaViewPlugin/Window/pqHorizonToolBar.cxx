@@ -190,7 +190,7 @@ void pqHorizonToolBar::showState()
   pqView* const view = ActiveView();
   this->setEnabled(view != nullptr);
   this->Axes->setChecked(view && HasSurveyAxes(view->getProxy()));
-  if (!this->Factor->lineEdit()->hasFocus())
+  if (!this->Factor->lineEdit()->hasFocus()) // Otherwise the user is typing.
   {
     this->showFactor();
   }

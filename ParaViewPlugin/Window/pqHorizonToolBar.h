@@ -41,7 +41,7 @@ private:
 
   QComboBox* Factor;
   QAction* Axes;
-  QSet<pqView*> Updated;
+  QSet<pqView*> Updated; // views whose colour ranges may be outdated
 };
 
 #endif

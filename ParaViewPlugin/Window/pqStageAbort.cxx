@@ -28,7 +28,7 @@
 
 namespace
 {
-constexpr int ListeningInterval = 50;
+constexpr int ListeningInterval = 50; // ms
 
 bool IsStage(vtkObjectBase* object)
 {

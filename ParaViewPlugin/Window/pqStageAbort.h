@@ -64,7 +64,7 @@ private:
   vtkAlgorithm* Stopping = nullptr; // Set until everything that requested the stage has ended.
   QHash<vtkObject*, pqPipelineSource*> Sources;
   QSet<vtkObject*> Stopped;
-  QHash<vtkObject*, QList<QPointer<pqDataRepresentation>>> Shown;
+  QHash<vtkObject*, QList<QPointer<pqDataRepresentation>>> Shown; // inputs in place of stopped stages
   QElapsedTimer SinceListened;
   bool IsShowingProgress = false;
   bool IsListening = false;

@@ -88,15 +88,15 @@ private:
   }
 
   const TSurf& Surface;
-  std::vector<PointId> First;
-  std::vector<PointId> Listed;
+  std::vector<PointId> First; // first entry of each vertex, or NoPoint
+  std::vector<PointId> Listed; // last entry of each vertex, or NoPoint
 };
 
 /// An edge of a triangle, stored at its end of lower number.
 struct Side
 {
   PointId High;
-  bool IsForward;
+  bool IsForward; // The triangle goes from the lower end to High.
 };
 
 using Sides = ItemLists<Side, std::uint32_t>;
@@ -165,7 +165,7 @@ std::vector<std::array<PointId, 2>> FindBorders(
   const std::vector<TSurf::Triangle>& triangles, std::size_t numberOfVertices)
 {
   const Ends edges = FindBorderEdges(FindSides(triangles, numberOfVertices), numberOfVertices);
-  std::vector<const PointId*> next(numberOfVertices);
+  std::vector<const PointId*> next(numberOfVertices); // first edge from each vertex that is in no loop yet
   for (std::size_t vertex = 0; vertex < numberOfVertices; ++vertex)
   {
     next[vertex] = edges.begin(std::int64_t(vertex));

@@ -18,7 +18,7 @@ struct PartMesh
 {
   struct Part
   {
-    std::size_t LastVertex, LastTriangle;
+    std::size_t LastVertex, LastTriangle; // exclusive; a part begins at the end of the previous one
   };
 
   std::vector<PointId> Sources;

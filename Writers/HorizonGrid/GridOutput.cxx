@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t PieceSize = 256 * 1024;
+constexpr std::size_t PieceSize = 256 * 1024; // bytes
 
 // Other numbers are written with an exponent.
 constexpr double SmallestPlain = 1e-5;

@@ -48,6 +48,7 @@ public:
 
   void EndLine();
 
+  /// Counts values that were written by other functions.
   void EndValues(std::int64_t number);
 
   void Finish();

@@ -25,7 +25,7 @@ void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monito
 double RoundingOf(const SurveyLattice& lattice);
 
 /// Steps must be along the axes. Nodes are stored from the north-west. Null values are -99999 or a smaller number that
-/// no value is near; values from 9.9e29 on are refused. The name loses commas and line ends.
+/// no value is near; values from 9.9e29 on are refused. The name loses commas and line ends; there is no unit.
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
 
 bool IsAlongAxes(const SurveyLattice& lattice);

@@ -28,7 +28,7 @@ struct IrapLattice
 {
   double ColumnStep = 0.0;
   double RowStep = 0.0; // Negative for left-handed lattices.
-  double Degrees = 0.0;
+  double Degrees = 0.0; // counterclockwise
 };
 
 /// Throws InputError if the farthest node would move.
@@ -78,6 +78,7 @@ std::uint32_t BitsOf(float number)
   return bits;
 }
 
+/// A Fortran record is big-endian, with its length in bytes before and after it.
 void WriteRecord(GridOutput& output, const std::vector<std::uint32_t>& numbers)
 {
   const auto write = [&output](std::uint32_t bits)

@@ -20,7 +20,7 @@ constexpr double FirstNull = 9.9e29; // Readers compare in single precision.
 constexpr std::array<double, 3> Nulls = { -99999.0, -999999.0, -9999999.0 };
 constexpr std::string_view LastNull = "1.0E+30";
 constexpr int ValuesInLine = 5;
-constexpr std::size_t SmallestWidth = 15;
+constexpr std::size_t SmallestWidth = 15; // characters, as other programs write
 constexpr double LargestShift = 0.01; // Fraction of a step by which nodes may move to be along the axes.
 
 struct Axis

@@ -19,7 +19,7 @@ struct LevelCell
 {
   std::int64_t Triangle;
   int Layer;
-  std::array<std::int64_t, 3> Vertices;
+  std::array<std::int64_t, 3> Vertices; // ascending
   double Top;
   double Base;
 
@@ -41,7 +41,7 @@ public:
   }
 
   std::vector<std::array<double, 2>> Vertices;
-  std::vector<std::array<std::int64_t, 3>> Triangles;
+  std::vector<std::array<std::int64_t, 3>> Triangles; // by column
   std::vector<double> Tops;
   std::vector<std::vector<double>> Bases; // Indexed by layer and column.
   std::vector<std::vector<int>> Domain;
@@ -78,7 +78,7 @@ private:
 
   LevelCell MakeCell(std::size_t cell) const
   {
-    std::vector<std::pair<std::int64_t, double>> corners;
+    std::vector<std::pair<std::int64_t, double>> corners; // vertex and height
     for (std::int64_t n = this->Cells.FirstCorner(cell); n < this->Cells.Ends[cell]; ++n)
     {
       const auto point = std::size_t(this->Cells.Corners[std::size_t(n)]);

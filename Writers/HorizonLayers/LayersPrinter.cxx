@@ -17,7 +17,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t Kinds = 3;
-constexpr int GmshVolume = 3;
+constexpr int GmshVolume = 3; // dimension
 constexpr std::size_t BetweenReports = 1 << 14;
 
 std::size_t KindOf(std::size_t corners)
@@ -55,7 +55,7 @@ private:
   std::vector<std::vector<std::size_t>> Groups;
 };
 
-using CellNodes = std::vector<std::int64_t>;
+using CellNodes = std::vector<std::int64_t>; // from 1
 
 /// In Gmsh's wedges the other triangle comes first.
 CellNodes NodesOf(const VolumeCells& cells, std::size_t cell)

@@ -26,7 +26,7 @@ struct VolumeCells
   std::vector<std::int64_t> Corners;
   std::vector<std::int64_t> Ends;
   std::vector<int> Layers; // Layer of each cell, from 0 at the top.
-  std::vector<std::int64_t> Triangles;
+  std::vector<std::int64_t> Triangles; // equal for cells above each other
   std::vector<std::string> Names;
   std::string LengthUnit; // "METERS", "FEET", or empty if unknown.
 

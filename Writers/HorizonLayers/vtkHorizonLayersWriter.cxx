@@ -34,7 +34,7 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr int MostLayers = 1 << 20;
+constexpr int MostLayers = 1 << 20; // Larger numbers mean something else.
 
 vtkDataArray* RequireArray(vtkUnstructuredGrid* grid, const char* name)
 {

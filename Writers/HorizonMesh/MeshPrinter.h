@@ -17,6 +17,7 @@ namespace SeismicHorizons
 /// ASCII, since binary STL has single precision, half a metre for coordinates of millions.
 void PrintSTL(const TSurf& surface, std::ostream& stream, const Monitor& monitor = Monitor());
 
+/// Binary, in the byte order of this machine.
 void PrintPLY(const TSurf& surface, std::ostream& stream, const Monitor& monitor = Monitor());
 
 void PrintOBJ(const TSurf& surface, std::ostream& stream, const Monitor& monitor = Monitor());

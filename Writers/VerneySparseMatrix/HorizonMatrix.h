@@ -15,6 +15,7 @@ namespace SeismicHorizons
 {
 SparseMatrixSize ReadMatrixSize(vtkPolyData* horizon);
 
+/// Returns world z of vertical index 0, and its step per index.
 std::array<double, 2> ReadVerticalScale(vtkPolyData* horizon);
 
 /// All points must have the same ID; without an array there is none.

@@ -21,9 +21,9 @@ constexpr std::int64_t ColumnsBetweenReports = 1 << 16;
 
 struct VoxelReference
 {
-  std::int64_t Column;
-  std::uint32_t Horizon;
-  std::uint32_t Voxel;
+  std::int64_t Column; // i + nX * j
+  std::uint32_t Horizon; // index in the list
+  std::uint32_t Voxel; // index in the horizon
 };
 
 class MatrixPrinter
