@@ -139,7 +139,7 @@ private:
   std::int64_t MinX = 0;
   std::int64_t MinY = 0;
   std::int64_t Side = 1;
-  double Inverse = 0.0;
+  double Inverse = 0.0; // 1 / Side for powers of two, else 0
   std::int64_t CellsX = 0;
   std::int64_t CellsY = 0;
 };

@@ -31,6 +31,7 @@ public:
   PlaceSet() = default;
   PlaceSet(std::int64_t width, std::int64_t height);
 
+  /// Returns 64 places, from the multiple of 64 at or below `place`.
   std::uint64_t WordAt(std::int64_t place) const { return this->Words[this->WordOf(place)]; }
 
   void Add(std::int64_t place) { this->Words[this->WordOf(place)] |= Bit(place); }
@@ -105,7 +106,7 @@ private:
   struct Word
   {
     std::uint64_t Bits;
-    std::int64_t Before;
+    std::int64_t Before; // numbered places in earlier words
   };
 
   std::int64_t Count = 0;
@@ -124,10 +125,10 @@ class ColumnIndex
 {
 public:
   static constexpr int AllBands = 0;
-  static constexpr int LongestReach = 64;
+  static constexpr int LongestReach = 64; // columns
 
-  /// With a reach, scattered columns are indexed without wide empty bands, so that distant parts need no more memory
-  /// than neighbours. Refers to the memory of the columns. Throws InputError if two points share a column.
+  /// `rim` is in columns. With a reach, scattered columns are indexed without wide empty bands, which saves memory. Refers
+  /// to the memory of the columns. Throws InputError if two points share a column.
   explicit ColumnIndex(PlanePoints columns, std::int32_t rim = 1, int reach = AllBands);
 
   PlanePoints Columns() const { return this->Narrow.empty() ? this->Given : PlanePoints(this->Narrow); }

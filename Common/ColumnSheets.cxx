@@ -233,7 +233,7 @@ private:
         const Point partB = this->Parts.Find(b);
         return std::make_tuple(-sizes[partA], partA) < std::make_tuple(-sizes[partB], partB);
       });
-    std::vector<std::uint64_t> taken(this->Starts.size(), 0);
+    std::vector<std::uint64_t> taken(this->Starts.size(), 0); // a bit per sheet with a point in the column
     std::vector<int> sheets(size, -1);
     for (std::size_t first = 0; first < size;)
     {
@@ -264,10 +264,10 @@ private:
   const PlanePoints Columns;
   const std::vector<double>& Heights;
   DisjointSets Parts;
-  std::vector<Point> Starts;
+  std::vector<Point> Starts; // first point per column, and the end
   std::vector<std::int32_t> ColumnOf;
   std::vector<Contact> Touching;
-  std::vector<std::vector<Point>> Above;
+  std::vector<std::vector<Point>> Above; // by part
 };
 }
 

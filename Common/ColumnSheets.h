@@ -26,7 +26,7 @@ constexpr int MostSheets = 64;
 struct ColumnSheets
 {
   std::vector<std::vector<std::int32_t>> Points;
-  std::int64_t Dropped = 0;
+  std::int64_t Dropped = 0; // points on no sheet
 };
 
 /// Points must be sorted by j, then i; heights are finite. A sheet has at most one point per column; points above their

@@ -16,7 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16;
+constexpr std::int64_t ChunkSize = 1 << 16; // points
 
 std::int64_t FloorQuotient(std::int64_t value, std::int64_t divisor)
 {

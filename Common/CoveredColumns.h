@@ -63,8 +63,8 @@ private:
   const Run* FindRun(const PlanePoint& column) const;
 
   SharedRows Rows;
-  std::vector<Change> Changes;
-  std::vector<Run> Runs;
+  std::vector<Change> Changes; // empty once there are runs
+  std::vector<Run> Runs; // sorted by rows and columns
 };
 }
 

@@ -16,10 +16,10 @@ namespace SeismicHorizons
 struct DroppedPoint
 {
   PointId Point = NoPoint;
-  PointId Target = NoPoint;
+  PointId Target = NoPoint; // kept point that represents it
 };
 
-/// Ascending.
+/// Sorted by Point.
 using DroppedPoints = std::vector<DroppedPoint>;
 
 inline PointId NumberWithout(const DroppedPoints& dropped, PointId point)

@@ -11,7 +11,7 @@
 
 namespace SeismicHorizons
 {
-/// The message says what was found, what was expected, and where.
+/// The message names the finding, the expectation and the place.
 class InputError : public std::runtime_error
 {
 public:

@@ -9,7 +9,7 @@ namespace SeismicHorizons
 enum class FieldSeparator
 {
   Blanks,
-  Colons,
+  Colons, ///< Blanks, tabs and colons.
   Tab,
   Comma,
   Semicolon

@@ -43,7 +43,7 @@ public:
     , CompressedSize(CountBytes(*this->Compressed))
     , Input(InputSize)
   {
-    constexpr int gzipOnly = 16;
+    constexpr int gzipOnly = 16; // added to the window bits
     if (inflateInit2(&this->Inflation, MAX_WBITS + gzipOnly) != Z_OK)
     {
       throw std::bad_alloc();
@@ -88,7 +88,7 @@ public:
 private:
   struct State
   {
-    std::int64_t BytesTaken = 0;
+    std::int64_t BytesTaken = 0; // compressed bytes read from the stream
     bool IsInMember = true; // False between members and at the end.
     bool IsInPadding = false;
     bool IsAtEnd = false;

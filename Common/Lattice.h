@@ -32,7 +32,7 @@ public:
   Lattice() = default;
 
   /// `dimensions` are along i, j and k, below 2^28 along i and j; `toWorld` is affine and invertible, x and y do not
-  /// depend on k, nor z on i and j. Throws InputError for others.
+  /// depend on k, nor z on i and j. Otherwise throws InputError.
   Lattice(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& toWorld);
 
   Eigen::Vector3d ToLattice(const Eigen::Vector3d& world) const { return this->FromWorld * world; }

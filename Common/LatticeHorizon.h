@@ -19,7 +19,7 @@ struct LatticeHorizon
 {
   int SurfaceId = 0; // Sheets of a horizon share it.
   HeapArray<PlanePoint> Column;
-  HeapArray<int> K; // Empty for horizons with z alone.
+  HeapArray<int> K; // Vertical index; empty for horizons with z alone.
   HeapArray<double> Thickness; // Thickness and amplitude are of voxels only.
   HeapArray<double> Amplitude;
   HeapArray<double> RealZ; // In the unit and with the sign of the file; finite.

@@ -46,8 +46,8 @@ private:
   const double BytesInStream;
   std::size_t BytesRead = 0;
   RawVector<char> Bytes;
-  std::size_t Filled = 0;
-  std::size_t Complete = 0;
+  std::size_t Filled = 0; // bytes in use
+  std::size_t Complete = 0; // bytes of complete lines
 };
 }
 

@@ -199,7 +199,7 @@ private:
   const std::vector<PlanePoint>& Plane;
   const Loops& Boundary;
   const Triangles& Corners;
-  std::vector<MeshEdge> Edges;
+  std::vector<MeshEdge> Edges; // sorted by their ends after the first pass
   Int128 MeshArea = 0; // Twice the area.
   std::string Wrong;
 };

@@ -28,7 +28,7 @@ struct PlaneFrame
 
   PlanePoint Least;
   PlanePoint Greatest;
-  int Shift = 0;
+  int Shift = 0; // exponent of the power of two
 };
 }
 

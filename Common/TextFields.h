@@ -64,6 +64,7 @@ public:
   bool EndsInSeparator() const { return this->IsSeparated; }
 
 private:
+  /// Returns 0 for blanks.
   static char SeparatorOf(FieldSeparator separator)
   {
     switch (separator)

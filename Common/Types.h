@@ -42,7 +42,7 @@ public:
     : PlanePoints(places.data(), places.size())
   {
   }
-  PlanePoints(std::initializer_list<PlanePoint> places)
+  PlanePoints(std::initializer_list<PlanePoint> places) // The list must outlive the object.
     : PlanePoints(places.begin(), places.size())
   {
   }
@@ -184,12 +184,12 @@ struct PointOrigin
 /// A cell of a simplification, for inspection.
 struct SimplificationCell
 {
-  SpacePoint Low;
+  SpacePoint Low; // least corner, in lattice units
   double Size = 0.0;
   PointOrigin Origin; // Origin of the representative; Boundary for a cell that keeps boundary points.
   double Flatness = 0.0; // 0 if the stage does not use it.
   std::int32_t Patch = 0;
-  std::int32_t Points = 0;
+  std::int32_t Points = 0; // input points
 };
 
 struct Reduction

@@ -15,7 +15,7 @@ namespace
 {
 struct KnownName
 {
-  std::string_view Name;
+  std::string_view Name; // letters and digits in lower case
   ColumnRole Role;
 };
 

@@ -15,7 +15,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Such steps move the last of a million columns by a thousandth of a column.
+// Largest cosine between perpendicular steps; it moves the last of a million columns by a thousandth of a column.
 constexpr double LargestCosine = 1e-9;
 
 Eigen::Vector2d TurnLeft(const Eigen::Vector2d& v)
@@ -65,7 +65,7 @@ ImageFrame MakeCubeFrame(const LatticeMatrix& toWorld, const std::array<int, 2>&
   Eigen::Matrix2d steps;
   steps << toWorld[0], toWorld[1], toWorld[4], toWorld[5];
   const Eigen::Vector2d origin(toWorld[3], toWorld[7]);
-  const double side = steps.determinant() < 0.0 ? -1.0 : 1.0;
+  const double side = steps.determinant() < 0.0 ? -1.0 : 1.0; // -1 if j turns right of i
   Eigen::Matrix2d axes;
   axes << steps.col(0).normalized(), steps.col(1).normalized();
   Eigen::Vector2d spacing(steps.col(0).norm(), steps.col(1).norm());

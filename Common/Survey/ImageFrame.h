@@ -15,9 +15,9 @@ namespace SeismicHorizons
 /// An image can be rotated and stretched over a lattice, but not sheared. The first two axes are i and j.
 struct ImageFrame
 {
-  Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d Origin = Eigen::Vector3d::Zero(); // of index (0, 0, 0)
   Eigen::Vector3d Spacing = Eigen::Vector3d::Ones(); // Positive.
-  Eigen::Matrix<double, 3, 3, Eigen::RowMajor> Direction = Eigen::Matrix3d::Identity();
+  Eigen::Matrix<double, 3, 3, Eigen::RowMajor> Direction = Eigen::Matrix3d::Identity(); // columns are axes
   int VerticalSign = 1; // The third index is k or -k.
   double Deviation = 0.0; // Largest distance of a point from its place on the lattice, in columns.
 };

@@ -43,8 +43,8 @@ constexpr int MostPartsOfStep = 4;
 struct Numbered
 {
   PlaneFit Fit;
-  double Squares = 0.0;
-  std::int64_t Beyond = 0;
+  double Squares = 0.0; // sum of squared distances from columns, in columns
+  std::int64_t Beyond = 0; // points farther away
 
   void Add(const Numbered& other)
   {

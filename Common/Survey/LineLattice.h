@@ -13,7 +13,7 @@
 namespace SeismicHorizons
 {
 /// Returns the largest steps that fit all lines, so that every second or fourth line may be picked. Numbers may have
-/// three decimals. Throws InputError with "crossline" or "inline" for others.
+/// three decimals. Otherwise throws InputError with "crossline" or "inline".
 LineNumbering FindLineNumbering(
   const std::vector<double>& crosslines, const std::vector<double>& inlines, const Monitor& monitor = Monitor());
 

@@ -16,7 +16,7 @@ namespace
 {
 // OpendTect, IRAP and CPS-3 write 1e30, other programs 1e20, IESX the largest float; no horizon is that deep.
 constexpr double LeastHuge = 0.999999e20;
-constexpr double FloatPrecision = 1e-6;
+constexpr double FloatPrecision = 1e-6; // relative
 constexpr std::array<std::string_view, 7> NullWords = { "nan", "null", "none", "undef", "n/a", "na", "-" };
 }
 

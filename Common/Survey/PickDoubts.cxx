@@ -35,7 +35,7 @@ double PartWithNeighbours(const std::vector<PlanePoint>& columns)
     { return has(at.X - 1, at.Y) || has(at.X + 1, at.Y) || has(at.X, at.Y - 1) || has(at.X, at.Y + 1); });
   return double(number) / double(columns.size());
 }
-constexpr int Reach = 4;
+constexpr int Reach = 4; // columns
 constexpr std::size_t MostLookedAt = 10000;
 
 /// The conflicts around a column are narrow in some direction.
@@ -106,7 +106,7 @@ std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePolicy policy)
 {
-  constexpr std::int64_t least = 1000;
+  constexpr std::int64_t least = 1000; // columns per column in conflict
   std::vector<std::string> doubts = horizons.Doubts;
   std::int64_t columns = 0;
   for (const LatticeHorizon& horizon : horizons.Horizons)

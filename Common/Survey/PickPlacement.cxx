@@ -33,7 +33,7 @@ constexpr std::size_t MostHorizons = 1 << 15;
 // Picks of a horizon fill more of their lattice, unless it is small.
 constexpr double MostColumnsPerPick = 1000.0;
 constexpr double EnoughColumns = 1 << 20;
-constexpr double FewColumnsPerPick = 5.0; // In a sparser lattice some picks may be far from all others.
+constexpr double FewColumnsPerPick = 5.0; // In a sparser lattice some picks may be far from the rest.
 
 class ColumnFinder
 {
@@ -79,8 +79,8 @@ struct ColumnRange
   Eigen::Vector2d First = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d Last = -First;
   double LargestDistance = 0.0;
-  std::size_t Farthest = 0;
-  std::int64_t OffLattice = 0;
+  std::size_t Farthest = 0; // pick at LargestDistance
+  std::int64_t OffLattice = 0; // picks
 
   void Add(const Eigen::Vector2d& index, double distance, double tolerance, std::size_t pick)
   {

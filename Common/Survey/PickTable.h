@@ -22,8 +22,8 @@ struct PickAttribute
 /// From this pick on the lines of the file are consecutive.
 struct PickLine
 {
-  std::size_t Pick;
-  std::int64_t Line;
+  std::size_t Pick; // from 0
+  std::int64_t Line; // from 1
 };
 
 /// Picks before their columns are known, as parallel arrays.

@@ -33,10 +33,10 @@ struct PlacementOptions
   LatticeSource Source = LatticeSource::Picks;
   std::array<CornerPoint, 3> Corners;
   Eigen::Vector2d Origin = Eigen::Vector2d::Zero(); // Position of the first crossline and inline.
-  Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX();
+  Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX(); // to the next column along i
   Eigen::Vector2d RowStep = Eigen::Vector2d::UnitY();
   double Tolerance = 0.1; // Largest distance of picks from their columns, in columns; above 0, below 0.5.
-  // Drops up to a tenth of the picks, off the lattice or far from all others; otherwise they are an error.
+  // Drops up to a tenth of the picks, off the lattice or far from the rest; otherwise they are an error.
   bool LeaveOutStrays = false;
   DuplicatePolicy Policy = DuplicatePolicy::StrongestAmplitude;
   VerticalDirection Direction = VerticalDirection::Down; // Defines the topmost pick.

@@ -57,7 +57,7 @@ std::optional<PlaneMap> PlaneFit::Solve() const
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<PlaneMap> PlaneFit::SolveAlongLine() const
 {
-  constexpr double SmallestSpread = 1e-12;
+  constexpr double SmallestSpread = 1e-12; // Indices are integers.
   if (this->Count < 2)
   {
     return std::nullopt;

@@ -11,6 +11,7 @@
 
 namespace SeismicHorizons
 {
+/// place = Origin + Steps * index; columns of Steps are the steps along i and j.
 struct PlaneMap
 {
   Eigen::Vector2d Origin = Eigen::Vector2d::Zero();

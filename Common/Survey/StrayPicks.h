@@ -23,7 +23,7 @@ struct PickPlace
   double Distance = 0.0;
 };
 
-/// Returns picks far from all others or, without these, off their columns. Strays distort the lattice, so that only
+/// Returns picks far from the rest or, without these, off their columns. Strays distort the lattice, so that only
 /// picks at least half as far off as the farthest count.
 std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double tolerance);
 

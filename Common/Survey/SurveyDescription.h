@@ -12,8 +12,8 @@ namespace SeismicHorizons
 struct SurveyDescription
 {
   std::string VerticalUnit; // "ms", "s", "m", "ft", or the text of the file.
-  std::string VerticalDomain;
-  std::string HorizontalUnit;
+  std::string VerticalDomain; // "time" or "depth"
+  std::string HorizontalUnit; // "m", "ft", or the text of the file
   std::string CoordinateSystem;
   bool IsUpright = false; // z increases upwards for certain.
 };

@@ -20,7 +20,7 @@ struct ConflictCount
   std::int64_t Repeats = 0; // Dropped picks with the z of another pick.
   std::int64_t Columns = 0;
   std::int64_t InLines = 0; // Columns in conflict on lines.
-  double Largest = 0.0;
+  double Largest = 0.0; // largest difference of z
 };
 
 struct SurveyHorizons

@@ -24,8 +24,8 @@ struct SurveyLattice
 {
   std::array<int, 2> Columns = { 1, 1 }; // Along i and j.
   Eigen::Vector2d Origin = Eigen::Vector2d::Zero(); // Position of column (0, 0).
-  Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX();
-  Eigen::Vector2d RowStep = Eigen::Vector2d::UnitY();
+  Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX(); // World units to the next column along i.
+  Eigen::Vector2d RowStep = Eigen::Vector2d::UnitY(); // World units to the next column along j.
   std::optional<LineNumbering> Lines;
 
   Eigen::Matrix2d Steps() const { return (Eigen::Matrix2d() << this->ColumnStep, this->RowStep).finished(); }

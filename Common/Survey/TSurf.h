@@ -35,7 +35,7 @@ struct TSurf
   using Triangle = std::array<PointId, 3>;
 
   std::string Name;
-  std::optional<std::array<double, 3>> Colour;
+  std::optional<std::array<double, 3>> Colour; // red, green and blue, 0 to 1
   VerticalPositive Positive = VerticalPositive::Elevation;
   SurveyDescription Survey;
   std::vector<TSurfProperty> Properties;

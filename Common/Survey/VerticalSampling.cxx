@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /// Ignores zeros; returns 0 without others.
+  /// Ignores zeros; returns 0 if all are zeros.
   double Median()
   {
     if (this->Differences.empty())

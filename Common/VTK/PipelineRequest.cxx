@@ -38,7 +38,7 @@ void Empty(const std::vector<vtkDataObject*>& outputs)
 struct Outcome
 {
   bool IsDone = false;
-  std::string Problem;
+  std::string Problem; // empty if done or stopped
   unsigned long Code = vtkErrorCode::UnknownError;
 };
 

@@ -22,9 +22,10 @@ namespace SeismicHorizons
 class Ranks
 {
 public:
+  /// This process alone.
   Ranks() = default;
 
-  /// All processes of a controller, which may be null.
+  /// All processes of a controller, which may be null and must outlive the ranks.
   explicit Ranks(vtkMultiProcessController* controller);
 
   /// All processes of a controller if the request is for as many pieces, as in ParaView; else this process alone, as
@@ -65,7 +66,7 @@ public:
     }
   }
 
-  /// All ranks call this for a common problem, which only the first reports: the others throw Aborted.
+  /// All ranks call this for a common problem, which only the first reports; further ranks throw Aborted.
   [[noreturn]] void Refuse(const std::string& problem) const;
 
   void Send(vtkDataObject* data, int rank) const;

@@ -155,6 +155,7 @@ void SetVertices(vtkIdType numberOfPoints, vtkCellArray* vertices)
 vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType numberOfPoints)
 {
   auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  // The last offset is the number of points.
   if (numberOfPoints <= std::numeric_limits<vtkTypeInt32>::max())
   {
     SetVertices<vtkTypeInt32Array>(numberOfPoints, vertices);

@@ -21,39 +21,37 @@ class vtkInformation;
 
 namespace SeismicHorizons
 {
-/// The names of files, in UTF-8. The time of each is its place in the list, from 0.
+/// File names in UTF-8. The time of a file is its position in the list, from 0.
 class VTKSEISMICHORIZONS_EXPORT FileSeries
 {
 public:
-  /// Takes one name in place of all; none where it is null. Whether that is a change.
+  /// Replaces all names; null clears the list. Returns true if the list changes.
   bool SetName(const char* name);
 
-  /// Puts a name behind the others.
   void AddName(const char* name);
 
-  /// Whether that is a change.
+  /// Returns true if the list changes.
   bool Clear();
 
-  /// The number of files.
   int GetSize() const { return static_cast<int>(this->Names.size()); }
 
-  /// Null where there is no such name.
+  /// Returns null for an invalid index.
   const char* GetName(int index) const;
 
-  /// The file to read: that of the time which Choose() found. Null where there is none.
+  /// Returns the file that Choose() found, or null.
   const char* GetCurrent() const { return this->GetName(this->Current); }
 
-  /// Tells the times of a series, none of a single file; and chooses the file of the time that was asked for last.
+  /// Announces the times of a series, and chooses the file of the last requested time.
   void Announce(vtkInformation* outputInformation);
 
-  /// Chooses the file of the time that an output is asked for: the last one whose time is not later, else the first. An
-  /// output that Mark() does not follow is asked for again.
+  /// Chooses the last file that is not later than the requested time, or else the first. VTK repeats a request without
+  /// Mark().
   void Choose(vtkInformation* outputInformation);
 
-  /// Marks the output as that of the chosen file, so that it is made again at another time.
+  /// Stamps the output with the chosen time, so that VTK updates it for another time.
   void Mark(vtkInformation* outputInformation) const;
 
-  /// Prints the names as the property FileName.
+  /// The text resembles a property FileName.
   void Print(ostream& os, vtkIndent indent) const;
 
 private:

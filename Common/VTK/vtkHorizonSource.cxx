@@ -303,7 +303,7 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
   const std::vector<int> pieceOf = DealOut(Choose(this->CountHorizonPoints(), numbers), numberOfPieces);
   const vtkSmartPointer<vtkPartitionedDataSetCollection> horizons = MakeCollection("Horizons");
   std::vector<int> own;
-  std::vector<unsigned int> positions;
+  std::vector<unsigned int> positions; // in the collection
   for (std::size_t n = 0; n < numbers.size(); ++n)
   {
     AddName(horizons, names[numbers[n]]);

@@ -35,9 +35,9 @@ CornerPoint MakeCorner(const double (&corner)[4])
 struct vtkPickHorizonSource::SheetList
 {
   vtkTimeStamp Time;
-  std::vector<int> Numbers;
+  std::vector<int> Numbers; // horizon of each sheet
   std::vector<std::int64_t> Sizes;
-  std::optional<SurveyHorizons> Placed;
+  std::optional<SurveyHorizons> Placed; // until they are used
 };
 
 //----------------------------------------------------------------------------------------------------------------------

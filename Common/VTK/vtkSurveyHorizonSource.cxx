@@ -36,6 +36,7 @@ void Override(std::string& text, const char* given)
   }
 }
 
+/// Counts z below 0, and all other z.
 std::array<std::int64_t, 2> CountSigns(const std::vector<LatticeHorizon>& horizons)
 {
   std::array<std::int64_t, 2> counts = { 0, 0 };
