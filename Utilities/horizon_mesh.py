@@ -118,232 +118,231 @@ def _horizon(text):
     return text
 
 
+class _HelpFormatter(argparse.ArgumentDefaultsHelpFormatter):
+    def _get_help_string(self, action):
+        has_default = action.nargs == 0 or "(default:" in action.help
+        return action.help if has_default else super()._get_help_string(action)
+
+
 def make_parser():
     parser = _Parser(
         prog=pathlib.Path(sys.argv[0]).name if IS_COMMAND else PROGRAM + ".py",
-        formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-        description="Reads files of seismic horizons (sparse voxels, text picks of OpendTect, Petrel, OpenWorks, IESX and the "
-        "like, grids as IRAP, ZMAP+, CPS-3, EarthVision, Surfer, GXF and GeoTIFF; by their content) or finds the strongest "
-        "ones in seismic cubes (SEG-Y), and makes a mesh of few triangles of each, within the largest error, holes open. "
-        "Writes one mesh per horizon and one picture per file, and prints what files were taken for, and a table. Files that "
-        "already exist are replaced.",
+        formatter_class=_HelpFormatter,
+        description="Makes a mesh of few triangles, within a largest error, of each horizon in files of sparse voxels, picks "
+        "(OpendTect, Petrel, OpenWorks, IESX and others) or grids (IRAP, ZMAP+, CPS-3, EarthVision, Surfer, GXF, GeoTIFF "
+        "and others), which are recognized by their content, and of the strongest horizons in seismic cubes (SEG-Y). Writes "
+        "a mesh per horizon and a picture per file, and prints how each file was read, and a table. Existing files are "
+        "replaced.",
         epilog="Results are named after their file and horizon: x_horizon_1.vtp or x_Top.vtp, x.png and x_error.csv for "
-        "x.vsm or x.dat; x_dat.png where there is x.map beside it; a_x.png for a/x.vsm and b_x.png for b/x.vsm. Results of "
-        "a file appear all together, or not at all. Distances are in lattice units: 1 is one column step sideways and one "
-        "vertical index up or down. Heights (E, T of --despike and --cut-faults) are vertical indices, or have a unit: 2ms, "
-        "0.002s, 5m, 16ft. The exit code is 0 when all is done, and 1 when a file, or the report, could not be done, or the "
-        "command line is wrong; other files are done all the same. After Ctrl-C it is 130, after the signal TERM 143.")
-    parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path, help="files of horizons, or folders of them")
-    parser.add_argument("--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER",
-                        help="where the results go; made when it is missing")
-    parser.add_argument("--formats", nargs="+", choices=FORMATS, default=["vtp"],
-                        help="what results are written as: meshes for VTK, GOCAD TSurf, STL, PLY, OBJ "
-                        "and DXF; grids of the meshes, IRAP text and binary, ZMAP+ and GeoTIFF; points of the horizons "
-                        "as picks (dat) and sparse voxels (vsm); with --layers cells for Gmsh (msh), Abaqus (inp) and MODFLOW "
-                        "(disv); put -- between them and files that follow")
+        "x.vsm or x.dat; x_dat.png if there is also x.map; a_x.png for a/x.vsm and b_x.png for b/x.vsm. The results of a file "
+        "appear all together or not at all. Distances are in lattice units: 1 is one column horizontally and one vertical "
+        "index vertically. Heights (E, T of --despike and --cut-faults) are in vertical indices, or have a unit: 2ms, 0.002s, "
+        "5m, 16ft. The exit code is 0 on success, and 1 if a file or the report fails or the command line is wrong; other "
+        "files are still processed. It is 130 after Ctrl-C, and 143 after the signal TERM.")
+    parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path, help="files of horizons or seismic cubes, or "
+                        "folders of them")
+    parser.add_argument("--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER", help="folder of "
+                        "the results; created if missing")
+    parser.add_argument("--formats", nargs="+", choices=FORMATS, default=["vtp"], help="formats of the results: meshes for "
+                        "VTK, GOCAD TSurf, STL, PLY, OBJ and DXF; grids of the meshes as IRAP text and binary, ZMAP+ and "
+                        "GeoTIFF; points of the horizons as picks (dat) and sparse voxels (vsm); with --layers, cells for "
+                        "Gmsh (msh), Abaqus (inp) and MODFLOW (disv); end the list with -- before files")
     _add_reader_options(parser.add_argument_group("reading"))
     _add_cube_options(parser.add_argument_group("seismic cubes"))
-    _add_preparation_options(parser.add_argument_group("before meshes are made", "horizons are read as a whole then"))
+    _add_preparation_options(parser.add_argument_group("preparation", "horizons are then read whole"))
     _add_mesh_options(parser.add_argument_group("meshes"))
     parser.layers = _add_layer_options(parser.add_argument_group("volumes"))
     parser.stages = parser.add_argument_group("stages of the thesis", "with --stages")
     _add_stage_options(parser.stages)
     _add_error_options(parser.add_argument_group("error"))
-    _add_telling_options(parser.add_argument_group("telling"))
+    _add_report_options(parser.add_argument_group("report"))
     _add_running_options(parser.add_argument_group("running"))
     return parser
 
 
-def _add_telling_options(group):
-    group.add_argument("--report", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE.html",
-                       help="write an HTML report of the run: input, figures, pictures, interactive meshes, and the "
-                       "command that repeats it; also measures the error, except of horizons larger than memory")
-    group.add_argument("--json", action="store_true",
-                       help="print one JSON object with all figures in place of the tables, for programs; "
-                       "Documentation/Report.md tells of its keys")
+def _add_report_options(group):
+    group.add_argument("--report", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE.html", help="write an HTML report with "
+                       "input, figures, pictures, interactive meshes, and the command that repeats the run; also measures the "
+                       "error, except for horizons larger than memory")
+    group.add_argument("--json", action="store_true", help="print all figures as one JSON object instead of the tables; "
+                       "Documentation/Report.md lists its keys")
 
 
 def _add_running_options(running):
     running.add_argument("--no-pictures", action="store_true", help="write no pictures; without an X server there are none")
-    running.add_argument("--leave-out-invalid", action="store_true",
-                         help="leave out horizons that cannot be processed, with a warning, and do the others of "
-                         "their file; otherwise such a file is not done")
-    running.add_argument("--memory", type=_memory, metavar="SIZE",
-                         help="as much memory as may be used, as 2G or 800M: of sparse voxel files, horizons are read as "
-                         "many at a time as fit, and within a largest error one that does not fit alone is meshed in "
-                         "windows of rows and joined; other files are read whole, which takes up to 80 bytes a point, "
-                         "and refused where they do not fit then (default: three quarters of what the machine has left, where a file "
-                         "may be larger)")
-    running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N",
-                         help="number of threads; 0 uses all processors")
+    running.add_argument("--leave-out-invalid", action="store_true", help="skip horizons that cannot be processed, with a "
+                         "warning; by default, such a file has no results")
+    running.add_argument("--memory", type=_memory, metavar="SIZE", help="memory limit, such as 2G or 800M. Horizons of sparse "
+                         "voxel files are read in groups that fit; one that does not fit is meshed in windows of rows and "
+                         "joined. Other files are read whole, at up to 80 bytes per point, and refused if they do not fit "
+                         "(default: three quarters of the free memory, if a file may need more)")
+    running.add_argument("--threads", type=_number_at_least(int, 0), default=0, metavar="N", help="number of threads; 0 uses "
+                         "all processors")
 
 
 def _add_reader_options(group):
-    group.add_argument("--horizons", nargs="+", type=_horizon, metavar="NAME", default=NOT_GIVEN,
-                       help="only these horizons, by their names, or by the IDs of sparse voxel files (default: all); "
-                       "put -- between them and files that follow")
-    group.add_argument("--vertical-step", type=_vertical_step, default=NOT_GIVEN, metavar="Z",
-                       help="length along world z from one vertical index to the next (default: 1 for sparse voxel "
-                       "files, where a negative one turns the vertical direction around; for others one that suits "
-                       "the data)")
-    group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=NOT_GIVEN,
-                       help="where vertical indices and z of the file grow to: time and depth do so downwards (default: Up "
-                       "for GeoTIFF and Esri ASCII, unless they say otherwise, and where no z is positive; else Down)")
-    group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN, help="the unit of z (default: what the file says)")
-    group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME",
-                       help="that of x and y, as EPSG:23031, for formats that have one (default: what the file says)")
+    group.add_argument("--horizons", nargs="+", type=_horizon, metavar="NAME", default=NOT_GIVEN, help="process only these "
+                       "horizons, by name or, in sparse voxel files, by ID (default: all); end the list with -- before files")
+    group.add_argument("--vertical-step", type=_vertical_step, default=NOT_GIVEN, metavar="Z", help="world z per vertical "
+                       "index (default: 1 for sparse voxel files, where a negative step reverses the vertical direction; "
+                       "otherwise found from the data)")
+    group.add_argument("--vertical-direction", choices=VERTICAL_DIRECTIONS, default=NOT_GIVEN, help="direction in which "
+                       "vertical indices and z of the file increase; depth and time increase downwards (default: Up for "
+                       "GeoTIFF and Esri ASCII unless they state otherwise, and if no z is positive; otherwise Down)")
+    group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN, help="unit of z (default: as in the file)")
+    group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME", help="coordinate system of x and y, such as "
+                       "EPSG:23031, for formats that store one (default: as in the file)")
     group.add_argument("--elevation", dest="z_from", choices=Z_SOURCES, default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
-    group.add_argument("--z-from", choices=Z_SOURCES, default=NOT_GIVEN,
-                       help="what world z of sparse voxels is made from (default: VerticalIndex)")
-    group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN,
-                       help="which of several points in a column stays, or their mean, or all as sheets (default: StrongestAmplitude)")
-    group.add_argument("--columns", default=NOT_GIVEN, metavar="LIST",
-                       help='what the columns of a text file hold, as "X,Y,-,Z,My attribute" or "Inline,Crossline,Z" '
-                       "(default: what its header says, or its values are like)")
-    group.add_argument("--null-values", default=NOT_GIVEN, metavar="LIST",
-                       help='what stands for no value in a text file, besides 1e30 and words as nan (default: "-999.25 '
-                       '-99999 9999900")')
-    group.add_argument("--header-lines", type=_number_at_least(int, 0), default=NOT_GIVEN, metavar="N",
-                       help="how many lines at the beginning of a text file are left out, whatever is in them (default: 0)")
-    group.add_argument("--stray-picks", choices=STRAY_PICKS, default=NOT_GIVEN,
-                       help="picks off the lattice, or far from all others: refuse the file, or leave out up to a tenth of "
-                       "them with a warning (default: Stop)")
-    group.add_argument("--lattice-tolerance", type=_number_at_least(float, 0.0, more=True), default=NOT_GIVEN,
-                       metavar="T", help="how far picks may be off their columns, as a part of a step (default: 0.1)")
-    group.add_argument("--gridding", choices=GRIDDING, default=NOT_GIVEN,
-                       help="grids picks off any lattice, by a plate or the nearest pick, on --column-step and --row-step")
-    group.add_argument("--gridding-radius", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="R",
-                       help="columns farther from all picks stay empty (default: those outside their convex hull do)")
-    group.add_argument("--gridding-smoothing", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="S",
-                       help="how much a plate may differ from picks (default: 0.01)")
-    group.add_argument("--corners", nargs=12, type=float, default=NOT_GIVEN, metavar="N",
-                       help="three points of the survey, each as inline, crossline, x and y, for line numbers alone")
-    group.add_argument("--origin", nargs=3, type=float, default=NOT_GIVEN, metavar=("X", "Y", "Z"),
-                       help="world position of the first voxel (default: 0 0 0) or, with z 0, column of picks (default: found)")
-    group.add_argument("--column-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"),
-                       help="world vector from a column to the next (default: 1 0; for picks found from them)")
-    group.add_argument("--row-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"),
-                       help="world vector from a row to the next (default: 0 1; for picks found from them)")
+    group.add_argument("--z-from", choices=Z_SOURCES, default=NOT_GIVEN, help="source of world z in sparse voxel files "
+                       "(default: VerticalIndex)")
+    group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN, help="point that stays if a "
+                       "column has several, their mean, or one horizon per sheet (default: StrongestAmplitude)")
+    group.add_argument("--columns", default=NOT_GIVEN, metavar="LIST", help='contents of the fields of a text file, such as '
+                       '"X,Y,-,Z,My attribute" or "Inline,Crossline,Z" (default: from its header or its values)')
+    group.add_argument("--null-values", default=NOT_GIVEN, metavar="LIST", help='values that mean no value in a text file, '
+                       'besides 1e30 and words such as nan (default: "-999.25 -99999 9999900")')
+    group.add_argument("--header-lines", type=_number_at_least(int, 0), default=NOT_GIVEN, metavar="N", help="lines to skip "
+                       "at the beginning of a text file (default: 0)")
+    group.add_argument("--stray-picks", choices=STRAY_PICKS, default=NOT_GIVEN, help="for picks off the lattice or far from "
+                       "the others: refuse the file, or leave out up to a tenth of them with a warning (default: Stop)")
+    group.add_argument("--lattice-tolerance", type=_number_at_least(float, 0.0, more=True), default=NOT_GIVEN, metavar="T",
+                       help="largest distance of picks from their columns, as a fraction of a step (default: 0.1)")
+    group.add_argument("--gridding", choices=GRIDDING, default=NOT_GIVEN, help="grid scattered picks with a smooth plate or "
+                       "the nearest pick, on --column-step and --row-step")
+    group.add_argument("--gridding-radius", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="R", help="leave "
+                       "columns empty that are farther than this from all picks (default: those outside the convex hull)")
+    group.add_argument("--gridding-smoothing", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="S", help="how "
+                       "much a plate may differ from the picks (default: 0.01)")
+    group.add_argument("--corners", nargs=12, type=float, default=NOT_GIVEN, metavar="N", help="three points of the survey as "
+                       "inline, crossline, x and y; places files that have line numbers only")
+    group.add_argument("--origin", nargs=3, type=float, default=NOT_GIVEN, metavar=("X", "Y", "Z"), help="world position of "
+                       "the first voxel (default: 0 0 0); for picks, with z 0, position of a column (default: found)")
+    group.add_argument("--column-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"), help="world vector from a "
+                       "column to the next (default: 1 0; for picks, found)")
+    group.add_argument("--row-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"), help="world vector from a "
+                       "row to the next (default: 0 1; for picks, found)")
 
 
 def _add_cube_options(group):
-    group.add_argument("--surfaces", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                       help="how many surfaces of a cube become meshes, the strongest ones (default: 20)")
-    group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                       help="surfaces of fewer picks are left out (default: a twentieth of the traces, 10 to 100)")
-    group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE",
-                       help="the horizons that picks of a file ask for, in place of all: some picks of each, by name")
-    group.add_argument("--limits", nargs="+", default=NOT_GIVEN, metavar="FILE",
-                       help="search between two older horizons, or on one side of one; put -- before files that follow")
-    group.add_argument("--limit-side", choices=("Below", "Above"), default=NOT_GIVEN,
-                       help="the side of a single limit that is searched (default: Below)")
+    group.add_argument("--surfaces", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="number of surfaces "
+                       "of a cube to mesh, strongest first (default: 20)")
+    group.add_argument("--smallest-surface", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="skip "
+                       "surfaces with fewer picks (default: a twentieth of the traces, 10 to 100)")
+    group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE", help="track only the horizons of this file of picks: "
+                       "some picks for each, by name")
+    group.add_argument("--limits", nargs="+", default=NOT_GIVEN, metavar="FILE", help="search between two known horizons, or "
+                       "on one side of one; end the list with -- before files")
+    group.add_argument("--limit-side", choices=("Below", "Above"), default=NOT_GIVEN, help="side of a single limit to search "
+                       "(default: Below)")
     for lines in ("inlines", "crosslines"):
         group.add_argument("--" + lines, nargs=2, type=_line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),
-                           help="only these %s, by their numbers (default: all)" % lines)
-    group.add_argument("--polarity", choices=POLARITIES, default=NOT_GIVEN,
-                       help="the sign of the amplitudes of reflections that are taken (default: Both)")
-    group.add_argument("--joining", choices=JOININGS, default=NOT_GIVEN,
-                       help="picks become surfaces: most alike first, whole events, or what touches (default: BestFirst)")
+                           help="range of %s to use (default: all)" % lines)
+    group.add_argument("--polarity", choices=POLARITIES, default=NOT_GIVEN, help="sign of the amplitudes to track (default: "
+                       "Both)")
+    group.add_argument("--joining", choices=JOININGS, default=NOT_GIVEN, help="how picks are joined to surfaces: most similar "
+                       "first, whole events, or connected components (default: BestFirst)")
     group.add_argument("--amplitude-percentile", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="P",
-                       help="percent of reflections that are too weak (default: 25)")
+                       help="percentage of the weakest reflections to ignore (default: 25)")
 
 
 def _add_preparation_options(group):
-    group.add_argument("--despike", type=_Height, default=NOT_GIVEN, metavar="T",
-                       help="remove points more than T off the surface around them; 0 finds T by the noise (default: none)")
-    group.add_argument("--cut-faults", type=_Height, default=NOT_GIVEN, metavar="T",
-                       help="find faults that throw by T or more; 0 finds T by the noise (default: none)")
+    group.add_argument("--despike", type=_Height, default=NOT_GIVEN, metavar="T", help="remove points farther than T above or "
+                       "below those around them; 0 derives T from the noise (default: none)")
+    group.add_argument("--cut-faults", type=_Height, default=NOT_GIVEN, metavar="T", help="find faults with a throw of at "
+                       "least T; 0 derives T from the noise (default: none)")
     lines = group.add_mutually_exclusive_group()
-    lines.add_argument("--fault-lines", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE",
-                       help="cut along the fault traces of a file, and leave out what is inside its fault polygons")
-    lines.add_argument("--fault-sticks", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE",
-                       help="cut where surfaces between the fault sticks of a file pass, and write these surfaces")
-    group.add_argument("--close-faults", action="store_true",
-                       help="close the mesh at these faults by triangles, which have 1 in the array Fault")
-    group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                       help="fill holes of at most N columns with smooth surfaces (default: none)")
+    lines.add_argument("--fault-lines", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE", help="cut along the fault "
+                       "traces of this file, and remove points inside its fault polygons")
+    lines.add_argument("--fault-sticks", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE", help="cut along surfaces "
+                       "through the fault sticks of this file, and write these surfaces")
+    group.add_argument("--close-faults", action="store_true", help="close the mesh at these faults with triangles, which have "
+                       "1 in the array Fault")
+    group.add_argument("--fill-holes", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="fill holes of at "
+                       "most N columns with smooth surfaces (default: none)")
 
 
 def _add_mesh_options(group):
     target = group.add_mutually_exclusive_group()
-    target.add_argument("--largest-error", type=_Height, default=NOT_GIVEN, metavar="E",
-                        help="how far a point may be from the mesh, vertically; outlines may move by as much sideways, in "
-                        "columns (default: six times the noise of each horizon)")
-    target.add_argument("--triangles", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                        help="at most N triangles in each mesh, as near to its horizon as it then can be")
-    target.add_argument("--stages", action="store_true",
-                        help="by the stages of the thesis, from exterior boundary to triangulation")
-    group.add_argument("--radius", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="K",
-                       help="the longest step of the outline between two points, in columns: narrower gaps are "
-                       "bridged (default: chosen from the points; 1 with --stages)")
-    group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=GROWTH_STRATEGIES[1],
-                       help="how an outline of a radius above 1 grows")
-    group.add_argument("--minimum-patch-size", type=_number_at_least(int, 1), default=1, metavar="N",
-                       help="patches with fewer points are left out")
-    group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N",
-                       help="holes of fewer columns are closed (default: chosen; 1 with --stages)")
+    target.add_argument("--largest-error", type=_Height, default=NOT_GIVEN, metavar="E", help="largest vertical distance of a "
+                        "point from the mesh (default: six times the noise of each horizon)")
+    target.add_argument("--triangles", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="at most N "
+                        "triangles per mesh, with the smallest error they allow")
+    target.add_argument("--stages", action="store_true", help="use the stages of the thesis, from exterior boundary to "
+                        "triangulation")
+    group.add_argument("--radius", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="K", help="longest step of an "
+                       "outline between two points, in columns; narrower breaks are bridged (default: from the points; 1 with "
+                       "--stages)")
+    group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=GROWTH_STRATEGIES[1], help="how an outline "
+                       "with a radius above 1 grows")
+    group.add_argument("--minimum-patch-size", type=_number_at_least(int, 1), default=1, metavar="N", help="leave out patches "
+                       "with fewer points")
+    group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="close "
+                       "holes of fewer columns (default: automatic; 1 with --stages)")
     group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
-                       help="how far outlines may move, in columns (default: the error, up to 2 if no --triangles; 0 with --stages)")
+                       help="largest horizontal deviation of outlines, in columns (default: the error, at most 0.75 unless "
+                       "--triangles is given; 0 with --stages)")
     group.add_argument("--distance-threshold", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
-                       help="how far outlines may move up or down (default: the error; 0.4 with --stages)")
+                       help="largest vertical deviation of outlines (default: the error; 0.4 with --stages)")
 
 
 def _add_layer_options(group):
-    group.add_argument("--layers", action="store_true", default=NOT_GIVEN, help="make closed volumes between the horizons of a "
-                       "file, or of files of one each, too, within the largest error: cells (.vtu), a body for each in formats of meshes, a table (.csv)")
-    return (group.add_argument("--crossings", nargs="+", choices=CROSSINGS, default=NOT_GIVEN, help="what is done where horizons "
-                               "cross, or a word for each layer from the uppermost on; put -- before files (default: Mean)"),
-            group.add_argument("--order", choices=("ByHeight", "AsGiven"), default=NOT_GIVEN, help="which horizon is above which "
-                               "for --layers; AsGiven: as --horizons, the file or the files list them, the uppermost first"),
-            group.add_argument("--missing", choices=("Void", "Interpolate", "Follow"), default=NOT_GIVEN, help="where a horizon has no "
-                               "points: no layers; its holes and gaps closed; absent ones follow another one, too (default: Follow)"))
+    group.add_argument("--layers", action="store_true", default=NOT_GIVEN, help="make closed volumes between the horizons of "
+                       "a file, or of several files with one horizon each: cells (.vtu), one body per layer in formats of "
+                       "meshes, and a table (.csv)")
+    return (group.add_argument("--crossings", nargs="+", choices=CROSSINGS, default=NOT_GIVEN, help="policy where horizons "
+                               "cross, or one for each layer from the top; end the list with -- before files (default: Mean)"),
+            group.add_argument("--order", choices=("ByHeight", "AsGiven"), default=NOT_GIVEN, help="order of the horizons for "
+                               "--layers; AsGiven: as listed by --horizons or the files, uppermost first"),
+            group.add_argument("--missing", choices=("Void", "Interpolate", "Follow"), default=NOT_GIVEN, help="where a "
+                               "horizon has no points: no layers; holes and gaps at faults closed; absent horizons also "
+                               "follow a neighbour (default: Follow)"))
 
 
 def _add_stage_options(group):
-    group.add_argument("--hole-boundaries", action="store_true", default=NOT_GIVEN,
-                       help="give holes an outline of their own, so that they stay open in the mesh")
-    group.add_argument("--fewest-outline-points", action="store_true", default=NOT_GIVEN,
-                       help="give outlines the fewest points within the outline tolerance and the distance threshold")
-    group.add_argument("--bound-deviation", action="store_true", default=NOT_GIVEN,
-                       help="keep dropped outline points within the distance threshold of the outline")
-    group.add_argument("--cell-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="S",
-                       help="side of the cells that the rough simplification merges; lattice units (default: 3)")
-    group.add_argument("--skip-rough", action="store_true", default=NOT_GIVEN,
-                       help="leave out the rough simplification: keep every point inside the outline")
-    group.add_argument("--elaborate", action="store_true", default=NOT_GIVEN,
-                       help="then simplify by curvature, too: fewer points where a horizon is flat")
-    group.add_argument("--elaborate-cell-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="S",
-                       help="side of the largest cells of the elaborate simplification; lattice units (default: 8)")
+    group.add_argument("--hole-boundaries", action="store_true", default=NOT_GIVEN, help="outline holes as well, so that they "
+                       "stay open in the mesh")
+    group.add_argument("--fewest-outline-points", action="store_true", default=NOT_GIVEN, help="use the fewest outline points "
+                       "within the outline tolerance and the distance threshold")
+    group.add_argument("--bound-deviation", action="store_true", default=NOT_GIVEN, help="keep dropped outline points within "
+                       "the distance threshold of the outline")
+    group.add_argument("--cell-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="S", help="side of the cells "
+                       "of the rough simplification, in lattice units (default: 3)")
+    group.add_argument("--skip-rough", action="store_true", default=NOT_GIVEN, help="skip the rough simplification: keep "
+                       "every point inside the outline")
+    group.add_argument("--elaborate", action="store_true", default=NOT_GIVEN, help="also simplify by curvature: fewer points "
+                       "where a horizon is flat")
+    group.add_argument("--elaborate-cell-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="S", help="side of "
+                       "the largest cells of the elaborate simplification, in lattice units (default: 8)")
     group.add_argument("--flatness-threshold", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="F",
-                       help="how curved its cells may be, from 0 (planes) to 1/3 (anything; default: 0.12)")
-    group.add_argument("--representative", choices=REPRESENTATIVES, default=NOT_GIVEN,
-                       help="the mean of the points of a cell, or the nearest to it (default: Barycentre)")
+                       help="largest curvature within a cell, from 0 (planes) to 1/3 (anything; default: 0.12)")
+    group.add_argument("--representative", choices=REPRESENTATIVES, default=NOT_GIVEN, help="point that represents a cell: "
+                       "the mean of its points, or the point nearest to it (default: Barycentre)")
 
 
 def _add_error_options(group):
-    group.add_argument("--measure-error", action="store_true",
-                       help="measure how far each mesh is from the horizon at full resolution, both ways: columns of the "
-                       "table (in lattice units), arrays of the meshes, and all figures as a .csv file for each input")
-    group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0],
-                       help="the unit of the arrays; the .csv file has both")
-    group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=2.0, metavar="N",
-                       help="places on each surface for each point of the horizon")
+    group.add_argument("--measure-error", action="store_true", help="measure the distance of each mesh from the full horizon "
+                       "in both directions: fields of the table (lattice units), arrays of the meshes, and a .csv file for "
+                       "each input")
+    group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0], help="unit of the arrays; the "
+                       ".csv file has both")
+    group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=2.0, metavar="N", help="number of "
+                       "samples on each surface per point of the horizon")
 
 
 def tell(kind, text):
-    """Tells of an error, or of a warning."""
+    """Writes an error or a warning."""
     sys.stderr.write("%s: %s: %s\n" % (PROGRAM, kind, text))
     sys.stderr.flush()
 
 
 def fail(error):
-    """Says what is wrong, and returns the exit code."""
+    """Writes an error, and returns the exit code."""
     tell("error", error)
     return 1
 
 
 def _run(options):
-    """All files, then what is told of them. Returns the exit code."""
+    """Processes all files, then writes figures and report. Returns the exit code."""
     from seismichorizons import batch, interrupt, record, report
     from seismichorizons.options import make_settings
     from seismichorizons.stage import HorizonError, heard_by
@@ -384,7 +383,7 @@ def main(arguments=None):
         parser.error("%s requires --layers" % of_layers[0])
     for word in arguments:
         is_text = word == word.encode(errors="replace").decode()
-        if not is_text and pathlib.Path(word) not in options.inputs:  # what is wrong with files is told one by one
+        if not is_text and pathlib.Path(word) not in options.inputs:  # errors of files are reported one by one
             parser.error("%s is not in UTF-8" % ascii(word))
     try:
         from seismichorizons import interrupt
