@@ -33,7 +33,7 @@ int vtkHorizonCrossings::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-// Repair works on the given z, so that merged horizons get equal values and unmoved points keep theirs exactly.
+// Repair works on the given z, so that merged horizons get equal values and unmoved points keep their z exactly.
 RepairedHorizons vtkHorizonCrossings::Repair(const HorizonStack& stack, const Monitor& monitor)
 {
   const HeightStack heights = stack.WorldHeights();

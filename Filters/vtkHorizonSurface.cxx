@@ -51,7 +51,7 @@ std::optional<std::int32_t> ToSeam(int row)
   return row < 0 ? std::optional<std::int32_t>() : std::optional<std::int32_t>(row);
 }
 
-/// The points on the lower seam, where there is one.
+/// Empty without a lower seam.
 std::vector<PointId> FindPointsOn(const std::optional<std::int32_t>& row, PlanePoints columns)
 {
   std::vector<PointId> found;
@@ -207,7 +207,7 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     surface.Boundary.Boundary.RenumberedBy([&](PointId point) { return surface.Kept[std::size_t(point)]; });
   WriteLedger(points, CoveredColumns(points.Column, loops, 1), outlines);
   vtkPolyData* const mesh = outputs[MeshPort];
-  RemoveCuts(mesh); // those of the outlines are right
+  RemoveCuts(mesh); // The cuts of the outlines replace these.
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
   if (surface.Kept.empty())
   {

@@ -50,14 +50,14 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr int OtherPort = 1; // of the input
-constexpr int MapPort = 1; // of the output
-constexpr std::int64_t Few = 20; // one column of so many may be a crossing without a warning
+constexpr int OtherPort = 1; // input port
+constexpr int MapPort = 1; // output port
+constexpr std::int64_t Few = 20; // Crossings in one of 20 columns cause no warning.
 
 const HorizonNames OfOther = { "the other horizon", "the first one" };
 const HorizonNames OfFirst = { "the first horizon", "the other one" };
 
-/// Of what has points, the one that is not the horizon itself.
+/// Skips empty horizons and the horizon itself.
 vtkPolyData* FindOther(const std::vector<vtkSmartPointer<vtkPolyData>>& others, vtkPolyData* horizon)
 {
   std::vector<vtkPolyData*> found;
@@ -77,10 +77,10 @@ vtkPolyData* FindOther(const std::vector<vtkSmartPointer<vtkPolyData>>& others, 
   return found.front();
 }
 
-/// Whose lattice counts: of points that with the smaller bins, and else that of the first horizon.
+/// Of points the lattice with the smaller bins is used, otherwise the lattice of the first horizon.
 vtkPolyData* WithLattice(vtkPolyData* horizon, vtkPolyData* other)
 {
-  constexpr double smaller = 1.0 - 1e-6; // by more than rounding
+  constexpr double smaller = 1.0 - 1e-6; // less than 1 by more than rounding
   const bool hasLattice = other->GetFieldData()->HasArray(FieldArray::LatticeToWorld);
   const bool isOther = hasLattice && !IsMesh(other) &&
     (IsMesh(horizon) || ReadLattice(other).ColumnArea() < smaller * ReadLattice(horizon).ColumnArea());
@@ -93,7 +93,7 @@ PlacedPoints Place(vtkPolyData* horizon, const Lattice& lattice, const HorizonNa
                          : PlaceOn(lattice, WithoutHiddenPoints(horizon), names);
 }
 
-/// Points of a mesh in columns of a lattice, which may be that of another horizon.
+/// The lattice may be of the other horizon.
 void WriteSampled(const PlacedPoints& sampled, const KeptPoints& kept, vtkPolyData* withLattice, vtkPolyData* output)
 {
   const Lattice lattice = ReadLattice(withLattice);
@@ -115,7 +115,6 @@ void WriteSampled(const PlacedPoints& sampled, const KeptPoints& kept, vtkPolyDa
   output->GetPointData()->PassData(ReadColumns(output, {}, KeptHeights::None).Horizon->GetPointData());
 }
 
-/// Which points have a thickness.
 KeptPoints KeepKnown(const std::vector<double>& thickness)
 {
   KeptPoints kept(thickness.size());
@@ -150,7 +149,7 @@ void WriteFigures(const Thickness& found, double bin, vtkFieldData* figures)
   WriteLedger(ledger, figures);
 }
 
-/// What a warning says; empty where all is as expected.
+/// Empty without a warning.
 std::string TellDoubts(const Thickness& found)
 {
   std::ostringstream text;
@@ -168,7 +167,7 @@ std::string TellDoubts(const Thickness& found)
   return text.str();
 }
 
-/// The map of a horizon with thickness. Throws InputError where steps are not perpendicular, and where it is too large.
+/// Throws InputError if steps are not perpendicular, or the map is too large.
 void MakeMap(vtkPolyData* horizon, vtkImageData* map)
 {
   map->GetFieldData()->PassData(horizon->GetFieldData());
@@ -190,7 +189,7 @@ void MakeMap(vtkPolyData* horizon, vtkImageData* map)
   map->GetPointData()->SetActiveScalars(PointArray::Isochore);
 }
 
-/// Whether lengths along z and across it can be told together.
+/// z must have the unit of x and y.
 bool HasLengths(const SurveyDescription& survey)
 {
   return survey.VerticalDomain != "time" &&
@@ -222,7 +221,7 @@ int vtkHorizonThickness::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
-// Without another input the two horizons of this one are measured to each other, which may be on different ranks.
+// Without the input Other, the two horizons of the first input, which may be on different ranks, are a pair.
 void vtkHorizonThickness::ShareHorizons(
   const std::vector<HorizonLeaf>& own, const std::vector<RankedHorizon>& all, const Ranks& ranks)
 {

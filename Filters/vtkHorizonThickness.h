@@ -77,7 +77,7 @@ private:
   vtkHorizonThickness(const vtkHorizonThickness&) = delete;
   void operator=(const vtkHorizonThickness&) = delete;
 
-  /// Among which the other horizon is.
+  /// candidates for the other horizon
   std::vector<vtkSmartPointer<vtkPolyData>> Others;
 };
 

@@ -120,7 +120,7 @@ void WriteFilledValues(const FilledArray& array, const FilledColumns& filled, st
   }
 }
 
-/// Floating-point values become nan; others are copied from the nearest point.
+/// Floating-point values become nan; any other value is copied from the nearest point.
 void WriteOtherValues(vtkAbstractArray* input, const FilledColumns& filled, vtkAbstractArray* output)
 {
   const vtkIdType known = input->GetNumberOfTuples();

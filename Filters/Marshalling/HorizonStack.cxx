@@ -27,16 +27,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double Rounding = 1e-6; // of steps, in parts of them
+constexpr double Rounding = 1e-6; // fraction of a step
 
-/// The column of a place on a lattice.
 PlanePoint ColumnAt(const Lattice& lattice, const Eigen::Vector3d& world)
 {
   const Eigen::Vector3d place = lattice.ToLattice(world);
   return { std::int32_t(std::lround(place.x())), std::int32_t(std::lround(place.y())) };
 }
 
-/// Cuts the links from a column to another one, which is on the same row or column of the lattice.
+/// Both columns are on one row or column of the lattice.
 void CutAlong(const PlanePoint& from, const PlanePoint& to, LinkCuts& cuts)
 {
   const PlanePoint least = { std::min(from.X, to.X), std::min(from.Y, to.Y) };
@@ -85,7 +84,7 @@ void HorizonStack::PlaceTogether()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Errors count vertical indices: those of the horizon that has the smallest, so that they hold for each.
+// The smallest vertical index of all horizons becomes the unit, so that errors in indices hold for each.
 void HorizonStack::RefineHeights()
 {
   const double step = std::abs(this->Map(2, 2));
@@ -102,7 +101,7 @@ void HorizonStack::RefineHeights()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Where the lattice does not have all columns, it becomes one that does.
+// Extends the lattice to all columns.
 void HorizonStack::CoverAll()
 {
   if (this->Box.IsEmpty())

@@ -27,7 +27,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Outputs have no triangles, or different ones.
+/// Outputs have no triangles, or different triangles.
 void RemoveMeshFigures(vtkFieldData* figures)
 {
   for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,

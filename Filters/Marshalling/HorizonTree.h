@@ -25,7 +25,7 @@ void AcceptHorizons(vtkInformation* port);
 /// sizes.
 void CheckArraySizes(vtkPolyData* horizon);
 
-/// Keeps an existing output of the right class. Other inputs than composite ones give a `Single`.
+/// Keeps an existing output of the right class. Inputs that are not composite give a `Single`.
 template <typename Single = vtkPolyData>
 void MakeOutputLike(vtkDataObject* input, vtkInformation* outputPort)
 {

@@ -29,7 +29,7 @@ struct ImageCube
 /// InputError on an invalid array or lattice. `image` must outlive the cube.
 ImageCube MakeImageCube(vtkImageData* image, vtkDataArray* amplitudes);
 
-/// Places are in columns and samples from the first ones of the cube.
+/// Places are in columns and samples from the first trace and sample of the cube.
 class CubePlaces
 {
 public:

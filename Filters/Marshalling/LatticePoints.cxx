@@ -218,7 +218,7 @@ private:
         const bool isMerged = columns[point] == NoColumn;
         part.Add({ isMerged ? 0.0 : DistanceToColumn(place, columns[point]), isMerged });
       });
-    // Only points that represent merged ones have counts.
+    // Only points that represent merged points have counts.
     const bool mayHaveMerged = this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount);
     if (placement.Deviation > this->Tolerance || (placement.AreMerged && !mayHaveMerged))
     {

@@ -28,7 +28,6 @@ namespace
 {
 constexpr int ContactsOfCurve = 101;
 
-/// The columns of a table, filled row by row.
 class TableWriter
 {
 public:

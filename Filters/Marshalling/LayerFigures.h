@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// How large layers are, in the world.
 
 #ifndef SeismicHorizonsLayerFigures_h
 #define SeismicHorizonsLayerFigures_h
@@ -22,32 +20,32 @@ class vtkTable;
 
 namespace SeismicHorizons
 {
-/// "Top to Base", for each layer.
+/// Names are such as "Top to Base".
 std::vector<std::string> NamesOfLayers(const HorizonStack& stack);
 
-/// How much volume a bin has that is one vertical index thick.
+/// Volume of a bin with the thickness of one vertical index.
 double VolumeOfUnit(const HorizonStack& stack);
 
-/// The unit of volumes, "m3" or "m2 ms"; empty where units are not known.
+/// "m3" or "m2 ms"; empty if units are unknown
 std::string UnitOfVolumes(const HorizonStack& stack);
 
 vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts);
 
-/// A row for each layer, whose size `volumes` has. With a contact, a world z, also how much of them lies above it.
+/// Each layer has a row. `contact` is world z, and adds the volume above it.
 void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack,
   std::optional<double> contact, vtkTable* table);
 
-/// The volume of each layer above contacts from the top of all to the base.
+/// Contacts are spread from the uppermost top to the lowest base.
 void WriteVolumeCurve(
   const LayerPlan& plan, const HorizonStack& stack, vtkTable* table, const Monitor& monitor = Monitor());
 
-/// As field data, beside the lattice.
+/// The field data must have the lattice.
 void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data);
 
-/// What layers have of heights that were not read, and what they leave out, as far as it is worth a warning.
+/// Returns warnings of layers with heights that were not read, or parts left out.
 std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack);
 
-/// The same as lines of text: of each layer volume and thickness, and of each horizon the points outside.
+/// Lists volume and thickness of each layer, and points outside of each horizon.
 std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack);
 }
 

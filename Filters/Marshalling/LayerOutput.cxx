@@ -41,9 +41,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 4096; // points that a thread takes at a time
+constexpr std::int64_t Grain = 4096; // points per chunk
 
-/// Points in the world of places on the lattice.
 template <typename Place>
 vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& lattice, Place&& place)
 {
@@ -68,24 +67,24 @@ Eigen::Vector3d PlaceOf(const PlanePoint& column, double height)
   return Eigen::Vector3d(column.X, column.Y, height);
 }
 
-/// Whether what faces outwards on the lattice faces inwards in the world.
+/// True if outward normals on the lattice point inwards in the world.
 bool IsMirrored(const HorizonStack& stack)
 {
   return stack.CommonLattice().KeepsOrientation() == stack.HeightsGrowDownwards();
 }
 
-/// The corners of a cell, in the order of VTK, in a lattice that is left-handed in the world.
+/// Corners are in the order of VTK.
 void Mirror(vtkIdType* corners, std::size_t size)
 {
-  if (size == 6) // a wedge: its triangles take each other's place
+  if (size == 6) // The triangles of a wedge swap.
   {
     std::swap_ranges(corners, corners + 3, corners + 3);
     return;
   }
-  std::swap(corners[size - 4], corners[size - 2]); // of a pyramid in its quadrangle, of a tetrahedron in its triangle
+  std::swap(corners[size - 4], corners[size - 2]); // quadrangle of a pyramid, or triangle
 }
 
-/// The points of a horizon that are nearest to columns on the map.
+/// Finds the nearest point on the map.
 class NearestPoints
 {
 public:
@@ -113,17 +112,17 @@ public:
 
 private:
   PlanePoints Columns;
-  vtkNew<vtkPolyData> Places; // empty until it is needed
+  vtkNew<vtkPolyData> Places; // Filled on first use.
   vtkNew<vtkStaticPointLocator> Locator;
 };
 
-/// The vertices of the plan that a horizon has, with its points.
+/// Vertices of the plan at which a horizon has a height.
 struct HorizonVertices
 {
-  std::vector<PointId> Vertices; // of the plan
-  std::vector<PointId> Numbers; // of these, by vertex of the plan; NoPoint for others
-  vtkNew<vtkIdList> Points; // of the horizon, the nearest where it has none in the column
-  std::vector<unsigned char> IsFilled; // 1 there and where an earlier stage filled, 2 outside
+  std::vector<PointId> Vertices; // vertices of the plan
+  std::vector<PointId> Numbers; // index in Vertices by vertex of the plan, or NoPoint
+  vtkNew<vtkIdList> Points; // point of the horizon, the nearest if the column has none
+  std::vector<unsigned char> IsFilled; // 1 at computed heights, 2 outside
 };
 
 void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<PointId>& pointAt, PlanePoints columns,
@@ -152,7 +151,6 @@ void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<P
   }
 }
 
-/// Those of a horizon, by the numbers of its vertices.
 RawVector<PointId> TrianglesOf(const LayerPlan& plan, std::size_t horizon, const std::vector<PointId>& numbers)
 {
   RawVector<PointId> triangles;
@@ -166,7 +164,7 @@ RawVector<PointId> TrianglesOf(const LayerPlan& plan, std::size_t horizon, const
   return triangles;
 }
 
-/// What the points of a horizon had, but for what is not so on the plan.
+/// Skips arrays that differ on the plan.
 void CopyArrays(vtkPointData* given, vtkIdList* points, vtkPointData* output)
 {
   constexpr std::array<const char*, 7> others = { PointArray::Column, PointArray::PatchId, PointArray::Boundary,
@@ -187,7 +185,6 @@ void CopyArrays(vtkPointData* given, vtkIdList* points, vtkPointData* output)
   }
 }
 
-/// The columns and vertical indices of vertices, and which of them the horizon does not have.
 void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices& own, vtkPointData* output)
 {
   auto columns = NewArray<vtkIntArray>(PointArray::Column, vtkIdType(own.Vertices.size()), 2);

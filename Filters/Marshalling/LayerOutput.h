@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the plan of layers to the datasets that are made of it. All in the world, with heights upwards.
+// Datasets have world coordinates, with heights upwards.
 
 #ifndef SeismicHorizonsLayerOutput_h
 #define SeismicHorizonsLayerOutput_h
@@ -18,15 +18,15 @@ class vtkUnstructuredGrid;
 
 namespace SeismicHorizons
 {
-/// The cells of all layers, with Layer, Triangle, Thickness and Volume as cell data.
+/// Cell data are Layer, Triangle, Thickness and Volume.
 void WriteLayerCells(
   const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, vtkUnstructuredGrid* output);
 
-/// A closed surface that faces outwards, with Face and Layer as cell data.
+/// The surface is closed and faces outwards; cell data are Face and Layer.
 void WriteLayerBody(
   LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, vtkPolyData* output);
 
-/// A horizon as a mesh on the plan, with the arrays that its points had.
+/// Arrays of the points are copied.
 void WriteLayerHorizon(
   const Layers& layers, const LayerCells& cells, std::size_t horizon, const HorizonStack& stack, vtkPolyData* output);
 }

@@ -18,7 +18,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// How many of the columns that were read are not among these points.
+/// Counts columns that were read, but are not among the points.
 std::int64_t CountLeftOut(const std::optional<Ledger>& before, const Ledger& points)
 {
   return before ? std::max<std::int64_t>(0, before->Read() - points[LedgerEntry::Known]) : 0;
@@ -32,7 +32,7 @@ void WriteLedger(const LatticePoints& points, const CoveredColumns& covered, vtk
   std::optional<Ledger> ledger = ReadLedger(given);
   if (!points.AreMerged && !given->HasArray(FieldArray::BoundaryDeviation))
   {
-    // A part may have the ledger of the whole.
+    // The ledger of a part may be of the whole horizon.
     const std::int64_t before = covered.ArePart() ? 0 : CountLeftOut(ledger, CountPoints(points.Horizon));
     ledger = covered.Account(points.Column, ReadFilled(points.Horizon));
     (*ledger)[LedgerEntry::LeftOut] += before;

@@ -27,7 +27,6 @@ namespace
 constexpr double LargestDeviation = 0.05;
 constexpr double LargestColumn = 1 << 28;
 
-/// Units in short, and the domain that they are of.
 SurveyDescription WithDomain(SurveyDescription survey)
 {
   survey.HorizontalUnit = ShortUnit(survey.HorizontalUnit);
@@ -41,7 +40,6 @@ SurveyDescription WithDomain(SurveyDescription survey)
   return survey;
 }
 
-/// Where a point is on a lattice.
 Eigen::Vector3d PlaceOf(vtkIdType point, vtkPolyData* points, const Lattice& lattice, const HorizonNames& names)
 {
   const Eigen::Vector3d world(points->GetPoint(point));
@@ -54,7 +52,7 @@ Eigen::Vector3d PlaceOf(vtkIdType point, vtkPolyData* points, const Lattice& lat
   return place;
 }
 
-/// The nearest column, if there is one within LargestDeviation.
+/// Returns nothing if no column is within LargestDeviation.
 std::optional<PlanePoint> ColumnOf(const Eigen::Vector3d& place)
 {
   const Eigen::Vector2d column(std::floor(place.x() + 0.5), std::floor(place.y() + 0.5));
@@ -63,7 +61,7 @@ std::optional<PlanePoint> ColumnOf(const Eigen::Vector3d& place)
   return isThere ? std::optional<PlanePoint>({ std::int32_t(column.x()), std::int32_t(column.y()) }) : std::nullopt;
 }
 
-/// The points of a mesh in lattice units, from the least column on, which it takes off.
+/// Places are relative to `least`, the least column.
 std::vector<SpacePoint> ReadPlaces(
   const Lattice& lattice, vtkPolyData* mesh, const HorizonNames& names, Eigen::Array2d& least, Eigen::Array2d& most)
 {
@@ -90,7 +88,7 @@ std::vector<SpacePoint> ReadPlaces(
   return places;
 }
 
-/// Throws InputError where triangles cover more columns than memory is made for.
+/// More than 2^30 columns would exceed memory.
 void RequireColumns(const std::vector<SpacePoint>& places, const std::vector<std::array<PointId, 3>>& triangles,
   const HorizonNames& names)
 {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Horizons of a stack in order, as datasets.
 
 #ifndef SeismicHorizonsStackOutput_h
 #define SeismicHorizonsStackOutput_h
@@ -16,11 +14,11 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-/// The points of a horizon where its repaired heights are, which are z of the world.
+/// Repaired heights are world z.
 void WriteRepaired(
   const RepairedHorizons& repaired, std::size_t horizon, const HorizonStack& stack, vtkPolyData* output);
 
-/// Lines of text: how neighbours crossed, and which horizons were moved.
+/// Lists crossings of neighbours, and moved horizons.
 std::string TellRepair(const CrossingRepair& repair, const HorizonStack& stack);
 }
 

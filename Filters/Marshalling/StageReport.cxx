@@ -28,13 +28,11 @@ namespace
 // A panel has no room for more.
 constexpr std::size_t MostLines = 50;
 
-/// The unit of heights, which are told in that of z, too.
+/// Reported in the unit of z as well.
 constexpr const char* Heights = "vertical indices";
 
-/// That of thicknesses.
 constexpr const char* WorldHeights = "in z";
 
-/// What a number is called.
 struct Figure
 {
   const char* Array;
@@ -95,7 +93,7 @@ std::ostringstream MakeStream()
   return stream;
 }
 
-/// What stands behind a figure: its unit, and what a height is in the unit of z.
+/// Returns the unit, and a height in the unit of z as well.
 std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
 {
   const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
@@ -113,7 +111,6 @@ std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
   return text.str();
 }
 
-/// How many links and lines a stage cut; nothing where it cut none.
 std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
 {
   vtkDataArray* const lines = output->GetFieldData()->GetArray(FieldArray::FaultLine);
@@ -127,7 +124,7 @@ std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
   return text.str();
 }
 
-/// The ledger that the stage made, and a warning of entries that are a considerable part of it.
+/// Entries that are a large fraction of the columns are a warning.
 std::string TellLedger(vtkPolyData* input, vtkPolyData* output)
 {
   vtkFieldData* const figures = output->GetFieldData();
@@ -161,7 +158,7 @@ std::string TellLedger(vtkPolyData* input, vtkPolyData* output)
   return text.str() + warning.str();
 }
 
-/// The array of a figure that the stage made and that is to be told, or null.
+/// Null unless this stage has written the figure, and it is worth reporting.
 vtkDataArray* FindFigure(const Figure& figure, vtkPolyData* input, vtkPolyData* output)
 {
   vtkDataArray* const array = output->GetFieldData()->GetArray(figure.Array);
@@ -195,7 +192,7 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
       }
       else
       {
-        line << vtkIdType(array->GetTuple1(0)); // counts are printed whole
+        line << vtkIdType(array->GetTuple1(0)); // Counts have all digits.
       }
       line << TellUnit(figure, array->GetTuple1(0), output);
     }
@@ -207,7 +204,7 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
 //----------------------------------------------------------------------------------------------------------------------
 void StageReport::Join(const Ranks& ranks)
 {
-  constexpr char separator = '\0'; // which names cannot have
+  constexpr char separator = '\0'; // Names cannot contain it.
   std::ostringstream own = MakeStream();
   for (const Entry& entry : this->Entries)
   {

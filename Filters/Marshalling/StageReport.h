@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What a stage made of its horizons, as a text to read.
 
 #ifndef SeismicHorizonsStageReport_h
 #define SeismicHorizonsStageReport_h
@@ -19,14 +17,14 @@ class Ranks;
 class StageReport
 {
 public:
-  /// Adds a horizon with the figures that the stage put into its field data. `position` is as in HorizonLeaf.
+  /// `position` is HorizonLeaf::Position.
   void Add(int position, const std::string& name, vtkPolyData* input, vtkPolyData* output);
 
-  /// Makes this that of the horizons of all ranks, by their positions. Collective.
+  /// Collects the entries of all ranks, sorted by position. Collective.
   void Join(const Ranks& ranks);
 
-  /// "3 horizons: 900 points in, 100 out", and below it "Horizon 1: 300 points in, 40 out" and so on, each with its
-  /// figures on lines of their own, as panels are narrow. Of many horizons the first ones. Empty without any.
+  /// One line per horizon, and per figure as panels are narrow: "3 horizons: 900 points in, 100 out", "Horizon 1: 300
+  /// points in, 40 out" and so on. Only the first horizons are listed.
   std::string Text() const;
 
 private:
@@ -35,7 +33,7 @@ private:
     int Position;
     std::int64_t PointsIn;
     std::int64_t PointsOut;
-    std::string Lines; // empty behind the first horizons
+    std::string Lines; // empty after the first horizons
   };
   std::vector<Entry> Entries;
 };

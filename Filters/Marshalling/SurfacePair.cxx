@@ -37,7 +37,7 @@ constexpr double LargestHole = 1e15; // columns
 
 // ---- The reference as a mesh ----------------------------------------------------------------------------------------
 
-/// How the outlines of a horizon are found: as those of its mesh, where vtkHorizonSurface made that.
+/// Uses the outlines that vtkHorizonSurface chose for the mesh.
 BoundaryOptions OptionsAsOf(vtkPolyData* mesh, int radius)
 {
   BoundaryOptions options;
@@ -59,7 +59,7 @@ BoundaryOptions OptionsAsOf(vtkPolyData* mesh, int radius)
   return options;
 }
 
-/// What the triangulation needs of a horizon; the boundary is found when the horizon has no loops.
+/// Finds the boundary unless the horizon has loops.
 BoundedHorizon ReadHorizon(const LatticePoints& points, BoundaryOptions options, const Monitor& monitor)
 {
   if (points.Horizon->GetNumberOfLines() > 0)
@@ -76,7 +76,6 @@ BoundedHorizon ReadHorizon(const LatticePoints& points, BoundaryOptions options,
   return horizon;
 }
 
-/// The horizon with all its points as a mesh.
 void MeshHorizon(vtkPolyData* input, const BoundaryOptions& options, vtkPolyData* output, const Monitor& monitor)
 {
   output->GetFieldData()->PassData(input->GetFieldData());
@@ -93,9 +92,8 @@ void MeshHorizon(vtkPolyData* input, const BoundaryOptions& options, vtkPolyData
 
 // ---- Surfaces -------------------------------------------------------------------------------------------------------
 
-constexpr std::int64_t PointsPerThread = 16384; // that a thread takes at a time
+constexpr std::int64_t PointsPerThread = 16384; // points per chunk
 
-/// Calls work(point, place) for the points of a surface, on several threads.
 template <typename Work>
 void ForEachPoint(TriangleSurface& surface, Work&& work)
 {
@@ -109,7 +107,7 @@ void ForEachPoint(TriangleSurface& surface, Work&& work)
     });
 }
 
-/// Which points hole filling has put in; empty when none.
+/// Empty without the array Filled.
 std::vector<unsigned char> ReadFilled(vtkPolyData* data)
 {
   vtkDataArray* const filled = FindNumbers(data->GetPointData(), PointArray::Filled);
@@ -125,10 +123,10 @@ std::vector<unsigned char> ReadFilled(vtkPolyData* data)
   return marks;
 }
 
-/// A mesh in world coordinates.
+/// world coordinates
 TriangleSurface ReadSurface(vtkPolyData* data, bool withFilledPoints)
 {
-  constexpr vtkIdType Most = vtkIdType(1) << 30; // numbers have 32 bits, and there are three edges for each triangle
+  constexpr vtkIdType Most = vtkIdType(1) << 30; // Three edges per triangle must fit 32-bit indices.
   if (data->GetNumberOfPoints() >= Most || data->GetNumberOfPolys() >= Most)
   {
     throw InputError(std::to_string(data->GetNumberOfPoints()) + " points and " +
@@ -178,7 +176,7 @@ DistanceFigures Scaled(DistanceFigures figures, double scale)
   return figures;
 }
 
-/// Distances on the lattice, and in the world where these do not follow from them.
+/// The world has its own metric unless lattice units are uniform.
 std::vector<Metric> MakeMetrics(const Lattice& lattice, bool isUniform)
 {
   std::vector<Metric> metrics = { Metric() };
@@ -192,8 +190,7 @@ std::vector<Metric> MakeMetrics(const Lattice& lattice, bool isUniform)
   return metrics;
 }
 
-/// What was measured on a lattice, in world units, when a lattice unit is `scale` of these long in all directions: then
-/// the nearest place is the same one in the world.
+/// The lattice unit has the length `scale` in all directions, so that nearest places are the same.
 void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
 {
   std::transform(measured.Report.Lattice.begin(), measured.Report.Lattice.end(), measured.Report.World.begin(),
@@ -207,7 +204,6 @@ void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
   }
 }
 
-/// What was measured in world units at once.
 void TakeWorld(SurfaceDistance& inWorld, bool inWorldUnits, MeasuredPair& measured)
 {
   measured.Report.World = FiguresOf(inWorld);
@@ -263,7 +259,7 @@ MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptio
   CheckSurface(reference, "reference");
   CheckSurface(mesh, "mesh");
   const std::optional<Lattice> lattice = FindLattice(pair.Reference, pair.Mesh);
-  const Eigen::Vector3d origin = reference.Points.front(); // so that coordinates are small in the world, too
+  const Eigen::Vector3d origin = reference.Points.front(); // This keeps world coordinates small.
   for (TriangleSurface* const surface : { &reference, &mesh })
   {
     ForEachPoint(*surface,
