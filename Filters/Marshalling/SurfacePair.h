@@ -20,8 +20,8 @@ struct HorizonPair;
 /// Omits triangles that close faults. Throws InputError on polygons other than triangles.
 std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh);
 
-/// Passes a mesh. Points are meshed inside their loops, or inside a boundary like that of the other mesh, or one of
-/// `radius` with closed holes. Throws InputError if meshing fails.
+/// Passes a mesh. Points are meshed inside their loops, or inside a boundary with the parameters of the other mesh,
+/// or with `radius` and closed holes. Throws InputError if meshing fails.
 void WriteReference(const HorizonPair& pair, int radius, const Monitor& monitor);
 
 struct MeasuredPair

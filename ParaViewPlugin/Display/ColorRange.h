@@ -21,7 +21,7 @@ struct ColorRange
   std::string Array;
   int Association = 0;
   std::array<double, 2> Ends = { 0.0, 0.0 };
-  bool IsOfData = true; ///< The range is that of all values.
+  bool IsOfData = true; ///< The range includes all values.
   bool IsCut = false; ///< Some values are above the range.
   bool IsDownwards = false; ///< The least value is on top.
 };

@@ -18,7 +18,7 @@ struct Atom
   PointId Vertex;
   std::int64_t PlaceId; // id of the other vertex
   std::int64_t Line;
-  bool HasValues; // Without own values the atom takes those of the other vertex.
+  bool HasValues; // Without own values the atom takes the other vertex's values.
 };
 
 /// Copies places and values of vertices, which may be atoms themselves, in linear time. Throws InputError for missing

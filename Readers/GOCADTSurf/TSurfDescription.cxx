@@ -110,7 +110,7 @@ void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& l
   else if (keyword == "AXIS_UNIT")
   {
     this->Survey.HorizontalUnit = UnitOf(line.NextQuoted());
-    line.NextQuoted(); // The unit of y equals that of x.
+    line.NextQuoted(); // x and y have the same unit.
     this->Survey.VerticalUnit = UnitOf(line.NextQuoted());
     this->Survey.VerticalDomain = DomainOf(this->Survey.VerticalUnit);
   }

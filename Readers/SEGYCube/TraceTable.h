@@ -72,7 +72,7 @@ inline double Scaled(double number, int scalar)
   return scalar < 0 ? number / -double(scalar) : scalar > 0 ? number * scalar : number;
 }
 
-/// Fields of TraceByte have 2 bytes, except Offset; all others have 4.
+/// Fields of TraceByte have 2 bytes, except Offset; all other fields have 4.
 TraceTable ReadTraceTable(
   const std::string& name, const SEGYHeader& header, const std::vector<int>& fields, const Monitor& monitor);
 }
