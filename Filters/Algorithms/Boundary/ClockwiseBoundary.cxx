@@ -190,11 +190,11 @@ private:
   const ColumnIndex& Index;
   const HopVectors Hops;
   const SeamGaps Gaps;
-  const std::unique_ptr<const CutBlocks> Blocks;
+  const std::unique_ptr<const CutBlocks> Blocks; // null without cuts
   const PlanarHops Graph;
   PatchComponents Parts;
   Loops Faces; // Outlines of all components come first, loops of holes follow.
-  std::vector<bool> Walked;
+  std::vector<bool> Walked; // by number in Graph: the face on its left was walked
   const bool WalksHoles;
   std::optional<CutFaces> Cracks;
   std::vector<FaceStep> Steps;

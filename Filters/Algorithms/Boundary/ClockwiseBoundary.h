@@ -16,7 +16,8 @@ namespace SeismicHorizons
 {
 struct SeamPresence;
 
-/// Unlike FindExteriorBoundary, it checks no options and ignores MinimumPatchSize. `cracks` is input for FindCracks.
+/// Unlike FindExteriorBoundary, it checks no options and ignores MinimumPatchSize. `cracks` receives input for
+/// FindCracks.
 ExteriorBoundary FindClockwiseBoundary(const ColumnIndex& index, const BoundaryOptions& options,
   const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor);
 }

@@ -29,7 +29,6 @@ public:
   /// The index needs an empty rim of at least one column.
   CutBlocks(const LinkCuts& cuts, PlanePoints columns, const ColumnIndex& index);
 
-  /// `step` must lead to one of the eight neighbours.
   bool IsBarred(std::int64_t place, const PlanePoint& step) const
   {
     if (step.X == 0)
@@ -63,8 +62,8 @@ private:
     CutEast = 1,
     CutNorth = 2,
     Open = 4,
-    RisingLeft = 8,
-    FallingLeft = 16,
+    RisingLeft = 8, // to the north-east
+    FallingLeft = 16, // to the south-east
     BesideOpen = 32
   };
 

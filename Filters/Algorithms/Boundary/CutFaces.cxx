@@ -242,6 +242,7 @@ bool CutFaces::PassesCut(const std::vector<FaceStep>& steps) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// A turn of 0 is a full turn: the point has only one hop.
 bool CutFaces::IsSwept(HopId hop, HopId from, HopId to) const
 {
   const HopId size = this->Hops.Size();

@@ -64,9 +64,9 @@ private:
   const ColumnIndex& Index;
   const HopVectors& Hops;
   const CutBlocks& Blocks;
-  std::array<HopId, 4> Sides;
-  std::vector<Face> Faces;
-  std::vector<std::size_t> CutOutlines;
+  std::array<HopId, 4> Sides; // hops along links
+  std::vector<Face> Faces; // by collected loop
+  std::vector<std::size_t> CutOutlines; // components with cuts on their outlines
 };
 
 /// The face lies to the left of the side.
@@ -74,9 +74,9 @@ struct CrackSide
 {
   enum class Kind : unsigned char
   {
-    Cutoff,
+    Cutoff, // The hop is admissible.
     Short, // The hop leads to a neighbour across a cut.
-    Long // The hop is longer; it touches an open block but may cross no cut.
+    Long // The hop is longer: it touches an open block, but does not always cross a cut.
   };
 
   PointId From;

@@ -239,7 +239,7 @@ private:
 
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  std::vector<End> Ends;
+  std::vector<End> Ends; // sorted by place, then hop
   std::vector<bool> HasEnd;
 };
 

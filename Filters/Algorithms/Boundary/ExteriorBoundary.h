@@ -4,9 +4,10 @@
 // Boundary of a horizon: the outline of each patch, i.e. the exterior boundary of the thesis (3.3, Def. 3.4, Alg. 3.1
 // and 3.2), and on request the loops of its holes.
 //
-// An outline is the clockwise walk around the outer face of a plane graph of hops: for k = 1 the border following of
-// Suzuki and Abe (1985). For k > 1, growth by distance (ExteriorBoundary.cxx) takes long hops only as bridges, out and
-// back; clockwise growth (PlanarHops.h) takes every hop that crosses no other, which cuts bays short.
+// An outline never crosses itself and surrounds its whole patch. It is the clockwise walk around the outer face of a
+// plane graph of hops: for k = 1 the border following of Suzuki and Abe (1985). For k > 1, growth by distance
+// (ExteriorBoundary.cxx) takes long hops only as bridges, out and back; clockwise growth (PlanarHops.h) takes every hop
+// that crosses no other, which cuts bays short.
 //
 // The pseudo-code of the thesis stops at the first return to its start, and loses the rest of a patch that touches
 // itself there; here the walk ends before it repeats its first hop. For k > 1 its hops may cross the loop, or never

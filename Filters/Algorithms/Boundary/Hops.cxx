@@ -140,7 +140,7 @@ HopVectors::HopVectors(int radius, std::int64_t rasterWidth)
     }
   }
   std::sort(this->Vectors.begin(), this->Vectors.end(), IsSweptBefore);
-  this->Hops.assign(this->Vectors.size() + 1, NoHop);
+  this->Hops.assign(this->Vectors.size() + 1, NoHop); // The vector of length 0 has a slot, too.
   for (HopId hop = 0; hop < this->Size(); ++hop)
   {
     this->Hops[this->Slot(this->Vector(hop))] = hop;

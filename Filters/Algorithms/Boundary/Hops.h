@@ -3,8 +3,7 @@
 //
 // Hops are the steps of a boundary, from a column to another one at most k columns away along each axis (k-square
 // neighbourhood of the thesis, Def. 3.1), numbered in the order of a clockwise sweep from the south; of several in one
-// direction the shorter comes first. The file also has tables of the columns and squares along long hops, and the walk
-// around a face of a graph of hops.
+// direction the shorter comes first.
 //
 //          3  4  5
 //          2  *  6         the 8 hops of k = 1
@@ -58,7 +57,7 @@ private:
   std::vector<std::int64_t> Offsets;
   std::vector<HopId> Opposites;
   std::vector<std::int32_t> NumbersOfParts;
-  std::vector<HopId> Hops;
+  std::vector<HopId> Hops; // by slot
 };
 
 bool IsSweptBefore(const PlanePoint& a, const PlanePoint& b);
@@ -73,11 +72,11 @@ bool IsNearer(const PlanePoint& a, const PlanePoint& b);
 
 constexpr std::array<PlanePoint, 4> NeighbourSteps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 } } };
 
-/// A hop passes between these two neighbouring columns, given from the start of the hop.
+/// A hop passes between these two neighbouring columns; vectors and offsets are from the start of the hop.
 struct Gate
 {
   PlanePoint Column;
-  std::size_t Step;
+  std::size_t Step; // to the other column, in NeighbourSteps
   std::int64_t Offset;
   std::int64_t OtherOffset;
 };
@@ -85,9 +84,9 @@ struct Gate
 struct LongHop
 {
   HopId Hop = NoHop;
-  std::vector<std::int64_t> Over;
+  std::vector<std::int64_t> Over; // offsets of columns passed over
   std::vector<PlanePoint> ColumnsOver;
-  std::vector<Gate> Gates;
+  std::vector<Gate> Gates; // near the ends first
   std::vector<std::int64_t> Between; // These columns are nearer to both ends than the ends are to each other.
   std::vector<std::int64_t> Squares; // The hop touches these unit squares other than with its ends.
 };
@@ -117,7 +116,7 @@ private:
 
   const std::int32_t Radius;
   std::vector<LongHop> Hops;
-  std::vector<std::size_t> Numbers;
+  std::vector<std::size_t> Numbers; // by slot
 };
 
 // A walk sweeps clockwise at each point from the hop it came by, which comes last, and leaves by the first hop of the
@@ -151,7 +150,7 @@ void WalkFace(const ColumnIndex& index, const HopVectors& hops, std::int64_t sta
 
 struct FaceSize
 {
-  std::int64_t TwiceArea = 0;
+  std::int64_t TwiceArea = 0; // negative for a face walked clockwise
   std::int64_t OnLoop = 0; // Each passage of the walk through the centre of a column counts.
 };
 

@@ -220,7 +220,7 @@ private:
   const ColumnIndex& Index;
   const std::vector<std::int64_t>& Places;
   const Loops& Boundary;
-  std::vector<std::int32_t> RowNumber;
+  std::vector<std::int32_t> RowNumber; // by row of the index, or -1
   std::vector<std::vector<Crossing>> Crossings;
 };
 

@@ -18,8 +18,8 @@ namespace SeismicHorizons
 {
 struct PatchComponents
 {
-  std::vector<std::int32_t> Component;
-  std::vector<std::int64_t> First;
+  std::vector<std::int32_t> Component; // by point, numbered row by row from the least y
+  std::vector<std::int64_t> First; // places of first points, by component
 };
 
 PatchComponents FindPatchComponents(const ColumnIndex& index, std::size_t points, int radius);

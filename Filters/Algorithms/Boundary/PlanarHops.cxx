@@ -77,7 +77,7 @@ private:
   // Fewer ends are tested faster than farther points could rule them out.
   static constexpr int FewEnds = 8;
 
-  using NearRows = std::array<unsigned, NearRadius + 2>;
+  using NearRows = std::array<unsigned, NearRadius + 2>; // with an empty row above
   // A hop is ruled out by a point and its neighbour after one of NeighbourSteps, or by a point alone.
   static constexpr std::size_t Itself = NeighbourSteps.size();
   static constexpr std::size_t Kinds = Itself + 1;
@@ -118,8 +118,8 @@ private:
   const LongHops& Long;
   const std::int32_t Radius;
   Rows Ends;
-  mutable std::vector<Rows> OpenByNearest;
-  mutable std::vector<std::int32_t> OpenNumbers;
+  mutable std::vector<Rows> OpenByNearest; // by pattern of the nearest points
+  mutable std::vector<std::int32_t> OpenNumbers; // position there by pattern, or -1
   std::vector<Rows> Shadows; // Each slot holds the ends that a point or pair of points rules out.
 };
 
@@ -203,6 +203,7 @@ void HopCandidates::RuleOut(const NearRows& near, Rows& ends) const
   {
     const unsigned here = near[row];
     const unsigned above = near[std::size_t(row) + 1];
+    // The order follows NeighbourSteps.
     const std::array<unsigned, Kinds> found = { here & here >> 1U, here & above >> 1U, here & above, here & above << 1U,
       here };
     for (std::size_t kind = 0; kind < Kinds; ++kind)
@@ -312,6 +313,7 @@ void PlanarHops::AddDirectHops(const HopCandidates& candidates, const Monitor& m
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// Returns the candidates across cuts.
 std::vector<PlanarHops::PlacedHop> PlanarHops::AddFurtherHops(const HopCandidates& candidates, const Monitor& monitor)
 {
   std::vector<PlacedHop> left;

@@ -64,8 +64,8 @@ struct HopAcrossCut
 };
 
 /// Each point beside empty columns takes time for the rows of 2 k + 1 columns above it, and about k^2 per remaining
-/// hop. Memory is 4 bytes and 4 bits per column of the index, 24 bytes per long hop, 8 per unit square touched (about 2
-/// k per hop), and tables of 8 k^4 bytes.
+/// hop. Memory is 4 bytes and 4 bits per column of the index, 24 bytes per long hop, and 8 per unit square touched
+/// (about 2 k per hop).
 class PlanarHops
 {
 public:
@@ -109,7 +109,7 @@ private:
   {
     PlanePoint From;
     PlanePoint To;
-    std::int32_t Number;
+    std::int32_t Number; // in Long
   };
 
   struct Link
@@ -149,12 +149,12 @@ private:
   const HopId South; // These hops pass over a single empty column.
   const HopId North;
   std::vector<std::int64_t> Border;
-  PlaceNumbers BorderNumbers;
+  PlaceNumbers BorderNumbers; // positions in Border
   // These exist only while hops are tried.
   std::vector<PlacedHop> Placed; // Admissible hops come first, then hops across cuts.
-  std::vector<std::int32_t> First;
+  std::vector<std::int32_t> First; // by unit square
   std::vector<Link> Links;
-  ItemLists<HopId> Listed;
+  ItemLists<HopId> Listed; // then, by point of Border, in the order of a sweep
   std::vector<HopAcrossCut> Across;
 };
 }

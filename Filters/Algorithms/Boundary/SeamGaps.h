@@ -59,7 +59,7 @@ private:
   void Fill(Row& row, const ColumnIndex& index, const BoundaryOptions& options);
 
   std::array<Row, 2> Rows;
-  std::vector<std::array<std::int64_t, 2>> Sides;
+  std::vector<std::array<std::int64_t, 2>> Sides; // places of the points beside each break
 };
 }
 
