@@ -82,6 +82,7 @@ public:
   bool IsClear(std::size_t before, std::size_t middle, std::size_t after) const;
 
 private:
+  /// Coordinates are multiples of 1 / PartsPerColumn columns.
   struct FinePoint
   {
     std::int64_t X;
@@ -205,6 +206,7 @@ struct SpannedPoint
   double InHeight;
 };
 
+/// Positions beyond the end of a loop continue from its first point.
 class LoopSimplifier
 {
 public:
@@ -462,7 +464,7 @@ private:
   std::vector<SpannedPoint>& Spanned;
   const Monitor& Watch;
   double Part = 0.0;
-  std::vector<unsigned char> Visits;
+  std::vector<unsigned char> Visits; // 2 for more than one
   std::optional<LoopGuard> Guard;
   std::optional<ColumnIndex> OwnIndex;
   std::optional<FewestPoints> Fewest;
@@ -569,8 +571,8 @@ private:
   std::vector<std::size_t> Order;
   std::vector<PlanePoint> Columns;
   std::vector<std::size_t> RowStarts;
-  std::vector<LoopSide> Sides;
-  std::vector<unsigned char> Crossings;
+  std::vector<LoopSide> Sides; // in the order given
+  std::vector<unsigned char> Crossings; // 1 for an odd number since the previous point of the row
 };
 }
 

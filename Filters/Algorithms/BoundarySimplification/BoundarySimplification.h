@@ -52,6 +52,7 @@ struct BoundarySimplificationOptions
   OutlineMethod Method = OutlineMethod::Threshold;
   /// These points stay, like points that loops visit more than once.
   std::vector<PointId> Fixed = {};
+  /// This may be an existing index of the points, or null.
   const ColumnIndex* Index = nullptr;
 };
 

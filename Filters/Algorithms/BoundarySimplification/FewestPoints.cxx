@@ -20,7 +20,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t NoPosition = 0;
+constexpr std::size_t NoPosition = 0; // not between the ends of the chain
 
 std::int64_t FloorOfPart(std::int64_t numerator, std::int64_t denominator)
 {
@@ -156,7 +156,7 @@ private:
 // straight.
 constexpr std::size_t LookBack = 512;
 
-constexpr std::size_t MostBars = 8;
+constexpr std::size_t MostBars = 8; // blocking columns
 constexpr std::size_t ReachOfBar = 2 * LookBack;
 
 constexpr std::size_t RunEnd = 32;

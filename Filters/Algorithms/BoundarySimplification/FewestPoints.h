@@ -93,6 +93,7 @@ public:
   /// loop visits.
   ShortcutGuard(const ColumnIndex& index, const std::vector<unsigned char>& isOnLoop);
 
+  /// Loops must visit the inner points of the chain only once.
   void SetChain(const std::vector<PointId>& chain);
 
   bool IsClear(std::size_t from, std::size_t to);
@@ -122,7 +123,7 @@ private:
   const PlanePoints Columns;
   PlaceNumbers OnLoops;
   std::vector<PointId> Chain;
-  std::vector<std::size_t> Position;
+  std::vector<std::size_t> Position; // in the chain, by number in OnLoops
   std::size_t From = 0;
   std::size_t To = 0;
   std::vector<std::uint64_t> Crossings;
@@ -185,9 +186,9 @@ private:
   std::vector<PointId> Chain;
   std::vector<Eigen::Vector3d> Places;
   std::vector<Moments> Before;
-  std::vector<std::size_t> Nodes;
-  std::vector<Step> Fewest;
-  std::vector<Step> TwoOrMore;
+  std::vector<std::size_t> Nodes; // positions in the chain
+  std::vector<Step> Fewest; // best last step, by node
+  std::vector<Step> TwoOrMore; // with at least two edges
   std::vector<std::size_t> Sources;
   std::vector<Step> Steps;
   bool IsLimited = false;
