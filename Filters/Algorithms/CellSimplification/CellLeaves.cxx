@@ -239,7 +239,7 @@ private:
   const std::int64_t RowsPerBand;
   const std::int64_t Bands;
   const std::int64_t Batches;
-  std::vector<std::uint32_t> Next;
+  std::vector<std::uint32_t> Next; // counts, then positions, by batch and band
   std::vector<std::uint32_t> BandEnds;
   std::unique_ptr<PointId[]> Banded;
 };
@@ -465,6 +465,7 @@ void CellLeaves::IndexSquares()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// The first side of a patch in a cell keeps the number of the patch, further sides get new numbers.
 void CellLeaves::FindSides()
 {
   this->Sides = this->Input.Patch;

@@ -40,8 +40,9 @@ namespace SeismicHorizons
 class CellLeaves
 {
 public:
-  static constexpr std::int64_t Grain = 1024;
+  static constexpr std::int64_t Grain = 1024; // cells per task
 
+  /// Squares with their first points are ascending.
   using Starts = std::vector<std::pair<std::int64_t, std::uint32_t>>;
 
   /// `columns` is the cell size, at least 1 (InputError). The object keeps a reference to the horizon, which must have
@@ -50,6 +51,7 @@ public:
 
   const BoundedHorizon& Horizon() const { return this->Input; }
   const CellGrid& Grid() const { return this->Cells; }
+  /// This is in sub-voxels; a single cell of the grid may be smaller.
   std::int64_t CellSize() const { return this->Side; }
 
   const SubVoxelPlaces& Places() const { return this->Given; }
@@ -152,17 +154,17 @@ private:
 
   const BoundedHorizon& Input;
   const SubVoxelPlaces Given;
-  const double Scale;
+  const double Scale; // columns per sub-voxel
   const std::int64_t Side;
   const CellGrid Cells;
   std::vector<unsigned char> OnBoundary;
-  std::vector<std::int32_t> Sides;
+  std::vector<std::int32_t> Sides; // by point; empty without cuts
   std::unique_ptr<PointId[]> Points;
-  std::vector<unsigned char> Marks;
-  std::vector<std::int64_t> Squares;
-  std::vector<std::uint32_t> CellBegins;
+  std::vector<unsigned char> Marks; // not 0 where a leaf begins
+  std::vector<std::int64_t> Squares; // index in the grid
+  std::vector<std::uint32_t> CellBegins; // first entry of Points by cell, and the end
   std::vector<std::uint32_t> FirstCells; // This caches FirstCellFrom(square), unless most squares are empty.
-  std::vector<std::uint32_t> GroupEnds;
+  std::vector<std::uint32_t> GroupEnds; // first group by cell, and the end
 };
 
 //----------------------------------------------------------------------------------------------------------------------

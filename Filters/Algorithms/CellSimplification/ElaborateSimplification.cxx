@@ -92,7 +92,7 @@ struct PatchCube
   std::int64_t Cell = 0;
   std::int32_t Layer = 0;
   std::int32_t Patch = 0;
-  std::int32_t Ring = 0;
+  std::int32_t Ring = 0; // from 1; 0 while not numbered
   std::uint32_t Tower = 0;
   CellSizes Sizes;
 };
@@ -144,13 +144,13 @@ private:
   void ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const;
 
   CellLeaves& Leaves;
-  const int CubeSize;
+  const int CubeSize; // lattice units
   const double Bottom;
   std::vector<PatchCube> Cubes;
   std::vector<PatchTower> Towers;
   std::vector<std::size_t> FirstTowers;
   std::vector<Ring> AllRings;
-  std::size_t FirstRingWithCliffs = 0;
+  std::size_t FirstRingWithCliffs = 0; // TakeBeyondCliffs continues here.
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -421,6 +421,7 @@ public:
   {
   }
 
+  /// `leastLevel` applies to leaves without boundary points.
   CellSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel);
 
 private:

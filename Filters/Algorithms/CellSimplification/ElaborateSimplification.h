@@ -23,7 +23,7 @@
 //  - Leaves can lie above each other, but no two new points share a place in plan (LeafWriter.cxx).
 //
 // Time is linear in the points times the number of halvings, but boundary points are compared in pairs if the extent
-// threshold is about the cell size. Results are bitwise identical for any number of threads.
+// threshold is about the cell size.
 
 #ifndef SeismicHorizonsElaborateSimplification_h
 #define SeismicHorizonsElaborateSimplification_h

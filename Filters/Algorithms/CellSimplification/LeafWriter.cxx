@@ -33,6 +33,7 @@ namespace
 class NearestPoint
 {
 public:
+  /// `points` are reordered into the tree.
   NearestPoint(const SubVoxelPlaces& plane, std::vector<PointId>& points);
 
   /// The least number wins among equally near points. Time is logarithmic, unless very many points are about equally
@@ -159,10 +160,10 @@ struct CellRepresentative
 {
   const PointId* First = nullptr;
   const PointId* Last = nullptr;
-  PlanePoint Plane;
-  double Height = 0.0;
+  PlanePoint Plane; // sub-voxels
+  double Height = 0.0; // lattice units
   PointId Nearest = NoPoint;
-  bool Averaged = false;
+  bool Averaged = false; // else Nearest
 };
 
 std::int32_t RoundedQuotient(std::int64_t sum, std::int64_t count)

@@ -20,7 +20,7 @@
 namespace SeismicHorizons
 {
 /// The cell size is in columns, at least 1 (InputError). Boundary points come first, then representatives row by row.
-/// Memory is linear in the points, however far apart; results are bitwise identical for any number of threads.
+/// Memory is linear in the points, however far apart.
 Reduction SimplifyRough(const BoundedHorizon& horizon, const CellOptions& options, const Monitor& monitor = Monitor());
 }
 
