@@ -40,7 +40,8 @@ enum class DecimationPriority
 
 struct DecimationQuality
 {
-  /// Inner vertices may leave their columns' heights to fit the points around them (HeightFit.h), which needs fewer.
+  /// Inner vertices may leave their columns' heights to fit the points around them (HeightFit.h), which needs fewer
+  /// vertices.
   bool FitHeights = true;
   DecimationEffort Effort = DecimationEffort::Best;
   DecimationPriority Priority = DecimationPriority::SumOfSquares;
@@ -51,8 +52,8 @@ struct DecimationQuality
 
 struct DecimationOptions : DecimationQuality
 {
-  /// In lattice units, for points, and for edges where they cross grid lines. Heights rounded to whole voxels are off
-  /// by half a voxel; 0.75 comes nearest to the unrounded heights.
+  /// This bounds vertical errors of points, and of edges where they cross grid lines, in lattice units. Heights rounded
+  /// to whole voxels are off by half a voxel; 0.75 comes nearest to the unrounded heights.
   double MaximumError = 0.75;
   /// If not 0, it is the target instead of MaximumError, which must be 0. Points of loops are kept.
   std::size_t MaximumNumberOfPoints = 0;

@@ -36,7 +36,7 @@ std::vector<double> Powers(FitAim aim)
 // Edges weigh less where the mean error is minimized, which counts columns alone.
 constexpr double PartOfSides = 0.1;
 
-// Relative to the reach, smaller errors weigh alike: no weight is 0.
+// Errors below this fraction of the reach weigh alike, so that no weight is 0.
 constexpr double LeastError = 1e-2;
 
 class MovableCorners
@@ -561,7 +561,7 @@ private:
   const std::vector<InnerHeights>& After;
   std::vector<InnerHeights> Heights;
   const MovableCorners Corners;
-  std::vector<double> Parts;
+  std::vector<double> Parts; // by vertex: the fraction of its move
   std::vector<unsigned char> IsMoved; // in this pass
   std::vector<FarSides> IsFar;
 };

@@ -97,7 +97,6 @@ public:
   /// Height() is on the mesh, ColumnHeight() on the horizon.
   double Height(VertexId vertex) const { return this->Vertices[vertex].Height; }
   double ColumnHeight(VertexId vertex) const { return this->RasterAt(vertex).HeightAt(this->Vertices[vertex].Column); }
-  /// Only vertices on no loop are listed.
   InnerHeights Heights(std::size_t horizon = 0) const;
   void SetHeights(const InnerHeights& heights, std::size_t horizon = 0);
   std::vector<InnerHeights> AllHeights() const;
@@ -203,7 +202,7 @@ private:
   const PlanePoints Places;
   std::vector<std::int32_t> Patches; // per point, contiguous from 0; negative outside the horizon
   std::size_t Points;
-  std::vector<unsigned char> Marks; // per point: 1 for vertices
+  std::vector<unsigned char> Marks; // per point: 1 for vertices and points on loops
   std::vector<PointId> Sources; // per vertex; NoPoint if removed
   std::vector<unsigned char> AreOnLoops;
   std::vector<unsigned char> AreFixed;

@@ -49,6 +49,7 @@ struct ErrorPower
   }
 };
 
+/// Place and Beyond are the two columns, which have points.
 struct Crossing
 {
   std::int64_t Place = 0;
@@ -64,7 +65,7 @@ class HeightRaster
 {
 public:
   /// forEachPoint(add) calls add(point) for at least one point, and is run twice. Heights must be finite and, like
-  /// cuts, outlive the raster. Throws InputError if two points share a column.
+  /// cuts, outlive the raster. Throws InputError if two points share a column. Crossings of cut links are not measured.
   template <typename ForEachPoint>
   HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const double* heights, const LinkCuts* cuts = nullptr)
     : Heights(heights)

@@ -54,7 +54,7 @@ private:
 
   PlaneMesh& Mesh;
   std::vector<TriangleId> TriangleAt;
-  std::deque<Line> Crossed; // left of the edges across the line
+  std::deque<Line> Crossed; // edges that remain across the line
 };
 }
 

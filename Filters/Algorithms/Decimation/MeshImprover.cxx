@@ -101,7 +101,7 @@ struct MeshCost
   ErrorPower Power;
   /// No change makes a smaller angle in plan, unless one was smaller before.
   double SmallestSine;
-  double LargestError = Infinity;
+  double LargestError = Infinity; // No change may exceed it.
 
 private:
   static constexpr double PartOfSides = 0.1;
@@ -271,7 +271,7 @@ void FlipEdges(HeightMesh& mesh, const MeshCost& cost, const Monitor& monitor)
 // Half-edge collapses remove inner vertices (Hoppe 1996, "Progressive meshes"), the cheapest first, except beside
 // vertices that the round has removed.
 
-// This fraction of the candidates per round is small, so that the cheaper of two neighbours goes first.
+// A round considers only this fraction of the candidates, so that the cheaper of two neighbours goes first.
 constexpr double PartOfRound = 0.25;
 
 // Vertices of slivers cost this fraction, so that they go early.
@@ -279,7 +279,7 @@ constexpr double PartOfSlivers = 0.01;
 
 constexpr std::int64_t RemovalGrain = 16;
 
-/// Both are counter-clockwise; Ends[n] lies between triangles n - 1 and n.
+/// Triangles and ends are counter-clockwise; Ends[n] lies between triangles n - 1 and n.
 struct Ring
 {
   std::vector<TriangleId> Triangles;
@@ -506,7 +506,7 @@ private:
     return true;
   }
 
-  /// Returns infinity from `most` on.
+  /// Returns infinity if the sum reaches `most`.
   double SumAt(const Ring& ring, std::size_t end, double most) const
   {
     const VertexId to = ring.End(end);
@@ -597,14 +597,15 @@ constexpr double ErrorBeforeFit = 1.3;
 constexpr double ReachOfFit = 0.9;
 
 // ---- Rounds of both ------------------------------------------------------------------------------------------------
-// Smooth horizons stop after the first round; integer heights take several.
+// Rounds end below this fraction of the inner vertices: smooth horizons after one, integer heights after several.
 constexpr double LeastPartOfRound = 0.04;
 constexpr int MostRounds = 4;
 
 // After this number of halvings, any angle will do.
 constexpr int MostHalvings = 12;
 
-// Two or three stops instead of one lower errors by 0.5 % and take a fifth longer.
+// The stop half-way leaves this multiple of the final inner vertices. Two or three stops lower errors by 0.5 % and take
+// a fifth longer.
 constexpr double HalfWay = 1.5;
 }
 

@@ -24,7 +24,7 @@ void InsertToError(
 void ImproveWithinError(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule = HeightRule());
 
-/// Stops early if none can go. Errors of all triangles must be current.
+/// Stops early if no vertex can be removed. Errors of all triangles must be current.
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
 
 /// Errors of all triangles must be current.

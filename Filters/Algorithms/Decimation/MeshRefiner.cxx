@@ -233,7 +233,7 @@ void MeshRefiner::KeepFar(double bound)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// If no triangle reaches the limit, it falls.
+// If no triangle reaches the limit, it falls. Returns false if none is above the bound.
 bool MeshRefiner::FindUrgent(double& limit, std::vector<TriangleId>& urgent) const
 {
   urgent.clear();

@@ -21,8 +21,7 @@ constexpr int MostSteps = 100;
 // Bands of this number of rows fit the cache.
 constexpr std::uint64_t TileSide = 32;
 
-// This edge is opposite to the third corner.
-constexpr int Opposite = 0;
+constexpr int Opposite = 0; // to the third corner
 
 std::vector<std::int32_t> NumbersIn(const std::vector<std::int32_t>& order, std::size_t size)
 {

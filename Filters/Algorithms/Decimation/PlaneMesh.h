@@ -81,7 +81,6 @@ public:
   void Collapse(VertexId vertex, const std::vector<TriangleId>& ring, std::size_t n);
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoVertex; }
 
-  /// Legalize() does not flip kept edges.
   bool IsKept(VertexId a, VertexId b) const { return !this->Kept.empty() && this->Kept.count(SideKey(a, b)) > 0; }
   bool IsKeptSide(TriangleId triangle, int side) const
   {

@@ -54,7 +54,7 @@ private:
   std::int32_t Floor;
   std::int32_t Slope; // whole columns per row
   std::int32_t Rest; // in columns / Height per row
-  std::int32_t Part = 0;
+  std::int32_t Part = 0; // in columns / Height
 };
 
 /// Calls visit(y, first, last) upwards for rows with columns.
