@@ -125,7 +125,7 @@ double Median(std::vector<double>& values)
   return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-/// Places without a point are NaN. Memory by place pays, as each point looks at many.
+/// Values by place pay off, as each point looks at many places; places without a point are NaN.
 std::vector<double> ListHeights(const ColumnIndex& index, const std::vector<double>& heights)
 {
   std::vector<double> byPlace(index.NumberOfPlaces(), std::numeric_limits<double>::quiet_NaN());
@@ -144,7 +144,7 @@ public:
   {
   }
 
-  /// Returns NaN with too few points around.
+  /// Returns the height above the plane through the points around, NaN with too few of them.
   double Deviation(std::int64_t place)
   {
     const double alongX = this->Dip(place, 1, 0);

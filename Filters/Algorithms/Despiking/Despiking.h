@@ -20,17 +20,18 @@ namespace SeismicHorizons
 {
 struct DespikingOptions
 {
-  /// It is in lattice units; 0 means four times the noise.
+  /// Spikes deviate by more than this, in lattice units; 0 means four times the noise.
   double Threshold = 0.0;
   /// Points around lie within this number of columns along each axis.
   int Radius = 2;
-  /// Spurs may be this number of columns wide; 0 finds none.
+  /// This is the largest width of a spur, in columns; 0 finds none.
   int SpurWidth = 0;
 };
 
 constexpr int LargestMedianRadius = 16;
 constexpr int LargestSpurWidth = 64;
 
+/// The point array Spike holds these values.
 enum class SpikeKind : unsigned char
 {
   None = 0,
