@@ -75,6 +75,7 @@ public:
     this->FindLeavingEdges();
   }
 
+  /// The cracks lie to the right of the loops returned.
   Loops Run()
   {
     for (std::size_t openEnd = 0; openEnd < this->Open.OpenEnds.size(); ++openEnd)
