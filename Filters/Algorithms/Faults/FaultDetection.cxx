@@ -80,6 +80,7 @@ private:
   std::vector<float> Values;
 };
 
+/// East and north links alternate in `deviations`.
 void FindRow(DifferenceRows& differences, std::int64_t y, std::vector<float>& medians, float* deviations)
 {
   std::array<const float*, WindowSide> rows;
@@ -95,6 +96,7 @@ void FindRow(DifferenceRows& differences, std::int64_t y, std::vector<float>& me
   }
 }
 
+/// The result is by link of the raster, or NaN.
 RawVector<float> FindDeviations(const ColumnHeights& heights, const Monitor& monitor)
 {
   const LinkGrid& raster = heights.Raster();
@@ -224,6 +226,7 @@ double NoiseOfDifferences(const ColumnHeights& heights, const RawVector<float>& 
   const double noiseEast = NoiseOfDifferences(heights, east);
   const double noiseNorth = NoiseOfDifferences(heights, north);
   const double larger = std::max(noiseEast, noiseNorth);
+  // Rounding of an integer dip differs between the axes.
   if (larger > Rougher * std::min(noiseEast, noiseNorth) && (!heights.AreWhole() || larger > 2.0 * WholeFloor))
   {
     return larger;
@@ -255,7 +258,7 @@ double MeasureRiseNoise(const RawVector<float>& rises, double noise, bool isGive
 // By noise alone about 1 % of links are candidates, and hardly any are strong. The unit is the standard deviation.
 constexpr double LowFactor = 2.5;
 constexpr double HighFactor = 4.0;
-constexpr double GapFactor = 3.0;
+constexpr double GapFactor = 3.0; // Extended planes vary more than differences.
 constexpr int FewestStrong = 5;
 // Rounding to integers creates steps of 1, but not of 2.
 constexpr double LeastWholeStep = 1.5;
@@ -284,7 +287,7 @@ std::vector<FaultCandidate> FindSteep(
       for (std::int64_t link = first; link < last; ++link)
       {
         const float size = std::abs(deviations[link]);
-        if (double(size) >= low)
+        if (double(size) >= low) // false for NaN
         {
           candidates.push_back({ heights.ToGrid(link), size, double(size) >= high });
         }
@@ -295,6 +298,7 @@ std::vector<FaultCandidate> FindSteep(
 //----------------------------------------------------------------------------------------------------------------------
 // Bands of missing columns
 
+/// Throw is the plane beyond the band minus the plane before, Height their mean.
 struct GapStep
 {
   std::int64_t First = 0;

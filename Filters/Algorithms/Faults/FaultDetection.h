@@ -12,8 +12,7 @@
 //     into lines, longest path first (FaultForest.h).
 //
 // Faults that end inside the horizon or meet other faults are found. A closed fault keeps one whole link. Time is
-// linear, memory is about 16 bytes per column of the raster and 100 per candidate, and the number of threads has no
-// effect.
+// linear, memory is about 16 bytes per column of the raster and 100 per candidate.
 
 #ifndef SeismicHorizonsFaultDetection_h
 #define SeismicHorizonsFaultDetection_h

@@ -103,7 +103,7 @@ DisjointSets JoinKept(const CornerGraph& graph)
 
 struct CornerStep
 {
-  std::int64_t Link = -1;
+  std::int64_t Link = -1; // -1 outside the box
   std::int64_t Target = -1;
   bool IsForward = true;
 };
@@ -280,6 +280,7 @@ void DropSmallTrees(CornerGraph& graph, const ForestLimits& limits)
     });
 }
 
+/// Returns no edge if the next junction is more than `longest` away.
 std::vector<std::int32_t> WalkBranch(const CornerGraph& graph, std::int32_t end, int longest)
 {
   std::vector<std::int32_t> branch;
@@ -354,6 +355,7 @@ public:
 
   bool IsVisited(std::int32_t vertex) const { return this->Back[vertex] >= 0; }
 
+  /// The last vertex is farthest from the root.
   std::vector<std::int32_t> Visit(std::int32_t root)
   {
     std::vector<std::int32_t> order = { root };
@@ -419,8 +421,8 @@ private:
   const CornerGraph& Graph;
   std::vector<std::int32_t> EdgeBack;
   std::vector<std::int32_t> Back; // The root is its own predecessor.
-  std::vector<std::int32_t> Height;
-  std::vector<std::int32_t> Next;
+  std::vector<std::int32_t> Height; // edges of the longest path away from the root
+  std::vector<std::int32_t> Next; // first vertex of this path
 };
 }
 

@@ -19,7 +19,7 @@ namespace SeismicHorizons
 struct FaultCandidate
 {
   std::int64_t Link = 0;
-  float Size = 0.0F; // This is 0 for links that only join candidates.
+  float Size = 0.0F; // size of the step; 0 for links that only join candidates
   bool IsStrong = false;
 };
 
@@ -59,7 +59,7 @@ public:
 private:
   const LinkGrid& Links;
   std::vector<FaultCandidate> Candidates;
-  std::vector<std::int64_t> Corners;
+  std::vector<std::int64_t> Corners; // of vertices, ascending
   std::vector<std::array<std::int32_t, 2>> EndsOfEdge;
   ItemLists<std::int32_t> EdgesAt;
   std::vector<unsigned char> Kept;
@@ -73,9 +73,9 @@ std::vector<FaultCandidate> BridgeEnds(const LinkGrid& grid, std::vector<FaultCa
 
 struct ForestLimits
 {
-  int SmallestExtent = 0;
-  int SmallestBranch = 0;
-  int FewestStrong = 0;
+  int SmallestExtent = 0; // columns
+  int SmallestBranch = 0; // links
+  int FewestStrong = 0; // candidates of a group
 };
 
 void KeepForest(CornerGraph& graph, const ForestLimits& limits);

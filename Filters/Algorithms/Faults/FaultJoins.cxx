@@ -21,18 +21,18 @@ constexpr double LargestDistance = 8.0;
 // This is 25 degrees, in radians, between the direction of a line and the other end.
 constexpr double LargestTurn = 0.4363;
 constexpr double LargestRatio = 2.0;
-constexpr double Step = 0.5;
+constexpr double Step = 0.5; // columns
 // This is in columns; wider holes are not bridged.
 constexpr double WidestHole = 1000.0;
 
 struct LineEnd
 {
   MapPlace Place;
-  MapPlace Smooth;
-  MapPlace Direction;
+  MapPlace Smooth; // without the stairs of links
+  MapPlace Direction; // outwards, of length 1
   double LeftThrow = 0.0;
   double Height = 0.0;
-  double Reach = 0.0;
+  double Reach = 0.0; // columns to the other side of the hole
 };
 
 struct EndPair

@@ -95,6 +95,7 @@ private:
   const double Greatest;
 };
 
+/// Places count from the least column of the box; First and Last are fractions of the segment.
 struct NearSegment
 {
   MapPlace From;
@@ -171,7 +172,7 @@ private:
   struct Sample
   {
     MapPlace Place;
-    double Above = std::numeric_limits<double>::quiet_NaN();
+    double Above = std::numeric_limits<double>::quiet_NaN(); // height above the horizon
   };
 
   MapPlace Passage(const Sample& before, const Sample& after) const

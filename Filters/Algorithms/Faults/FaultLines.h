@@ -57,11 +57,12 @@ private:
 /// Links are sorted by j, i and side; the first line with a link wins.
 struct LinkOfLine
 {
-  std::size_t Link = 0;
+  std::size_t Link = 0; // its position in the lines
   std::size_t Line = 0;
 };
 std::vector<LinkOfLine> SortLinks(const FaultLines& lines);
 
+/// Coordinates are in columns.
 struct MapPlace
 {
   double X = 0.0;
@@ -77,7 +78,7 @@ FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolylin
 struct FaultStick
 {
   std::vector<SpacePoint> Places;
-  std::string Fault;
+  std::string Fault; // equal for sticks of one fault
 };
 
 void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick);

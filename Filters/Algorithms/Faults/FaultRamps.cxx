@@ -36,11 +36,11 @@ struct RampScale
     assert(largest >= 2 && this->Reach < ColumnHeights::Margin);
   }
 
-  const std::int64_t Mean;
+  const std::int64_t Mean; // columns on each side
   const std::int64_t Half; // A steep peak has fallen at this distance.
   const std::int64_t Shoulder; // A ramp is over at this distance.
   const int Fewest;
-  const std::int64_t Reach;
+  const std::int64_t Reach; // columns that a rise depends on
 };
 
 /// The place is the mean of known columns. The height is NaN if these are too few.
@@ -173,7 +173,7 @@ constexpr std::int64_t LanesOfChunk = 8;
 
 struct RampPeak
 {
-  std::int64_t Along = 0;
+  std::int64_t Along = 0; // Along and Lane are grid coordinates.
   std::int64_t Lane = 0;
   float Throw = 0.0F;
   float Fall = 0.0F; // The rise loses this fraction half way to the shoulders.
@@ -350,7 +350,7 @@ private:
 
 // A ramp may skip two lanes.
 constexpr std::int64_t LargestHop = 3;
-constexpr std::int64_t LargestShift = 2;
+constexpr std::int64_t LargestShift = 2; // columns from lane to lane
 
 struct GridLanes
 {
@@ -446,7 +446,7 @@ struct RampLink
   bool IsPeak = false;
   bool IsStrong = false;
   bool IsStep = false;
-  bool IsOfRamp = false;
+  bool IsOfRamp = false; // Most peaks of its line are no steps.
 };
 
 class RampLinks

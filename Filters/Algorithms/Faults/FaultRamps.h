@@ -33,7 +33,7 @@ struct RampLimits
   double LeastThrow = 0.0;
   double StrongRise = 0.0;
   double StrongThrow = 0.0;
-  double LeastStep = 0.0;
+  double LeastStep = 0.0; // of a candidate
   ForestLimits Forest;
 };
 

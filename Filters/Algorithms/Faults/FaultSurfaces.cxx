@@ -138,7 +138,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t MostToUncross = 1000;
+  static constexpr std::size_t MostToUncross = 1000; // The cost is quadratic.
   static constexpr int MostRounds = 20;
 
   double Way(const std::vector<std::size_t>& order, std::size_t from, std::size_t to) const

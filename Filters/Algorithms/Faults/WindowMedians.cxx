@@ -188,6 +188,7 @@ private:
     std::copy_n(result.begin(), BlockSize, medians);
   }
 
+  // The last lanes are not used after a merge.
   std::array<Lanes, Side> File = {};
   std::array<Lanes, 2 * Side> Pair = {};
   std::array<Lanes, 3 * Side> Three = {};
@@ -254,7 +255,7 @@ private:
 void FindOneByOne(const std::array<const float*, WindowSide>& rows, std::int64_t width, std::int64_t first,
   std::int64_t last, float* medians)
 {
-  std::array<SortedFile, WindowSide> files;
+  std::array<SortedFile, WindowSide> files; // a ring
   SortedWindow window;
   for (std::int64_t x = first - 2 * WindowReach; x < last; ++x)
   {
