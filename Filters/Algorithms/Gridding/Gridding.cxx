@@ -42,7 +42,7 @@ constexpr double LeastSmoothing = 1e-6;
 // Tension holds a plate beside a single line, and is too weak to show elsewhere.
 constexpr double Tension = 1e-6;
 
-/// The order is by x, then y, in the world, so that ties do not depend on the file.
+/// Places are in columns, ordered by x, then y, in the world, so that ties do not depend on the file.
 struct Picks
 {
   std::vector<Eigen::Vector2d> Place;
@@ -249,6 +249,7 @@ std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> places)
   return hull.empty() ? places : hull;
 }
 
+/// Returns the first and last column within the hull.
 std::array<int, 2> SpanOf(const std::vector<Eigen::Vector2d>& hull, double row)
 {
   constexpr double rounding = 1e-9; // of a step

@@ -6,6 +6,8 @@
 // - Plate: a thin plate (Briggs 1974), bent in world units, near all picks. A least-squares plane is taken off first,
 // so that picks of a plane give that plane; across picks on a line it is level.
 // - Nearest: the z of the nearest pick; of equally near picks, of least x, then y.
+//
+// Attributes are Filled (1 in columns without a pick), PickCount, and PickDistance to the nearest pick, in world units.
 
 #ifndef SeismicHorizonsGridding_h
 #define SeismicHorizonsGridding_h
