@@ -436,7 +436,7 @@ private:
   const HoleFillingOptions& Options;
   GapPlates& Plates;
   std::vector<bool> IsRing;
-  std::vector<std::int64_t> Rim; // A place occurs once for each link to the hole.
+  std::vector<std::int64_t> Rim; // places beside the hole, once for each link to it
   std::optional<Membrane> HeldByRing;
 };
 }

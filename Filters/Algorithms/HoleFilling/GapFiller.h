@@ -45,8 +45,8 @@ public:
   std::shared_ptr<const GapPlate> Get(const GapRegion& region, double ringWeight);
 
 private:
-  static constexpr std::int64_t LargestKept = 256;
-  static constexpr std::size_t MostKept = 256;
+  static constexpr std::int64_t LargestKept = 256; // places of a plate
+  static constexpr std::size_t MostKept = 256; // plates, about 20 MB in all
 
   std::mutex Mutex;
   std::unordered_map<std::string, std::shared_ptr<const GapPlate>> Kept;

@@ -18,6 +18,7 @@
 
 namespace SeismicHorizons
 {
+/// It maps places of the index to columns of the lattice.
 class RasterFrame
 {
 public:
@@ -50,15 +51,15 @@ enum class PlaceKind : unsigned char
 class GapRegion
 {
 public:
-  /// The ring consists of known columns within `ringWidth` steps to eight neighbours, over no faulted link and through
-  /// no block with one.
+  /// `gap` is ascending. The ring consists of known columns within `ringWidth` steps to eight neighbours, over no
+  /// faulted link and through no block with one.
   GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
     const std::vector<std::int64_t>& gap, int ringWidth);
 
   std::shared_ptr<const BoxPlaces> Near;
-  std::vector<PlaceKind> Kind;
-  std::vector<PointId> Point;
-  std::vector<std::int64_t> GapPlaces;
+  std::vector<PlaceKind> Kind; // by place
+  std::vector<PointId> Point; // by place, for the ring
+  std::vector<std::int64_t> GapPlaces; // in the order given
 
   bool IsCutEast(std::int64_t place) const { return (this->Cuts[place] & EastBit) != 0; }
   bool IsCutNorth(std::int64_t place) const { return (this->Cuts[place] & NorthBit) != 0; }
@@ -78,6 +79,7 @@ public:
     return !this->HasCuts() || !(isEast ? this->IsCutEast(first) : this->IsCutNorth(first));
   }
 
+  /// A diagonal step needs a whole block.
   bool CanStep(std::int64_t place, int dx, int dy) const;
 
   template <typename Visitor>
@@ -110,7 +112,7 @@ private:
   }
 
   bool Turned = false;
-  std::int64_t First = 0;
+  std::int64_t First = 0; // place of the box in the index
   std::vector<unsigned char> Cuts;
 };
 }

@@ -332,6 +332,7 @@ public:
   }
 
 private:
+  // Holes are numbered first, then areas outside.
   std::size_t NumberOfHoles() const { return this->Gaps.Enclosed.Columns.size(); }
   bool IsOutside(std::size_t gap) const { return gap >= this->NumberOfHoles(); }
   std::int64_t SizeOf(std::size_t gap) const

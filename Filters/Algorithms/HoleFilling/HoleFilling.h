@@ -38,14 +38,15 @@ enum class FillMethod
 
 struct HoleFillingOptions
 {
-  /// Larger holes stay open.
+  /// Holes of more columns stay open.
   std::int64_t LargestHoleSize = 2500;
   FillMethod Method = FillMethod::Automatic;
   /// This is the inverse spring strength that holds the plate to the known columns; 0 interpolates them.
   double RimSmoothing = 1.0;
-  int RimWidth = 3;
+  int RimWidth = 3; // columns
   /// Columns outside are filled within this number of steps to eight neighbours from a known column.
   int ExtrapolationDistance = 0;
+  /// Extrapolated columns must lie in this box.
   std::optional<PlaneBox> Survey = std::nullopt;
 };
 
@@ -64,16 +65,15 @@ struct FilledColumns
   std::vector<PointId> Nearest;
   /// Values are NaN if none is known on the rim.
   std::vector<std::vector<double>> Attribute;
-  std::size_t FirstOutside = 0;
+  std::size_t FirstOutside = 0; // the first extrapolated entry
   std::int64_t FilledGaps = 0;
   /// These are too large, or a section has no link to a known column.
   std::int64_t OpenGaps = 0;
-  double RimSmoothing = 0.0;
+  double RimSmoothing = 0.0; // as given or chosen
   int RimWidth = 0;
 };
 
-/// `columns` must be distinct (InputError). Columns of holes come first, row by row, then extrapolated columns. The
-/// result does not depend on the number of threads.
+/// `columns` must be distinct (InputError). Columns of holes come first, row by row, then extrapolated columns.
 FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts = nullptr,
   const Monitor& monitor = Monitor());

@@ -87,7 +87,7 @@ private:
   const RasterFrame& Frame;
   const std::vector<double>& Heights;
   const LinkCuts* const Cuts;
-  double Sum[2] = { 0.0, 0.0 };
+  double Sum[2] = { 0.0, 0.0 }; // for l = 1 and 2
   std::int64_t Count[2] = { 0, 0 };
   bool AreWhole = true;
 };

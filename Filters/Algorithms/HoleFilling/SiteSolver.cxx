@@ -510,7 +510,7 @@ private:
 
   void AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const;
 
-  const std::unique_ptr<SiteSystem<Radius>> Own;
+  const std::unique_ptr<SiteSystem<Radius>> Own; // null on the finest level
   const SiteSystem<Radius>& System;
   const StencilTable<Radius> Table;
   std::vector<std::int64_t> CoarseOf;

@@ -46,8 +46,8 @@ struct SiteBox
   }
 
   std::shared_ptr<const BoxPlaces> Near;
-  std::vector<std::int32_t> Number;
-  std::vector<std::int64_t> Place;
+  std::vector<std::int32_t> Number; // by place, or NoSite
+  std::vector<std::int64_t> Place; // by site
 };
 
 /// The matrix is symmetric. Each site has a row of (2 Radius + 1)^2 coefficients, 0 for places without a site.
@@ -102,13 +102,15 @@ template <int Radius>
 class SiteSolver
 {
 public:
+  /// The system must outlive the solver.
   explicit SiteSolver(const SiteSystem<Radius>& system);
   ~SiteSolver();
 
   /// This is always true for multigrid, which cannot test it.
   bool IsDefinite() const;
 
-  /// Throws InputError if multigrid does not converge, which has not been observed.
+  /// Replaces the right side by the solution. Throws InputError if multigrid does not converge, which was never
+  /// observed.
   void Solve(std::vector<double>& values, const Monitor& monitor) const;
 
 private:

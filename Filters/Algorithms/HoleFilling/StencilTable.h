@@ -157,7 +157,7 @@ private:
   }
 
   std::vector<Stretch> Stretches;
-  std::vector<std::int32_t> RowOf;
+  std::vector<std::int32_t> RowOf; // by site, in Distinct
   std::vector<Row> Distinct;
 };
 }
