@@ -417,7 +417,7 @@ struct JoiningWindow : ColumnWindow
   bool IsFirst = true;
   std::vector<RankedLink> Left; // not tried
   std::vector<RankedLink> Refused;
-  std::unordered_map<std::uint64_t, std::int64_t> Refusals; // size of both sets
+  std::unordered_map<std::uint64_t, std::int64_t> Refusals; // by PairKey: size of both sets
   std::unordered_map<PointId, ColumnSet> Columns;
 };
 

@@ -33,7 +33,7 @@ constexpr double LargestGrownConflict = 0.1;
 constexpr PointId FewestCommonColumns = 10;
 constexpr double SmallestAgreement = 0.7;
 
-// A stray's part passes this multiple of other picks elsewhere.
+// Picks are strays if their part passes this multiple of other picks elsewhere.
 constexpr std::int64_t FewestMissesOfStray = 3;
 
 // Later rounds find no parts worth taking.

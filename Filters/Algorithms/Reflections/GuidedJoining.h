@@ -54,7 +54,7 @@ struct GuideSeed
 {
   PointId Pick = NoPoint;
   std::int32_t Column = 0;
-  std::size_t Number = 0;
+  std::size_t Number = 0; // of the pick in the guide
 };
 
 struct GuidedPick

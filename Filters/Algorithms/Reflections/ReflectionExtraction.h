@@ -35,7 +35,7 @@ enum class SurfaceOrder
 
 struct ExtractionOptions
 {
-  /// The wavelet is rotated by -180 to 180 degrees.
+  /// The phase of the wavelet is rotated by this, from -180 to 180 degrees.
   double PhaseRotation = 0.0;
   ReflectionOptions Reflections;
   SurfaceJoining Joining = SurfaceJoining::BestFirst;
@@ -44,10 +44,10 @@ struct ExtractionOptions
   double LargestStep = 0.0;
   /// Links need this fraction of the median, 0 to 1, except for Components.
   double SmallestCorrelation = 0.85;
-  /// Parts need this share of linked pairs, 0 to 1.
+  /// With BestFirst, joined parts need this fraction of linked pairs, 0 to 1.
   double SmallestContact = 0.5;
   std::int64_t SmallestSize = 0; // picks; 0 chooses a twentieth of the traces, 10 to 100
-  std::int64_t LargestNumber = 100;
+  std::int64_t LargestNumber = 100; // of surfaces, at least 1
   SurfaceOrder Order = SurfaceOrder::Strength;
   GuidanceOptions Guidance;
 };
@@ -76,8 +76,8 @@ struct Extraction
   WaveletPhase Phase; // after rotation
   double LargestStep = 0.0; // in samples
   double MedianCorrelation = 0.0; // of all links, before any is dropped
-  std::int64_t SmallestSize = 0;
-  std::int64_t NumberOfSurfaces = 0;
+  std::int64_t SmallestSize = 0; // as given or chosen
+  std::int64_t NumberOfSurfaces = 0; // of at least this size
 };
 
 void CheckOptions(const ExtractionOptions& options);

@@ -121,7 +121,6 @@ private:
     this->Add(run, (run.First + run.End - 1) * (DepthsPerSample / 2), this->LargestOf(run));
   }
 
-  /// The run before must have the other sign.
   void AddCrossing(const Run& run)
   {
     const int last = this->Before.End - 1;
@@ -139,7 +138,6 @@ private:
     this->Found.push_back({ place, (this->Before.Size() + run.Size() + 1) / 2, run.Sign * strength, strength });
   }
 
-  /// Equal samples in a row count as one peak.
   void AddPeaks(const Run& run)
   {
     bool isRising = true;
@@ -279,7 +277,7 @@ struct Found
 struct RowReflections
 {
   RawVector<Found> All;
-  std::vector<std::int32_t> Ends;
+  std::vector<std::int32_t> Ends; // by column, in All
   std::int64_t Samples = 0;
 };
 

@@ -72,7 +72,7 @@ struct ReflectionRules
 };
 
 /// Runs end at samples that are 0, NaN or below the threshold. Equal samples peak in their middle, samples beside an
-/// end or a gap at themselves, others at the vertex of a parabola. One sample of 0 may lie on a zero crossing.
+/// end or a missing sample at themselves, the rest at the vertex of a parabola. One 0 may be a crossing.
 void FindReflections(const float* trace, int samples, const ReflectionRules& rules, std::vector<Reflection>& found);
 
 struct TraceLimits

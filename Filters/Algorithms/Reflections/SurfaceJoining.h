@@ -45,7 +45,7 @@ public:
   /// Refused links are tried again at the end. It may run again with other links and rules.
   void Run(const ReflectionLinks& links, const JoiningRules& rules, const Monitor& monitor);
 
-  /// Dropped picks have NoPoint.
+  /// Returns the surface of each pick, named by one of its picks, or NoPoint for dropped picks.
   RawVector<PointId> TakeSurfaces();
 
 private:
@@ -56,8 +56,8 @@ private:
   const std::unique_ptr<Parts> Joined;
 };
 
-/// Grows surfaces from the strongest picks left (Prim's order). Strong events come out whole, through steep and noisy
-/// places, and sometimes across faults.
+/// Grows surfaces from the strongest picks left (Prim's order), which name them. Strong events come out whole, through
+/// steep and noisy places, and sometimes across faults.
 RawVector<PointId> JoinContinuously(
   const ReflectionPicks& picks, const ReflectionLinks& links, const Monitor& monitor = Monitor());
 

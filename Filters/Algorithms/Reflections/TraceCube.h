@@ -21,7 +21,7 @@ constexpr int TracesPerBlock = 64;
 
 struct TraceCube
 {
-  /// i, j and k
+  /// Columns are along i and j, samples along k.
   std::array<int, 3> Size = { 0, 0, 0 };
   /// Traces follow each other. Missing samples are NaN, and none is infinite. Threads may call it in parallel.
   std::function<void(int j, int first, int count, float* traces)> Read;

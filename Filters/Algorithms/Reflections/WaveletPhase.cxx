@@ -71,6 +71,7 @@ private:
   std::vector<float> Turned;
 };
 
+/// Sums of products are in the order x^2, xh, h^2 and x^4, x^3 h, x^2 h^2, x h^3, h^4.
 struct Moments
 {
   std::array<double, 3> Second = { 0.0, 0.0, 0.0 };
@@ -94,7 +95,6 @@ struct Moments
     std::transform(this->Fourth.begin(), this->Fourth.end(), other.Fourth.begin(), this->Fourth.begin(), std::plus<>());
   }
 
-  /// Kurtosis is the fourth moment by the squared second.
   double Kurtosis(double angle) const
   {
     const double c = std::cos(angle);
@@ -138,7 +138,7 @@ std::array<Moments, Parts> SumMoments(const TraceCube& cube)
   return sums;
 }
 
-/// The phase is left 0 at the largest kurtosis.
+/// A turn by minus the phase gives the largest kurtosis.
 int FindPhase(const Moments& moments)
 {
   int phase = 0;
@@ -152,7 +152,7 @@ int FindPhase(const Moments& moments)
   return phase;
 }
 
-/// Phases count by 180 degrees.
+/// Phases have a period of 180 degrees.
 int Difference(int a, int b)
 {
   const int difference = std::abs(a - b);

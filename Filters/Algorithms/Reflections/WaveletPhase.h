@@ -17,7 +17,7 @@ struct WaveletPhase
 };
 
 /// Returns the phase whose removal gives the largest kurtosis, a few strong peaks among weak samples (Levy and
-/// Oldenburg 1987). At most 2000 traces are read; threads do not matter.
+/// Oldenburg 1987). At most 2000 traces are read.
 WaveletPhase EstimatePhase(const TraceCube& cube);
 
 /// Missing samples stay missing, and count as 0 for their neighbours.
