@@ -33,10 +33,10 @@ struct SeamChains
   /// Each comes with the nearer kept point, in no order.
   std::vector<DroppedPoint> Dropped;
   std::vector<SeamPin> Pins;
-  /// Gaps are wider than the radius, without surface beside them, and right of their points.
+  /// Gaps are wider than the radius, have no surface beside them, and are given by the point to their left.
   std::vector<PointId> OpenGaps;
-  double Deviation = 0.0;
-  double HeightDeviation = 0.0;
+  double Deviation = 0.0; // in space, lattice units
+  double HeightDeviation = 0.0; // the same vertically
 };
 
 /// The boundary must have been found with `options`.

@@ -102,7 +102,8 @@ struct Surface
 Surface MakeSurface(
   SurfacePoints points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
 
-/// A seam should close its cut through holes below the smallest size, so an edge spans the side of that; at most 64.
+/// A seam should close its cut through holes below the smallest size, so an edge spans the side of a square of this
+/// size, at most 64 columns.
 int ChooseLongestSeamEdge(std::int64_t smallestHoleSize);
 
 std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);

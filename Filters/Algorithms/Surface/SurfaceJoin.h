@@ -39,16 +39,16 @@ struct PartItem
 
 struct JoinedSurface
 {
-  std::vector<PartItem> Sources;
+  std::vector<PartItem> Sources; // by vertex: a vertex of a part
   std::vector<PlanePoint> Vertices;
   std::vector<std::int64_t> Count;
   std::vector<std::int32_t> Patch;
   RawVector<PointId> Triangles;
-  std::vector<PartItem> TriangleSources;
+  std::vector<PartItem> TriangleSources; // by triangle: a triangle of a part
   /// Outlines come first, one per patch, then holes.
   Loops Boundary;
   std::size_t NumberOfPatches = 0;
-  std::size_t SeamVertices = 0;
+  std::size_t SeamVertices = 0; // not on a loop
   /// Dropped patches represented these points.
   std::int64_t DroppedPoints = 0;
 };
