@@ -21,7 +21,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Squares of needles: width, and rounding at their ends, relative to their length.
+// These are squares: the width of needles, and rounding at their ends, relative to their length.
 constexpr double LeastWidth = 1e-12;
 constexpr double RoundingAtEnds = 1e-17;
 }

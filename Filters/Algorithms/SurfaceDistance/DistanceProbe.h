@@ -25,11 +25,11 @@ public:
 
   const TriangleSurface& GetSurface() const { return this->Surface; }
 
-  /// It is null if there is a tree.
+  /// The raster is null if there is a tree.
   const TriangleRaster* GetRaster() const { return this->Raster.get(); }
   const TriangleTree& GetTree() const { return *this->Tree; }
 
-  /// Pieces are cells or single triangles, neighbours in sequence.
+  /// Pieces are cells or single triangles; neighbouring triangles follow each other.
   static constexpr std::int64_t PiecesPerChunk = 512;
   std::int64_t Pieces() const
   {
@@ -94,7 +94,7 @@ public:
   /// The place must be contained.
   double Height() const;
 
-  /// The place must be contained; no other triangle is within the distance in plan.
+  /// Returns whether no other triangle is within `distance` of a contained place in plan.
   bool IsOnlyOne(double distance) const;
 
 private:

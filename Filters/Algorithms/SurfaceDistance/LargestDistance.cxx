@@ -25,10 +25,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-// relative to the lower bound
+// Bounds may differ by this, relative to the lower bound.
 constexpr double Accuracy = 0.01;
 
-// relative to the largest coordinate
+// Smaller bounds are rounding, relative to the largest coordinate.
 constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 constexpr std::int64_t TrianglesPerChunk = 1024;
@@ -68,7 +68,7 @@ void Raise(const MetricValues& other, MetricValues& values)
     other.begin(), other.end(), values.begin(), values.begin(), [](double a, double b) { return std::max(a, b); });
 }
 
-/// Bounds above 1 must be lowered.
+/// Bounds with an excess above 1 must be lowered.
 double Excess(const MetricValues& bound, const MetricValues& enough)
 {
   double excess = 0.0;
@@ -337,7 +337,7 @@ private:
     std::array<Piece, 2> halves = { piece, piece };
     for (std::size_t n = 0; n < 2; ++n)
     {
-      // an edge has two corners at one end
+      // An edge has two corners at one end.
       const Eigen::Vector3d& moved = piece.Corner[n == 0 ? to : from];
       for (std::size_t corner = 0; corner < 3; ++corner)
       {

@@ -27,7 +27,7 @@ struct KnownDistances
   const TriangleSearch& To;
   const PlanOverlay* Overlay; // null unless the other surface is a height field
   const std::vector<Metric>& Metrics;
-  /// by metric and point
+  /// Distances are by metric, then point.
   const std::vector<const std::vector<double>*>& Distance;
   const std::vector<NearestTriangles>& Nearest;
   MetricValues Found; // largest so far, and of corners that count

@@ -27,7 +27,8 @@ inline double SquaredDistanceToSegment(const Eigen::Vector3d& p, const Eigen::Ve
   return (p - a - part * along).squaredNorm();
 }
 
-/// Needles are a hundred times longer than wide: differences of products of four lengths lose 4 of 16 digits.
+/// The squared doubled area of a needle is at most this fraction of the fourth power of the longer edge at `a`. It is a
+/// hundred times longer than wide: differences of products of four lengths lose 4 of 16 digits.
 constexpr double SquaredWidthOfNeedle = 1e-4;
 
 /// No corner may be nearest. Cross products lose half as many digits of needles as scalar products.
@@ -81,8 +82,8 @@ inline double SquaredDistanceToTriangle(
   {
     return cp.squaredNorm();
   }
-  // For q, the projection of p: signed area of a, b, q times that of a, b, c, times 4, and so on. The sum is the
-  // squared cross product of ab and ac.
+  // With q the projection of p, onC is four times the signed area of a, b, q, times the signed area of a, b, c, and so
+  // on. The sum is the squared cross product of ab and ac.
   const double onC = d1 * d4 - d3 * d2;
   const double onB = d5 * d2 - d1 * d6;
   const double onA = d3 * d6 - d5 * d4;
@@ -141,8 +142,10 @@ public:
   /// Differences are at least as long as their coordinates times these weights.
   const Eigen::Array3d& Weights() const { return this->AxisWeights; }
 
+  /// Returns the squared ratio of an area in plan to the area of its image.
   double SquaredPlanShrinkage() const { return this->Shrinkage; }
 
+  /// Returns the square of the largest stretch of a difference in plan.
   double SquaredPlanNorm() const { return this->XtoX * this->XtoX + this->YtoX * this->YtoX + this->YtoY * this->YtoY; }
 
   double Length(const Eigen::Vector3d& v) const { return (*this)(v).norm(); }

@@ -161,7 +161,6 @@ struct FaceSums
   }
 };
 
-/// Only triangles that count have areas.
 FaceSums MeasureAreas(const TriangleSurface& surface, const std::vector<Metric>& metrics)
 {
   return AddUpChunks<FaceSums>(std::int64_t(surface.Triangles.size()), TrianglesPerAreaChunk, Monitor(),
@@ -477,7 +476,7 @@ private:
   MetricValues WeightPerArea = {};
   FaceSums Sums;
   std::array<std::vector<WeightedHistogram::Entry>, MostMetrics> Entries;
-  // per sample of the current triangle
+  // These are per sample of the current triangle.
   MetricValues Share = {};
   std::array<std::uint64_t, MostMetrics> Weight = {};
 };
@@ -516,7 +515,7 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
   }
 }
 
-// for small surfaces
+// Small surfaces have this effort at least.
 constexpr std::int64_t LeastEffort = 100000;
 
 LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface& to, Direction& measured,

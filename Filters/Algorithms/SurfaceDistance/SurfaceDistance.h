@@ -47,16 +47,16 @@ struct DistanceFigures
   double Rms = 0.0;
   std::array<double, Percentiles.size()> Percentile = {}; // to a thousandth
   std::array<double, DistanceBins> Share = {}; // of the area per bin
-  /// Between outlines in plan; NaN if one is empty.
+  /// This is the largest distance between outlines in plan, NaN if one is empty.
   double Outline = 0.0;
-  std::int64_t Samples = 0;
+  std::int64_t Samples = 0; // on the faces
 };
 
 struct PointDistances
 {
   /// Points that are no corners are included.
   std::vector<double> Distance;
-  /// z less z of the other surface; NaN if it has nothing above or below.
+  /// This is z minus z of the other surface, or NaN if it has nothing above or below.
   std::vector<double> Vertical;
 };
 
@@ -64,6 +64,7 @@ struct SurfaceDistance
 {
   DistanceFigures ReferenceToMesh;
   DistanceFigures MeshToReference;
+  /// Means and percentiles are over the area of both.
   DistanceFigures TwoSided;
   PointDistances Reference;
   PointDistances Mesh;

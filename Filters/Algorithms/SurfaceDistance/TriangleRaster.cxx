@@ -32,7 +32,7 @@ constexpr std::int64_t TrianglesPerChunk = 16384;
 constexpr std::int64_t CellGrain = 2048;
 
 constexpr double SlackOfCells = 1e-6; // of their side
-// Slack is at least this multiple of the rounding of the largest coordinate
+// Slack is at least this multiple of the rounding of the largest coordinate.
 constexpr double LeastSlack = 64.0;
 
 // Single precision, and the margin, round heights by up to 2^-24 of half their range.
@@ -42,12 +42,12 @@ constexpr double RoundingOfHeights = 0x1p-22;
 // but counts do not show them.
 constexpr std::int64_t MostCellsPerTriangle = 2;
 constexpr std::int64_t MostItemsPerTriangle = 8;
-constexpr double MostItemsPerCell = 32.0;
-constexpr double MostOverlapping = 0.25;
+constexpr double MostItemsPerCell = 32.0; // in the cell of a mean item
+constexpr double MostOverlapping = 0.25; // of all triangles
 constexpr std::int64_t FewItems = 1024; // always allowed
 constexpr double FewOverlapping = 512.0;
 
-constexpr std::int64_t FewCells = 16;
+constexpr std::int64_t FewCells = 16; // With more cells the pyramid is searched.
 
 // A box adds three to the stack per level, and there are fewer than 64 levels.
 constexpr std::size_t MostWaiting = 3 * 64 + 1;

@@ -39,8 +39,7 @@ struct RasterGrid
   Eigen::Array2d Low = Eigen::Array2d::Zero(); // of the first cell
   double Side = 1.0;
   double CellsPerUnit = 1.0;
-  // Triangles are shrunk by this, so that the two of a lattice square lie in one cell, and boxes widened. It exceeds
-  // rounding.
+  // Triangles are shrunk by this, and boxes widened (TriangleRaster.cxx). It exceeds rounding.
   double Slack = 0.0;
   std::int64_t Size[2] = { 0, 0 };
 

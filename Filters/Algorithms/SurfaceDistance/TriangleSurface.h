@@ -42,7 +42,7 @@ struct TriangleSurface
   }
 };
 
-/// Searches square coordinates in single precision.
+/// Searches square coordinates in single precision, which limits their range.
 constexpr double LargestCoordinate = 1e16;
 
 /// Throws InputError, beginning with `name`, on surfaces without area, invalid corners, and too large coordinates.

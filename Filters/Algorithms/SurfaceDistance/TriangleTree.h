@@ -40,7 +40,7 @@ public:
   double FindHeight(const Eigen::Vector3d& point, double tolerance) const;
 
 private:
-  static constexpr std::size_t Fan = 4;
+  static constexpr std::size_t Fan = 4; // children of a node, and triangles of a leaf
 
   /// Low is above High without a child.
   struct Node
@@ -74,7 +74,7 @@ private:
 
   const TriangleSurface& Surface;
   std::vector<Corners> Triangles;
-  std::vector<std::int32_t> Numbers;
+  std::vector<std::int32_t> Numbers; // in the surface, by sorted triangle
   std::vector<Node> Nodes;
   std::vector<std::size_t> LevelStart; // first node per level, the root first, and the end
   float Margin = 0.0F; // exceeds rounding to single precision
