@@ -32,15 +32,15 @@ struct LatticeScale
 
 struct Thickness
 {
-  /// It is NaN if the other horizon has no point there, and negative where the horizons cross.
+  /// Values are in the unit of z, by point of the first horizon: NaN without a point of the other, negative at crossings.
   std::vector<double> Isochore;
   /// It is NaN, too, if the dip is unknown along i or j.
   std::vector<double> Isopach;
 
   std::int64_t Columns = 0; // with points of both
-  std::int64_t LeftOut = 0;
+  std::int64_t LeftOut = 0; // columns with a point of one horizon only
   double Area = 0.0; // of one column
-  std::int64_t Crossings = 0;
+  std::int64_t Crossings = 0; // columns of negative isochore
   double Least = 0.0; // negative at crossings
   double Mean = 0.0;
   double Largest = 0.0;
