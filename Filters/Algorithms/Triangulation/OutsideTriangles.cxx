@@ -33,7 +33,7 @@ namespace
 // squared distances fit into 128 bits.
 constexpr double DirectionLength = 1 << 30;
 
-constexpr double LongerThanAnyEdge = 2147483648.0;
+constexpr double LongerThanAnyEdge = 2147483648.0; // 2^31, as coordinates are below 2^29
 
 class WholeLimits
 {
@@ -169,6 +169,7 @@ private:
     return *corner;
   }
 
+  /// The triangle has the reverse of this edge.
   void Consider(PointId from, PointId to)
   {
     const CornerId corner = this->Find(to, from);
@@ -209,7 +210,7 @@ private:
   RawVector<PointId>& Triangles;
   const WholeLimits Limits;
   const CornersOfPoints Corners;
-  std::vector<PointId> Next;
+  std::vector<PointId> Next; // along the boundary, or NoPoint
   std::priority_queue<Candidate> Outside;
 };
 }

@@ -21,8 +21,8 @@ struct BoundaryLimits
   double LongestEdge = 0.0;
 };
 
-/// `mesh` must triangulate `hull`, one loop that passes no point twice. Every point keeps a triangle, and the mesh
-/// stays connected, with strips between separate groups of points. Delaunay edges stay Delaunay.
+/// `mesh` must triangulate `hull`, one loop that passes no point twice; both are changed. Every point keeps a triangle,
+/// and the mesh stays connected, with strips between separate groups of points. Delaunay edges stay Delaunay.
 void RemoveOutsideTriangles(
   BoundedHorizon& hull, Triangulation& mesh, const BoundaryLimits& limits, const Monitor& monitor = Monitor());
 }

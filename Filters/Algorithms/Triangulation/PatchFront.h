@@ -113,12 +113,13 @@ private:
   }
 
   const PointId FirstPoint;
-  std::vector<std::int32_t> First;
+  std::vector<std::int32_t> First; // by point
   std::vector<Link> Links;
   std::vector<std::int32_t> Free;
   std::vector<FrontEdge> Newest;
 };
 
+/// Points have the numbers of the search grid.
 class PatchFront
 {
 public:
@@ -132,6 +133,7 @@ public:
   /// no surface on either side.
   void AddSide(PointId from, PointId to);
 
+  /// Throws InputError if an edge finds no third point.
   void Grow(std::size_t most, const Monitor& monitor);
 
   /// By Euler's formula a planar mesh has less than two triangles per point.
@@ -149,6 +151,7 @@ public:
   bool IsUsed(PointId point) const { return this->Used[point] != 0; }
   void Use(PointId point) { this->Used[point] = 1; }
 
+  /// Corners are names of points.
   void MoveTriangles(RawVector<PointId>& corners);
 
 private:
@@ -183,7 +186,7 @@ private:
   std::vector<PointId> StripStarts;
   std::vector<FrontEdge> Sides;
   std::vector<unsigned char> Used; // Several threads write these, so that they are bytes, not bits.
-  std::vector<RawVector<PointId>> Parts;
+  std::vector<RawVector<PointId>> Parts; // triangles of walls and strips
 };
 }
 

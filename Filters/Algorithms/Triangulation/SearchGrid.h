@@ -49,6 +49,7 @@ public:
   std::int64_t VoxelX(std::int32_t x) const { return std::clamp((x - this->Origin.X) >> this->Shift, 0, this->Last.X); }
   std::int64_t VoxelY(std::int32_t y) const { return std::clamp((y - this->Origin.Y) >> this->Shift, 0, this->Last.Y); }
 
+  /// This is the side of a square with the mean area per point.
   double Spacing() const { return this->PointSpacing; }
 
   const EdgeLists& Edges() const { return this->EdgesInVoxel; }
@@ -65,9 +66,9 @@ private:
     SortedPoints(const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names);
 
     CountingSort<PointId> Voxels;
-    std::vector<PlanePoint> Places;
+    std::vector<PlanePoint> Places; // by new number, like Names
     std::vector<PointId> Names;
-    std::vector<PointId> Numbers;
+    std::vector<PointId> Numbers; // by previous number
   };
 
   bool AreFewAndApart(std::int64_t voxel) const;
@@ -79,9 +80,9 @@ private:
 
   const double PointSpacing;
   const CellGrid Grid;
-  const int Shift;
+  const int Shift; // binary logarithm of the cell size
   const PlanePoint Origin;
-  const PlanePoint Last;
+  const PlanePoint Last; // column and row of cells
   const SortedPoints Sorted;
   const EdgeLists EdgesInVoxel;
   std::vector<unsigned char> EdgeDistances;
@@ -225,9 +226,8 @@ private:
   }
 
   const SearchGrid& Points;
-  // Along an outline a search cell can have many points, where the inside has none.
   std::vector<std::vector<PlaneBox>> Runs;
-  std::vector<Level> Levels;
+  std::vector<Level> Levels; // lowest first
 };
 }
 

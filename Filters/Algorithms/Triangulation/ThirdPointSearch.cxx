@@ -177,7 +177,7 @@ constexpr float Unknown = 1e30f;
 constexpr float BoxMargin = 1.0f;
 constexpr float BoxMarginPerRadius = 1e-5f;
 
-constexpr float FarOutside = 1073741824.0f;
+constexpr float FarOutside = 1073741824.0f; // beyond the grid
 
 void Trace(ThirdPointQuery& query, const VoxelBox& box)
 {
@@ -205,6 +205,7 @@ public:
     this->Lowest = FourTimes(query.OnlyVisible || query.Best != NoPoint ? bound : Unknown);
   }
 
+  /// Returns the number of points near the line. A batch may exceed its row.
   template <bool WithNear>
   int Visit(const VoxelBox& box)
   {
@@ -336,6 +337,7 @@ VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float rad
   const FloatBatch least = Select(area > FourTimes(-4.0f * margin * radius), centre - radius, ends) - margin;
   const IntegerBatch places = ToIntegers(Select(least > FourTimes(-FarOutside), least, FourTimes(-FarOutside)));
   const SearchGrid& points = query.Points;
+  // Rounding towards 0 moves a place by less than 1.
   return { points.VoxelX(query.A.X + places[0] - 1), points.VoxelY(query.A.Y + places[1] - 1),
     points.VoxelX(query.A.X - places[2] + 1), points.VoxelY(query.A.Y - places[3] + 1) };
 }
@@ -385,7 +387,7 @@ struct EdgeBox
   const CellGrid& Grid;
   const double MiddleX;
   const double MiddleY;
-  const std::int64_t Size;
+  const std::int64_t Size; // k of the thesis
 };
 
 /// Search cells along a ray (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing", 1987): the ray
@@ -427,7 +429,7 @@ private:
 
     std::int64_t Voxel;
     std::int64_t Step;
-    double NextBorder = std::numeric_limits<double>::infinity();
+    double NextBorder = std::numeric_limits<double>::infinity(); // in lengths of the direction
     double BorderDistance = std::numeric_limits<double>::infinity();
   };
 

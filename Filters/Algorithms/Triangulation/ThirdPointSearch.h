@@ -44,6 +44,7 @@ struct ThirdPointQuery
   /// Takes a point to the left if it is better than the best so far, and visible if OnlyVisible is set.
   void Consider(PointId candidate);
 
+  /// `area` is the doubled area of the triangle with the edge.
   void Take(PointId point, std::int64_t area);
 
   /// A point is visible if no boundary edge crosses the segment from the middle of the edge to it.
@@ -52,11 +53,11 @@ struct ThirdPointQuery
   const SearchGrid& Points;
   const PlanePoint A;
   const PlanePoint B;
-  std::vector<WalkedVoxel>* const Walk;
+  std::vector<WalkedVoxel>* const Walk; // receives visited cells, if not null
   int Dilatation = -1;
   bool OnlyVisible = false;
   PointId Best = NoPoint;
-  double BestCotangent = 0.0;
+  double BestCotangent = 0.0; // of the angle at which Best sees the edge
 
 private:
   double CotangentOf(const PlanePoint& place, std::int64_t area) const;
@@ -83,7 +84,7 @@ void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound);
 struct ThirdPoint
 {
   PointId Point = NoPoint;
-  float Diameter = 0.0f;
+  float Diameter = 0.0f; // of the circumcircle
 };
 
 class ThirdPointSearch

@@ -161,10 +161,10 @@ private:
   {
     Nothing = 0,
     Turn = 1, // The boundary passes between this block and the one to its left.
-    Cut = 2,
-    Open = 4,
+    Cut = 2, // A boundary edge crosses the block.
+    Open = 4, // inside and not cut
     Full = 8,
-    Ring = 16,
+    Ring = 16, // a quarter of a ring
     Meshed = Full | Ring
   };
 
@@ -409,7 +409,7 @@ private:
   std::int64_t Height = 0;
   RawVector<PointId> Points;
   std::vector<unsigned char> Blocks;
-  std::vector<std::size_t> RowStarts;
+  std::vector<std::size_t> RowStarts; // triangles before each row
   // The diagonal connects the first and third corner (0), or the second and fourth (1).
   std::size_t BlockDiagonal = 0;
   std::size_t RingDiagonal = 0;
@@ -419,11 +419,11 @@ private:
 
 struct Patch
 {
-  std::vector<PointId> Points;
+  std::vector<PointId> Points; // numbers in the horizon
   std::vector<PlanePoint> Places;
   PlaneFrame Frame;
   Loops Boundary;
-  std::vector<Edge> BlockSides;
+  std::vector<Edge> BlockSides; // with blocks to the left
 };
 
 class PatchList
@@ -478,6 +478,7 @@ public:
     return patch;
   }
 
+  /// Get() must have been called for the patch.
   PointId NumberInPatch(PointId point) const { return this->LocalNumber[point]; }
 
 private:
@@ -589,6 +590,7 @@ public:
     }
     for (std::size_t loop = 0; loop < patch.Boundary.Size(); ++loop)
     {
+      // A loop of one point has no edge.
       this->Front.Use(this->Points.NumberOf(*patch.Boundary.begin(loop)));
     }
   }

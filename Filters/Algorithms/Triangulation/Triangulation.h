@@ -36,6 +36,7 @@ struct TriangulationOptions
   std::size_t MostTriangles = 0;
 };
 
+/// The corners of a search cell are in sub-voxels.
 struct TracedVoxel
 {
   PlanePoint Least;
@@ -45,13 +46,13 @@ struct TracedVoxel
 
 struct Triangulation
 {
-  /// Each triangle has three points, counter-clockwise seen from +z on the lattice.
+  /// Triangles are counter-clockwise, seen from +z on the lattice.
   RawVector<PointId> Triangles;
   /// These count edges with surface on one side. Edges are not Delaunay if each circle through their ends has a point
   /// inside.
   std::size_t BoundaryEdges = 0;
   std::size_t NonDelaunayEdges = 0;
-  std::vector<TracedVoxel> Walk;
+  std::vector<TracedVoxel> Walk; // of the last triangle, if MostTriangles is set
 };
 
 /// Boundary edges are in the mesh, except along spurs, and other edges are locally Delaunay. Throws InputError for shared
