@@ -4,7 +4,7 @@
 // Makes a mesh from points: boundary, fewest points on outlines, decimation. An error or a number of triangles
 // determines:
 // - radius: the least that spans nearly all gaps between points
-// - tolerances: the error, for outlines of a given error at most 2 columns
+// - tolerances: the error, for outlines of a given error at most 0.75 columns
 // - smallest hole: a square of side 2 radius + 1, as narrower holes are gaps that the radius spans, or of twice the
 // tolerance, as outlines may close narrower holes
 //
