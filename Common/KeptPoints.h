@@ -34,6 +34,18 @@ public:
     return all;
   }
 
+  /// Those for which keep(point) is true.
+  template <typename Keep>
+  static KeptPoints If(std::size_t total, Keep&& keep)
+  {
+    KeptPoints kept(total);
+    for (std::size_t point = 0; point < total; ++point)
+    {
+      kept.AppendRun(PointId(point), keep(point) ? 1 : 0);
+    }
+    return kept;
+  }
+
   void Append(PointId point) { this->AppendRun(point, 1); }
 
   void AppendRun(PointId first, std::size_t length)

@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -26,6 +28,9 @@ enum class LedgerEntry
 constexpr std::size_t LedgerEntries = 5;
 constexpr std::array<const char*, LedgerEntries> LedgerNames = { "Known", "Filled", "Bridged", "Extrapolated",
   "LeftOut" };
+/// The same as texts have them.
+constexpr std::array<const char*, LedgerEntries> LedgerWords = { "known", "filled", "bridged", "extrapolated",
+  "left out" };
 
 /// Columns per entry; the area is their number times the area of a bin.
 struct Ledger
@@ -75,8 +80,17 @@ constexpr LedgerEntry EntryOf(unsigned char filled)
   return filled == 0 ? LedgerEntry::Known : filled == 1 ? LedgerEntry::Filled : LedgerEntry::Extrapolated;
 }
 
-/// Part of the covered columns from which on an entry other than Known is worth a warning.
+/// Fraction of the covered columns above which an entry other than Known deserves a warning.
 constexpr double LedgerWarningFraction = 0.001;
+
+struct LedgerWarning
+{
+  LedgerEntry Entry;
+  std::string Text; // "8.123 % filled", of the covered columns
+};
+
+/// The entries that deserve a warning, in their order.
+std::vector<LedgerWarning> FindWarnings(const Ledger& ledger);
 }
 
 #endif

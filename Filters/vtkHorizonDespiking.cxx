@@ -35,15 +35,8 @@ constexpr double FewPercent = 2.0; // percent of points; picks of a tracker have
 
 void CopyOthers(vtkPolyData* input, const std::vector<SpikeKind>& kinds, vtkPolyData* output)
 {
-  KeptPoints kept(kinds.size());
-  for (std::size_t point = 0; point < kinds.size(); ++point)
-  {
-    if (kinds[point] == SpikeKind::None)
-    {
-      kept.Append(PointId(point));
-    }
-  }
-  CopyPoints(input, kept, output);
+  const auto isOther = [&kinds](std::size_t point) { return kinds[point] == SpikeKind::None; };
+  CopyPoints(input, KeptPoints::If(kinds.size(), isOther), output);
 }
 }
 

@@ -117,12 +117,7 @@ void WriteSampled(const PlacedPoints& sampled, const KeptPoints& kept, vtkPolyDa
 
 KeptPoints KeepKnown(const std::vector<double>& thickness)
 {
-  KeptPoints kept(thickness.size());
-  for (std::size_t point = 0; point < thickness.size(); ++point)
-  {
-    kept.AppendRun(PointId(point), std::isnan(thickness[point]) ? 0 : 1);
-  }
-  return kept;
+  return KeptPoints::If(thickness.size(), [&](std::size_t point) { return !std::isnan(thickness[point]); });
 }
 
 LatticeScale ScaleOf(const Lattice& lattice)
@@ -135,6 +130,15 @@ LatticeScale ScaleOf(const Lattice& lattice)
   return scale;
 }
 
+/// `each` is the number of columns of the output that one column of the thickness stands for.
+Ledger LedgerOf(const Thickness& found, std::int64_t each)
+{
+  Ledger ledger;
+  ledger[LedgerEntry::Known] = each * found.Columns;
+  ledger[LedgerEntry::LeftOut] = each * found.LeftOut;
+  return ledger;
+}
+
 /// `bin` is the area of a column of the output.
 void WriteFigures(const Thickness& found, double bin, vtkFieldData* figures)
 {
@@ -142,11 +146,7 @@ void WriteFigures(const Thickness& found, double bin, vtkFieldData* figures)
   AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreMean, found.Mean);
   AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreLargest, found.Largest);
   AddValue<vtkIdTypeArray>(figures, FieldArray::IsochoreCrossings, vtkIdType(found.Crossings));
-  const auto each = std::int64_t(std::lround(found.Area / bin)); // columns that one stands for
-  Ledger ledger;
-  ledger[LedgerEntry::Known] = each * found.Columns;
-  ledger[LedgerEntry::LeftOut] = each * found.LeftOut;
-  WriteLedger(ledger, figures);
+  WriteLedger(LedgerOf(found, std::int64_t(std::lround(found.Area / bin))), figures);
 }
 
 /// Empty without a warning.
@@ -158,7 +158,7 @@ std::string TellDoubts(const Thickness& found)
     text << "the horizons cross in " << found.Crossings << " of " << found.Columns
          << " columns, expected few: their thickness is negative there";
   }
-  if (double(found.LeftOut) > LedgerWarningFraction * double(found.Columns))
+  if (!FindWarnings(LedgerOf(found, 1)).empty())
   {
     text << (text.str().empty() ? "" : "; ") << "one horizon alone is in " << found.LeftOut << " of "
          << found.Columns + found.LeftOut << " columns, an area of " << double(found.LeftOut) * found.Area

@@ -112,14 +112,8 @@ vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon)
     return horizon;
   }
   vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
-  KeptPoints kept(std::size_t(horizon->GetNumberOfPoints()));
-  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
-  {
-    if (IsVisible(ghosts->GetValue(point)))
-    {
-      kept.Append(PointId(point));
-    }
-  }
+  const auto kept = KeptPoints::If(std::size_t(horizon->GetNumberOfPoints()),
+    [ghosts](std::size_t point) { return IsVisible(ghosts->GetValue(vtkIdType(point))); });
   auto result = vtkSmartPointer<vtkPolyData>::New();
   CopyPoints(horizon, kept, result);
   result->SetVerts(nullptr);

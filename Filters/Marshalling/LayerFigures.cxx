@@ -16,7 +16,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <iomanip>
 #include <limits>
@@ -55,28 +54,6 @@ private:
   vtkIdType Row = 0;
 };
 
-/// "8.1 %"
-std::string Percent(double part)
-{
-  std::ostringstream text;
-  text << std::setprecision(2) << 100.0 * part << " %";
-  return text.str();
-}
-
-/// What a layer has of an entry other than known columns, where that is worth a word: "filled 8.1 %".
-std::string TellEntries(const LayerLedger& ledger)
-{
-  const auto covered = double(std::max<std::int64_t>(1, ledger.Columns.Covered()));
-  std::string text;
-  for (const LedgerEntry entry : { LedgerEntry::Filled, LedgerEntry::Bridged, LedgerEntry::Extrapolated })
-  {
-    const double part = double(ledger.Columns[entry]) / covered;
-    std::string name = LedgerNames[std::size_t(entry)];
-    name.front() = char(std::tolower(name.front()));
-    text += part > LedgerWarningFraction ? (text.empty() ? "" : ", ") + name + " " + Percent(part) : "";
-  }
-  return text;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -237,21 +214,29 @@ std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonS
   for (std::size_t layer = 0; layer < names.size(); ++layer)
   {
     const LayerLedger& ledger = ledgers.OfLayers[layer];
-    const std::string entries = TellEntries(ledger);
-    if (!entries.empty())
+    std::string notRead;
+    std::ostringstream leftOut;
+    for (const LedgerWarning& warning : FindWarnings(ledger.Columns))
     {
-      lines.push_back(names[layer] + " with heights that were not read over a part of its area (" + entries +
+      if (warning.Entry != LedgerEntry::LeftOut)
+      {
+        notRead += (notRead.empty() ? "" : ", ") + warning.Text;
+        continue;
+      }
+      const auto columns = double(ledger.Columns[LedgerEntry::LeftOut]);
+      leftOut << names[layer] << " without " << std::setprecision(2)
+              << 100.0 * columns / (columns + double(ledger.Columns.Covered())) << " % of its area (volume "
+              << std::setprecision(6) << ledger.VolumeWithout * VolumeOfUnit(stack)
+              << "), expected all between its horizons: Missing Follow, and the domain EachLayer, leave out least";
+    }
+    if (!notRead.empty())
+    {
+      lines.push_back(names[layer] + " with heights that were not read over a part of its area (" + notRead +
         "), expected points of both horizons");
     }
-    const double leftOut = double(ledger.Columns[LedgerEntry::LeftOut]);
-    const double all = leftOut + double(ledger.Columns.Covered());
-    if (leftOut > LedgerWarningFraction * all)
+    if (!leftOut.str().empty())
     {
-      std::ostringstream line;
-      line << names[layer] << " without " << Percent(leftOut / all) << " of its area (volume "
-           << ledger.VolumeWithout * VolumeOfUnit(stack)
-           << "), expected all between its horizons: Missing Follow, and the domain EachLayer, leave out least";
-      lines.push_back(line.str());
+      lines.push_back(leftOut.str());
     }
   }
   return lines;
@@ -288,7 +273,7 @@ std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& vol
   }
   for (std::size_t horizon = 0; horizon < stack.Size(); ++horizon)
   {
-    text << stack[horizon].Name << ": " << layers.PointsOutside[horizon] << " of "
+    text << stack[horizon].Name << ": " << layers.Ledgers.PointsOutside[horizon] << " of "
          << stack[horizon].Placed.Columns.size() << " points outside\n";
   }
   return text.str();

@@ -293,7 +293,8 @@ void WriteLayerHorizon(
   const double height = WorldPerIndex(stack.CommonLattice());
   const MovedHorizon& moved = layers.Stack.Repair.Horizons[horizon];
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
-  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.PointsOutside[horizon]));
+  AddValue<vtkIdTypeArray>(
+    figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.Ledgers.PointsOutside[horizon]));
   AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
   Ledger ledger = layers.Ledgers.OfHorizons[horizon];
   vtkPolyData* const given = stack[horizon].Points.Horizon;

@@ -134,28 +134,27 @@ std::string TellLedger(vtkPolyData* input, vtkPolyData* output)
   {
     return {};
   }
-  constexpr std::array<const char*, LedgerEntries> words = { "known", "filled", "bridged", "extrapolated", "left out" };
   vtkDataArray* const areas = figures->GetArray(FieldArray::LedgerArea);
   std::ostringstream text = MakeStream();
-  std::ostringstream warning = MakeStream();
   for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
   {
     if (ledger->Columns[entry] > 0)
     {
-      text << "\n  columns " << words[entry] << ' ' << ledger->Columns[entry];
+      text << "\n  columns " << LedgerWords[entry] << ' ' << ledger->Columns[entry];
       text << (areas ? ", area " : "");
       if (areas)
       {
         text << areas->GetComponent(0, int(entry));
       }
     }
-    const double part = double(ledger->Columns[entry]) / double(std::max<std::int64_t>(ledger->Covered(), 1));
-    if (LedgerEntry(entry) != LedgerEntry::Known && part > LedgerWarningFraction)
-    {
-      warning << (warning.str().empty() ? "\n  warning: " : ", ") << 100.0 * part << " % " << words[entry];
-    }
   }
-  return text.str() + warning.str();
+  const char* before = "\n  warning: ";
+  for (const LedgerWarning& warning : FindWarnings(*ledger))
+  {
+    text << before << warning.Text;
+    before = ", ";
+  }
+  return text.str();
 }
 
 /// Null unless this stage has written the figure, and it is worth reporting.

@@ -96,8 +96,8 @@ void TakeStack(ByteSource& bytes, Stack& stack)
 
 void TryCommon(const Stack& stack, const std::vector<HorizonView>& views)
 {
-  const auto layers =
-    RunOn(!FindCommonColumns(views).Columns.empty(), "MakeLayers", [&]() { return MakeLayers(views, stack.Options); });
+  const auto layers = RunOn(!FindStackColumns(views, views.size()).Columns.empty(), "MakeLayers",
+    [&]() { return MakeLayers(views, stack.Options); });
   if (!layers)
   {
     return;
@@ -117,7 +117,7 @@ void TryDomains(Stack& stack, const std::vector<HorizonView>& views)
   stack.Options.OutlineTolerance = 0.0;
   stack.Options.Radius = 1;
   stack.Options.SmallestHoleSize = 1;
-  const auto layers = RunOn(!FindColumnsOfLayers(views).Columns.empty(), "MakeLayers, each",
+  const auto layers = RunOn(!FindStackColumns(views, 2).Columns.empty(), "MakeLayers, each",
     [&]() { return MakeLayers(views, stack.Options); });
   if (layers)
   {

@@ -145,10 +145,10 @@ class MissingTest(unittest.TestCase):
         """A hole that is too large follows the horizon nearer to it; every third line is closed, too."""
         top = -1000.0 + 0.0 * self.x
         middle = np.where((abs(self.x - 60.0) < 25.0) & (abs(self.y - 50.0) < 25.0), np.nan, -1010.0)
-        with self.assertWarnsRegex(UserWarning, "extrapolated 20 %"):
+        with self.assertWarnsRegex(UserWarning, "20.01 % extrapolated"):
             made = make([top, middle, top - 60.0], largest_hole_size=49 * 49 - 1)
         self.assertAlmostEqual(made.figures["A to B"].area / BIN, 99.0 * 119.0 - 48.0 * 48.0, delta=1e-6)
-        with self.assertWarnsRegex(UserWarning, "filled 20 %"):
+        with self.assertWarnsRegex(UserWarning, "20.01 % filled"):
             filled = make([top, middle, top - 60.0])
         self.assertAlmostEqual(filled.figures["A to B"].volume / BIN, 10.0 * 99.0 * 119.0, delta=1.0)
         lines = np.where((self.x % 3 == 0) & (self.y % 3 == 0), top - 20.0 + 0.1 * self.x, np.nan)

@@ -628,14 +628,8 @@ ExteriorBoundary FindExteriorBoundary(PlanePoints columns, const BoundaryOptions
 //----------------------------------------------------------------------------------------------------------------------
 KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary)
 {
-  KeptPoints kept(boundary.Patch.size());
-  for (std::size_t point = 0; point < boundary.Patch.size(); ++point)
-  {
-    if (boundary.Patch[point] != NoPatch)
-    {
-      kept.Append(PointId(point));
-    }
-  }
+  const auto kept =
+    KeptPoints::If(boundary.Patch.size(), [&](std::size_t point) { return boundary.Patch[point] != NoPatch; });
   if (!kept.AreAll())
   {
     const std::vector<PointId> numbers = kept.Numbers();

@@ -4,15 +4,10 @@
 #include "CommonColumns.h"
 
 #include "Common/ColumnIndex.h"
-#include "Common/Parallel.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <iterator>
 #include <numeric>
-#include <optional>
 #include <tuple>
-#include <utility>
 
 namespace SeismicHorizons
 {
@@ -42,34 +37,10 @@ std::vector<PointId> SortByRows(PlanePoints columns)
   }
   return points;
 }
-
-/// Calls call(n) for all points, on threads.
-template <typename Call>
-void ForEach(const std::vector<PointId>& points, Call&& call)
-{
-  constexpr std::int64_t Grain = 1 << 14;
-  ParallelFor(std::int64_t(points.size()), Grain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto n = std::size_t(first); n < std::size_t(last); ++n)
-      {
-        call(n);
-      }
-    });
 }
 
-/// Those for which keep(point) is true, which is asked on threads.
-template <typename Keep>
-void KeepIf(std::vector<PointId>& points, Keep&& keep)
-{
-  std::vector<unsigned char> isKept(points.size());
-  ForEach(points, [&](std::size_t n) { isKept[n] = keep(points[n]) ? 1 : 0; });
-  auto next = isKept.begin();
-  points.erase(std::remove_if(points.begin(), points.end(), [&next](PointId) { return *next++ == 0; }), points.end());
-}
-
-/// Columns that so many neighbours of a stack have.
-CommonColumns FindColumns(const std::vector<HorizonView>& horizons, std::size_t neighbours)
+//----------------------------------------------------------------------------------------------------------------------
+CommonColumns FindStackColumns(const std::vector<HorizonView>& horizons, std::size_t together)
 {
   std::vector<std::vector<PointId>> sorted;
   for (const HorizonView& horizon : horizons)
@@ -93,80 +64,23 @@ CommonColumns FindColumns(const std::vector<HorizonView>& horizons, std::size_t 
     {
       return result;
     }
-    std::size_t together = 0; // horizons above each other up to this one
+    std::size_t successive = 0; // horizons up to this one
     std::size_t most = 0;
     for (std::size_t n = 0; n < horizons.size(); ++n)
     {
       const bool isIn = next[n] < sorted[n].size() && horizons[n].Columns[sorted[n][next[n]]] == *column;
       points[n] = isIn ? sorted[n][next[n]++] : NoPoint;
-      together = isIn ? together + 1 : 0;
-      most = std::max(most, together);
+      successive = isIn ? successive + 1 : 0;
+      most = std::max(most, successive);
     }
-    for (std::size_t n = 0; n < horizons.size() && most >= neighbours; ++n)
-    {
-      result.Points[n].push_back(points[n]);
-    }
-    if (most >= neighbours)
+    if (most >= together)
     {
       result.Columns.push_back(*column);
+      for (std::size_t n = 0; n < horizons.size(); ++n)
+      {
+        result.Points[n].push_back(points[n]);
+      }
     }
   }
-}
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons)
-{
-  CommonColumns common;
-  if (horizons.empty())
-  {
-    return common;
-  }
-  const PlanePoints first = horizons.front().Columns;
-  std::vector<std::optional<ColumnIndex>> indices(horizons.size()); // none where columns are as of the first
-  ParallelFor(std::int64_t(horizons.size()), 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (auto n = std::size_t(begin); n < std::size_t(end); ++n)
-      {
-        const PlanePoints own = horizons[n].Columns;
-        if (!std::equal(own.begin(), own.end(), first.begin(), first.end()))
-        {
-          indices[n].emplace(own);
-        }
-      }
-    });
-  const auto pointOf = [&](std::size_t n, PointId point)
-  { return indices[n] ? indices[n]->PointAt(first[std::size_t(point)]) : point; };
-  std::vector<PointId> points = SortByRows(first);
-  KeepIf(points,
-    [&](PointId point)
-    {
-      std::size_t n = 1;
-      for (; n < horizons.size() && pointOf(n, point) != NoPoint; ++n)
-      {
-      }
-      return n == horizons.size();
-    });
-  common.Columns.resize(points.size());
-  ForEach(points, [&](std::size_t n) { common.Columns[n] = first[std::size_t(points[n])]; });
-  for (std::size_t horizon = 0; horizon < horizons.size(); ++horizon)
-  {
-    common.Points.emplace_back(points.size());
-    ForEach(points, [&](std::size_t n) { common.Points.back()[n] = pointOf(horizon, points[n]); });
-  }
-  return common;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-CommonColumns FindColumnsOfLayers(const std::vector<HorizonView>& horizons)
-{
-  return FindColumns(horizons, 2);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-CommonColumns FindColumnsOfAny(const std::vector<HorizonView>& horizons)
-{
-  return FindColumns(horizons, 1);
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where all horizons of a stack are.
+// The columns that horizons of a stack have in common.
 
 #ifndef SeismicHorizonsCommonColumns_h
 #define SeismicHorizonsCommonColumns_h
@@ -15,37 +15,31 @@
 
 namespace SeismicHorizons
 {
-/// A horizon whose points others own: the column of each, no two the same, and its height.
+/// A horizon in memory that others own: for each point its column, at most one point in each, and its height.
 struct HorizonView
 {
   PlanePoints Columns;
   const double* Heights = nullptr;
-  /// The first of the points that were put into holes and gaps, behind those that were read.
+  /// Points from this one on were not read: MissingHeights.h put them into holes and gaps.
   std::size_t FirstFilled = std::numeric_limits<std::size_t>::max();
 
-  /// By point that was read, 1 for those that an earlier stage filled, 2 outside; null where it filled none.
+  /// For each point that was read, 1 if an earlier stage filled it, 2 if one extrapolated it. Null if there are none.
   const unsigned char* IsFilled = nullptr;
 
   bool Knows(PointId point) const { return point != NoPoint && std::size_t(point) < this->FirstFilled; }
   std::size_t NumberOfKnown() const { return std::min(this->FirstFilled, this->Columns.size()); }
 };
 
-/// Columns that several horizons have, row by row from the least y, in each of them by x.
+/// Columns of a stack, row by row from the least y, in each row by x.
 struct CommonColumns
 {
   std::vector<PlanePoint> Columns;
-  std::vector<std::vector<PointId>> Points; // for each horizon its points there
+  std::vector<std::vector<PointId>> Points; // by horizon, then by column; NoPoint where it has none
 };
 
-/// Throws InputError when two points of a horizon stand in one column.
-CommonColumns FindCommonColumns(const std::vector<HorizonView>& horizons);
-
-/// The same of columns that two neighbours of a stack have, whatever others do: NoPoint for horizons that have none
-/// there.
-CommonColumns FindColumnsOfLayers(const std::vector<HorizonView>& horizons);
-
-/// The same of columns that any horizon has.
-CommonColumns FindColumnsOfAny(const std::vector<HorizonView>& horizons);
+/// The columns in which at least `together` successive horizons have points: 1 finds those of any horizon, 2 those of
+/// layers. Throws InputError if two points of a horizon are in one column.
+CommonColumns FindStackColumns(const std::vector<HorizonView>& horizons, std::size_t together);
 }
 
 #endif

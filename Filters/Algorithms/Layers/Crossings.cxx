@@ -24,10 +24,10 @@ constexpr std::int64_t ColumnsOfChunk = 1 << 14;
 struct Pool
 {
   double Depth = 0.0;
-  int Weight = 0; // the exponent of an infinite one
-  double Sum = 0.0; // of the depths of those that weigh most
-  int Count = 0; // of them
-  int Size = 0; // of all
+  int Weight = 0; // exponent of an infinite weight
+  double Sum = 0.0; // of the depths of the horizons of the largest weight
+  int Count = 0; // of these
+  int Size = 0; // of all horizons
 
   void Take(const Pool& below)
   {
@@ -48,7 +48,7 @@ struct Pool
   }
 };
 
-/// Puts the pools of a column, from the first one on, in order.
+/// Adds the next pool downwards, and merges pools as long as the last two overlap.
 template <typename Overlap>
 void Push(std::vector<Pool>& pools, const Pool& next, Overlap&& overlap)
 {
@@ -60,23 +60,6 @@ void Push(std::vector<Pool>& pools, const Pool& next, Overlap&& overlap)
     pools.back().Take(below);
   }
 }
-
-struct RepairSums : CrossingRepair
-{
-  void Add(const RepairSums& other)
-  {
-    this->Interfaces.resize(other.Interfaces.size());
-    this->Horizons.resize(other.Horizons.size());
-    for (std::size_t n = 0; n < other.Interfaces.size(); ++n)
-    {
-      this->Interfaces[n].Add(other.Interfaces[n]);
-    }
-    for (std::size_t n = 0; n < other.Horizons.size(); ++n)
-    {
-      this->Horizons[n].Add(other.Horizons[n]);
-    }
-  }
-};
 
 std::vector<CrossingPolicy> PolicyOfEach(const CrossingOptions& options, std::size_t horizons)
 {
@@ -107,11 +90,11 @@ std::vector<int> WeightOfEach(const std::vector<CrossingPolicy>& policies)
   return weights;
 }
 
-/// Puts one column after the other in order.
 class ColumnRepair
 {
 public:
-  ColumnRepair(HeightStack& heights, const std::vector<int>& weights, const CrossingOptions& options, RepairSums& sums)
+  ColumnRepair(
+    HeightStack& heights, const std::vector<int>& weights, const CrossingOptions& options, CrossingRepair& sums)
     : Heights(heights)
     , Weights(weights)
     , Minimum(options.MinimumThickness)
@@ -155,14 +138,14 @@ public:
   }
 
 private:
-  /// What most columns are.
+  /// Most columns are, so that they need no pools.
   bool IsInOrder(std::size_t column) const
   {
     double above = -std::numeric_limits<double>::infinity();
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
       const double depth = this->Depth(horizon, column);
-      if (this->Overlap(above, depth)) // not where it is nan
+      if (this->Overlap(above, depth)) // false for nan
       {
         return false;
       }
@@ -205,7 +188,7 @@ private:
   const std::vector<int>& Weights;
   const double Minimum;
   const double Sign;
-  RepairSums& Sums;
+  CrossingRepair& Sums;
   std::vector<Pool> Pools;
 };
 
@@ -248,14 +231,29 @@ void MovedHorizon::Add(const MovedHorizon& other)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void CrossingRepair::Add(const CrossingRepair& other)
+{
+  this->Interfaces.resize(other.Interfaces.size());
+  this->Horizons.resize(other.Horizons.size());
+  for (std::size_t n = 0; n < other.Interfaces.size(); ++n)
+  {
+    this->Interfaces[n].Add(other.Interfaces[n]);
+  }
+  for (std::size_t n = 0; n < other.Horizons.size(); ++n)
+  {
+    this->Horizons[n].Add(other.Horizons[n]);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 CrossingRepair RepairCrossings(HeightStack& heights, const CrossingOptions& options, const Monitor& monitor)
 {
   const std::vector<CrossingPolicy> policies = PolicyOfEach(options, heights.size());
   CheckAtLeast("minimum thickness", options.MinimumThickness, 0.0, " lattice units");
   const std::vector<int> weights = WeightOfEach(policies);
   const auto columns = std::int64_t(heights.front().size());
-  RepairSums sums = AddUpChunks<RepairSums>(columns, ColumnsOfChunk, monitor,
-    [&](RepairSums& part, std::int64_t first, std::int64_t last)
+  CrossingRepair sums = AddUpChunks<CrossingRepair>(columns, ColumnsOfChunk, monitor,
+    [&](CrossingRepair& part, std::int64_t first, std::int64_t last)
     {
       ColumnRepair repair(heights, weights, options, part);
       for (std::int64_t column = first; column < last; ++column)

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Horizons of a stack that cross, put in order column by column.
+// Crossing horizons of a stack are put in order, column by column.
 //
-// The repair is isotonic regression: of all stacks in order it is the one nearest to the given heights by weighted
-// squares, found by pooling adjacent violators (Barlow et al. 1972). Horizons that are pooled get one and the same
-// height, to the bit. Where one of two horizons wins, it weighs infinitely more, so that a pool has the mean height of
-// those of its horizons that weigh most.
+// The repair is isotonic regression: of all ordered stacks it is nearest to the given heights by weighted squares,
+// found by pooling adjacent violators (Barlow et al. 1972). Pooled horizons get exactly the same height. A winning
+// horizon weighs infinitely more: a pool has the mean height of its horizons of the largest weight.
 //
 //   policies downwards          weights       where all three cross, all have the height
 //   Mean, Mean                  0, 0, 0       that is the mean of the three
@@ -15,7 +14,7 @@
 //   Mean, LowerWins             0, 0, 1       of the last
 //   UpperWins, LowerWins        0, -1, 0      that is the mean of the first and the last
 //
-// The mean suits noise. Of an unconformity it makes nonsense: how deep horizons cross tells the two apart.
+// The mean suits noise, not unconformities; the depth of crossings tells the two apart.
 
 #ifndef SeismicHorizonsCrossings_h
 #define SeismicHorizonsCrossings_h
@@ -29,27 +28,25 @@
 
 namespace SeismicHorizons
 {
-/// What is done where two neighbours of a stack cross.
+/// What happens where two neighbours of a stack cross.
 enum class CrossingPolicy
 {
   Mean, // both move to the mean of all that cross there
   UpperWins, // the lower one moves
   LowerWins, // the upper one moves
-  Stop // an error; as Mean where the policies of other interfaces alone bring the two together
+  Stop // an error; Mean where the policies of other interfaces bring the two together
 };
 
 struct CrossingOptions
 {
-  /// What horizons are called in messages, by their numbers where there are none.
-  std::vector<std::string> Names;
-  /// For each interface, from the uppermost on; or one for all of them. Interface n is between horizons n and n + 1.
+  std::vector<std::string> Names; // of horizons in messages; may be empty
+  /// One per interface, from the uppermost on, or one for all. Interface n is between horizons n and n + 1.
   std::vector<CrossingPolicy> Policies = { CrossingPolicy::Mean };
-  /// Neighbours with less between them are pooled as those are that cross, in the unit of heights: at least 0.
+  /// Neighbours closer than this are pooled as if they crossed, in the unit of heights: at least 0.
   double MinimumThickness = 0.0;
-  /// Whether the heights of the uppermost horizon are the least ones, as depths and times are.
+  /// Whether the uppermost horizon has the least heights, as with depths and times.
   bool HeightsGrowDownwards = false;
-  /// That of heights in messages.
-  std::string Unit = "lattice units";
+  std::string Unit = "lattice units"; // of heights in messages
 };
 
 /// "Top", or "horizon 1".
@@ -77,18 +74,19 @@ struct CrossingRepair
 {
   std::vector<CrossedInterface> Interfaces;
   std::vector<MovedHorizon> Horizons;
+
+  void Add(const CrossingRepair& other);
 };
 
-/// The heights of horizons, the uppermost first, each with one per column of all. They are put in order: those that are
-/// nan are not there.
+/// Heights by horizon, the uppermost first, then by column; nan where a horizon has none.
 using HeightStack = std::vector<std::vector<double>>;
 
-/// Throws InputError when there are fewer than two horizons, with a wrong number of policies, and where horizons cross
-/// that have to stop: "Top and Base cross in 13481 columns, by up to 2.1 lattice units, expected none: ...".
+/// Puts heights in order. Throws InputError on fewer than two horizons, a wrong number of policies, and crossings with
+/// the policy Stop: "Top and Base cross in 13481 columns, by up to 2.1 lattice units, expected none: ...".
 CrossingRepair RepairCrossings(
   HeightStack& heights, const CrossingOptions& options = CrossingOptions(), const Monitor& monitor = Monitor());
 
-/// Puts the heights of one column in order, by the mean; those that are marked are one with the next one in any case.
+/// Puts the heights of one column in order, by the mean. Horizons that are marked get the height of the next one.
 void OrderColumn(
   std::vector<double>& heights, const std::vector<unsigned char>& isOneWithNext, bool heightsGrowDownwards);
 }

@@ -19,7 +19,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Of a column that is covered.
+/// The entry of a covered column.
 LedgerEntry EntryOf(HeightOrigin top, HeightOrigin base)
 {
   const auto isAny = [&](HeightOrigin origin) { return top == origin || base == origin; };
@@ -32,35 +32,30 @@ LedgerEntry EntryOf(HeightOrigin top, HeightOrigin base)
 class LedgerMaker
 {
 public:
-  LedgerMaker(const LayerPlan& plan, const OrderedStack& stack, const std::vector<HorizonView>& horizons)
-    : Horizons(horizons)
-    , Plan(plan)
+  LedgerMaker(const LayerPlan& plan, const OrderedStack& stack, const std::vector<HorizonView>& horizons,
+    const std::vector<ColumnIndex>& indices)
+    : Plan(plan)
     , Stack(stack)
+    , Horizons(horizons)
+    , Indices(indices)
     , Index(stack.Columns)
-    , IsCovered(plan.IsIn.empty() ? 1 : plan.IsIn.size(), std::vector<unsigned char>(stack.Columns.size(), 0))
-    , Bridged(this->IsCovered.size())
+    , Covers(plan.IsIn.empty() ? 1 : plan.IsIn.size(), { std::vector<unsigned char>(stack.Columns.size(), 0), {} })
   {
   }
 
   LayerLedgers Run(const Monitor& monitor)
   {
-    this->Cover(monitor.Step(0.0, 0.7));
-    const bool isAnyBridged = std::any_of(
-      this->Bridged.begin(), this->Bridged.end(), [](const std::vector<BridgedColumn>& own) { return !own.empty(); });
-    for (std::size_t horizon = 0; horizon < this->Horizons.size() && isAnyBridged; ++horizon)
-    {
-      this->OwnColumns.emplace_back(this->Horizons[horizon].Columns);
-    }
+    this->CoverAll(monitor.Step(0.0, 0.7));
     const auto horizons = double(this->Horizons.size());
     LayerLedgers result;
-    for (std::size_t layer = 0; layer + 1 < this->Stack.Heights.size(); ++layer)
+    for (std::size_t layer = 0; layer + 1 < this->Horizons.size(); ++layer)
     {
       result.OfLayers.push_back(this->LedgerOfLayer(layer));
       monitor.Progress(0.7 + 0.15 * double(layer + 1) / horizons);
     }
-    for (std::size_t horizon = 0; horizon < this->Stack.Heights.size(); ++horizon)
+    for (std::size_t horizon = 0; horizon < this->Horizons.size(); ++horizon)
     {
-      result.OfHorizons.push_back(this->LedgerOfHorizon(horizon));
+      this->AddHorizon(horizon, result);
       monitor.Progress(0.85 + 0.15 * double(horizon + 1) / horizons);
     }
     return result;
@@ -77,19 +72,26 @@ private:
     {
       return std::tie(a.Column.Y, a.Column.X, a.Triangle) < std::tie(b.Column.Y, b.Column.X, b.Triangle);
     }
-    friend bool operator==(const BridgedColumn& a, const BridgedColumn& b) { return a.Column == b.Column; }
   };
 
-  /// Columns, by the index, in which a layer is missing, and what it would have there.
-  struct MissingColumns
+  using BridgedColumns = std::vector<BridgedColumn>; // in order, each column once
+
+  /// The columns that the cells of a layer cover.
+  struct Cover
   {
-    std::vector<PlanePoint> Columns;
-    std::vector<double> Thickness;
-    std::optional<ColumnIndex> Index; // of these
+    std::vector<unsigned char> IsCovered; // by column of the stack
+    BridgedColumns Bridged;
   };
 
-  /// Layers that are all alike share one list.
-  std::size_t ListOf(std::size_t layer) const { return std::min(layer, this->IsCovered.size() - 1); }
+  static void Sort(BridgedColumns& columns)
+  {
+    std::sort(columns.begin(), columns.end());
+    const auto areSame = [](const BridgedColumn& a, const BridgedColumn& b) { return a.Column == b.Column; };
+    columns.erase(std::unique(columns.begin(), columns.end(), areSame), columns.end());
+  }
+
+  /// Layers share one cover where all of them are everywhere.
+  const Cover& CoverOf(std::size_t layer) const { return this->Covers[std::min(layer, this->Covers.size() - 1)]; }
 
   std::array<PlanePoint, 3> CornersOf(std::size_t triangle) const
   {
@@ -98,7 +100,7 @@ private:
     return { at(0), at(1), at(2) };
   }
 
-  void Cover(const Monitor& monitor)
+  void CoverAll(const Monitor& monitor)
   {
     constexpr std::size_t StepOfProgress = 1 << 12;
     for (std::size_t triangle = 0; triangle < this->Plan.NumberOfTriangles(); ++triangle)
@@ -116,29 +118,24 @@ private:
           }
         });
     }
-    for (std::vector<BridgedColumn>& own : this->Bridged)
+    for (Cover& cover : this->Covers)
     {
-      std::sort(own.begin(), own.end());
-      own.erase(std::unique(own.begin(), own.end()), own.end());
+      Sort(cover.Bridged);
     }
   }
 
   void CoverColumn(const PlanePoint& column, std::size_t triangle)
   {
     const PointId point = this->Index.PointAt(column);
-    for (std::size_t list = 0; list < this->IsCovered.size(); ++list)
+    for (std::size_t n = 0; n < this->Covers.size(); ++n)
     {
-      if (!this->Plan.HasLayer(list, triangle))
+      if (this->Plan.HasLayer(n, triangle) && point == NoPoint)
       {
-        continue;
+        this->Covers[n].Bridged.push_back({ column, triangle });
       }
-      if (point == NoPoint)
+      else if (this->Plan.HasLayer(n, triangle))
       {
-        this->Bridged[list].push_back({ column, triangle });
-      }
-      else
-      {
-        this->IsCovered[list][std::size_t(point)] = 1;
+        this->Covers[n].IsCovered[std::size_t(point)] = 1;
       }
     }
   }
@@ -151,18 +148,18 @@ private:
       ++ledger.Columns[entry];
       ledger.Volumes[std::size_t(entry)] += thickness;
     };
-    MissingColumns missing;
+    LeftOutColumns missing;
     const auto miss = [&](const PlanePoint& column, double thickness)
     {
       add(LedgerEntry::LeftOut, thickness);
       missing.Columns.push_back(column);
       missing.Thickness.push_back(thickness);
     };
-    const std::size_t list = this->ListOf(layer);
+    const Cover& cover = this->CoverOf(layer);
     for (std::size_t point = 0; point < this->Stack.Columns.size(); ++point)
     {
       const std::optional<double> thickness = this->ThicknessAt(layer, point);
-      if (thickness && this->IsCovered[list][point] != 0)
+      if (thickness && cover.IsCovered[point] != 0)
       {
         add(EntryOf(this->Stack.Origins[layer][point], this->Stack.Origins[layer + 1][point]), *thickness);
       }
@@ -171,40 +168,53 @@ private:
         miss(this->Stack.Columns[point], *thickness);
       }
     }
-    for (const BridgedColumn& column : this->Bridged[list])
+    for (const BridgedColumn& column : cover.Bridged)
     {
       add(EntryOf(this->OriginAt(layer, column), this->OriginAt(layer + 1, column)), this->ThicknessIn(layer, column));
     }
     const LeftOutColumns& leftOut = this->Stack.LeftOut[layer];
     for (std::size_t n = 0; n < leftOut.Columns.size(); ++n)
     {
-      const PointId point = this->Index.PointAt(leftOut.Columns[n]); // of the stack where it was completed there
+      const PointId point = this->Index.PointAt(leftOut.Columns[n]); // where the stack was completed there
       const bool isDone = point != NoPoint && this->ThicknessAt(layer, std::size_t(point));
-      if (!isDone && !this->IsIn(list, leftOut.Columns[n]))
+      if (!isDone && !IsCovered(cover, leftOut.Columns[n], point))
       {
         miss(leftOut.Columns[n], leftOut.Thickness[n]);
       }
     }
-    missing.Index.emplace(missing.Columns);
-    this->MeasureMissing(layer, missing, ledger);
+    const ColumnIndex index(missing.Columns);
+    for (std::size_t n = 0; n < missing.Columns.size(); ++n)
+    {
+      for (std::int32_t corner = 0; corner < 4; ++corner)
+      {
+        this->MeasureBlock(layer, missing, index, n, corner, ledger);
+      }
+    }
     return ledger;
   }
 
-  /// Of a column that the stack does not have, as not all horizons do.
-  HeightOrigin OriginAt(std::size_t horizon, const BridgedColumn& column) const
+  static bool IsCovered(const Cover& cover, const PlanePoint& column, PointId point)
   {
-    const PointId point = this->OwnColumns[horizon].PointAt(column.Column);
-    return point == NoPoint ? HeightOrigin::Bridged : ReadOrigin(this->Horizons[horizon], point);
+    const auto found = std::lower_bound(cover.Bridged.begin(), cover.Bridged.end(), BridgedColumn{ column, 0 });
+    return point != NoPoint ? cover.IsCovered[std::size_t(point)] != 0
+                            : found != cover.Bridged.end() && found->Column == column;
   }
 
-  /// Where both horizons have a height.
+  /// The origin in a column that the stack does not have.
+  HeightOrigin OriginAt(std::size_t horizon, const BridgedColumn& column) const
+  {
+    const PointId point = this->Indices[horizon].PointAt(column.Column);
+    return this->Horizons[horizon].Knows(point) ? ReadOrigin(this->Horizons[horizon], point) : HeightOrigin::Bridged;
+  }
+
+  /// None where a horizon has no height.
   std::optional<double> ThicknessAt(std::size_t layer, std::size_t point) const
   {
     const double thickness = std::abs(this->Stack.Heights[layer][point] - this->Stack.Heights[layer + 1][point]);
     return std::isnan(thickness) ? std::nullopt : std::optional<double>(thickness);
   }
 
-  /// Of the plan.
+  /// The thickness of the plan.
   double ThicknessIn(std::size_t layer, const BridgedColumn& column) const
   {
     const auto [a, b, c] = this->CornersOf(column.Triangle);
@@ -218,41 +228,19 @@ private:
     return sum / double(SignedArea(a, b, c));
   }
 
-  /// Whether a list covers a column.
-  bool IsIn(std::size_t list, const PlanePoint& column) const
+  /// Adds the block of four columns, or of three (LayerRegions.h), of which a missing column is this corner, unless an
+  /// earlier corner is missing, too.
+  void MeasureBlock(std::size_t layer, const LeftOutColumns& missing, const ColumnIndex& index, std::size_t n,
+    std::int32_t own, LayerLedger& ledger) const
   {
-    const PointId point = this->Index.PointAt(column);
-    return point != NoPoint
-      ? this->IsCovered[list][std::size_t(point)] != 0
-      : std::binary_search(this->Bridged[list].begin(), this->Bridged[list].end(), BridgedColumn{ column, 0 },
-          [](const BridgedColumn& a, const BridgedColumn& b)
-          { return std::tie(a.Column.Y, a.Column.X) < std::tie(b.Column.Y, b.Column.X); });
-  }
-
-  /// In blocks of four columns, and halves of blocks of three (LayerRegions.h).
-  void MeasureMissing(std::size_t layer, const MissingColumns& missing, LayerLedger& ledger) const
-  {
-    for (std::size_t n = 0; n < missing.Columns.size(); ++n)
-    {
-      for (std::int32_t corner = 0; corner < 4; ++corner) // that the column is of a block
-      {
-        const PlanePoint& column = missing.Columns[n];
-        this->MeasureBlock(layer, missing, { column.X - (corner & 1), column.Y - (corner >> 1) }, corner, ledger);
-      }
-    }
-  }
-
-  /// A block counts once, for the first of its corners that are missing.
-  void MeasureBlock(std::size_t layer, const MissingColumns& missing, const PlanePoint& least, std::int32_t own,
-    LayerLedger& ledger) const
-  {
+    const PlanePoint least = { missing.Columns[n].X - (own & 1), missing.Columns[n].Y - (own >> 1) };
     std::array<std::optional<double>, 4> thickness;
-    int missed = 0; // corners, with bits
+    int missed = 0; // bits of corners
     int there = 0;
     for (std::int32_t corner = 0; corner < 4; ++corner)
     {
       const PlanePoint column = { least.X + (corner & 1), least.Y + (corner >> 1) };
-      const PointId other = missing.Index->PointAt(column);
+      const PointId other = index.PointAt(column);
       const PointId point = this->Index.PointAt(column);
       if (other != NoPoint)
       {
@@ -269,7 +257,7 @@ private:
     {
       return;
     }
-    // Of a block with a single missing corner, cells have the other half.
+    // Cells have the other half of a block with a single missing corner.
     const bool isHalf = there == 4 && missed == 1 << own;
     const double area = there == 3 || isHalf ? 0.5 : 1.0;
     double sum = 0.0;
@@ -282,60 +270,58 @@ private:
     ledger.VolumeWithout += area * sum / (area < 1.0 ? 3.0 : 4.0);
   }
 
-  Ledger LedgerOfHorizon(std::size_t horizon) const
+  void AddHorizon(std::size_t horizon, LayerLedgers& ledgers) const
   {
-    Ledger ledger;
     const HorizonView& own = this->Horizons[horizon];
-    std::int64_t leftOut = 0;
-    for (std::size_t point = 0; point < own.Columns.size(); ++point)
+    Ledger ledger;
+    auto outside = std::int64_t(own.NumberOfKnown());
+    for (PointId point = 0; point < PointId(own.NumberOfKnown()); ++point)
     {
-      leftOut += ReadOrigin(own, PointId(point)) == HeightOrigin::Known ? 1 : 0;
+      ledger[LedgerEntry::LeftOut] += ReadOrigin(own, point) == HeightOrigin::Known ? 1 : 0;
     }
     const auto add = [&](HeightOrigin origin)
     {
       ++ledger[EntryOf(origin, origin)];
-      leftOut -= origin == HeightOrigin::Known ? 1 : 0;
+      ledger[LedgerEntry::LeftOut] -= origin == HeightOrigin::Known ? 1 : 0;
+      outside -= IsRead(origin) ? 1 : 0;
     };
-    const std::size_t layers = this->Stack.Heights.size() - 1;
-    const std::size_t above = this->ListOf(horizon > 0 ? horizon - 1 : 0);
-    const std::size_t below = this->ListOf(std::min(horizon, layers - 1));
+    const Cover& above = this->CoverOf(horizon > 0 ? horizon - 1 : 0);
+    const Cover& below = this->CoverOf(std::min(horizon, this->Horizons.size() - 2));
     for (std::size_t point = 0; point < this->Stack.Columns.size(); ++point)
     {
       const HeightOrigin origin = this->Stack.Origins[horizon][point];
-      if (origin != HeightOrigin::None && (this->IsCovered[above][point] | this->IsCovered[below][point]) != 0)
+      if (origin != HeightOrigin::None && (above.IsCovered[point] | below.IsCovered[point]) != 0)
       {
         add(origin);
       }
     }
-    std::vector<BridgedColumn> bridged = this->Bridged[above];
-    if (below != above)
+    BridgedColumns bridged = above.Bridged;
+    if (&below != &above)
     {
-      bridged.insert(bridged.end(), this->Bridged[below].begin(), this->Bridged[below].end());
-      std::sort(bridged.begin(), bridged.end());
+      bridged.insert(bridged.end(), below.Bridged.begin(), below.Bridged.end());
+      Sort(bridged);
     }
-    bridged.erase(std::unique(bridged.begin(), bridged.end()), bridged.end());
     for (const BridgedColumn& column : bridged)
     {
       add(this->OriginAt(horizon, column));
     }
-    ledger[LedgerEntry::LeftOut] = leftOut;
-    return ledger;
+    ledgers.OfHorizons.push_back(ledger);
+    ledgers.PointsOutside.push_back(outside);
   }
 
-  const std::vector<HorizonView>& Horizons;
   const LayerPlan& Plan;
   const OrderedStack& Stack;
-  const ColumnIndex Index;
-  std::vector<ColumnIndex> OwnColumns; // of the horizons, where they are needed
-  std::vector<std::vector<unsigned char>> IsCovered; // by layer, or for all: 1 for columns of the stack
-  std::vector<std::vector<BridgedColumn>> Bridged; // by layer, or for all, in order
+  const std::vector<HorizonView>& Horizons;
+  const std::vector<ColumnIndex>& Indices; // of the columns of the horizons
+  const ColumnIndex Index; // of the columns of the stack
+  std::vector<Cover> Covers; // by layer, or one for all
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LayerLedgers MakeLayerLedgers(
-  const LayerPlan& plan, const OrderedStack& stack, const std::vector<HorizonView>& horizons, const Monitor& monitor)
+LayerLedgers MakeLayerLedgers(const LayerPlan& plan, const OrderedStack& stack,
+  const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices, const Monitor& monitor)
 {
-  return LedgerMaker(plan, stack, horizons).Run(monitor);
+  return LedgerMaker(plan, stack, horizons, indices).Run(monitor);
 }
 }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What layers and their horizons are made of, column by column: nothing is left out that is not counted.
+// The ledgers of layers and their horizons, which account for all columns.
 
 #ifndef SeismicHorizonsLayerLedger_h
 #define SeismicHorizonsLayerLedger_h
 
+#include "Common/ColumnIndex.h"
 #include "Common/Ledger.h"
 #include "Common/Monitor.h"
 #include "OrderedStack.h"
@@ -18,13 +19,13 @@ namespace SeismicHorizons
 {
 struct LayerPlan;
 
-/// A column counts as known where both horizons are, as extrapolated where one of them follows another one, and as left
-/// out where it has no cell, but would have one if holes and gaps were closed and horizons followed others.
+/// A column is known where both horizons are, extrapolated where one of them follows another one, and left out where it
+/// has no cell, but would have one if holes and gaps were closed and horizons followed others.
 struct LayerLedger
 {
   Ledger Columns;
-  std::array<double, LedgerEntries> Volumes = {}; // thickness in these columns; columns times lattice units
-  /// What cells leave out, up to the columns around, where they end.
+  std::array<double, LedgerEntries> Volumes = {}; // the sum of the thickness in columns; columns times lattice units
+  /// The area and volume without cells, up to the columns at which the cells around end.
   double AreaWithout = 0.0; // columns
   double VolumeWithout = 0.0; // columns times lattice units
 };
@@ -33,11 +34,13 @@ struct LayerLedgers
 {
   std::vector<LayerLedger> OfLayers;
   std::vector<Ledger> OfHorizons; // points that are in no layer are left out
+  std::vector<std::int64_t> PointsOutside; // by horizon: all points that were read and are in no layer
 };
 
-/// `horizons` are those that were read.
+/// `indices` are those of the columns of `horizons`; they are needed where the plan has triangles.
 LayerLedgers MakeLayerLedgers(const LayerPlan& plan, const OrderedStack& stack,
-  const std::vector<HorizonView>& horizons, const Monitor& monitor = Monitor());
+  const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices,
+  const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -32,7 +32,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -44,7 +43,6 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int64_t TriangleGrain = 256; // that a thread takes at a time
-constexpr std::int64_t ColumnGrain = 1 << 14;
 
 struct MeshErrors
 {
@@ -55,21 +53,6 @@ struct MeshErrors
   {
     this->OfColumns = std::max(this->OfColumns, other.OfColumns);
     this->OfSides = std::max(this->OfSides, other.OfSides);
-  }
-};
-
-/// How many columns are in the mesh, of any horizon and of each.
-struct InsideCounts
-{
-  std::int64_t OfAny = 0;
-  std::vector<std::int64_t> OfHorizons;
-
-  void Add(const InsideCounts& other)
-  {
-    this->OfAny += other.OfAny;
-    this->OfHorizons.resize(other.OfHorizons.size(), 0);
-    std::transform(other.OfHorizons.begin(), other.OfHorizons.end(), this->OfHorizons.begin(), this->OfHorizons.begin(),
-      std::plus<>());
   }
 };
 
@@ -89,18 +72,12 @@ public:
     const StackOptions ofStack = { this->Options.Domain, this->Options.Missing, this->Options.Crossings,
       this->Options.Cuts };
     this->Result.Stack = MakeStack(this->Given, ofStack, monitor.Step(0.0, 0.1));
-    this->AreAllRead = SeismicHorizons::AreAllRead(this->Result.Stack.Origins);
     this->Result.Plan.Heights.resize(this->Horizons.size());
     this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
     this->Result.LargestErrors.resize(this->Horizons.size());
     this->Result.LargestSideErrors.resize(this->Horizons.size());
-    for (const HorizonView& horizon : this->Horizons)
-    {
-      this->Result.PointsOutside.push_back(std::int64_t(horizon.NumberOfKnown()));
-    }
     this->Result.LargestThicknessErrors.resize(this->Options.BoundThickness ? this->Horizons.size() - 1 : 0);
     ExteriorBoundary boundary = this->FindBoundary(monitor.Step(0.1, 0.2));
-    this->Result.ColumnsOutside = std::int64_t(this->Result.Stack.Columns.size());
     const KeptPoints kept = DropPointsWithoutPatch(boundary);
     if (kept.empty())
     {
@@ -134,7 +111,8 @@ public:
 private:
   Layers Finish(const Monitor& monitor)
   {
-    this->Result.Ledgers = MakeLayerLedgers(this->Result.Plan, this->Result.Stack, this->Given, monitor);
+    this->Result.Ledgers =
+      MakeLayerLedgers(this->Result.Plan, this->Result.Stack, this->Horizons, this->OwnColumns, monitor);
     this->Result.Stack.Filled = {};
     return std::move(this->Result);
   }
@@ -208,7 +186,8 @@ private:
       const CompletedColumns inside =
         CompleteColumns(this->Horizons, stack.Columns, boundary.Boundary, true, options.Cuts, this->Options.Crossings);
       const std::size_t first = stack.Columns.size();
-      AddColumns(inside, stack);
+      inside.AppendTo(stack.Columns, stack.Heights);
+      inside.CountIn(stack);
       boundary.Boundary = PassThrough(boundary.Boundary, stack.Columns, first);
       for (const PointId point : inside.OnLoops)
       {
@@ -241,31 +220,19 @@ private:
     }
     const CompletedColumns inside = CompleteColumns(
       this->Horizons, this->Columns, outline.Boundary, false, this->Options.Cuts, this->Options.Crossings);
-    this->Result.ColumnsOutside += std::int64_t(inside.Columns.size());
     for (const PointId point : inside.OnLoops)
     {
       outline.Patch.push_back(outline.Patch[std::size_t(point)]);
     }
     this->IsOnLine.resize(outline.Patch.size(), 0);
     OrderedStack& stack = this->Result.Stack;
-    if (kept.AreAll())
+    this->Heights.resize(this->Horizons.size());
+    inside.AppendTo(this->Columns, this->Heights);
+    if (!kept.AreAll())
     {
-      this->GiveBack(kept);
-      AddColumns(inside, stack);
-      this->TakeKept(kept);
+      inside.AppendTo(stack.Columns, stack.Heights);
     }
-    else
-    {
-      OrderedStack own;
-      own.Columns.swap(this->Columns);
-      own.Heights.swap(this->Heights);
-      own.Heights.resize(this->Horizons.size());
-      own.Repair = stack.Repair;
-      AddColumns(inside, own);
-      own.Columns.swap(this->Columns);
-      own.Heights.swap(this->Heights);
-      AddColumns(inside, stack);
-    }
+    inside.CountIn(stack);
     this->AddThickness();
   }
 
@@ -557,7 +524,6 @@ private:
       this->RequireMesh(mesh);
     }
     this->MeasureErrors(mesh, monitor);
-    this->CountOutside(mesh);
   }
 
   /// Where cracks are closed: in which layers, and how much of it layers without cuts would fill.
@@ -678,6 +644,12 @@ private:
         this->Result.LargestSideErrors[horizon] = largest.OfSides;
       }
     }
+    this->ForEachPassed(mesh,
+      [&](const PassedPoint& passed)
+      {
+        double& largest = this->LargestErrorOf(passed.Horizon);
+        largest = std::max(largest, passed.Error);
+      });
   }
 
   /// Exactly, where it is larger.
@@ -708,8 +680,6 @@ private:
     std::size_t Horizon;
     std::array<VertexId, 2> Ends; // of the edge
     double Error;
-    PointId OfStack; // or NoPoint
-    PointId Own; // of the horizon as it was given, where the stack has none there
   };
 
   /// Calls visit(passed).
@@ -752,100 +722,14 @@ private:
         own == NoPoint ? this->Heights[horizon][std::size_t(point)] : this->Horizons[horizon].Heights[own];
       const double start = mesh.Height(this->InMesh(horizon), ends[0]);
       const double height = start + (mesh.Height(this->InMesh(horizon), ends[1]) - start) * part;
-      visit(PassedPoint{ horizon, ends, std::abs(height - given), point, own });
+      visit(PassedPoint{ horizon, ends, std::abs(height - given) });
     }
-  }
-
-  /// Of a horizon.
-  struct PointsInside
-  {
-    std::vector<unsigned char> OfStack; // as FindInside has it
-    std::vector<PointId> OnEdges; // points in other columns, which edges of outlines pass over
-  };
-
-  void MeasureOutline(const HeightMesh& mesh, std::vector<PointsInside>& inside)
-  {
-    this->ForEachPassed(mesh,
-      [&](const PassedPoint& passed)
-      {
-        double& largest = this->LargestErrorOf(passed.Horizon);
-        largest = std::max(largest, passed.Error);
-        if (passed.Own != NoPoint && this->Horizons[passed.Horizon].Knows(passed.Own))
-        {
-          inside[passed.Horizon].OnEdges.push_back(passed.Own);
-        }
-        else if (passed.Own == NoPoint && passed.Horizon < inside.size())
-        {
-          inside[passed.Horizon].OfStack[std::size_t(passed.OfStack)] = 1;
-        }
-      });
-  }
-
-  /// By column of the stack: 1 for those in the mesh of a horizon.
-  std::vector<unsigned char> FindInside(const HeightMesh& mesh, std::size_t horizon) const
-  {
-    std::vector<std::atomic<unsigned char>> isIn(this->Columns.size()); // those on edges are of two triangles
-    mesh.ForEachTriangle(Monitor(),
-      [&](TriangleId triangle)
-      {
-        if (this->IsHorizonIn(horizon, std::size_t(triangle)))
-        {
-          mesh.RasterOf(triangle).ForEachColumn(mesh.RaisedCorners(triangle),
-            [&](PointId point, double, const std::array<double, 3>&)
-            { isIn[std::size_t(point)].store(1, std::memory_order_relaxed); });
-        }
-      });
-    return { isIn.begin(), isIn.end() };
-  }
-
-  void CountOutside(const HeightMesh& mesh)
-  {
-    std::vector<PointsInside> inside(this->Horizons.size());
-    for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
-    {
-      const bool isAsFirst = horizon > 0 && !this->HasRegions();
-      inside[horizon].OfStack = isAsFirst ? inside.front().OfStack : this->FindInside(mesh, horizon);
-    }
-    this->MeasureOutline(mesh, inside);
-    const auto counts = AddUpChunks<InsideCounts>(std::int64_t(this->Columns.size()), ColumnGrain, Monitor(),
-      [&](InsideCounts& part, std::int64_t first, std::int64_t last)
-      {
-        part.OfHorizons.resize(inside.size(), 0);
-        for (auto point = std::size_t(first); point < std::size_t(last); ++point)
-        {
-          this->CountAt(point, inside, part);
-        }
-      });
-    this->Result.ColumnsOutside -= counts.OfAny;
-    for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
-    {
-      std::vector<PointId>& points = inside[horizon].OnEdges;
-      std::sort(points.begin(), points.end());
-      this->Result.PointsOutside[horizon] -=
-        counts.OfHorizons[horizon] + (std::unique(points.begin(), points.end()) - points.begin());
-    }
-  }
-
-  void CountAt(std::size_t point, const std::vector<PointsInside>& inside, InsideCounts& counts) const
-  {
-    const bool areOwn = !this->HasRegions() && this->Result.Stack.Completed == 0 && this->AreAllRead;
-    bool isAny = false;
-    for (std::size_t horizon = 0; horizon < inside.size(); ++horizon)
-    {
-      const bool isIn = inside[horizon].OfStack[point] != 0;
-      isAny = isAny || isIn;
-      const bool isOwn =
-        isIn && (areOwn || this->Horizons[horizon].Knows(this->OwnColumns[horizon].PointAt(this->Columns[point])));
-      counts.OfHorizons[horizon] += isOwn ? 1 : 0;
-    }
-    counts.OfAny += isAny ? 1 : 0;
   }
 
   const std::vector<HorizonView>& Given;
   const LayerOptions& Options;
   Layers Result;
   const std::vector<HorizonView>& Horizons; // with filled points, as far as these are allowed
-  bool AreAllRead = false; // no height of the stack is another one
   std::vector<PlanePoint> Columns; // that have a patch
   HeightStack Heights; // there, of horizons, and then of layers whose thickness is bound
   std::vector<std::vector<unsigned char>> IsIn; // by layer, there: 1 where both its horizons are

@@ -120,11 +120,6 @@ struct Layers
   /// For each layer that of its thickness, where that is bound; else empty.
   std::vector<double> LargestThicknessErrors;
   LayerLedgers Ledgers;
-  /// Columns of the domain that lie outside the plan: for which the outline was simplified, and those of patches that
-  /// are too small or have no area.
-  std::int64_t ColumnsOutside = 0;
-  /// For each horizon how many of its points, of all that it has, are not in its mesh.
-  std::vector<std::int64_t> PointsOutside;
   /// How many edges pinch-out lines have, and how many of them are no sides of the plan, as they cross others or have
   /// ends outside.
   std::size_t PinchOutLines = 0;

@@ -8,14 +8,14 @@
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Common/PlaneGeometry.h"
-#include "GapHeights.h"
 #include "HoleFilling/HoleFilling.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -26,7 +26,7 @@ namespace
 constexpr std::int64_t Grain = 1 << 14; // columns that a thread takes at a time
 
 // ---- Holes and gaps ------------------------------------------------------------------------------------------------
-/// Empty columns between two of a row, or of a column, of the lattice that have at most `largest` of them between them.
+/// Empty columns between two of a row, or of a column, of the lattice with at most `largest` empty ones between them.
 std::vector<PlanePoint> FindGaps(PlanePoints columns, int largest)
 {
   const ColumnIndex index(columns);
@@ -52,6 +52,120 @@ std::vector<PlanePoint> FindGaps(PlanePoints columns, int largest)
   return gaps;
 }
 
+class GapInterpolation
+{
+public:
+  GapInterpolation(const HorizonView& horizon, const LinkCuts* cuts, PlanePoints columns)
+    : Horizon(horizon)
+    , Cuts(cuts)
+    , Columns(columns)
+    , Known(horizon.Columns)
+    , Missing(columns)
+  {
+  }
+
+  /// Lines with heights at both ends count first, then those with one, and what is between cuts last.
+  void Fill(std::vector<double>& heights)
+  {
+    while (this->FillOnce(true, heights))
+    {
+    }
+    while (this->FillOnce(false, heights))
+    {
+    }
+    this->Cuts = nullptr;
+    while (this->FillOnce(false, heights))
+    {
+    }
+  }
+
+private:
+  struct LineEnd
+  {
+    double Height = std::nan("");
+    double Distance = 0.0; // in steps
+  };
+
+  /// Whether it has found heights.
+  bool FillOnce(bool atBothEnds, std::vector<double>& heights) const
+  {
+    std::vector<double> filled = heights;
+    std::atomic<bool> isAny = false;
+    ParallelFor(std::int64_t(heights.size()), GapGrain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (auto n = std::size_t(first); n < std::size_t(last); ++n)
+        {
+          if (std::isnan(heights[n]))
+          {
+            filled[n] = this->HeightAt(this->Columns[n], atBothEnds, heights);
+            isAny = isAny || !std::isnan(filled[n]);
+          }
+        }
+      });
+    heights.swap(filled);
+    return isAny;
+  }
+
+  double HeightAt(const PlanePoint& column, bool atBothEnds, const std::vector<double>& heights) const
+  {
+    double sum = 0.0;
+    double weights = 0.0;
+    const auto add = [&](double height, double distance)
+    {
+      sum += height / distance;
+      weights += 1.0 / distance;
+    };
+    for (const PlanePoint& step : { PlanePoint{ 1, 0 }, PlanePoint{ 0, 1 }, PlanePoint{ 1, 1 }, PlanePoint{ 1, -1 } })
+    {
+      const double length = step.X != 0 && step.Y != 0 ? std::sqrt(2.0) : 1.0;
+      const LineEnd a = this->FindEnd(column, step, heights);
+      const LineEnd b = this->FindEnd(column, { -step.X, -step.Y }, heights);
+      const bool areBoth = !std::isnan(a.Height) && !std::isnan(b.Height);
+      if (areBoth)
+      {
+        add((a.Height * b.Distance + b.Height * a.Distance) / (a.Distance + b.Distance),
+          length * (a.Distance + b.Distance));
+      }
+      for (const LineEnd& one : { a, b })
+      {
+        if (!atBothEnds && !areBoth && !std::isnan(one.Height))
+        {
+          add(one.Height, length * one.Distance);
+        }
+      }
+    }
+    return sum / weights; // nan where nothing was found
+  }
+
+  LineEnd FindEnd(PlanePoint column, const PlanePoint& step, const std::vector<double>& heights) const
+  {
+    for (int distance = 1; distance <= Farthest && !(this->Cuts && this->Cuts->IsCutBeside(column, step)); ++distance)
+    {
+      column = { column.X + step.X, column.Y + step.Y };
+      const PointId known = this->Known.PointAt(column);
+      const PointId missing = known == NoPoint ? this->Missing.PointAt(column) : NoPoint;
+      const double height = known != NoPoint ? this->Horizon.Heights[known]
+        : missing != NoPoint                 ? heights[std::size_t(missing)]
+                                             : std::nan("");
+      if (!std::isnan(height))
+      {
+        return { height, double(distance) };
+      }
+    }
+    return {};
+  }
+
+  static constexpr int Farthest = 256; // columns
+  static constexpr std::int64_t GapGrain = 1024; // columns that a thread takes at a time
+
+  const HorizonView& Horizon;
+  const LinkCuts* Cuts;
+  PlanePoints Columns;
+  const ColumnIndex Known;
+  const ColumnIndex Missing;
+};
+
 void FillHorizon(const HorizonView& horizon, const MissingOptions& options, const LinkCuts* cuts,
   std::vector<PlanePoint>& columns, std::vector<double>& heights, const Monitor& monitor)
 {
@@ -69,8 +183,7 @@ void FillHorizon(const HorizonView& horizon, const MissingOptions& options, cons
     const FilledColumns filled = FillHoles(horizon.Columns, heights, {}, holes, cuts, monitor);
     add(filled.Column, filled.Height);
   }
-  // Gaps along rows and columns; then those between columns that were found: of sparse lines, what is between both.
-  for (int pass = 0; pass < 2; ++pass)
+  for (int pass = 0; pass < 2; ++pass) // the second pass closes what is between sparse lines in both directions
   {
     const std::vector<PlanePoint> gaps = FindGaps(columns, options.LargestGap);
     if (!gaps.empty())
@@ -83,13 +196,13 @@ void FillHorizon(const HorizonView& horizon, const MissingOptions& options, cons
 }
 
 // ---- Following others ----------------------------------------------------------------------------------------------
-/// The areas in which one horizon is absent between others, and which of these it follows.
+/// Finds the areas in which a horizon is absent between others, and which of these it follows.
 class Follower
 {
 public:
-  Follower(const CommonColumns& columns, const ColumnIndex& index, const HeightStack& heights, OriginStack& origins)
+  Follower(PlanePoints columns, const HeightStack& heights, OriginStack& origins)
     : Columns(columns)
-    , Index(index)
+    , Index(columns)
     , Heights(heights)
     , Origins(origins)
   {
@@ -97,66 +210,66 @@ public:
 
   void Run(std::size_t horizon)
   {
-    std::vector<std::size_t> absent;
-    this->NumberOf.assign(this->Columns.Columns.size(), NotAbsent);
-    for (std::size_t column = 0; column < this->Columns.Columns.size(); ++column)
+    std::vector<unsigned char> isAbsent(this->Columns.size());
+    for (std::size_t column = 0; column < isAbsent.size(); ++column)
     {
-      if (std::isnan(this->Heights[horizon][column]) && this->IsBetween(horizon, column))
+      isAbsent[column] = std::isnan(this->Heights[horizon][column]) && !std::isnan(this->Next(horizon, column, -1)) &&
+          !std::isnan(this->Next(horizon, column, 1))
+        ? 1
+        : 0;
+    }
+    DisjointSets areas(isAbsent.size());
+    this->ForEachNeighbour(isAbsent,
+      [&](std::size_t column, std::size_t neighbour)
       {
-        this->NumberOf[column] = std::int32_t(absent.size());
-        absent.push_back(column);
-      }
-    }
-    DisjointSets areas(absent.size());
-    std::vector<Share> shares(absent.size());
-    const std::array<PlanePoint, 4> steps = { { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } } };
-    for (std::size_t n = 0; n < absent.size(); ++n)
+        if (isAbsent[neighbour] != 0)
+        {
+          areas.Join(std::int32_t(column), std::int32_t(neighbour));
+        }
+      });
+    std::map<std::int32_t, Shares> borders; // by area
+    this->ForEachNeighbour(isAbsent,
+      [&](std::size_t column, std::size_t neighbour)
+      { this->AddShare(horizon, neighbour, borders[areas.Find(std::int32_t(column))]); });
+    for (std::size_t column = 0; column < isAbsent.size(); ++column)
     {
-      for (const PlanePoint& step : steps)
+      if (isAbsent[column] != 0)
       {
-        const PlanePoint& column = this->Columns.Columns[absent[n]];
-        const PointId other = this->Index.PointAt({ column.X + step.X, column.Y + step.Y });
-        const std::int32_t number = other == NoPoint ? NotAbsent : this->NumberOf[std::size_t(other)];
-        if (number != NotAbsent)
-        {
-          areas.Join(std::int32_t(n), number);
-        }
-        else if (other != NoPoint && !std::isnan(this->Heights[horizon][std::size_t(other)]))
-        {
-          shares[n].Add(this->ShareAt(horizon, std::size_t(other)));
-        }
+        const Shares& border = borders[areas.Find(std::int32_t(column))];
+        this->Origins[horizon][column] =
+          border.Sum < 0.5 * border.Count ? HeightOrigin::FollowsAbove : HeightOrigin::FollowsBelow;
       }
-    }
-    std::vector<Share> ofAreas(absent.size());
-    for (std::size_t n = 0; n < absent.size(); ++n)
-    {
-      ofAreas[std::size_t(areas.Find(std::int32_t(n)))].Add(shares[n]);
-    }
-    for (std::size_t n = 0; n < absent.size(); ++n)
-    {
-      const Share& share = ofAreas[std::size_t(areas.Find(std::int32_t(n)))];
-      this->Origins[horizon][absent[n]] =
-        share.Sum < 0.5 * share.Count ? HeightOrigin::FollowsAbove : HeightOrigin::FollowsBelow;
     }
   }
 
 private:
-  static constexpr std::int32_t NotAbsent = -1;
-
-  /// How far down a horizon is between its neighbours: 0 at the upper one.
-  struct Share
+  /// How far down the horizon is between its neighbours along the border of an area, from 0 to 1 in each column.
+  struct Shares
   {
     double Sum = 0.0;
     double Count = 0.0;
-
-    void Add(const Share& other)
-    {
-      this->Sum += other.Sum;
-      this->Count += other.Count;
-    }
   };
 
-  /// The height of the next horizon that is there, upwards (-1) or downwards; nan where there is none.
+  /// Calls visit(column, neighbour) for the marked columns and each of their four neighbours that are there.
+  template <typename Visit>
+  void ForEachNeighbour(const std::vector<unsigned char>& marks, Visit&& visit) const
+  {
+    for (std::size_t n = 0; n < marks.size(); ++n)
+    {
+      for (const PlanePoint& step : { PlanePoint{ 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } })
+      {
+        const PlanePoint& column = this->Columns[n];
+        const PointId neighbour =
+          marks[n] != 0 ? this->Index.PointAt({ column.X + step.X, column.Y + step.Y }) : NoPoint;
+        if (neighbour != NoPoint)
+        {
+          visit(n, std::size_t(neighbour));
+        }
+      }
+    }
+  }
+
+  /// The height of the next horizon that has one, upwards (-1) or downwards (1); nan where none has.
   double Next(std::size_t horizon, std::size_t column, int step) const
   {
     for (auto n = std::ptrdiff_t(horizon) + step; n >= 0 && n < std::ptrdiff_t(this->Heights.size()); n += step)
@@ -169,28 +282,25 @@ private:
     return std::nan("");
   }
 
-  bool IsBetween(std::size_t horizon, std::size_t column) const
-  {
-    return !std::isnan(this->Next(horizon, column, -1)) && !std::isnan(this->Next(horizon, column, 1));
-  }
-
-  Share ShareAt(std::size_t horizon, std::size_t column) const
+  void AddShare(std::size_t horizon, std::size_t column, Shares& border) const
   {
     const double above = this->Next(horizon, column, -1);
     const double below = this->Next(horizon, column, 1);
     const double share = (above - this->Heights[horizon][column]) / (above - below);
-    return std::isfinite(share) ? Share{ std::clamp(share, 0.0, 1.0), 1.0 } : Share();
+    if (std::isfinite(share))
+    {
+      border.Sum += std::clamp(share, 0.0, 1.0);
+      ++border.Count;
+    }
   }
 
-  const CommonColumns& Columns;
-  const ColumnIndex& Index;
+  PlanePoints Columns;
+  const ColumnIndex Index;
   const HeightStack& Heights;
   OriginStack& Origins;
-  std::vector<std::int32_t> NumberOf; // of columns, among the absent ones
 };
 
 // ---- Order ---------------------------------------------------------------------------------------------------------
-/// Puts the heights of one column in.
 class ColumnCompleter
 {
 public:
@@ -240,7 +350,7 @@ private:
     this->Heights[horizon][column] = this->Upwards * height;
   }
 
-  /// The height of the next horizon downwards of some origins.
+  /// The height of the next horizon downwards for whose origin isOne() is true.
   template <typename IsOne>
   double Below(std::size_t horizon, std::size_t column, IsOne&& isOne) const
   {
@@ -278,33 +388,6 @@ HeightOrigin ReadOrigin(const HorizonView& horizon, PointId point)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool Follows(HeightOrigin origin)
-{
-  return origin == HeightOrigin::FollowsAbove || origin == HeightOrigin::FollowsBelow;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool IsRead(HeightOrigin origin)
-{
-  return origin == HeightOrigin::Known || origin == HeightOrigin::FilledBefore ||
-    origin == HeightOrigin::ExtrapolatedBefore;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool AreAllRead(const OriginStack& origins)
-{
-  return std::all_of(origins.begin(), origins.end(),
-    [](const std::vector<HeightOrigin>& own) { return std::all_of(own.begin(), own.end(), IsRead); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool Allows(MissingPolicy policy, HeightOrigin origin)
-{
-  return IsRead(origin) || (origin == HeightOrigin::Filled && policy != MissingPolicy::Void) ||
-    (Follows(origin) && policy == MissingPolicy::Follow);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 FilledHorizons FillHorizons(
   const std::vector<HorizonView>& horizons, const MissingOptions& options, const LinkCuts* cuts, const Monitor& monitor)
 {
@@ -339,6 +422,12 @@ FilledHorizons FillHorizons(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void FillGaps(const HorizonView& horizon, const LinkCuts* cuts, PlanePoints columns, std::vector<double>& heights)
+{
+  GapInterpolation(horizon, cuts, columns).Fill(heights);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 OriginStack OriginsOf(const std::vector<HorizonView>& horizons, const CommonColumns& columns, HeightOrigin ofOthers)
 {
   OriginStack origins(horizons.size());
@@ -360,12 +449,12 @@ OriginStack FindOrigins(
   const std::vector<HorizonView>& horizons, const CommonColumns& columns, const HeightStack& heights)
 {
   OriginStack origins = OriginsOf(horizons, columns, HeightOrigin::None);
-  const ColumnIndex index(columns.Columns);
+  Follower follower(columns.Columns, heights, origins);
   for (std::size_t n = 1; n + 1 < horizons.size(); ++n)
   {
     if (std::find(origins[n].begin(), origins[n].end(), HeightOrigin::None) != origins[n].end())
     {
-      Follower(columns, index, heights, origins).Run(n);
+      follower.Run(n);
     }
   }
   return origins;

@@ -3,12 +3,11 @@
 //
 // Heights of a stack where a horizon has no point.
 //
-//   - Holes and gaps are closed for each horizon from its own points alone, so that it does not matter which other
-//     horizons are in the stack: enclosed holes as by HoleFilling.h, and gaps along rows and columns, as those of a
-//     fault's heave and between sparse lines, by linear interpolation (GapHeights.h).
-//   - A horizon that is still absent between two others follows one of them: in each area, connected side by side, the
-//     one that it is nearer to along the area's border. So the layer on that side is absent there, and the other one has
-//     all of the rock.
+//   - Holes and gaps of a horizon are closed from its own points alone, so that other horizons of the stack do not
+//     matter: enclosed holes by HoleFilling.h, gaps along rows and columns, as of the heave of faults and between sparse
+//     lines, by linear interpolation. A plate over such gaps would be one system over the whole survey.
+//   - A horizon that is still absent between two others follows one of them, in each connected area the one to which it
+//     is nearer along the border of the area. The layer on that side is absent there, the other one has all the rock.
 
 #ifndef SeismicHorizonsMissingHeights_h
 #define SeismicHorizonsMissingHeights_h
@@ -24,19 +23,18 @@
 
 namespace SeismicHorizons
 {
-/// What is done there. Each does what those before do, too.
 enum class MissingPolicy
 {
   Void, // layers are left out
   Interpolate, // holes and gaps are closed
-  Follow // and horizons follow others
+  Follow // in addition, horizons follow others
 };
 
 struct MissingOptions
 {
   MissingPolicy Policy = MissingPolicy::Void;
-  std::int64_t LargestHole = 2500; // larger ones are not closed; columns
-  int LargestGap = 10; // wider ones are not closed, along rows and columns; columns
+  std::int64_t LargestHole = 2500; // columns
+  int LargestGap = 10; // width along rows and columns; columns
 };
 
 /// Where a height of a stack comes from.
@@ -44,46 +42,62 @@ enum class HeightOrigin : unsigned char
 {
   None,
   Known,
-  FilledBefore, // by an earlier stage, and read like those that are known
+  FilledBefore, // by an earlier stage, and read like known heights
   ExtrapolatedBefore,
   Filled, // into holes and gaps
-  FollowsAbove, // the next horizon above that is there
+  FollowsAbove, // the next horizon above that has a height
   FollowsBelow,
-  Bridged // where outlines of the domain Common pass over missing columns
+  Bridged // outlines of the domain Common pass over missing columns
 };
 
 using OriginStack = std::vector<std::vector<HeightOrigin>>; // by horizon and column
 
-bool IsRead(HeightOrigin origin);
-bool Follows(HeightOrigin origin);
-/// Of a point that was read.
-HeightOrigin ReadOrigin(const HorizonView& horizon, PointId point);
-bool AreAllRead(const OriginStack& origins);
+inline bool IsRead(HeightOrigin origin)
+{
+  return origin == HeightOrigin::Known || origin == HeightOrigin::FilledBefore ||
+    origin == HeightOrigin::ExtrapolatedBefore;
+}
+
+inline bool Follows(HeightOrigin origin)
+{
+  return origin == HeightOrigin::FollowsAbove || origin == HeightOrigin::FollowsBelow;
+}
 
 /// Whether a policy puts such a height in.
-bool Allows(MissingPolicy policy, HeightOrigin origin);
+inline bool Allows(MissingPolicy policy, HeightOrigin origin)
+{
+  return IsRead(origin) || (origin == HeightOrigin::Filled && policy != MissingPolicy::Void) ||
+    (Follows(origin) && policy == MissingPolicy::Follow);
+}
+
+/// The origin of a point that was read.
+HeightOrigin ReadOrigin(const HorizonView& horizon, PointId point);
 
 /// Horizons with the points of closed holes and gaps behind their own.
 struct FilledHorizons
 {
-  std::vector<std::vector<PlanePoint>> Columns; // of those with such points
+  std::vector<std::vector<PlanePoint>> Columns; // empty for horizons without such points
   std::vector<std::vector<double>> Heights;
   std::vector<HorizonView> Views;
 };
 
-/// `horizons` have to outlive it. `cuts`, which may be null, divide holes.
+/// `horizons` have to outlive the result. Holes and lines are divided by `cuts`, which may be null.
 FilledHorizons FillHorizons(const std::vector<HorizonView>& horizons, const MissingOptions& options,
   const LinkCuts* cuts, const Monitor& monitor = Monitor());
 
-/// Whether points were read; of others `ofOthers`, or Filled where horizons have them. Nothing follows others.
+/// Replaces nan by heights interpolated along rows, columns and diagonals, so that planes continue. Where one end of
+/// these lines has a height, that is taken. nan stays where no height is within 256 columns.
+void FillGaps(const HorizonView& horizon, const LinkCuts* cuts, PlanePoints columns, std::vector<double>& heights);
+
+/// The origins of the points of columns; `ofOthers` where a horizon has no point. No horizon follows another one.
 OriginStack OriginsOf(const std::vector<HorizonView>& horizons, const CommonColumns& columns, HeightOrigin ofOthers);
 
-/// The origins of heights in the columns of any filled horizons, given these, with nan where one has none.
+/// The origins in the columns of any filled horizon, which have these heights, or nan.
 OriginStack FindOrigins(
   const std::vector<HorizonView>& horizons, const CommonColumns& columns, const HeightStack& heights);
 
-/// Puts heights in that are not known, in order, so that nothing that is known moves. `heights` has known ones, in
-/// order, and `given` those that were filled.
+/// Puts in the heights that were not read, in order, so that heights that were read do not move. `heights` has those, in
+/// order; `given` has the filled ones.
 void PutMissing(
   const OriginStack& origins, const HeightStack& given, const CrossingOptions& options, HeightStack& heights);
 }

@@ -5,9 +5,9 @@
 
 #include "Common/ColumnIndex.h"
 #include "Common/Errors.h"
+#include "Common/KeptPoints.h"
 #include "Common/Parallel.h"
 #include "Common/PlaneGeometry.h"
-#include "GapHeights.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +57,7 @@ InputError NothingInCommon(const std::vector<HorizonView>& horizons, const Cross
   {
     for (std::size_t b = a + 1; b < horizons.size(); ++b)
     {
-      if (FindCommonColumns({ horizons[a], horizons[b] }).Columns.empty())
+      if (FindStackColumns({ horizons[a], horizons[b] }, 2).Columns.empty())
       {
         return InputError(NameOf(a, names) + " and " + NameOf(b, names) +
           " have no column in common, expected horizons that lie above each other");
@@ -169,88 +169,40 @@ private:
   std::vector<Crossing> Crossings;
 };
 
-/// Those for which keep(n) is true.
-template <typename Keep>
-void KeepColumns(CommonColumns& columns, Keep&& keep)
+CommonColumns SelectColumns(const CommonColumns& columns, const KeptPoints& kept)
 {
-  std::size_t kept = 0;
-  for (std::size_t n = 0; n < columns.Columns.size(); ++n)
+  CommonColumns selected;
+  selected.Columns = kept.Select(columns.Columns);
+  for (const std::vector<PointId>& points : columns.Points)
   {
-    if (keep(n))
-    {
-      columns.Columns[kept] = columns.Columns[n];
-      for (std::vector<PointId>& points : columns.Points)
-      {
-        points[kept] = points[n];
-      }
-      ++kept;
-    }
+    selected.Points.push_back(kept.Select(points));
   }
-  columns.Columns.resize(kept);
-  for (std::vector<PointId>& points : columns.Points)
-  {
-    points.resize(kept);
-  }
-}
-
-/// Columns in which a height is still missing, as the horizon has none far and wide, are left out.
-void DropIncomplete(CommonColumns& columns, HeightStack& heights)
-{
-  std::vector<unsigned char> isComplete(columns.Columns.size(), 1);
-  for (std::vector<double>& own : heights)
-  {
-    for (std::size_t n = 0; n < own.size(); ++n)
-    {
-      isComplete[n] = std::isnan(own[n]) ? 0 : isComplete[n];
-    }
-  }
-  for (std::vector<double>& own : heights)
-  {
-    std::size_t n = 0;
-    own.erase(std::remove_if(own.begin(), own.end(), [&](double) { return isComplete[n++] == 0; }), own.end());
-  }
-  KeepColumns(columns, [&](std::size_t n) { return isComplete[n] != 0; });
+  return selected;
 }
 
 // ---- The stack -----------------------------------------------------------------------------------------------------
-/// Columns, and where the heights of horizons there come from.
 struct StackPart
 {
   CommonColumns Columns;
   OriginStack Origins;
 
-  /// Takes columns out that isIn(n) and those that isOther(n), and gives the latter.
-  template <typename IsIn, typename IsOther>
-  StackPart Split(IsIn&& isIn, IsOther&& isOther)
+  /// The columns for which keep(n) is true.
+  template <typename Keep>
+  StackPart Select(Keep&& keep) const
   {
-    const std::size_t size = this->Columns.Columns.size();
-    std::vector<unsigned char> isKept(size);
-    std::vector<std::size_t> others;
-    for (std::size_t n = 0; n < size; ++n)
+    const auto kept = KeptPoints::If(this->Columns.Columns.size(), keep);
+    StackPart selected = { SelectColumns(this->Columns, kept), {} };
+    for (const std::vector<HeightOrigin>& own : this->Origins)
     {
-      isKept[n] = isIn(n) ? 1 : 0;
-      if (isKept[n] == 0 && isOther(n))
-      {
-        others.push_back(n);
-      }
+      selected.Origins.push_back(kept.Select(own));
     }
-    StackPart other;
-    const auto select = [&others](const auto& all, auto& some) {
-      std::transform(others.begin(), others.end(), std::back_inserter(some), [&all](std::size_t n) { return all[n]; });
-    };
-    select(this->Columns.Columns, other.Columns.Columns);
-    other.Columns.Points.resize(this->Origins.size());
-    other.Origins.resize(this->Origins.size());
-    for (std::size_t horizon = 0; horizon < this->Origins.size(); ++horizon)
-    {
-      select(this->Columns.Points[horizon], other.Columns.Points[horizon]);
-      select(this->Origins[horizon], other.Origins[horizon]);
-      std::size_t n = 0;
-      std::vector<HeightOrigin>& own = this->Origins[horizon];
-      own.erase(std::remove_if(own.begin(), own.end(), [&](HeightOrigin) { return isKept[n++] == 0; }), own.end());
-    }
-    KeepColumns(this->Columns, [&isKept](std::size_t n) { return isKept[n] != 0; });
-    return other;
+    return selected;
+  }
+
+  bool AreAllRead() const
+  {
+    return std::all_of(this->Origins.begin(), this->Origins.end(),
+      [](const std::vector<HeightOrigin>& own) { return std::all_of(own.begin(), own.end(), IsRead); });
   }
 };
 
@@ -270,14 +222,15 @@ public:
       FillHorizons(this->Horizons, this->Options.Missing, this->Options.Cuts, monitor.Step(0.0, 0.6));
     const std::vector<HorizonView>& filled = this->Result.Filled.Views;
     StackPart chosen;
-    chosen.Columns = FindColumnsOfAny(filled);
+    chosen.Columns = FindStackColumns(filled, 1);
     chosen.Origins = FindOrigins(filled, chosen.Columns, HeightsOf(filled, chosen.Columns, true));
     monitor.Progress(0.7);
     const auto isIn = [&](std::size_t n)
     { return IsIn(chosen.Origins, n, this->Options.Domain, this->Options.Missing.Policy); };
     const auto isLeftOut = [&](std::size_t n)
-    { return IsIn(chosen.Origins, n, LayerDomain::EachLayer, MissingPolicy::Follow); };
-    const StackPart others = chosen.Split(isIn, isLeftOut);
+    { return !isIn(n) && IsIn(chosen.Origins, n, LayerDomain::EachLayer, MissingPolicy::Follow); };
+    const StackPart others = chosen.Select(isLeftOut);
+    chosen = chosen.Select(isIn);
     if (chosen.Columns.Columns.empty())
     {
       throw NothingInCommon(this->Horizons, this->Options.Crossings);
@@ -318,7 +271,7 @@ private:
     const std::vector<HorizonView>& filled = this->Result.Filled.Views;
     HeightStack heights = HeightsOf(filled, part.Columns, false);
     repair = RepairCrossings(heights, options, monitor);
-    if (!AreAllRead(part.Origins))
+    if (!part.AreAllRead())
     {
       PutMissing(part.Origins, HeightsOf(filled, part.Columns, true), options, heights);
     }
@@ -377,18 +330,7 @@ OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const StackOpti
 CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, PlanePoints columns, const Loops& loops,
   bool withLoops, const LinkCuts* cuts, const CrossingOptions& options)
 {
-  CompletedColumns completed;
-  const bool areSame = std::all_of(horizons.begin(), horizons.end(),
-    [&columns](const HorizonView& horizon) { return horizon.Columns.size() == columns.size(); });
-  if (areSame)
-  {
-    completed.Heights.resize(horizons.size());
-    completed.Origins.resize(horizons.size());
-    completed.Repair.Horizons.resize(horizons.size());
-    completed.Repair.Interfaces.resize(horizons.size() - 1);
-    return completed;
-  }
-  CommonColumns others = FindColumnsOfAny(horizons);
+  const CommonColumns all = FindStackColumns(horizons, 1);
   const LoopRows rows(columns, loops);
   const ColumnIndex index(columns);
   const auto loopAt = [&](const PlanePoint& column)
@@ -396,18 +338,23 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
     const PointId on = rows.LoopAt(column);
     return on == NoPoint ? rows.LoopAround(column) : withLoops ? on : NoPoint;
   };
-  KeepColumns(others,
-    [&](std::size_t n)
-    {
-      const PlanePoint& column = others.Columns[n];
-      return index.PointAt(column) == NoPoint && loopAt(column) != NoPoint;
-    });
+  const auto isInside = [&](std::size_t n)
+  { return index.PointAt(all.Columns[n]) == NoPoint && loopAt(all.Columns[n]) != NoPoint; };
+  CommonColumns others = SelectColumns(all, KeptPoints::If(all.Columns.size(), isInside));
   HeightStack given = HeightsOf(horizons, others, true);
   for (std::size_t n = 0; n < horizons.size() && !others.Columns.empty(); ++n)
   {
     FillGaps(horizons[n], cuts, others.Columns, given[n]);
   }
-  DropIncomplete(others, given);
+  const auto isComplete = [&given](std::size_t n)
+  { return std::none_of(given.begin(), given.end(), [n](const auto& heights) { return std::isnan(heights[n]); }); };
+  const auto complete = KeptPoints::If(others.Columns.size(), isComplete);
+  others = SelectColumns(others, complete);
+  for (std::vector<double>& heights : given)
+  {
+    heights = complete.Select(heights);
+  }
+  CompletedColumns completed;
   completed.Heights = HeightsOf(horizons, others, false);
   completed.Repair = RepairCrossings(completed.Heights, options);
   completed.Origins = OriginsOf(horizons, others, HeightOrigin::Bridged);
@@ -449,20 +396,23 @@ Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void AddColumns(const CompletedColumns& columns, OrderedStack& stack)
+void CompletedColumns::AppendTo(std::vector<PlanePoint>& columns, HeightStack& heights) const
 {
-  stack.Completed += columns.Columns.size();
-  stack.Origins.resize(stack.Heights.size());
-  stack.Columns.insert(stack.Columns.end(), columns.Columns.begin(), columns.Columns.end());
-  for (std::size_t n = 0; n < stack.Heights.size(); ++n)
+  columns.insert(columns.end(), this->Columns.begin(), this->Columns.end());
+  for (std::size_t n = 0; n < heights.size(); ++n)
   {
-    stack.Heights[n].insert(stack.Heights[n].end(), columns.Heights[n].begin(), columns.Heights[n].end());
-    stack.Origins[n].insert(stack.Origins[n].end(), columns.Origins[n].begin(), columns.Origins[n].end());
-    stack.Repair.Horizons[n].Add(columns.Repair.Horizons[n]);
+    heights[n].insert(heights[n].end(), this->Heights[n].begin(), this->Heights[n].end());
   }
-  for (std::size_t n = 0; n < stack.Repair.Interfaces.size(); ++n)
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CompletedColumns::CountIn(OrderedStack& stack) const
+{
+  stack.Completed += this->Columns.size();
+  stack.Repair.Add(this->Repair);
+  for (std::size_t n = 0; n < stack.Origins.size(); ++n)
   {
-    stack.Repair.Interfaces[n].Add(columns.Repair.Interfaces[n]);
+    stack.Origins[n].insert(stack.Origins[n].end(), this->Origins[n].begin(), this->Origins[n].end());
   }
 }
 
@@ -471,7 +421,7 @@ RepairedHorizons RepairHorizons(
   const std::vector<HorizonView>& horizons, const CrossingOptions& options, const Monitor& monitor)
 {
   CheckHorizons(horizons, options);
-  const CommonColumns columns = FindColumnsOfAny(horizons);
+  const CommonColumns columns = FindStackColumns(horizons, 1);
   HeightStack stack = HeightsOf(horizons, columns, true);
   RepairedHorizons repaired;
   repaired.Repair = RepairCrossings(stack, options, monitor);
@@ -495,7 +445,7 @@ RepairedHorizons RepairHorizons(
 std::vector<std::size_t> OrderByHeight(const std::vector<HorizonView>& horizons, const CrossingOptions& options)
 {
   constexpr double MostBelow = 0.25;
-  const CommonColumns common = FindCommonColumns(horizons);
+  const CommonColumns common = FindStackColumns(horizons, horizons.size());
   if (common.Columns.empty())
   {
     throw NothingInCommon(horizons, options);

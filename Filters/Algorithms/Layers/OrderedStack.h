@@ -65,6 +65,10 @@ struct CompletedColumns
   OriginStack Origins;
   CrossingRepair Repair;
   std::vector<PointId> OnLoops; // for each a point of the loop that it is on or inside of
+
+  void AppendTo(std::vector<PlanePoint>& columns, HeightStack& heights) const;
+  /// Adds all but columns and heights.
+  void CountIn(OrderedStack& stack) const;
 };
 
 /// The columns inside loops, or on them if asked for, that some horizons have, but not the stack: gaps that outlines
@@ -75,9 +79,6 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
 
 /// Loops that pass through the points, from one on, that their edges lead over.
 Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first);
-
-/// Puts columns into a stack.
-void AddColumns(const CompletedColumns& columns, OrderedStack& stack);
 
 /// Horizons with all their points, in order.
 struct RepairedHorizons

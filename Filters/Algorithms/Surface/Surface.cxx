@@ -478,12 +478,7 @@ private:
       isKept[std::size_t(dropped.Point)] = 0;
     }
     this->Outlines.ForEachPoint([&](PointId point) { isKept[std::size_t(point)] = 1; });
-    KeptPoints kept(isKept.size());
-    for (std::size_t point = 0; point < isKept.size(); ++point)
-    {
-      kept.AppendRun(PointId(point), isKept[point]);
-    }
-    return kept;
+    return KeptPoints::If(isKept.size(), [&isKept](std::size_t point) { return isKept[point] != 0; });
   }
 
   /// Slivers need a corner at one of `points`.

@@ -63,7 +63,7 @@ struct SteppedColumns
 
 SteppedColumns FindColumns(const HorizonView& first, const HorizonView& other)
 {
-  const CommonColumns all = FindColumnsOfAny({ first, other });
+  const CommonColumns all = FindStackColumns({ first, other }, 1);
   SteppedColumns found;
   found.Step = { std::lcm(StepOf(first.Columns, &PlanePoint::X, &PlanePoint::Y),
                    StepOf(other.Columns, &PlanePoint::X, &PlanePoint::Y)),

@@ -230,10 +230,10 @@ protected:
         [&](const PlanePoint& column) {
           return inside.count({ column.X, column.Y }) == 0;
         });
-      if (outside != this->Result.PointsOutside[n])
+      if (outside != this->Result.Ledgers.PointsOutside[n])
       {
         return "horizon " + std::to_string(n) + " has " + std::to_string(outside) + " points outside, said " +
-          std::to_string(this->Result.PointsOutside[n]);
+          std::to_string(this->Result.Ledgers.PointsOutside[n]);
       }
     }
     return "";
@@ -300,7 +300,6 @@ protected:
     const ColumnNumbers numbers = this->NumberColumns();
     std::vector<double> largest = this->ErrorsOnEdges();
     double thickness = 0.0;
-    std::set<Column> covered;
     std::set<Column> inside;
     std::ostringstream text;
     this->ForEachTriangle(
@@ -323,7 +322,6 @@ protected:
               largest[n] = std::max(largest[n], std::abs(error));
               thickness = n > 0 ? std::max(thickness, std::abs(error - above)) : thickness;
               above = error;
-              covered.insert({ x, y });
             }
           });
       });
@@ -341,10 +339,6 @@ protected:
       std::abs(thickness - saidThickness) > 1e-9)
     {
       text << "error of the thickness " << thickness << ", said " << saidThickness;
-    }
-    if (std::int64_t(numbers.size() - covered.size()) != this->Result.ColumnsOutside)
-    {
-      text << numbers.size() - covered.size() << " columns outside, said " << this->Result.ColumnsOutside;
     }
     return text.str();
   }

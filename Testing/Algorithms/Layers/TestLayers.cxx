@@ -49,7 +49,7 @@ void TestPlanes()
   const Layers layers = MakeFrom(horizons);
   CHECK_EQUAL(layers.Plan.Columns.size(), std::size_t(4));
   CHECK_EQUAL(layers.Plan.NumberOfTriangles(), std::size_t(2));
-  CHECK_EQUAL(layers.ColumnsOutside, 0);
+  CHECK_EQUAL(layers.Ledgers.PointsOutside[0], 0);
   const LayerVolume upper = MeasureLayer(layers.Plan, 0);
   CHECK_EQUAL(upper.Area, 32.0);
   CHECK_EQUAL(upper.Volume, 32.0 * (4.0 + 0.5 * 4.0 + 0.25 * 2.0));
@@ -271,7 +271,7 @@ void TestNoArea()
   const Layers layers =
     MakeFrom({ Make(9, 1, [](int, int) { return 2.0; }), Make(9, 1, [](int, int) { return 1.0; }) });
   CHECK_EQUAL(layers.Plan.NumberOfTriangles(), std::size_t(0));
-  CHECK_EQUAL(layers.ColumnsOutside, 9);
+  CHECK_EQUAL(layers.Ledgers.PointsOutside[0], 9);
   CHECK_EQUAL(MakeLayerCells(layers.Plan).Size(), std::size_t(0));
   CHECK_EQUAL(MeasureLayer(layers.Plan, 0).Volume, 0.0);
 }

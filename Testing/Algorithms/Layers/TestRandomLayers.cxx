@@ -94,10 +94,11 @@ std::string CompareLedgers(const Layers& layers, const std::vector<LayerChecker:
   {
     const Ledger& own = layers.Ledgers.OfHorizons[n];
     const std::int64_t read = own[LedgerEntry::Known] + own[LedgerEntry::LeftOut];
-    if (read != std::int64_t(horizons[n].Columns.size()) || own[LedgerEntry::LeftOut] != layers.PointsOutside[n])
+    if (read != std::int64_t(horizons[n].Columns.size()) ||
+      own[LedgerEntry::LeftOut] != layers.Ledgers.PointsOutside[n])
     {
       return "ledger of horizon " + std::to_string(n) + ": " + std::to_string(own[LedgerEntry::LeftOut]) +
-        " left out, " + std::to_string(layers.PointsOutside[n]) + " outside";
+        " left out, " + std::to_string(layers.Ledgers.PointsOutside[n]) + " outside";
     }
   }
   return "";
@@ -129,14 +130,14 @@ std::string Try(unsigned seed, Tally& tally)
 {
   const RandomStacks::Stack stack = RandomStacks::Generator(seed).Run();
   const std::vector<HorizonView> views = LayerChecker::ViewsOf(stack.Horizons);
-  const bool areAny = !FindColumnsOfLayers(views).Columns.empty();
+  const bool areAny = !FindStackColumns(views, 2).Columns.empty();
   std::string ofDomains = areAny ? TryDomains(stack, tally) : "";
   ofDomains = areAny && ofDomains.empty() ? TryMissing(stack, tally) : ofDomains;
   if (!ofDomains.empty())
   {
     return ofDomains;
   }
-  if (FindCommonColumns(views).Columns.empty())
+  if (FindStackColumns(views, views.size()).Columns.empty())
   {
     ++tally.Empty;
     return "";

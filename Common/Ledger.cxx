@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Ledger.h"
+
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<LedgerWarning> FindWarnings(const Ledger& ledger)
+{
+  std::vector<LedgerWarning> warnings;
+  for (std::size_t entry = std::size_t(LedgerEntry::Known) + 1; entry < LedgerEntries; ++entry)
+  {
+    const double fraction = double(ledger.Columns[entry]) / double(std::max<std::int64_t>(ledger.Covered(), 1));
+    if (fraction > LedgerWarningFraction)
+    {
+      std::ostringstream text;
+      text.imbue(std::locale::classic());
+      text << std::setprecision(4) << 100.0 * fraction << " % " << LedgerWords[entry];
+      warnings.push_back({ LedgerEntry(entry), text.str() });
+    }
+  }
+  return warnings;
+}
+}
