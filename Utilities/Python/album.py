@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a report shows of horizons beside figures: pictures, and meshes that can be turned. A page must not grow beyond
-measure, so that only those with most points have pictures of their stages, and only the smaller meshes can be turned when
-there is no room for all. Everything is bytes at once, so that no horizon has to stay in memory."""
+"""Pictures and interactive meshes of the horizons in a report. To limit the size of the page, only the horizons with most
+points have pictures of their stages, and only the smaller meshes are interactive if there is no room for all. Everything is
+kept as bytes, so that no horizon has to stay in memory."""
 
 from dataclasses import dataclass, field
 from typing import Optional
@@ -16,17 +16,17 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from . import triangles
 
 MOST_PICTURED = 12  # horizons with pictures of their stages
-PICTURE_BYTES = 8 << 20  # of these pictures together
+PICTURE_BYTES = 8 << 20  # of all these pictures together
 MOST_THUMBNAILS = 500
-MESH_BYTES = 16 << 20  # of all meshes that can be turned together
+MESH_BYTES = 16 << 20  # of all interactive meshes together
 PICTURE_SIZE = (600, 420)
 THUMBNAIL_SIZE = (208, 136)
 
 
 @dataclass
 class Picture:
-    """`title` and `caption` are words about it; of a map of errors or thickness, `scale_ends` are the values of the first
-    and the last colour."""
+    """A picture with its title and caption; for a map of errors or thickness, `scale_ends` holds the values of the first
+    and last colour."""
 
     title: str
     caption: str
@@ -36,10 +36,10 @@ class Picture:
 
 @dataclass
 class Mesh:
-    """`content` has, one after the other, the points relative to `center` (3 float32 each), the errors, one for each of
-    `error_on` (float32; "triangles", "points", or None where there are none), and three point numbers for each triangle
-    (uint16, or uint32 beyond 65536 points): `triangles` of the surface, which have the errors, then `fault_triangles` that
-    close faults."""
+    """An interactive mesh. `content` concatenates the points relative to `center` (3 float32 each), one error for each
+    element of `error_on` (float32; "triangles", "points", or None without errors), and three point numbers for each
+    triangle (uint16, or uint32 beyond 65536 points): first the `triangles` of the surface, which have the errors, then the
+    `fault_triangles` that close faults."""
 
     center: list
     points: int
@@ -52,7 +52,7 @@ class Mesh:
 
 @dataclass
 class Entry:
-    """Of one horizon; `exaggeration` is that of the heights in its pictures."""
+    """Pictures and mesh of one horizon; `exaggeration` is the vertical exaggeration of its pictures."""
 
     points: int
     thumbnail: Optional[bytes] = None
@@ -63,23 +63,23 @@ class Entry:
 
 @dataclass
 class LayerEntry:
-    """Of the layers of a file: a picture of all, a map of each, and `bodies` to turn, by their names."""
+    """The layers of a file: a picture of all, a map of each, and interactive `bodies` by name."""
 
     pictures: list = field(default_factory=list)
     bodies: dict = field(default_factory=dict)
 
 
 class Album:
-    """The entries of all horizons in their order. Pictures need an X server."""
+    """The entries of all horizons in order. Pictures need an X server."""
 
     def __init__(self, with_pictures):
         self.with_pictures = with_pictures
         self.entries = []
-        self.layers = []  # of each file that has some
+        self.layers = []  # one entry for each file with layers
         self._studio = None
 
     def add(self, result, rank):
-        """Another horizon; `rank` is its place among those of its file by the number of points, from 0."""
+        """Adds a horizon; `rank` is its rank by number of points among the horizons of its file, from 0."""
         entry = Entry(result.number_of_points)
         self.entries.append(entry)
         if triangles.count_surface(result.data["mesh"]):
@@ -91,8 +91,8 @@ class Album:
               PICTURE_BYTES, MOST_PICTURED)
 
     def add_layers(self, made):
-        """The layers of another file (volumes.Layers): their bodies, taken apart in the picture, and to turn where there is
-        room for all of them."""
+        """Adds the layers of a file (volumes.Layers): a picture of the separated bodies, and interactive bodies if there is
+        room for all."""
         entry = LayerEntry()
         self.layers.append(entry)
         bodies = {name: encode(body) for name, body in made.bodies.items()}
@@ -119,11 +119,11 @@ class Album:
         return Picture(name, "thickness, seen from above", pictures.as_jpeg(image), ends)
 
     def cut(self, number):
-        """Leaves only so many entries, the first ones."""
+        """Keeps only the first `number` entries."""
         del self.entries[number:]
 
     def _draw(self, entry, result, rank):
-        # Loads the libraries that draw, which are not needed otherwise.
+        # The drawing libraries are loaded only if needed.
         from . import overview, pictures
 
         self._studio = self._studio or pictures.Studio()
@@ -146,20 +146,20 @@ class Album:
 
 
 def _drop(entries, name, nothing, worth, size, most_bytes, most=None):
-    """Leaves `nothing` in place of what is called `name` at the entries that are worth least, until what is left fits."""
+    """Replaces attribute `name` of the least valuable entries by `nothing` until the rest fits."""
     having = sorted((e for e in entries if getattr(e, name)), key=worth, reverse=True)
     while having and (sum(map(size, having)) > most_bytes or len(having) > (most or len(having))):
         setattr(having.pop(), name, nothing)
 
 
 def plan_of(cells, layer):
-    """The triangles of a layer on the plane z = 0, each with corners of its own, and the point data array Thickness."""
+    """Returns the triangles of a layer in the plane z = 0, each with its own corners, and the point data array Thickness."""
     chosen = vtk_to_numpy(cells.GetCellData().GetArray("Layer")) == layer
     starts = vtk_to_numpy(cells.GetCells().GetOffsetsArray())
     numbers = vtk_to_numpy(cells.GetCells().GetConnectivityArray())
     places = vtk_to_numpy(cells.GetPoints().GetData())
     corners, thickness = [np.zeros((0, 3))], [np.zeros(0)]
-    for size in (6, 5, 4):  # wedges, pyramids, tetrahedra: three columns, of one or two points each
+    for size in (6, 5, 4):  # wedges, pyramids, tetrahedra: three columns of one or two points each
         first = starts[:-1][chosen & (np.diff(starts) == size)]
         own = places[numbers[first[:, None] + np.arange(size)]]
         is_above_or_below = np.all(own[:, :, None, :2] == own[:, None, :, :2], axis=3)
@@ -179,7 +179,7 @@ def plan_of(cells, layer):
 
 
 def take_apart(bodies):
-    """Bodies of layers in one dataset, each below the one before by a fifth of the height of all."""
+    """Returns the bodies of layers in one dataset, each shifted down from the previous one by a fifth of the total height."""
     bounds = np.array([body.GetBounds() for body in bodies])
     gap = 0.2 * (bounds[:, 5].max() - bounds[:, 4].min())
     together = vtkAppendPolyData()
@@ -195,7 +195,7 @@ def take_apart(bodies):
 
 
 def encode(mesh):
-    """A mesh as what a page needs of it."""
+    """Encodes a mesh for the page."""
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     surface, closing = triangles.of_surface(mesh), triangles.at_faults(mesh)
     center = (points.min(axis=0) + points.max(axis=0)) / 2.0
@@ -208,8 +208,8 @@ def encode(mesh):
 
 
 def _errors(mesh):
-    """Of each triangle of the surface, as the decimation leaves them, or else the measured distances of the points; with
-    what they are of."""
+    """Returns the errors of the surface triangles if the decimation has stored them, otherwise the measured distances of
+    the points, and which of the two they are."""
     values = triangles.values_on_surface(mesh, "Error")
     if values is not None:
         return np.nan_to_num(values), "triangles"

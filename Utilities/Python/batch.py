@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of horizons, one after the other: each into a mesh for every horizon, a picture and a table."""
+"""Processes files of horizons one after the other: writes a mesh for each horizon, a picture and a table."""
 
 import contextlib
 import ctypes
@@ -27,14 +27,14 @@ from .parts import Windows
 from .stage import HorizonError, heard_by
 from .supply import Supply
 
-STACK = "stack"  # what layers between files of one horizon each are called
-WORKSPACE = ".horizon_mesh-"  # what names of folders begin with that are there during a run
+STACK = "stack"  # label of layers between files of one horizon each
+WORKSPACE = ".horizon_mesh-"  # prefix of the temporary folders of a run
 SECONDS_TO_LOCK = 2.0
 
 
 def run(inputs, output_folder, settings, with_pictures, record, prints=True):
-    """Does all files, and those of folders. What is wrong with one goes to the record (record.Record), and the others are
-    done all the same. Raises HorizonError or OSError when none can be done."""
+    """Processes all files and folders. An error in one file goes to the record (record.Record), and the other files are
+    still processed. Raises HorizonError or OSError if no file can be processed."""
     record.begin(settings)
     files = find_files(inputs, record)
     labels = make_labels(files)
@@ -63,11 +63,11 @@ def run(inputs, output_folder, settings, with_pictures, record, prints=True):
 
 
 def find_files(inputs, record):
-    """The files among the inputs, and those in the folders among them that a reader knows. A folder without any goes to
+    """Returns the input files and the files in input folders that a reader recognizes. A folder without any is reported to
     the record. Raises HorizonError or OSError."""
     files = []
     for path in inputs:
-        if os.path.isdir(path):  # false where a name is too long; its reader tells that
+        if os.path.isdir(path):  # false for a name that is too long, which its reader reports
             found = sorted(file for file in path.iterdir() if file.is_file() and reading.find_reader(file))
             if not found:
                 record.begin_file(path, path)
@@ -80,9 +80,9 @@ def find_files(inputs, record):
 
 @contextlib.contextmanager
 def _workspace(output_folder):
-    """A folder for results that are not complete. It is in the output folder, so that files can be moved into place.
-    The output folder is made when it is missing, and taken away when no result came into it. Those of programs that were
-    killed are removed. Raises HorizonError."""
+    """Makes a folder for incomplete results inside the output folder, so that finished files can be moved into place. A
+    missing output folder is created, and removed if no result was written. Workspaces left by killed programs are removed.
+    Raises HorizonError."""
     missing = [folder for folder in (output_folder, *output_folder.parents) if not os.path.exists(folder)]
     try:
         try:
@@ -96,14 +96,14 @@ def _workspace(output_folder):
             yield pathlib.Path(path)
     finally:
         for folder in missing:
-            with contextlib.suppress(OSError):  # there is something in it
+            with contextlib.suppress(OSError):  # the folder is not empty
                 folder.rmdir()
 
 
 @contextlib.contextmanager
 def _lock(folder):
-    """Holds a folder as long as the block runs; the system lets go of those of programs that end in any way. Gives whether
-    nobody else does; on Windows, which has no such thing, that is never known."""
+    """Locks a folder while the block runs; the system releases the lock when the program ends in any way. Yields whether no
+    other program holds it; on Windows, which has no such locks, always False."""
     if fcntl is None:
         yield False
         return
@@ -119,7 +119,7 @@ def _lock(folder):
 
 
 def _remove_abandoned(output_folder):
-    """Removes the workspaces of programs that had no time to do so. One that was made this moment may not be held yet."""
+    """Removes the workspaces of killed programs. A workspace that has just been created may not be locked yet, and stays."""
     for folder in output_folder.glob(WORKSPACE + "*"):
         with contextlib.suppress(OSError):
             if time.time() - folder.stat().st_mtime < SECONDS_TO_LOCK:
@@ -130,9 +130,9 @@ def _remove_abandoned(output_folder):
 
 
 def process(path, label, stem, workspace, settings, with_pictures, record, taken, stack=None):
-    """Does one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns what
-    there is to print. Where the file has one horizon alone, and there is a stack, its layers are those of the stack, which
-    gets the stem of the file, the name of the horizon and its points. Raises HorizonError or OSError."""
+    """Processes one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns the
+    lines to print. With a stack, a file with a single horizon contributes its stem, name and points to the stack instead of
+    having layers of its own. Raises HorizonError or OSError."""
     left_out = [] if settings.leave_out_invalid else None
     supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), left_out, **settings.reader)
     for text in left_out or []:
@@ -157,7 +157,7 @@ def process(path, label, stem, workspace, settings, with_pictures, record, taken
 
 
 def process_stack(stack, workspace, settings, record, taken):
-    """Does the layers between files of one horizon each, as process does a file."""
+    """Makes the layers between files of one horizon each, in the same way as process."""
     if len(stack) == 1:
         raise HorizonError("%s: one horizon, expected at least 2, in the file or in files of one horizon each" % stack[0][0])
     titles = [name for _, name, _ in stack]
@@ -171,11 +171,12 @@ def process_stack(stack, workspace, settings, record, taken):
         interrupt.check()
         written = _publish(folder, workspace)
     record.end_stack(written)
-    return ["%s of %d files" % (STACK, len(stack)), *("  " + line for line in [*lines, written_line(written, workspace.parent)])]
+    return ["%s of %d files" % (STACK, len(stack)),
+            *("  " + line for line in [*lines, written_line(written, workspace.parent)])]
 
 
 def _publish(folder, workspace):
-    """Moves results into place, and returns their names."""
+    """Moves results into place and returns their names."""
     written = sorted(os.listdir(folder))
     for name in written:
         os.replace(os.path.join(folder, name), workspace.parent / name)
@@ -183,7 +184,7 @@ def _publish(folder, workspace):
 
 
 def _require_scale(label, supply, settings):
-    """Raises HorizonError where heights have a unit, and nothing says how long a vertical index is."""
+    """Raises HorizonError if heights have a unit but the size of a vertical index is unknown."""
     said, unit = settings.said_unit(), settings.reader.get("VerticalUnit")
     if not reading.counts_indices(supply.origin["format"], settings.reader):
         return
@@ -196,8 +197,8 @@ def _require_scale(label, supply, settings):
 
 
 def _run_stages(label, supply, settings, record, names, folder, found):
-    """The results of all horizons but those left out, which are written at once. Where horizons are not in memory all at
-    once, only their meshes are kept. What was found in the file is added up."""
+    """Returns the results of all horizons except those left out, and writes each at once. If not all horizons fit in
+    memory, only their meshes are kept. `found` collects what was recognized in the file."""
     results = []
     for name, points in supply:
         if isinstance(points, Windows):
@@ -206,7 +207,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             result = pipeline.run(label, name, points, settings, supply.surfaces.get(name))
         if settings.said_unit() or settings.plain_error() is None and not reading.counts_indices(
                 supply.origin["format"], settings.reader):
-            result.tell_in(settings.said_unit())
+            result.report_in(settings.said_unit())
         found.add(result.data.get("points", result.data["mesh"]), result.data["mesh"])
         del points
         for warning in result.warnings:
@@ -236,14 +237,14 @@ def _write_mesh(result, names, folder, record):
 
 
 def _write(results, names, folder):
-    """Returns what there is to print about it."""
+    """Writes results and returns the lines to print."""
     lines = []
     for name in names.faults:
         writing.write_data(results[0].data["fault surfaces"], folder / name, "Faults")
     for name in names.figures:
         writing.write_tables([result.figures for result in results], folder / name)
     for name in names.pictures:
-        # Loads the libraries that draw, which are not needed otherwise.
+        # The drawing libraries are loaded only if needed.
         from . import overview
 
         if len(results) > overview.MOST_ROWS:
@@ -253,8 +254,7 @@ def _write(results, names, folder):
 
 
 def _write_layers(label, points, settings, names, folder, record):
-    """Volumes between horizons, given their points by names. Returns what there is to print about them. Raises
-    HorizonError."""
+    """Writes the volumes between horizons, given their points by name, and returns the lines to print. Raises HorizonError."""
     made, warnings = volumes.of_points(points, settings, label)
     writing.write_tables([made.table], folder / names.layers[0])
     for name in names.layers[1:]:
@@ -272,17 +272,17 @@ def _write_layers(label, points, settings, names, folder, record):
 
 
 def print_lines(lines):
-    """Raises HorizonError, and prints nothing any more then."""
+    """Prints lines. Raises HorizonError if that fails; later output is then discarded."""
     try:
         print("\n".join(lines), flush=True)
     except OSError as error:
-        # What did not get through must not be tried again when the program ends.
+        # Unwritten output must not be flushed again when the program ends.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         raise HorizonError("the table cannot be printed: %s" % error.strerror) from None
 
 
 def has_display():
-    """Whether pictures can be drawn: where there is no X server, VTK ends the program, but for one that needs none."""
+    """Whether pictures can be drawn. Without an X server VTK ends the program, except in builds that need none."""
     library = ctypes.util.find_library("X11") or "libX11.so.6"
     try:
         x11 = ctypes.CDLL(library)
@@ -297,12 +297,12 @@ def has_display():
 
 
 def _draws_without_display():
-    from vtkmodules import vtkRenderingOpenGL2  # noqa: F401: makes windows
+    from vtkmodules import vtkRenderingOpenGL2  # noqa: F401: registers window classes
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
     before = vtkObject.GetGlobalWarningDisplay()
-    vtkObject.SetGlobalWarningDisplay(False)  # later versions try X first, and warn
+    vtkObject.SetGlobalWarningDisplay(False)  # later versions of VTK try X first and warn
     try:
         return not vtkRenderWindow().IsA("vtkXOpenGLRenderWindow")
     finally:

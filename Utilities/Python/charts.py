@@ -1,19 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Histograms as drawings (SVG) that stand in a page."""
+"""Histograms as SVG drawings that are embedded in a page."""
 
 import math
 
 from .markup import Markup, fill, join
 
-# Of the drawing, whose size is in parts.html.
+# Edges of the plot area; the size of the drawing is in parts.html.
 LEFT, RIGHT, TOP, BOTTOM = 8.0, 392.0, 16.0, 126.0
 GAP = 1.0  # between bars
 MOST_TICKS = 6
 
 
 def histogram(title, caption, counts, high, unit):
-    """Of numbers from 0 to `high`, of which there are so many in each of as many equal steps."""
+    """Draws a histogram of values from 0 to `high`, given the counts of equally wide bins."""
     total = sum(counts) or 1
     most = max(counts) or 1
     half = next(n for n in range(len(counts)) if 2 * sum(counts[:n + 1]) >= sum(counts))
@@ -25,7 +25,7 @@ def histogram(title, caption, counts, high, unit):
 
 
 def round_steps(high):
-    """Round numbers from 0 on, a few of them, up to `high`."""
+    """Returns a few round numbers from 0 up to `high`."""
     if not high > 0.0:
         return [0.0]
     unit = 10.0 ** math.floor(math.log10(high / MOST_TICKS))
@@ -40,7 +40,7 @@ def _tick(value, high):
 
 
 def _bars(counts, most):
-    """One path for all of them; what there is at all can be seen."""
+    """Returns one path for all bars; every bin that is not empty has a visible bar."""
     width = (RIGHT - LEFT) / len(counts)
     heights = [max((BOTTOM - TOP) * count / most, 0.75 if count else 0.0) for count in counts]
     return Markup("".join("M%.1f %.1fV%.1fH%.1fV%.1fZ" % (

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For scripts of ParaView, in pvpython and pvbatch, alone or as the client of a server.
+"""For ParaView scripts in pvpython and pvbatch, run locally or as the client of a server.
 
     from seismichorizons import client
 
     client.load_plugin(globals())                # after Connect, if there is a server
     meshes = client.fetch(HorizonSurface(Input=OpenDataFile("survey.vsm")))
-    meshes["Horizon 1"].GetNumberOfPoints()      # a vtkPolyData here, wherever it was made
+    meshes["Horizon 1"].GetNumberOfPoints()      # a vtkPolyData in this process, wherever it was made
 """
 
 import pathlib
@@ -19,7 +19,7 @@ COLLECTION = "vtkPartitionedDataSetCollection"
 
 
 def find_plugin():
-    """The plugin that was built or installed with this package. Raises RuntimeError."""
+    """Returns the path of the plugin that was built or installed with this package. Raises RuntimeError."""
     for folder in pathlib.Path(__file__).resolve().parents:
         found = sorted(folder.glob("lib*/**/paraview-*/plugins/SeismicHorizons/SeismicHorizons.so"))
         if found:
@@ -28,11 +28,12 @@ def find_plugin():
 
 
 def load_plugin(names=None, path=None, server_path=None):
-    """Loads the plugin into this process, and into the server that it is connected to, where it is not loaded yet: ParaView
-    has a call for each, and that for a server which has the plugin fails.
+    """Loads the plugin into this process and into its server, unless it is already loaded. ParaView has a separate call for
+    each, and the call for the server fails if the server has the plugin.
 
-    `names` is globals() of a script that has all of paraview.simple; `path` the plugin, that of this package by default;
-    `server_path` the same on the server, where it is another one."""
+    `names` is globals() of a script that imports everything from paraview.simple; `path` is the plugin, by default the
+    one of this package; `server_path` is its path on the server, if different.
+    """
     path = path or find_plugin()
     names = vars(simple) if names is None else names
     connection = servermanager.ActiveConnection
@@ -43,23 +44,23 @@ def load_plugin(names=None, path=None, server_path=None):
 
 
 def fetch(proxy, port=0):
-    """The output of a source or filter, run before if need be: a dictionary of the horizons by their names for a
-    collection, else what servermanager.Fetch gives, which is empty for collections in ParaView 5.11."""
+    """Returns the output of a source or filter, which runs if necessary: a dictionary of horizons by name for a collection,
+    otherwise the result of servermanager.Fetch, which is empty for collections in ParaView 5.11."""
     proxy.UpdatePipeline()
     if proxy.GetDataInformation(port).DataInformation.GetCompositeDataClassName() != COLLECTION:
         return servermanager.Fetch(proxy, idx=port)
     blocks = servermanager.filters.ConvertToMultiBlock(Input=servermanager.OutputPort(proxy, port))
-    blocks.UpdatePipeline()  # or Fetch does not know that they are some
+    blocks.UpdatePipeline()  # otherwise Fetch does not recognize a collection
     horizons = {}
     _collect(servermanager.Fetch(blocks), None, horizons)
     names = _names(blocks)
-    # Fetch of ParaView 6 puts the number of a rank's blocks before their names.
+    # Fetch of ParaView 6 prefixes the block names of a rank with numbers.
     horizons = {name if name in names else re.sub(r"^Block \d+_", "", name): data for name, data in horizons.items()}
     return {name: horizons[name] for name in sorted(horizons, key=names.index)}
 
 
 def _names(blocks):
-    """Those of the blocks of a source in their order, of which a server of several ranks sends those of each rank together."""
+    """Returns the block names of a source in order; a server of several ranks groups the blocks by rank."""
     information = blocks.GetDataInformation().DataInformation
     hierarchy = information.GetHierarchy()
     return [hierarchy.GetAttributeOrDefault(child, "label", hierarchy.GetNodeName(child))
@@ -67,7 +68,8 @@ def _names(blocks):
 
 
 def _collect(data, name, horizons):
-    """Adds the datasets of blocks to horizons: each rank of a server has a block for each, and one of them its points."""
+    """Adds the datasets of blocks to `horizons`. Each rank of a server has a block for each horizon, and one rank has its
+    points."""
     if isinstance(data, (vtkMultiBlockDataSet, vtkMultiPieceDataSet)):
         is_block = isinstance(data, vtkMultiBlockDataSet)
         for number in range(data.GetNumberOfBlocks() if is_block else data.GetNumberOfPieces()):

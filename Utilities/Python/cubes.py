@@ -13,15 +13,15 @@ from .stage import HorizonError, configure, make, update, watched
 READER = "vtkSEGYCubeReader"
 EXTRACTION = "vtkSeismicReflectionExtraction"
 
-# How many surfaces of a cube become meshes, the strongest ones.
+# Number of surfaces of a cube that become meshes, strongest first.
 LARGEST_NUMBER = 20
-# Bytes per sample, at most, of a cube whose reflections are joined, its own included (ReflectionBenchmark).
+# Peak memory in bytes per sample, cube included, while reflections are joined (ReflectionBenchmark).
 WORKED = 20
 WORKED_WITH_PICKS = 45
 
 
 def is_named_so(path):
-    """Whether the name of a file says that it is SEG-Y, whatever is in it."""
+    """Whether a file has the extension of SEG-Y, whatever it contains."""
     return pathlib.Path(path).suffix.lower() in (".sgy", ".segy")
 
 
@@ -30,8 +30,8 @@ def is_extraction(source):
 
 
 def open_cube(path, Picks=None, Limits=(), **properties):
-    """The extraction from a cube, connected to its reader. Properties are those of both, and files that are kept as
-    `picks` and `limits`. Raises HorizonError when neither has one."""
+    """Returns the extraction from a cube, connected to its reader. Properties belong to either of them; the files of picks
+    and limits are kept as `picks` and `limits`. Raises HorizonError for a property that neither has."""
     reader = make(READER, FileName=str(path))
     extraction = make(EXTRACTION, LargestNumber=LARGEST_NUMBER)
     extraction.picks, extraction.limits = Picks, Limits
@@ -45,7 +45,7 @@ def open_cube(path, Picks=None, Limits=(), **properties):
 
 
 def count_samples(extraction):
-    """How many samples will be read, from the headers. Raises HorizonError."""
+    """Returns the number of samples to read, from the headers. Raises HorizonError."""
     reader = extraction.GetInputAlgorithm()
     with watched(reader):
         reader.UpdateInformation()
@@ -54,12 +54,12 @@ def count_samples(extraction):
 
 
 def read(extraction, path):
-    """Reads the cube; an error is then that of its reader. Returns the seconds it took. Raises HorizonError."""
+    """Reads the cube and returns the time in seconds. Raises HorizonError with the error of the reader."""
     return update(extraction.GetInputAlgorithm(), "%s: reading the cube" % path.name, work=file_work(path))
 
 
 def counts_down(cube):
-    """Whether vertical indices of an image count downwards in the world, by its field data, or else its axes."""
+    """Whether the vertical indices of an image increase downwards, by its field data or, without them, by its axes."""
     direction = cube.GetFieldData().GetArray("VerticalDirection")
     if direction is not None and direction.GetNumberOfValues():
         return direction.GetTuple1(0) < 0
@@ -67,9 +67,8 @@ def counts_down(cube):
 
 
 def lattice_properties(extraction):
-    """Properties of readers of picks, by which these stand on the columns of a cube that has been read. Picks of wells and of
-    other surveys are between columns. z counts as that of the cube; where it is downwards, negative z are above 0 all the
-    same."""
+    """Returns the properties that make a reader place picks on the columns of a cube that has been read; well picks and
+    other surveys lie between columns. z has the direction of the cube; if that is downwards, negative z still lies above 0."""
     data = extraction.GetInputAlgorithm().GetOutputDataObject(0).GetFieldData()
     matrix = vtk_to_numpy(data.GetArray("LatticeToWorld")).reshape(4, 4)
     return {"Origin": matrix[:2, 3].tolist(), "ColumnStep": matrix[:2, 0].tolist(), "RowStep": matrix[:2, 1].tolist(),
@@ -78,7 +77,7 @@ def lattice_properties(extraction):
 
 
 def require(extraction, budget, path):
-    """Raises HorizonError where the cube and its picks do not fit in memory."""
+    """Raises HorizonError if the cube and its picks do not fit in memory."""
     size = (WORKED_WITH_PICKS if extraction.picks else WORKED) * count_samples(extraction)
     budget.require_bytes(size, "%s: a cube that takes %s with its picks" % (path, size_text(size)),
                          "; --inlines and --crosslines read a part")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What there is to say of a run in plain values, for programs (--json) and for the report: dictionaries, lists, texts and
-numbers. Documentation/Report.md tells of all keys."""
+"""The results of a run as plain values for programs (--json) and for the report: dictionaries, lists, texts and numbers.
+Documentation/Report.md describes all keys."""
 
 import math
 import os
@@ -20,8 +20,8 @@ from .pipeline import PREPARATIONS, STAGES, chosen_parameters
 from .tables import TWO_SIDED, prepared_number
 
 BINS = 24  # of the histogram of distances
-ANGLE_BINS = 12  # of 5 degrees, to 60, which is the most the smallest angle of a triangle can be
-CHUNK = 1 << 20  # triangles whose angles are computed at a time
+ANGLE_BINS = 12  # of 5 degrees, up to 60, the upper limit of the smallest angle of a triangle
+CHUNK = 1 << 20  # triangles processed at a time
 ERRORS = {"LargestDistance": "largest", "LargestDistanceFound": "largest_found", "MeanDistance": "mean",
           "RmsDistance": "rms", "DistancePercentile50": "median", "DistancePercentile90": "percentile_90",
           "DistancePercentile95": "percentile_95", "DistancePercentile99": "percentile_99", "OutlineDistance": "outline"}
@@ -32,7 +32,7 @@ UNITS = ("Lattice", "World")
 
 
 def versions():
-    """Of what a run is made with; None for ParaView where the program runs without it."""
+    """Returns the versions of the software used; None for ParaView if the program runs without it."""
     try:
         from paraview import __version__ as paraview
     except ImportError:
@@ -42,18 +42,18 @@ def versions():
 
 
 def plain(text):
-    """Words of a command line and names of files as text that can be written, whatever their bytes are."""
+    """Returns command-line words and file names as writable text, whatever their bytes."""
     return str(text).encode("utf-8", "backslashreplace").decode()
 
 
 def command():
-    """The words that started this program, and the folder they were said in."""
+    """Returns the command line of this program and its working folder."""
     words = getattr(sys, "orig_argv", None) or [sys.executable, *sys.argv]
     return {"words": list(map(plain, words)), "folder": plain(os.getcwd())}
 
 
 def parameters(settings):
-    """What was given to the reader, to each stage and to the measure, by the names of the classes' properties."""
+    """Returns the parameters of the reader, of each stage and of the measure, by the property names of the classes."""
     stages = {**PREPARATIONS, **(STAGES if settings.surface is None else {})}
     given = {"reader": {**settings.reader, **({} if settings.horizons is None else {"Horizons": settings.horizons})},
              **{class_name: getattr(settings, name) for name, class_name in stages.items()},
@@ -62,7 +62,7 @@ def parameters(settings):
 
 
 def survey(horizon):
-    """The lattice of a horizon, and what its file states of its coordinates; what is not known is None."""
+    """Returns the lattice of a horizon and what its file states about coordinates; unknown values are None."""
     data = horizon.GetFieldData()
     known = {key: _text(data, name) for name, key in STATED.items()}
     direction = _values(data, "VerticalDirection")
@@ -81,7 +81,7 @@ def survey(horizon):
 
 
 def horizon(result):
-    """Of a result (pipeline.Result)."""
+    """Returns the figures of a result (pipeline.Result)."""
     mesh = result.data["mesh"]
     data = mesh.GetFieldData()
     before, after = result.number_of_points, mesh.GetNumberOfPoints()
@@ -115,8 +115,8 @@ def _vertical_step(data):
 
 
 def angles(mesh):
-    """The smallest angle of each triangle of the surface as seen from above, on the lattice, in degrees: the smallest of
-    all, and how many there are in each five degrees from 0 to 60. None without triangles."""
+    """Returns the smallest angle of each surface triangle in map view, on the lattice, in degrees: the minimum, and counts
+    in bins of five degrees from 0 to 60. None without triangles."""
     corners = triangles.of_surface(mesh)
     if not len(corners):
         return None
@@ -135,19 +135,19 @@ def angles(mesh):
 
 
 def _smallest_angles(places):
-    """In degrees, of triangles with (n, 3, 2) coordinates."""
+    """Smallest angles in degrees of triangles with (n, 3, 2) coordinates."""
     angles_of = []
     for corner in range(3):
         a = places[:, (corner + 1) % 3] - places[:, corner]
         b = places[:, (corner + 2) % 3] - places[:, corner]
         angles_of.append(np.arctan2(np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), (a * b).sum(axis=1)))
-    # Rounding must not put the equilateral ones beyond the last bin.
+    # Rounding must not put equilateral triangles beyond the last bin.
     return np.minimum(np.degrees(np.min(angles_of, axis=0)), 60.0)
 
 
 def distances(result):
-    """How far the points of the horizon are from the mesh: how many there are in each of so many equal steps up to the
-    farthest. None where that was not measured."""
+    """Returns a histogram of the distances of the horizon's points from the mesh, in equal bins up to the largest distance.
+    None if distances were not measured."""
     measured = result.data.get("measured")
     array = measured.GetPointData().GetArray("Distance") if measured else None
     if array is None or not array.GetNumberOfTuples():
@@ -162,7 +162,7 @@ def distances(result):
 
 
 def _errors(table, row, unit):
-    """The figures for both directions in one of the units, from the table of the measure."""
+    """Returns the figures for both directions in one of the units, from the table of the measure."""
     row = TWO_SIDED + 3 * row
     assert table.GetValueByName(row, "Unit").ToString() == unit
     return {key: table.GetValueByName(row, name).ToDouble() for name, key in ERRORS.items()}
@@ -185,7 +185,7 @@ def _text(data, name):
 
 
 def without_nan(value):
-    """The same with None in place of numbers that JSON does not have."""
+    """Returns the value with None in place of numbers that JSON does not support."""
     if isinstance(value, dict):
         return {key: without_nan(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package as functions: read, horizon, surface, every other stage, distance, layers, extract and write.
+"""The functions of the package: read, horizon, surface, the other stages, distance, layers, extract and write.
 
     import seismichorizons as sh
 
     for name, top in sh.read("picks.dat").items():
         sh.write(sh.surface(top, largest_error="2 ms"), name + ".ts")
 
-Other stages are made from their classes (stages.py).
+The functions of the other stages are generated from their classes (stages.py).
 """
 
 from __future__ import annotations
@@ -34,30 +34,30 @@ DISTANCE_LABELS = ("reference to mesh", "mesh to reference", "both")
 
 
 def read(path: str | os.PathLike, horizons: Sequence[str | int] | None = None, **keywords: Any) -> dict[str, vtkPolyData]:
-    """The horizons of a file in any format that is known, by what is in it.
+    """Reads the horizons of a file; the format is recognized by the content.
 
     Parameters
     ----------
     path : str or path
-        picks, grids, sparse voxels, surfaces, tables; for SEG-Y there are `read_cube` and `extract`.
+        File of picks, a grid, sparse voxels, surfaces or a table. For SEG-Y use `read_cube` and `extract`.
     horizons : list of str, optional
-        the names of those wanted; all by default.
+        Names of the horizons to read; all by default.
     **keywords
-        properties of the reader of that format: `vertical_unit`, `vertical_direction`, `columns`, `gridding` and the like.
+        Properties of the reader of the format, such as `vertical_unit`, `vertical_direction`, `columns` or `gridding`.
 
     Returns
     -------
-    dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
-        names and horizons, in the order of the file; of GOCAD surfaces the triangles.
+    dict of str to vtkPolyData, or to pyvista.PolyData if PyVista is imported
+        Horizons by name, in the order of the file. For GOCAD surfaces, the triangles.
 
     Raises
     ------
     FileNotFoundError, OSError
-        there is no such file, or it cannot be read.
+        If the file does not exist or cannot be read.
     ValueError
-        it is in no format that is known, or wrong; the message says where, and what was expected.
+        If the format is unknown or the content is invalid. The message gives the place and what was expected.
     MemoryError
-        it is larger than memory.
+        If the data do not fit in memory.
 
     Examples
     --------
@@ -85,23 +85,24 @@ def read(path: str | os.PathLike, horizons: Sequence[str | int] | None = None, *
 
 
 def read_cube(path: str | os.PathLike, **keywords: Any) -> vtkImageData:
-    """The samples of a SEG-Y file.
+    """Reads the samples of a SEG-Y file.
 
     Parameters
     ----------
     path : str or path
+        SEG-Y file.
     **keywords
-        properties of SEGYCubeReader: `inline_range`, `crossline_range`, `sample_range`, `inline_byte` and the like.
+        Properties of SEGYCubeReader, such as `inline_range`, `crossline_range`, `sample_range` or `inline_byte`.
 
     Returns
     -------
-    vtkImageData, or pyvista.ImageData where PyVista is imported
-        with the array Amplitude of shape (samples, inlines, crosslines).
+    vtkImageData, or pyvista.ImageData if PyVista is imported
+        Image with the array Amplitude of shape (samples, inlines, crosslines).
 
     Raises
     ------
     FileNotFoundError, OSError, ValueError, MemoryError
-        as those of `read`.
+        As for `read`.
     """
     path = _existing(path)
     reader = make(cubes.READER, FileName=str(path))
@@ -111,33 +112,35 @@ def read_cube(path: str | os.PathLike, **keywords: Any) -> vtkImageData:
 
 
 def extract(cube: vtkImageData, picks: Any = None, limits: Any = None, **keywords: Any) -> dict[str, vtkPolyData]:
-    """The reflections of a seismic cube, joined to horizons.
+    """Extracts the reflections of a seismic cube and joins them to horizons.
 
     Parameters
     ----------
     cube : vtkImageData
-        what `read_cube` gives, or any image with amplitudes.
-    picks : dict of str to vtkPolyData or to array of shape (n, 3), or one of these, optional
-        some picks of each horizon that is wanted, in place of all horizons that there are; rows with nan are left out.
-        z of arrays is as for `horizon_from_points`: time or depth, downwards, in a cube where these count downwards, as in
-        those of `read_cube`; if none is positive, or in other cubes, world z, as points of data have.
-    limits : the same, or a list of them, optional
-        two horizons on the traces of the cube to search between, or one to search below, or above with
-        `limit_side="Above"`.
+        Cube from `read_cube`, or any image with amplitudes.
+    picks : dict of str to vtkPolyData or to array of shape (n, 3), or a single such value, optional
+        Some picks of each horizon to extract; without picks, all horizons are extracted. Rows with nan are ignored. z of
+        arrays is interpreted as by `horizon_from_points`: as time or depth, increasing downwards, if the vertical indices
+        of the cube increase downwards, as in cubes from `read_cube`. If no z is positive, or in other cubes, z is world
+        z, as for points of datasets.
+    limits : same types as picks, or a list of them, optional
+        Horizons on the traces of the cube that bound the search: two horizons to search between, or one to search below
+        it, or above it with `limit_side="Above"`.
     **keywords
-        properties of SeismicReflectionExtraction: `largest_number` (20 by default), `polarity`, `position`, `joining`,
-        `amplitude_percentile`, `smallest_size` and the like.
+        Properties of SeismicReflectionExtraction, such as `largest_number` (20 by default), `polarity`, `position`,
+        `joining`, `amplitude_percentile` or `smallest_size`.
 
     Returns
     -------
-    dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
-        the strongest first; with picks the horizons that these ask for. Points have the arrays Origin, which is 0 where a
-        pick is, 1 on a part that was taken and 2 where it grew, and GuideDistance in columns.
+    dict of str to vtkPolyData, or to pyvista.PolyData if PyVista is imported
+        Horizons by name, strongest first; with picks, the horizons that the picks belong to. Points have the arrays
+        Origin (0 at a pick, 1 on an extracted surface that was taken, 2 where the horizon was grown) and GuideDistance, to
+        the nearest pick, in columns.
 
     Raises
     ------
     TypeError, ValueError, MemoryError
-        no image, an image without amplitudes, one that is too large, or picks or limits that are not on it.
+        If `cube` is not an image, has no amplitudes or is too large, or if picks or limits are outside it.
 
     Examples
     --------
@@ -169,30 +172,31 @@ def extract(cube: vtkImageData, picks: Any = None, limits: Any = None, **keyword
 
 def surface(horizon: vtkPolyData, largest_error: float | str | None = None, triangles: int | None = None,  # noqa: F811
             **keywords: Any) -> vtkPolyData:
-    """The mesh of a horizon, with parameters that are chosen from its points.
+    """Makes a triangle mesh of a horizon, with parameters chosen from its points.
 
     Parameters
     ----------
     horizon : vtkPolyData
-        points on a lattice, as `read`, `horizon`, `horizon_from_points` and `extract` give them.
+        Points on a lattice, as returned by `read`, `horizon`, `horizon_from_points` and `extract`.
     largest_error : float or str, optional
-        how far a point may be from the mesh, vertically: in vertical indices, or with a unit, as "2 ms". By default, where
-        there is no number of triangles, six times the noise of the heights.
+        Largest vertical distance of a point from the mesh, in vertical indices or with a unit such as "2 ms". Without a
+        number of triangles, the default is six times the noise of the heights.
     triangles : int, optional
-        the most triangles there may be, in place of the error.
+        Largest number of triangles, as an alternative to the error.
     **keywords
-        properties of HorizonSurface: `radius`, `smallest_hole_size`, `minimum_patch_size` and the like.
+        Properties of HorizonSurface, such as `radius`, `smallest_hole_size` or `minimum_patch_size`.
 
     Returns
     -------
-    vtkPolyData, or pyvista.PolyData where PyVista is imported
-        triangles and outlines; `details` tells the errors, what was chosen, and the ledger: what is known, filled, bridged, extrapolated
-        and left out. A warning names what is more than 0.1 % of the covered area.
+    vtkPolyData, or pyvista.PolyData if PyVista is imported
+        Triangles and outlines. `details` reports the errors, the chosen parameters and the ledger of known, filled,
+        bridged, extrapolated and left-out columns. A warning reports ledger entries above 0.1 % of the covered area.
 
     Raises
     ------
     TypeError, ValueError
-        no horizon, both an error and a number of triangles, or a parameter out of its range.
+        If `horizon` is not a horizon, if both an error and a number of triangles are given, or if a parameter is out of
+        range.
 
     Examples
     --------
@@ -214,9 +218,19 @@ def surface(horizon: vtkPolyData, largest_error: float | str | None = None, tria
 
 
 class Distance(types.SimpleNamespace):
-    """What `distance` found. `vertical` is the largest vertical distance; `reference` and `mesh` are the surfaces with the
-    arrays Distance and VerticalDistance; `largest`, `mean`, `rms`, `percentile_95` and the like are over both directions, in the unit that was asked for, and
-    `figures` is all of them by direction, as {"both": {"largest": ...}, ...}."""
+    """Result of `distance`.
+
+    Attributes
+    ----------
+    vertical : float
+        Largest vertical distance.
+    reference, mesh : vtkPolyData
+        The two surfaces, with the arrays Distance and VerticalDistance.
+    largest, mean, rms, percentile_95, ... : float
+        Distances over both directions, in the requested unit.
+    figures : dict of str to dict
+        All figures by direction: {"both": {"largest": ...}, ...}.
+    """
 
     def __repr__(self):
         unit = getattr(self.vertical, "unit", "")
@@ -225,28 +239,29 @@ class Distance(types.SimpleNamespace):
 
 
 def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str | None = None, **keywords: Any) -> Distance:
-    """How far a mesh is from a horizon, or from another mesh, in both directions.
+    """Measures how far a mesh is from a horizon, or from another mesh, in both directions.
 
     Parameters
     ----------
     reference : vtkPolyData
-        a horizon, or a mesh.
+        Horizon or mesh.
     mesh : vtkPolyData
-        a mesh.
+        Mesh.
     unit : {"Lattice", "World"}, optional
-        that of distances: columns and vertical indices, or world units, which are the default for a mesh whose error was
-        given with a unit.
+        Unit of distances: columns and vertical indices, or world units. World is the default if the error of the mesh was
+        given with a unit, Lattice otherwise.
     **keywords
-        properties of HorizonSurfaceDistance: `samples_per_point` and the like.
+        Properties of HorizonSurfaceDistance, such as `samples_per_point`.
 
     Returns
     -------
     Distance
+        Largest, mean and other distances, and both surfaces with their distances.
 
     Raises
     ------
     TypeError, ValueError
-        no meshes.
+        If an argument is not a horizon or a mesh.
 
     Examples
     --------
@@ -282,30 +297,31 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str | None = None,
 
 
 def _largest_vertical(measured):
-    """Of a surface that was measured, where the other one is above or below it."""
+    """Largest vertical distance of a measured surface from the other one, over all points above or below it."""
     array = measured.GetPointData().GetArray("VerticalDistance")
     values = np.zeros(0) if array is None else np.abs(vtk_to_numpy(array))
     return float(values[np.isfinite(values)].max(initial=0.0))
 
 
 def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -> None:
-    """Writes a horizon or a mesh in the format of the extension of a file.
+    """Writes a horizon or a mesh in the format of the file extension.
 
     Parameters
     ----------
     data : vtkPolyData
-        a mesh for .vtp, .ts, .stl, .ply, .obj, .dxf and the grids .irap, .gri, .zmap and .tif; a horizon for .dat, .vsm
-        and .vtp; cells of layers for .vtu, .msh, .inp and .disv.
+        Mesh for .vtp, .ts, .stl, .ply, .obj, .dxf and the grids .irap, .gri, .zmap and .tif; horizon for .dat, .vsm and
+        .vtp; cells of layers for .vtu, .msh, .inp and .disv.
     path : str or path
+        File to write.
     name : str, optional
-        that of the surface in the file; the name of the file without its extension by default.
+        Name of the surface in the file; by default, the file name without its extension.
 
     Raises
     ------
     ValueError
-        another extension, or data that the format cannot hold.
+        If the extension is unknown, or the format cannot hold the data.
     OSError
-        the file cannot be written.
+        If the file cannot be written.
 
     Examples
     --------
@@ -324,13 +340,13 @@ def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: folder \"%s\" does not exist" % (path, path.absolute().parent))
     with calls.python_errors():
-        told = writing.write_cells(data, path) if is_of_cells else writing.write_data(data, path, name or path.stem)
-    for text in told:
+        messages = writing.write_cells(data, path) if is_of_cells else writing.write_data(data, path, name or path.stem)
+    for text in messages:
         calls.warn(text)
 
 
 def _existing(path):
-    """A file. Raises FileNotFoundError and ValueError."""
+    """Returns the path of an existing file. Raises FileNotFoundError or ValueError."""
     path = pathlib.Path(path)
     reading.require_text(path)
     if not os.path.lexists(path):
@@ -338,5 +354,5 @@ def _existing(path):
     return path
 
 
-__all__ = ["crossings", "details", "distance", "extract", "horizon", "horizon_from_points", "layers", "read", "read_cube", "surface", "write",
-           *STAGES]
+__all__ = ["crossings", "details", "distance", "extract", "horizon", "horizon_from_points", "layers", "read", "read_cube",
+           "surface", "write", *STAGES]

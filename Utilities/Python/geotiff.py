@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Horizons from and to GeoTIFF, by GDAL where it is installed: a value in the middle of each cell, on a lattice that may
-be turned."""
+"""Reads and writes horizons as GeoTIFF, by GDAL if it is installed: a value at the centre of each cell, on a lattice that
+may be rotated."""
 
 import uuid
 
@@ -16,11 +16,11 @@ from .stage import HorizonError, make
 SOURCE = "vtkHorizonFromPoints"
 BEGINNINGS = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 NULL = 1e30
-POSITIVE = "positive"  # metadata of a band: up or down, as in the conventions of netCDF; elevations do without
+POSITIVE = "positive"  # band metadata: up or down, as in netCDF conventions; not set for elevations
 
 
 def _load(path):
-    """GDAL, with exceptions. Raises HorizonError."""
+    """Loads GDAL with exceptions enabled. Raises HorizonError."""
     try:
         from osgeo import gdal, osr
     except ImportError:
@@ -32,7 +32,7 @@ def _load(path):
 
 
 def open_file(path):
-    """The source of the one horizon of a file: its first band. Raises HorizonError."""
+    """Returns the source of the single horizon of a file, its first band. Raises HorizonError."""
     gdal, osr = _load(path)
     try:
         file = gdal.Open(str(path))
@@ -64,8 +64,8 @@ def open_file(path):
 
 
 def make_content(mesh, path):
-    """The bytes of a file of the heights of a mesh, on the columns that it covers, as in the file that its horizon comes
-    from, and warnings. Raises HorizonError."""
+    """Returns the bytes of a file with the heights of a mesh on the columns that it covers, with z as in the original file
+    of the horizon, and warnings. Raises HorizonError."""
     gdal, osr = _load(path)
     points = sample(mesh, "Up", path.name)
     data = points.GetFieldData()
@@ -77,7 +77,7 @@ def make_content(mesh, path):
     place = "/vsimem/%s.tif" % uuid.uuid4().hex
     try:
         file = gdal.GetDriverByName("GTiff").Create(place, columns, rows, 1, gdal.GDT_Float64, ["COMPRESS=DEFLATE"])
-        # The lattice has the middle of its first cell, a transform its corner.
+        # The lattice origin is the centre of the first cell, a GDAL transform starts at its corner.
         file.SetGeoTransform((x - (step_x + row_x) / 2.0, step_x, row_x, y - (step_y + row_y) / 2.0, step_y, row_y))
         file.GetRasterBand(1).SetNoDataValue(NULL)
         file.GetRasterBand(1).SetMetadataItem(POSITIVE, "down" if _counts_down(mesh) else "up")
@@ -96,13 +96,13 @@ def make_content(mesh, path):
 
 
 def _counts_down(mesh):
-    """Whether z of the file that a mesh comes from, which grids are written in, counts downwards."""
+    """Whether z of the file that a mesh comes from, and therefore of the grid to write, increases downwards."""
     direction = mesh.GetFieldData().GetArray("VerticalDirection")
     return direction is not None and direction.GetValue(0) < 0
 
 
 def _set_system(file, mesh, osr):
-    """Returns warnings."""
+    """Sets the coordinate system of a file. Returns warnings."""
     name = mesh.GetFieldData().GetAbstractArray("CoordinateSystem")
     if name is None or not name.GetNumberOfValues():
         return ["no coordinate system; --coordinate-system says which, as EPSG:23031"]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heights that are given in a unit, for horizons whose z may be in another one: numbers with an attribute `unit`."""
+"""Heights with a unit, converted to the unit of z of a horizon: numbers with an attribute `unit`."""
 
 import re
 
@@ -9,25 +9,24 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 from .stage import HorizonError
 
-# What units measure, and the size of each.
+# Quantity and size in SI units of each unit.
 UNITS = {"ms": ("time", 0.001), "s": ("time", 1.0), "m": ("length", 1.0), "ft": ("length", 0.3048)}
-# The array of a result with the unit that heights were given in, and the figures that are told in it. All are stored in
-# vertical indices.
+# The array of a result with the unit of the given heights, and the figures reported in it; all are stored in vertical indices.
 NOTED_UNIT = "HeightUnit"
 FIGURES = ("LargestError", "MeanError", "LargestLoopError", "OutlineHeightDeviation", "ChosenMaximumError",
            "ChosenDistanceThreshold", "SpikeThreshold", "FaultNoise", "SmallestFaultThrow")
 
 
 class Height(float):
-    """A number with the unit that stands behind it in a text, as "2 ms"; without one it counts vertical indices. Raises
-    ValueError."""
+    """A number with a unit, from a text such as "2 ms"; without a unit it is in vertical indices. Raises ValueError."""
 
     def __new__(cls, text):
         found = re.fullmatch(r"\s*(\S+?)\s*(%s|)\s*" % "|".join(UNITS), str(text))
         try:
             height = super().__new__(cls, found.group(1))
         except (AttributeError, ValueError):
-            raise ValueError("'%s', expected a number, or one with a unit, as '2 ms' (%s)" % (text, ", ".join(UNITS))) from None
+            raise ValueError("'%s', expected a number, or one with a unit, as '2 ms' (%s)" % (
+                text, ", ".join(UNITS))) from None
         height.unit = found.group(2)
         return height
 
@@ -42,19 +41,19 @@ class Height(float):
 
 
 def unit_of(horizon, name="VerticalUnit"):
-    """The unit of z, or that of another array, by the field data; empty where it is not known."""
+    """Returns the unit of z, or another unit, from the field data; empty if unknown."""
     data = horizon.GetFieldData().GetAbstractArray(name)
     return data.GetValue(0) if data is not None and data.GetNumberOfValues() else ""
 
 
 def step_of(horizon):
-    """How much z changes from one vertical index to the next, without its sign; None where that is not known."""
+    """Returns the absolute change of z per vertical index; None if unknown."""
     matrix = horizon.GetFieldData().GetArray("LatticeToWorld")
     return abs(vtk_to_numpy(matrix).ravel()[10]) or None if matrix is not None and matrix.GetNumberOfValues() == 16 else None
 
 
 def note_unit(data, unit):
-    """Keeps the unit that heights were given in with a result; none where it is empty."""
+    """Stores the unit of the given heights with a result, unless it is empty."""
     data.GetFieldData().RemoveArray(NOTED_UNIT)
     if unit:
         text = vtkStringArray()
@@ -64,15 +63,15 @@ def note_unit(data, unit):
 
 
 def per_index(horizon, unit):
-    """How much of a unit a vertical index is. Where the unit of z is not known, it is taken to be this one."""
+    """Returns the size of a vertical index in a unit. If the unit of z is unknown, z is assumed to be in this unit."""
     own = unit_of(horizon)
     factor = UNITS[own][1] / UNITS[unit][1] if own in UNITS and unit in UNITS else 1.0
     return factor * (step_of(horizon) or 1.0)
 
 
 def in_unit_of(properties, horizon):
-    """Properties with heights in the unit of z of a horizon. One whose unit is not known is taken to be in theirs. Raises
-    HorizonError."""
+    """Returns properties with heights converted to the unit of z of a horizon. If that unit is unknown, z is assumed to be
+    in the unit of the heights. Raises HorizonError."""
     return {name: _convert(value, unit_of(horizon)) if getattr(value, "unit", "") else value
             for name, value in properties.items()}
 

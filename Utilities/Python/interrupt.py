@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ctrl-C and the signal TERM: they are only noted, and the program ends at the next place where work can be left.
+"""Ctrl-C and the signal TERM: they are only recorded, and the program ends at the next point where work can stop.
 
-An exception would not do: inside the observers of a stage, VTK prints it and ends the program there and then.
+An exception would not work: inside the observers of a stage, VTK prints it and ends the program immediately.
 """
 
 import contextlib
@@ -14,7 +14,7 @@ _noted = None  # the number of the signal
 
 
 def listen():
-    """From now on the signals are noted."""
+    """Starts recording the signals."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _note)
 
@@ -25,21 +25,21 @@ def _note(number, _frame):
 
 
 def is_asked():
-    """Whether the program is to end."""
+    """Whether the program has been asked to end."""
     return _noted is not None
 
 
 def check():
-    """Raises SystemExit when the program is to end, with the exit code that shells have for the signal."""
+    """Raises SystemExit if the program has been asked to end, with the usual shell exit code of the signal."""
     if is_asked():
         sys.exit(128 + _noted)
 
 
 @contextlib.contextmanager
 def noting():
-    """Within the block Ctrl-C is only noted; then it is what it is in Python, a KeyboardInterrupt. In another thread than
-    the first, which gets no signals, nothing changes, and nor does it in programs that handle signals themselves, as
-    pvbatch under MPI: what they have cannot be put back from here."""
+    """Records Ctrl-C within the block, and raises KeyboardInterrupt after it. Does nothing in threads other than the main
+    one, which receive no signals, and in programs that handle signals natively, such as pvbatch under MPI, because Python
+    cannot restore their handlers."""
     global _noted
     if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) is None:
         yield

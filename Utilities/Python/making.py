@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Horizons from arrays of numpy, and from surfaces of xtgeo, arrays of xarray and tables of pandas, which are known by
-their attributes."""
+"""Horizons from NumPy arrays, xtgeo surfaces, xarray arrays and pandas tables; the types are recognized by their
+attributes."""
 
 from __future__ import annotations
 
@@ -19,46 +19,46 @@ from . import calls
 from .reading import list_horizons
 from .stage import make
 
-STEP_TOLERANCE = 1e-4  # of a step, by which coordinates of a grid may differ: those of single precision do
-# Names of dimensions and coordinates of xarray, in small letters.
+STEP_TOLERANCE = 1e-4  # fraction of a step by which grid coordinates may deviate, for single precision
+# Names of xarray dimensions and coordinates, in lower case.
 X, Y = ("x", "easting", "eastings", "cdp_x", "lon", "longitude"), ("y", "northing", "northings", "cdp_y", "lat", "latitude")
 INLINE, CROSSLINE = ("inline", "iline", "il"), ("crossline", "xline", "xl")
 
 
-def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[float] | None = None, azimuth: float | None = None,
-            nodata: float | Sequence[float] | None = None, **keywords: Any) -> vtkPolyData:
-    """A horizon from heights on a grid.
+def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[float] | None = None,
+            azimuth: float | None = None, nodata: float | Sequence[float] | None = None, **keywords: Any) -> vtkPolyData:
+    """Makes a horizon from heights on a grid.
 
     Parameters
     ----------
-    z : array of shape (rows, columns), RegularSurface of xtgeo, DataArray of xarray or vtkImageData
-        time, depth or elevation; nan, masked cells and `nodata` are left out. A surface of xtgeo, an image, or a DataArray
-        with coordinates, knows its own place. The dimensions of a DataArray are x and y, or inline and crossline, in any
-        order and by their names; inlines and crosslines may have coordinates cdp_x and cdp_y.
+    z : array of shape (rows, columns), xtgeo RegularSurface, xarray DataArray or vtkImageData
+        Time, depth or elevation; nan, masked cells and `nodata` are left out. An xtgeo surface, an image and a DataArray
+        with coordinates have a position of their own. The dimensions of a DataArray are x and y, or inline and crossline;
+        they are recognized by name, in either order. Inlines and crosslines may have the coordinates cdp_x and cdp_y.
     origin : (x, y), optional
-        the place of z[0, 0]; 0, 0 by default. World units.
+        Position of z[0, 0] in world units; (0, 0) by default.
     spacing : (column, row), optional
-        the distances from a column to the next, and from a row to the next; 1, 1 by default. World units.
+        Distance between adjacent columns and between adjacent rows in world units; (1, 1) by default.
     azimuth : float, optional
-        the direction in which columns follow each other, in degrees clockwise from north; 90 by default, which is along
-        x. Rows follow each other 90 degrees anticlockwise from there.
+        Direction of increasing column number, in degrees clockwise from north; 90 by default, along x. The direction of
+        increasing row number is 90 degrees anticlockwise from it.
     nodata : float or list of float, optional
-        numbers that stand for no value.
+        Values that mean "no data".
     **keywords
-        properties of HorizonFromPoints: `vertical_direction` ("Down" for time and depth, "Up" for elevations; by default
-        "Up" if no z is positive, else "Down"), `vertical_unit` ("ms", "s", "m" or "ft"), `vertical_step`,
-        `coordinate_system` and the like.
+        Properties of HorizonFromPoints, such as `vertical_direction` ("Down" for time and depth, "Up" for elevations; by
+        default "Up" if no z is positive, otherwise "Down"), `vertical_unit` ("ms", "s", "m" or "ft"), `vertical_step` or
+        `coordinate_system`.
 
     Returns
     -------
-    vtkPolyData, or pyvista.PolyData where PyVista is imported
-        a point for each column with a value, on the lattice of the whole array. World z is negative where z counts
+    vtkPolyData, or pyvista.PolyData if PyVista is imported
+        A point for each column with a value, on the lattice of the whole array. World z is negative if z increases
         downwards.
 
     Raises
     ------
     ValueError
-        z of another shape, without a value, or on coordinates that are no grid.
+        If z has another shape or no value, or if its coordinates do not form a grid.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def _on_grid(values, origin, column_step, row_step, nodata, keywords):
 
 
 def _on_lattice(values, origin, column_step, row_step, nodata, keywords):
-    """The horizon of an array with its place."""
+    """Makes the horizon of an array with a known position."""
     heights = np.ma.filled(np.ma.masked_invalid(values.astype(float)), np.nan)
     _drop(heights, nodata)
     rows, columns = np.isfinite(heights).nonzero()
@@ -111,8 +111,9 @@ def _on_lattice(values, origin, column_step, row_step, nodata, keywords):
 
 
 def _widen(data, shape, origin):
-    """Gives a horizon the lattice of the whole array that it comes from, in place of that of its points."""
-    size, to_world = (vtk_to_numpy(data.GetFieldData().GetArray(name)).reshape(-1) for name in ("LatticeDimensions", "LatticeToWorld"))
+    """Replaces the lattice of a horizon's points with the lattice of the whole array."""
+    size, to_world = (vtk_to_numpy(data.GetFieldData().GetArray(name)).reshape(-1)
+                      for name in ("LatticeDimensions", "LatticeToWorld"))
     matrix = to_world.reshape(4, 4)
     first = np.linalg.solve(matrix[:2, :2], matrix[:2, 3] - origin)
     vtk_to_numpy(data.GetPointData().GetArray("Column"))[:] += np.rint(first).astype(int)
@@ -121,30 +122,30 @@ def _widen(data, shape, origin):
 
 
 def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -> vtkPolyData | dict[str, vtkPolyData]:
-    """A horizon from points, whose lattice is found.
+    """Makes a horizon from points and finds their lattice.
 
     Parameters
     ----------
-    points : array of shape (n, 3), DataFrame of pandas or geopandas, vtkPolyData or vtkTable
-        x, y and z; points with nan are left out. z counts downwards, as time and depth do, unless no z is positive, or
-        `vertical_direction` is "Up". A DataFrame or a table has columns with names, in any order, as X, Y, Z, or
-        Inline, Crossline, Z; other columns of numbers become attributes.
+    points : array of shape (n, 3), pandas or geopandas DataFrame, vtkPolyData or vtkTable
+        x, y and z; points with nan are left out. z increases downwards, as time and depth do, unless no z is positive or
+        `vertical_direction` is "Up". The columns of a DataFrame or table are named X, Y, Z or Inline, Crossline, Z, in
+        any order; other numeric columns become attributes.
     name : str, optional
-        what errors call it.
+        Name of the horizon in error messages.
     **keywords
-        properties of HorizonFromPoints. `gridding="Plate"` makes a horizon of points that stand on no lattice;
-        `stray_picks="LeaveOut"` leaves out those that are off it; `lattice_source="OriginAndSteps"` with `origin`,
-        `column_step` and `row_step` gives the lattice.
+        Properties of HorizonFromPoints. `gridding="Plate"` grids points that are not on a lattice,
+        `stray_picks="LeaveOut"` leaves out points off the lattice, and `lattice_source="OriginAndSteps"` with `origin`,
+        `column_step` and `row_step` specifies the lattice.
 
     Returns
     -------
-    vtkPolyData, or pyvista.PolyData where PyVista is imported
-        with `duplicate_policy="Sheets"`, or several names in a table, a dict of names and horizons.
+    vtkPolyData, or pyvista.PolyData if PyVista is imported
+        The horizon. With `duplicate_policy="Sheets"`, or if a table names several horizons, a dict of horizons by name.
 
     Raises
     ------
     ValueError
-        points of another shape, or that stand on no lattice.
+        If the points have another shape or are not on a lattice.
 
     Examples
     --------
@@ -189,8 +190,8 @@ def _points_of(points, counts_down=False):
 
 
 def collect_picks(picks, counts_down=False):
-    """The picks of horizons, by their names where there are some, as one dataset. With `counts_down`, z of arrays does so, as
-    that of horizon_from_points does, unless none is positive."""
+    """Collects picks of one or more horizons in one dataset, by name if they have names. With `counts_down`, z of arrays
+    increases downwards unless no z is positive, as in horizon_from_points."""
     def of(points):
         return points if isinstance(points, vtkPolyData) else _points_of(points, counts_down)
 
@@ -204,14 +205,14 @@ def collect_picks(picks, counts_down=False):
 
 
 def _require_none(what, **given):
-    """Raises ValueError where something that knows its own place is given one."""
+    """Raises ValueError if a position is given for data that have their own."""
     names = [name for name, value in given.items() if value is not None]
     if names:
         raise ValueError("%s for %s, which has a place of its own, expected none" % (" and ".join(names), what))
 
 
 def _steps(spacing, azimuth):
-    """From a column to the next, and from a row to the next."""
+    """Returns the steps to the next column and to the next row."""
     direction = math.radians(90.0 - (90.0 if azimuth is None else azimuth))
     column, row = (1.0, 1.0) if spacing is None else spacing
     return (column * np.array((math.cos(direction), math.sin(direction))),
@@ -219,7 +220,7 @@ def _steps(spacing, azimuth):
 
 
 def _of_xtgeo(surface):
-    """Values as (rows, columns), origin and steps. Those of xtgeo are (columns, rows)."""
+    """Returns values as (rows, columns), origin and steps; xtgeo orders values as (columns, rows)."""
     angle = math.radians(surface.rotation)
     column = np.array((math.cos(angle), math.sin(angle)))
     row = np.array((-math.sin(angle), math.cos(angle))) * surface.yflip
@@ -232,7 +233,7 @@ def _drop(heights, nodata):
 
 
 def _table_of(frame):
-    """A table with the columns of numbers of a DataFrame; None of what is none, or has no names of columns."""
+    """Returns a table with the numeric columns of a DataFrame, or None if the columns have no names."""
     if not hasattr(frame, "columns") or not any(isinstance(name, str) for name in frame.columns):
         return None
     columns = {str(name): frame[name] for name in frame.columns}
@@ -255,7 +256,7 @@ def _make_table(columns):
 
 
 def _only_variable(array):
-    """The array of a Dataset of one variable."""
+    """Returns the array of a Dataset with a single variable."""
     names = list(getattr(array, "data_vars", ())) or [None]
     if len(names) > 1:
         raise ValueError("a Dataset of %s, expected one variable: horizon(dataset[\"%s\"]) takes it"
@@ -264,8 +265,8 @@ def _only_variable(array):
 
 
 def _dimensions(array):
-    """The names of two dimensions of an array in small letters, y and x or inline and crossline, which are longer than 1 or
-    have these names. Raises ValueError."""
+    """Returns the lower-case names of the dimensions y and x, or inline and crossline, of an array. Other dimensions must
+    have length 1. Raises ValueError."""
     known = [str(name).lower() for name in array.dims]
     for rows, columns in ((Y, X), (INLINE, CROSSLINE)):
         found = [[name for name in known if name in names] for names in (rows, columns)]
@@ -278,7 +279,7 @@ def _dimensions(array):
 
 
 def _in_order(array, dims):
-    """The values of an array, first along the first of two dimensions."""
+    """Returns the values of an array with the first of two dimensions first."""
     known = [str(name).lower() for name in array.dims]
     values = np.ma.masked_invalid(array.values)
     kept = sorted(known.index(name) for name in dims)
@@ -287,13 +288,13 @@ def _in_order(array, dims):
 
 
 def _of_xarray(array, dims):
-    """The same of an array with coordinates along y and x."""
+    """Returns values, origin and steps of an array with coordinates along y and x."""
     y, x = (_axis(array, name) for name in dims)
     return _in_order(array, dims), (x[0], y[0]), np.array((x[1], 0.0)), np.array((0.0, y[1]))
 
 
 def _lines_of(array, dims, nodata):
-    """The picks of an array along inlines and crosslines, with their places where it has them."""
+    """Returns the picks of an array along inlines and crosslines, with x and y if it has them."""
     heights = np.ma.filled(_in_order(array, dims).astype(float), np.nan)
     _drop(heights, nodata)
     inlines, crosslines = np.meshgrid(*(_coordinates(array, name) for name in dims), indexing="ij")
@@ -307,7 +308,7 @@ def _lines_of(array, dims, nodata):
 
 
 def _coordinates(array, name):
-    """Those along a dimension, which is given in small letters."""
+    """Returns the coordinates along a dimension, whose name is in lower case."""
     own = next(dim for dim in array.dims if str(dim).lower() == name)
     if own not in array.coords:
         raise ValueError("a DataArray without coordinates along %s, expected some; horizon(array.values, origin=, spacing=) "
@@ -316,7 +317,7 @@ def _coordinates(array, name):
 
 
 def _axis(array, name):
-    """The first coordinate and the step of a dimension. Raises ValueError."""
+    """Returns the first coordinate and the step of a dimension. Raises ValueError."""
     values = _coordinates(array, name)
     steps = np.diff(values)
     if not len(steps) or not steps[0] or abs(steps - steps.mean()).max() > STEP_TOLERANCE * abs(steps.mean()):

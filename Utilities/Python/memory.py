@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much memory horizons take, and what is done at a time so that a limit holds.
+"""Memory use of horizons, and groups of horizons that fit within a limit.
 
-Horizons are read as many at once as fit, in their order, and those before are given back. One that does not fit alone
-is cut into parts, windows of rows (parts.py).
+As many horizons as fit are read at a time, in order, and released before the next group. A horizon that does not fit
+alone is cut into windows of rows (parts.py).
 """
 
 import os
@@ -11,25 +11,25 @@ import re
 
 from .stage import HorizonError
 
-# Bytes per point, measured on 2 to 10 million points: those of a point that was read, and those of one that is meshed,
-# its own included (73 to 76, and 213 to 221).
+# Bytes per point, measured on 2 to 10 million points: of a point that is held (73 to 76), and of a point that is meshed,
+# including its own (213 to 221).
 HELD = 80
 WORKED = 240
-# The program beside its horizons, above what it has at the start: buffers of the reader, meshes that wait to be joined.
+# Memory in addition to horizons and the program at its start: buffers of the reader and meshes to be joined.
 SPARE = 96 << 20
-# Without a limit, this part of the memory that the machine has left is one.
+# Fraction of the free memory of the machine that is used if there is no limit.
 SHARE = 0.75
-# Bytes of a file per point, at least: shorter lines than files have. Compressed ones have as many more.
+# Lower bound of the bytes per point in a file; lower if it is compressed.
 FILE_BYTES = 16
 COMPRESSED_BYTES = 2
-# How many rows before its end a part may end, where a row has more points.
+# Number of rows by which a window may end earlier, at a row with more points.
 ROWS_TO_CHOOSE = 8
 
 UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
 
 def size_text(size):
-    """Bytes as a text for reading."""
+    """Returns a number of bytes as readable text."""
     for unit in ("T", "G", "M"):
         if size >= UNITS[unit]:
             number = size / UNITS[unit]
@@ -38,8 +38,8 @@ def size_text(size):
 
 
 class Budget:
-    """What may be used for horizons: the limit less what the program takes itself. `limit` is None for a part of what
-    the machine has left."""
+    """Memory available for horizons: the limit less the memory of the program itself. Without a `limit`, a fraction of the
+    free memory of the machine."""
 
     def __init__(self, limit=None):
         self.is_given = limit is not None
@@ -51,11 +51,12 @@ class Budget:
             self.left = None if available is None else int(SHARE * available) - SPARE
 
     def fits(self, worked, held=0):
-        """Whether so many points can be worked on while others are held."""
+        """Whether `worked` points can be processed while `held` points are in memory."""
         return self.left is None or WORKED * worked + HELD * held <= self.left
 
     def fits_file(self, path):
-        """Whether whatever is in a file surely fits; also where there is none, as its reader tells that."""
+        """Whether any content of a file of this size is certain to fit; also true for a missing file, which its reader
+        reports."""
         least = COMPRESSED_BYTES if path.suffix == ".gz" else FILE_BYTES
         try:
             return self.fits(os.path.getsize(path) // least)
@@ -63,16 +64,16 @@ class Budget:
             return True
 
     def most_points(self):
-        """How many points can be worked on at a time."""
+        """Returns the number of points that can be processed at a time."""
         return max(0, self.left // WORKED)
 
     def require(self, worked, what, held=0):
-        """Raises HorizonError where so many points do not fit while others are held."""
+        """Raises HorizonError if `worked` points do not fit while `held` points are in memory."""
         size = WORKED * worked + HELD * held
         self.require_bytes(size, "%s: %d points take %s" % (what, worked + held, size_text(size)))
 
     def require_bytes(self, size, taking, advice=""):
-        """Raises HorizonError where so many bytes do not fit; the message begins with what takes them."""
+        """Raises HorizonError if `size` bytes do not fit; the message begins with `taking`."""
         if self.left is not None and size > self.left:
             raise HorizonError("%s, expected at most the %s that are left of %s%s" % (
                 taking, size_text(max(self.left, 0)), self.limit_text(), advice))
@@ -82,8 +83,8 @@ class Budget:
 
 
 def make_groups(sizes, budget):
-    """Puts horizons of some sizes, in their order, together in groups that fit at once, as lists of their numbers. One
-    that does not fit is a group of its own."""
+    """Groups horizons of given sizes, in order, so that each group fits; returns lists of their numbers. A horizon that
+    does not fit is a group of its own."""
     groups = []
     for number, size in enumerate(sizes):
         group = groups[-1] + [number] if groups else None
@@ -96,9 +97,8 @@ def make_groups(sizes, budget):
 
 
 def make_windows(row_sizes, most_points):
-    """Cuts rows with so many points into windows of about equally many, `most_points` at most, as (first, last). The
-    last row of each is the first one of the next, and has many points beside its neighbours. None when two rows are too
-    many."""
+    """Cuts rows with the given numbers of points into windows of about equal size, at most `most_points`, as (first, last).
+    Adjacent windows share a row, which has many points compared with its neighbours. None if two rows are too many."""
     rows = [row for row, size in enumerate(row_sizes) if size]
     count = -(-sum(row_sizes) // max(1, most_points))
     while rows and count < len(row_sizes):
@@ -110,7 +110,7 @@ def make_windows(row_sizes, most_points):
 
 
 def _cut(row_sizes, first, last, count):
-    """Windows of about an equal part of the points each, and of two rows at least."""
+    """Cuts rows into windows with about the same number of points and at least two rows each."""
     share = sum(row_sizes) / count
     windows = []
     done = 0
@@ -126,7 +126,7 @@ def _cut(row_sizes, first, last, count):
 
 
 def _resident():
-    """Bytes of memory that this program has; 0 where that is not known."""
+    """Returns the memory of this program in bytes; 0 if unknown."""
     try:
         with open("/proc/self/statm", encoding="ascii") as file:
             return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
@@ -135,7 +135,7 @@ def _resident():
 
 
 def _available():
-    """Bytes of memory that the machine has left; None where that is not known."""
+    """Returns the free memory of the machine in bytes; None if unknown."""
     try:
         with open("/proc/meminfo", encoding="ascii") as file:
             found = re.search(r"^MemAvailable:\s*(\d+) kB", file.read(), re.MULTILINE)

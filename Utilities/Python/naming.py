@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names of files of results: all different, also where systems take names that differ in case alone for the same."""
+"""Unique names of result files, also on systems whose file names ignore case."""
 
 import collections
 import contextlib
@@ -11,14 +11,14 @@ import re
 from . import figures, reading, writing
 from .stage import HorizonError
 
-LONGEST_NAME = 255  # bytes of the name of a file, on all usual systems
-LONGEST_STEM, LONGEST_ENDING = 160, 20  # of what names of results start with, and of numbers and extensions
+LONGEST_NAME = 255  # bytes of a file name on all common systems
+LONGEST_STEM, LONGEST_ENDING = 160, 20  # bytes of the stem, and of numbers and extensions
 
 
 def make_labels(files):
-    """What files are called: by their names, with as many of their folders in front as it takes to tell them and their
-    results apart (`a/x.vsm`). Raises HorizonError where one is given twice."""
-    # Links are not followed: users know files by the names that they gave.
+    """Labels files by name, preceded by as many folders as are necessary to distinguish the files and their results
+    (`a/x.vsm`). Raises HorizonError if a file is given twice."""
+    # Links are not followed, because users know files by the names they typed.
     places = [pathlib.PurePath(os.path.abspath(path)).parts[1:] for path in files]
     for number, place in enumerate(places):
         if places.index(place) < number:
@@ -30,7 +30,7 @@ def make_labels(files):
         users = collections.defaultdict(list)
         for number, stem in enumerate(make_stems(labels)):
             users[stem.casefold()].append(number)
-        # Folders do not tell files of one folder apart: numbers do.
+        # Files in the same folder are distinguished by numbers.
         twins = [numbers for numbers in users.values() if len({places[number][:-1] for number in numbers}) > 1]
         if not twins or labels == before:
             return labels
@@ -39,8 +39,8 @@ def make_labels(files):
 
 
 def make_stems(labels):
-    """What the names of results start with: `a_x` for `a/x.vsm` and for `a/x.vsm.gz`; `x_dat` and `x_map` for files that
-    differ in nothing else."""
+    """Returns the first part of the result names: `a_x` for `a/x.vsm` and `a/x.vsm.gz`; `x_dat` and `x_map` for files that
+    differ only in their extension."""
     short = [_without_extension(label) for label in labels]
     users = collections.Counter(str(stem).casefold() for stem in short)
     return ["_".join(stem.parts) + (label.name[len(stem.name):].replace(".", "_")
@@ -48,8 +48,7 @@ def make_stems(labels):
 
 
 def distinct(names):
-    """The same names. One that differs from another in case alone, which is the same file on some systems, or not at all,
-    gets a number behind it."""
+    """Returns unique names: a name that equals an earlier one, ignoring case, gets a number appended."""
     names = list(names)
     given = {name.casefold() for name in names}
     used, found = set(), []
@@ -64,23 +63,23 @@ def distinct(names):
 
 
 def shorten(text, most):
-    """The beginning of a text, of at most so many bytes in the name of a file."""
+    """Returns the beginning of a text, limited to `most` bytes in a file name."""
     return os.fsencode(text)[:most].decode(errors="ignore") if len(os.fsencode(text)) > most else text
 
 
 class Taken:
-    """Files that no result may replace: those that are read, and the results of others."""
+    """Files that results must not replace: input files and the results of other files."""
 
     def __init__(self, files):
         self._inputs = {}
         for path in files:
-            with contextlib.suppress(OSError):  # its reader tells
+            with contextlib.suppress(OSError):  # its reader reports it
                 state = os.stat(path)
                 self._inputs[state.st_dev, state.st_ino] = path
         self._names = {}
 
     def require(self, folder, names, label):
-        """Raises HorizonError where one of the names is not free in a folder. Then they are those of a file."""
+        """Raises HorizonError if one of the names is taken in a folder; otherwise reserves them for a file."""
         for name in names:
             writing.require_writable(folder / name)
             with contextlib.suppress(FileNotFoundError):
@@ -101,7 +100,7 @@ def _without_extension(label):
 
 
 class Names:
-    """The names of the files of results."""
+    """The names of the result files."""
 
     def __init__(self, stem, names, settings, with_pictures):
         self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats
@@ -119,7 +118,7 @@ class Names:
                        if form in writing.MESH_FORMATS] if has_surfaces else []
 
     def body(self, number, form):
-        """That of the body of a layer."""
+        """Returns the file name of the body of a layer."""
         return "%s_layer_%d.%s" % (self._stem, number + 1, form)
 
     def all(self):
@@ -127,8 +126,8 @@ class Names:
 
 
 def _mesh_stems(stem, names):
-    """What the files of each horizon are called: `x_horizon_7` for Horizon 7 of x.vsm, `x_Top` for Top. A horizon
-    that has the name of its file is called as that."""
+    """Returns the file stem of each horizon: `x_horizon_7` for Horizon 7 of x.vsm, `x_Top` for Top. A horizon with the same
+    name as its file gets the stem alone."""
     stems = []
     for name in names:
         short = reading.short_name(name)

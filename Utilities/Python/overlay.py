@@ -1,34 +1,36 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two sets of triangles laid over each other on the map: their common area, and how far they are apart vertically. The
-places where this is largest are corners of what two triangles have in common, so it is exact up to rounding.
+"""Intersects two sets of triangles in map view: their common area and their vertical distance. The distance is largest at a
+corner of the intersection of two triangles, so the result is exact up to rounding.
 
-Triangles are arrays of shape (n, 3, 3): triangle, corner, coordinate."""
+Triangles are arrays of shape (n, 3, 3): triangle, corner, coordinate.
+"""
 
 import numpy as np
 
 CHUNK = 1 << 16  # pairs of triangles at a time
-BEGIN, END = np.array([0, 1, 2]), np.array([1, 2, 0])  # of the edges of a triangle, by corners
-EXACT = 1e-12  # part of an edge that is none
+BEGIN, END = np.array([0, 1, 2]), np.array([1, 2, 0])  # corners of the edges of a triangle
+EXACT = 1e-12  # fraction of an edge below which a piece is empty
 
 
 def doubled_areas(triangles):
-    """Twice the areas on the map, positive where corners turn left."""
+    """Returns twice the areas in map view, positive for anticlockwise corners."""
     a, b, c = (triangles[:, corner, :2] for corner in range(3))
     return _cross(b - a, c - a)
 
 
 def turned_left(triangles):
-    """The same triangles with corners that turn left on the map."""
+    """Returns the triangles with anticlockwise corners in map view."""
     return np.where((doubled_areas(triangles) < 0.0)[:, None, None], triangles[:, ::-1], triangles)
 
 
 def pairs(first, second=None):
-    """Pairs of triangles whose boxes on the map touch, as arrays of two columns of numbers, some at a time; without a
-    second set pairs of the first, each once.
+    """Yields pairs of triangles whose bounding boxes touch in map view, in batches, as arrays with two columns of numbers.
+    Without a second set, pairs of the first set, each once.
 
-    Boxes are sorted into square cells that are at least as large as they are, so that small ones beside large ones cost
-    nothing: each is looked for in the cells of its own size and of all larger ones."""
+    Boxes are sorted into square cells at least as large as the boxes, so that a mixture of small and large boxes stays
+    efficient: each box is looked up in the cells of its own size and of all larger sizes.
+    """
     own = second is None
     sets = [_Cells(first), _Cells(first if own else second)]
     for level in sorted(set(sets[0].levels) | set(sets[1].levels)):
@@ -40,7 +42,7 @@ def pairs(first, second=None):
 
 
 class _Cells:
-    """The boxes of triangles, and the level of each: the cells of a level are two to the power of it wide."""
+    """Bounding boxes of triangles and their levels; the cells of level n are 2^n wide."""
 
     def __init__(self, triangles):
         self.low, self.high = triangles[:, :, :2].min(axis=1), triangles[:, :, :2].max(axis=1)
@@ -57,7 +59,7 @@ class _Cells:
         return np.flatnonzero(self.levels < level)
 
     def entries(self, numbers, level):
-        """The cells of boxes, at most four each: the number of the box and the column and row of the cell."""
+        """Returns the cells of boxes, at most four each: the number of the box and the column and row of the cell."""
         low, high = (np.floor(np.ldexp(side[numbers], -level)).astype(np.int64) for side in (self.low, self.high))
         found = [(number, low + step) for step in ((0, 0), (1, 0), (0, 1), (1, 1))
                  for number in [np.flatnonzero((low + step <= high).all(axis=1))]]
@@ -66,7 +68,7 @@ class _Cells:
 
 
 def _joined(coarse_set, fine_set, coarse, fine, level, own):
-    """Pairs of boxes that touch in a cell, (coarse, fine): in the first cell that they share, so that each comes once."""
+    """Yields pairs of boxes that touch, as (coarse, fine), only in their first common cell, so that each pair occurs once."""
     if not len(coarse) or not len(fine):
         return
     (numbers, cells), (others, other_cells) = coarse_set.entries(coarse, level), fine_set.entries(fine, level)
@@ -96,8 +98,8 @@ def _joined(coarse_set, fine_set, coarse, fine, level, own):
 
 
 def widths(a, b):
-    """How wide what pairs of triangles that turn left have in common is at least on the map, across an edge; negative
-    where they are apart."""
+    """Returns a lower bound of the width of the intersection of pairs of anticlockwise triangles, across an edge; negative
+    if they are separate."""
     least = np.full(len(a), np.inf)
     for one, other in ((a, b), (b, a)):
         for begin, end in zip(BEGIN, END):
@@ -108,8 +110,8 @@ def widths(a, b):
 
 
 class Common:
-    """What pairs of triangles that turn left have in common on the map: `areas`, and by pair the corners of it as `places`
-    (x and y) with both `heights`, nan for those that are none."""
+    """The intersection of pairs of anticlockwise triangles in map view: `areas`, and for each pair the corners as `places`
+    (x and y) with both `heights`, nan for unused corners."""
 
     def __init__(self, a, b):
         ends = [_clipped(a, b, True), _clipped(b, a, False)]
@@ -122,13 +124,13 @@ class Common:
         self.areas = 0.5 * sum(np.nansum(_cross(one[0] - base, one[1] - base), axis=1) for one in ends)
 
     def gaps(self):
-        """How far the two are apart at each corner, -1 where there is none."""
+        """Returns the vertical distance at each corner, -1 for unused corners."""
         return np.nan_to_num(np.abs(self.heights[:, :, 0] - self.heights[:, :, 1]), nan=-1.0)
 
 
 def _clipped(one, other, is_closed):
-    """The parts of edges of a triangle that are in another: begins and ends on the map, their heights, and those of the other
-    triangle there; nan where there is no part. Edges on an edge of the other one count only where `is_closed`."""
+    """Clips the edges of triangles by other triangles: ends in map view, their heights, and the heights of the other
+    triangle there; nan for edges outside. Edges on an edge of the other triangle are included only if `is_closed`."""
     begin, end = one[:, BEGIN], one[:, END]
     first, last = np.zeros(begin.shape[:2]), np.ones(begin.shape[:2])
     for corner, following in zip(BEGIN, END):
@@ -148,7 +150,7 @@ def _clipped(one, other, is_closed):
 
 
 def _plane_heights(triangles, places):
-    """Of the planes of triangles."""
+    """Heights of the planes of triangles at positions."""
     origin = triangles[:, :1]
     (u, v) = (triangles[:, corner] - triangles[:, 0] for corner in (1, 2))
     offset = places - origin[:, :, :2]

@@ -10,12 +10,12 @@ MOST_ROWS = 8
 
 
 def write(results, path):
-    """Writes the picture as PNG. Raises HorizonError when that fails."""
+    """Writes the picture as PNG. Raises HorizonError if that fails."""
     pictures.write(pictures.draw([panels(result) for result in results[:MOST_ROWS]]), path)
 
 
 def panels(result):
-    """Of all stages, or of the mesh alone where the data of the others were given back."""
+    """Returns the panels of all stages, or of the mesh alone if the other data were released."""
     if "points" not in result.data:
         mesh = result.data["mesh"]
         return [Panel(result.name, "%s, %s" % (_count(result.number_of_points, "point"), _count_triangles(mesh)), mesh,

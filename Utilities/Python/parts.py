@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A horizon larger than memory: read and meshed in windows of rows that share their edge rows, and joined."""
+"""Meshes a horizon larger than memory in windows of rows that share their edge rows, and joins the meshes."""
 
 from . import memory
 from .stage import HorizonError, make, update
@@ -11,8 +11,8 @@ ALL_ROWS = (0, -1)
 
 
 class Windows:
-    """The windows of a horizon, by its name, of a reader with LeastMemory. Raises HorizonError where it cannot be cut so
-    that each fits."""
+    """The windows of a horizon, given by name, of a reader with LeastMemory. Raises HorizonError if no windows fit in
+    memory."""
 
     def __init__(self, reader, name, budget):
         self.name = name
@@ -26,19 +26,19 @@ class Windows:
         self._sizes = [sum(row_sizes[first:last + 1]) for first, last in self.rows]
 
     def read(self, number, label=""):
-        """The points of a window."""
+        """Returns the points of a window."""
         self._reader.SetRowRange(*self.rows[number])
         update(self._reader, label)
         output = self._reader.GetOutputDataObject(0)
         return output.GetPartition(0, 0)
 
     def largest(self):
-        """The number of the window with the most points."""
+        """Returns the number of the window with the most points."""
         return self._sizes.index(max(self._sizes))
 
     def choose(self, properties, label=""):
-        """The properties of a surface with the radius, and the largest error, that are chosen for the window with the
-        most points, where they are not given."""
+        """Returns surface properties with the radius and the largest error, unless given, chosen for the window with the
+        most points."""
         stage = make(SURFACE)
         is_error_given = "MaximumError" in properties
         if not properties.get("AutomaticRadius", True) and is_error_given:
@@ -51,13 +51,14 @@ class Windows:
         return {**properties, "AutomaticRadius": False, "Radius": radius, **error}
 
     def close(self):
-        """Leaves the reader as it was, without data."""
+        """Restores the settings of the reader and releases its data."""
         self._reader.SetRowRange(*ALL_ROWS)
         self._reader.GetOutputDataObject(0).Initialize()
 
 
 def mesh_window(windows, number, properties, label="", warnings=None):
-    """The mesh of one window, for vtkHorizonSurfaceJoin. Radius and error have to be among the properties. Raises HorizonError."""
+    """Returns the mesh of one window for vtkHorizonSurfaceJoin. The properties must include the radius and the error.
+    Raises HorizonError."""
     last = len(windows.rows) - 1
     step = "%s: window %d of %d" % (label, number + 1, last + 1)
     first_row, last_row = windows.rows[number]
@@ -69,7 +70,7 @@ def mesh_window(windows, number, properties, label="", warnings=None):
 
 
 def mesh(windows, properties, label="", warnings=None):
-    """The mesh of a horizon by its windows. The properties are those of vtkHorizonSurface. Raises HorizonError."""
+    """Returns the mesh of a horizon from its windows, with properties of vtkHorizonSurface. Raises HorizonError."""
     given = windows.choose(dict(properties), "%s: reading" % label)
     smallest_patch = given.pop("MinimumPatchSize", 1)
     join = make(JOIN, MinimumPatchSize=smallest_patch)

@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of horizons, stage by stage: rows of panels, each showing one horizon in one style.
+"""Pictures of horizons, stage by stage: rows of panels that each show one horizon in one style.
 
-All panels of a row share camera, vertical exaggeration and colours, so that they can be compared. Drawing needs an
-X server, but no window comes up.
+All panels of a row share camera, vertical exaggeration and colours, so that they can be compared. Drawing needs an X
+server, but opens no visible window.
 """
 
 from collections import namedtuple
 import math
 
 import numpy as np
-# Importing these two registers the implementations of rendering and of text.
+# Importing these two modules registers the implementations of rendering and text.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -18,16 +18,16 @@ from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
-from .styles import (  # noqa: F401: a panel is made with one of them
+from .styles import (  # noqa: F401: styles of panels
     BODIES, CELLS, DISTANCE, FAULTS, LEVELS, MESH, OUTLINE, POINTS, THICKNESS, coordinates, make_actors, rgb, values)
 from .writing import write_file
 
-# What a panel shows: a title, a line below it, the horizon, and one of the styles. `behind` is a horizon whose points
-# are shown in pale grey, or None.
+# A panel shows a title, a line below it, and a horizon in one of the styles. `behind` is a horizon whose points are drawn
+# in pale grey, or None.
 Panel = namedtuple("Panel", "title caption horizon style behind", defaults=[None])
 
 PANEL_SIZE = (480, 400)
-HEIGHT_SHARE = 0.22  # height of a horizon on show, in parts of its width
+HEIGHT_SHARE = 0.22  # displayed height of a horizon as a fraction of its width
 VIEW_AZIMUTH = math.radians(-62.0)
 VIEW_ELEVATION = math.radians(38.0)
 TEXT_COLOR = (0.13, 0.16, 0.20)
@@ -49,8 +49,8 @@ def draw(rows, text=True, panel_size=PANEL_SIZE):
 
 
 def draw_each(row, panel_size, studio):
-    """Draws panels of a row without text, and returns a picture of each, as vtkImageData, and what they have in common: by
-    how much heights are exaggerated, and the values of the first and last colours of distances or of thickness."""
+    """Draws the panels of a row without text. Returns a picture of each as vtkImageData, and what they share: the vertical
+    exaggeration, and the values of the first and last colours of distances or thickness."""
     frame = _Frame(row, panel_size)
     renderers = [_renderer(frame, panel, text=False) for panel in row]
     for column, renderer in enumerate(renderers):
@@ -73,7 +73,7 @@ def render(renderers, size):
 
 
 class Studio:
-    """A window that nobody sees, for one picture after the other: to open one takes longer than to draw most of them."""
+    """An off-screen window that is reused for many pictures, because opening it takes longer than drawing most of them."""
 
     def __init__(self):
         self._window = vtkRenderWindow()
@@ -90,7 +90,7 @@ class Studio:
         self._window.SetSize(*size)
         for renderer in renderers:
             self._window.AddRenderer(renderer)
-        grabber = vtkWindowToImageFilter()  # it lets the window draw
+        grabber = vtkWindowToImageFilter()  # makes the window draw
         grabber.SetInput(self._window)
         grabber.ReadFrontBufferOff()
         grabber.Update()
@@ -110,7 +110,7 @@ def write(image, path):
 
 
 def as_jpeg(image, quality=85):
-    """A picture as the bytes of a JPEG file."""
+    """Returns a picture as the bytes of a JPEG file."""
     writer = vtkJPEGWriter()
     writer.WriteToMemoryOn()
     writer.SetQuality(quality)
@@ -120,7 +120,7 @@ def as_jpeg(image, quality=85):
 
 
 class _Frame:
-    """What the panels of a row have in common."""
+    """The settings that the panels of a row share."""
 
     def __init__(self, row, panel_size):
         points = [coordinates(panel.horizon) for panel in row]
@@ -130,7 +130,7 @@ class _Frame:
         self.high = np.max([p.max(axis=0) for p in points], axis=0)
         self.panel_size = panel_size
         self.count = len(self.points)
-        # A few extreme points should not eat up the colours.
+        # A few extreme points should not use up the colour scale.
         low, high = np.percentile(self.points[:, 2], (1.0, 99.0))
         self.color_range = (low, max(high, low + 1e-9))
         self.scale_ends = (0.0, max([1e-9] + [np.percentile(values(panel.horizon, "Distance"), 99.0) for panel in row
@@ -141,7 +141,7 @@ class _Frame:
             self.scale_ends = (thickness.min(), max(thickness.max(), thickness.min() + 1e-9))
         extent = self.high - self.low
         width = max(extent[0], extent[1], 1e-9)
-        # Rounded, as the caption names it.
+        # The value is rounded because the caption shows it.
         exaggeration = HEIGHT_SHARE * width / extent[2] if extent[2] > 0 else 1.0
         self.exaggeration = float("%.2g" % exaggeration)
 
@@ -152,11 +152,11 @@ class _Frame:
         return (1.0, 1.0, self.exaggeration)
 
     def point_size(self):
-        """So large that the points of a full horizon just close up."""
+        """Returns the size at which the points of a full horizon just touch."""
         return max(1.5, min(6.0, 0.9 * math.sqrt(0.45 * self.pixels() / self.count)))
 
     def place_camera(self, camera):
-        """Looks at the horizon from above and aside, on a plan from above, and fills the panel with it."""
+        """Places the camera obliquely above the horizon, or vertically above a plan, so that it fills the panel."""
         azimuth, elevation = (-math.pi / 2.0, math.pi / 2.0) if self.is_plan else (VIEW_AZIMUTH, VIEW_ELEVATION)
         toward = np.array([
             math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation)])
@@ -173,9 +173,10 @@ class _Frame:
         camera.SetFocalPoint(*center)
         camera.SetPosition(*(center + 2.0 * depth * toward))
         camera.SetViewUp(*up)
-        # A little lower than the middle, for the text above it.
+        # The horizon is slightly below the centre to leave room for the text above.
         camera.SetWindowCenter(0.0, 0.0 if self.is_plan else 0.08)
-        camera.SetParallelScale(max((0.53 if self.is_plan else 0.65) * (high - low)[1], 0.53 * (high - low)[0] * height / width, 1e-9))
+        camera.SetParallelScale(max((0.53 if self.is_plan else 0.65) * (high - low)[1],
+                                    0.53 * (high - low)[0] * height / width, 1e-9))
         camera.SetClippingRange(0.5 * depth, 4.0 * depth)
 
 
@@ -197,7 +198,7 @@ def _renderer(frame, panel, text):
 
 
 def _light(renderer):
-    """One light low from the side brings out the relief, a weak one from the eye the shadows."""
+    """Adds a low light from the side, which brings out the relief, and a weak one from the viewer for the shadows."""
     renderer.AutomaticLightCreationOff()
     side = vtkLight()
     side.SetLightTypeToCameraLight()
@@ -211,7 +212,7 @@ def _light(renderer):
 
 
 def text_actor(text, size, place, bold=False):
-    """Text whose lower left corner is at a place in pixels."""
+    """Returns a text with its lower left corner at a position in pixels."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.SetPosition(*place)

@@ -6,7 +6,7 @@
     result = run("survey.vsm", *horizons[0], Settings(rough={"CellSize": 4}, error={}))
     result.data["mesh"], result.seconds["mesh"], result.figures
 
-Or straight from points to a mesh, with the parameters that were chosen:
+Or directly from points to a mesh, with the parameters that were chosen:
 
     mesh, chosen = surface(horizons[0][1], largest_error=1.0)
 """
@@ -22,34 +22,37 @@ from .parts import SURFACE
 from .reading import read, read_first  # noqa: F401: the first step of a pipeline
 from .stage import HorizonError, apply, make, update
 
-# In their order. Each name is that of the data the stage makes.
+# Stages in order, named after the data that they make.
 STAGES = {
     "boundary": "vtkHorizonExteriorBoundary",
     "simplified": "vtkHorizonBoundarySimplification",
     "rough": "vtkHorizonRoughSimplification",
     "elaborate": "vtkHorizonElaborateSimplification",
     "mesh": "vtkHorizonTriangulation"}
-# Before all of them, on request.
+# Optional stages that come before all others.
 PREPARATIONS = {
     "despiked": "vtkHorizonDespiking",
     "torn": "vtkHorizonFaults",
     "filled": "vtkHorizonHoleFilling"}
-# Properties of the surface, which takes the place of all of them, that are chosen, unless they are given: each has a
-# switch, "Automatic" and its name.
+# Properties of vtkHorizonSurface that are chosen unless given. Each has a switch named "Automatic" followed by its name.
 CHOSEN = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold")
 
 
 @dataclass
 class Settings:
-    """Properties of the reader, of every stage and of the measure of the error; those that are not named have their
-    defaults. None leaves a stage out. `despiked`, `torn` and `filled` are those of despiking, faults and hole filling,
-    which come first; `fault_lines` are those that faults are given by. With `surface` (see surface_properties) one stage takes the place of all others.
-    `layers` are those of volumes between all horizons of a file.
-    `horizons` are the IDs or names of those to read, None for all. A horizon that cannot be
-    processed raises an error, or with `leave_out_invalid` has an empty mesh and a warning. `formats` are those that
-    meshes are written in (writing.FORMATS). `other_files` are read besides inputs. `memory` are the bytes that may be used, None for most of what the machine has
-    left; horizons are read as many at a time as fit. Heights may have units (heights.Height). With `error_if_whole` the error of a horizon that is larger than memory,
-    which cannot be measured, is not asked for."""
+    """Properties of the reader, of each stage and of the error measurement; omitted properties have their defaults. None
+    skips a stage.
+
+    `despiked`, `torn` and `filled` belong to despiking, faults and hole filling, which come first; `fault_lines` are
+    lines that define faults. `surface` (see surface_properties) is a single stage that replaces all others. `layers`
+    belongs to volumes between all horizons of a file. Heights may have units (heights.Height).
+
+    `horizons` lists the IDs or names of the horizons to read, None for all. A horizon that cannot be processed raises an
+    error or, with `leave_out_invalid`, has an empty mesh and a warning. `formats` lists the formats of meshes
+    (writing.FORMATS), and `other_files` the input files other than those of horizons. `memory` is the limit in bytes,
+    None for most of the free memory; as many horizons as fit are read at a time. With `error_if_whole`, the error of a
+    horizon larger than memory, which cannot be measured, is not requested.
+    """
 
     reader: dict = field(default_factory=dict)
     despiked: Optional[dict] = None
@@ -72,7 +75,7 @@ class Settings:
     memory: Optional[int] = None
 
     def make_stages(self):
-        """The stages from points to mesh in their order, as (name, algorithm)."""
+        """Returns the stages from points to mesh in order, as (name, algorithm)."""
         stages = [(name, STAGES[name], getattr(self, name)) for name in STAGES]
         if self.surface is not None:
             stages = [("mesh", SURFACE, self.surface)]
@@ -80,33 +83,33 @@ class Settings:
         return [(name, self.make(class_name, given)) for name, class_name, given in stages if given is not None]
 
     def can_cut(self):
-        """Whether a horizon that is larger than memory can be meshed in windows."""
+        """Whether a horizon larger than memory can be meshed in windows."""
         by_error = self.surface is not None and self.surface.get("Target") != "NumberOfTriangles"
         can_go_without = (self.error is None or self.error_if_whole) and not writing.POINT_FORMATS.keys() & set(self.formats)
         return by_error and can_go_without and all(
             getattr(self, name) is None for name in (*PREPARATIONS, "layers"))
 
     def said_unit(self):
-        """That of the heights, empty where they have none."""
+        """Returns the unit of the given heights; empty if they have none."""
         return next((value.unit for properties in (self.despiked, self.torn, self.surface, self.layers) if properties
                      for value in properties.values() if getattr(value, "unit", "")), "")
 
     def plain_error(self):
-        """The largest error in vertical indices; None where it is in another unit, automatic, or not what was asked for."""
+        """Returns the largest error in vertical indices; None if it has another unit, is automatic or was not given."""
         error = self.surface and self.surface.get("MaximumError")
         return None if error is None or getattr(error, "unit", "") else error
 
     def is_automatic(self):
-        """Whether the largest error is chosen by the noise of each horizon."""
+        """Whether the largest error is chosen from the noise of each horizon."""
         return self.surface is not None and not {"MaximumError", "Target"} & self.surface.keys()
 
     def in_unit_of(self, horizon):
-        """The same with heights in the unit of z of a horizon. Raises HorizonError."""
+        """Returns the settings with heights converted to the unit of z of a horizon. Raises HorizonError."""
         return replace(self, **{name: heights.in_unit_of(getattr(self, name), horizon)
                                 for name in ("despiked", "torn", "surface", "layers") if getattr(self, name) is not None})
 
     def make(self, class_name, properties):
-        """A stage, or the measure."""
+        """Makes a stage or the error measurement."""
         stage = make(class_name, **properties)
         if self.leave_out_invalid:
             stage.SetInvalidHorizonsToLeaveOut()
@@ -114,8 +117,8 @@ class Settings:
 
 
 def surface_properties(largest_error=None, triangles=None, **properties):
-    """Properties of vtkHorizonSurface: the largest error or the number of triangles as the target, and others by their
-    names. Those that are chosen otherwise are switched over."""
+    """Returns properties of vtkHorizonSurface: the largest error or the number of triangles as the target, and other
+    properties by name. Properties that are given are not chosen automatically."""
     target = {} if triangles is None else {"Target": "NumberOfTriangles", "MaximumNumberOfTriangles": triangles}
     if largest_error is not None:
         target["MaximumError"] = largest_error
@@ -123,9 +126,9 @@ def surface_properties(largest_error=None, triangles=None, **properties):
 
 
 def surface(points, largest_error=None, triangles=None, **properties):
-    """The mesh of a horizon, straight from its points, and a dictionary of the parameters that were chosen. Either the
-    largest error is given (in lattice units; automatic when there is no number of triangles) or the most triangles there
-    may be. Raises HorizonError."""
+    """Makes the mesh of a horizon directly from its points. Returns the mesh and a dictionary of the chosen parameters. The
+    target is either the largest error in lattice units, automatic if neither is given, or the largest number of triangles.
+    Raises HorizonError."""
     if largest_error is not None and triangles is not None:
         raise ValueError("largest_error and triangles, expected one of them")
     mesh = apply(make(SURFACE), points, **surface_properties(largest_error, triangles, **properties))
@@ -133,7 +136,7 @@ def surface(points, largest_error=None, triangles=None, **properties):
 
 
 def chosen_parameters(mesh):
-    """What a mesh of vtkHorizonSurface says that was chosen, by the names of the properties."""
+    """Returns the automatically chosen parameters of a mesh of vtkHorizonSurface, by property name."""
     data = mesh.GetFieldData()
     arrays = [data.GetArray(n) for n in range(data.GetNumberOfArrays()) if data.GetArray(n) is not None]
     return {array.GetName()[len("Chosen"):]: array.GetValue(0) for array in arrays
@@ -141,35 +144,35 @@ def chosen_parameters(mesh):
 
 
 class Result:
-    """All stages of one horizon, which has a name: the data by stage ("points" are what was read, "measured" is the horizon
-    with its distances from the mesh), the seconds each took, and the figures of the error as a table, or None; distances
-    are in `unit`; warnings as texts. The source is what errors and progress name: the file."""
+    """All stages of one horizon: the data by stage ("points" as read, "measured" with distances from the mesh), the seconds
+    that each took, the figures of the error as a table, or None, with distances in `unit`, and warnings as texts. `source`
+    is the file label in errors and progress."""
 
     def __init__(self, source, name, points):
         self.source = source
         self.name = name
         self.data = {"points": points}
         self.number_of_points = 0 if points is None else points.GetNumberOfPoints()
-        self.loops = None  # outlines over all points, and the points in them
-        self.simplified = None  # the same once points were dropped
+        self.loops = None  # number of outlines before simplification, and of their points
+        self.simplified = None  # the same after simplification
         self.seconds = {}
         self.figures = None
         self.unit = "Lattice"
-        self.height_unit = ""  # that errors are told in; vertical indices where it is empty
-        self.per_index = 1.0  # so much of it
+        self.height_unit = ""  # unit of reported errors; vertical indices if empty
+        self.per_index = 1.0  # size of a vertical index in this unit
         self.warnings = []
 
-    def tell_in(self, unit):
-        """Errors are told in a unit or, where it is empty, in that of z."""
+    def report_in(self, unit):
+        """Reports errors in a unit or, if it is empty, in the unit of z."""
         self.height_unit = unit or heights.unit_of(self.data["mesh"]) or "z"
         self.per_index = heights.per_index(self.data["mesh"], self.height_unit)
 
     def release(self):
-        """Gives all data back but the mesh, and what is the same for all horizons."""
+        """Releases all data except the mesh and data shared by all horizons."""
         self.data = {name: self.data[name] for name in ("mesh", "fault surfaces") if name in self.data}
 
     def warn_of_ledger(self):
-        """Of what the mesh covers without points, and of points that it does not cover."""
+        """Warns of mesh areas without points and of points that the mesh does not cover."""
         mesh = self.data["mesh"]
         found = ledger.warning(ledger.read(mesh))
         if found and mesh.GetNumberOfPolys():
@@ -179,13 +182,13 @@ class Result:
         try:
             self.seconds[stage] = update(algorithm, "%s: %s: %s" % (self.source, self.name, stage), self.warnings,
                                          (self.number_of_points, "points"))
-        except HorizonError as error:  # names the horizon, but not the file
+        except HorizonError as error:  # the message names the horizon but not the file
             raise HorizonError("%s: %s" % (self.source, error)) from None
 
 
 def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=None):
-    """Settings.torn and Settings.fault_lines for a throw from which on faults are detected, and a file of traces and
-    polygons or of sticks. Raises HorizonError."""
+    """Returns Settings.torn and Settings.fault_lines for a smallest throw to detect, and a file of traces and polygons or
+    of sticks. Raises HorizonError."""
     if throw is None and traces is None and sticks is None:
         return None, None
     torn = {"Detect": False} if throw is None else {"SmallestThrow": throw, "ThrowUnit": unit}
@@ -197,8 +200,8 @@ def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=Non
 
 
 def _require_same_direction(result, points, settings):
-    """Raises HorizonError where z of the horizon counts upwards by its format, and nobody said so of fault sticks, whose z
-    counts downwards."""
+    """Raises HorizonError if z of the horizon increases upwards by its format and no direction was given for fault sticks,
+    whose z increases downwards."""
     direction = points.GetFieldData().GetArray("VerticalDirection")
     if (settings.torn.get("LineType") == "Sticks" and "VerticalDirection" not in settings.reader
             and direction is not None and direction.GetValue(0) > 0
@@ -208,8 +211,8 @@ def _require_same_direction(result, points, settings):
 
 
 def run(source, name, points, settings, surface=None):
-    """Runs all stages on the points of a horizon. Where it was made from the triangles of a surface, the errors are from those.
-    Raises HorizonError."""
+    """Runs all stages on the points of a horizon. If it was sampled from the triangles of a surface, errors are measured
+    from those triangles. Raises HorizonError."""
     result = Result(source, name, points)
     try:
         settings = settings.in_unit_of(points)
@@ -239,7 +242,7 @@ def run(source, name, points, settings, surface=None):
 
 
 def run_windows(source, windows, settings):
-    """Makes the mesh of a horizon that is larger than memory (parts.Windows). Raises HorizonError."""
+    """Makes the mesh of a horizon larger than memory (parts.Windows). Raises HorizonError."""
     result = Result(source, windows.name, None)
     result.number_of_points = windows.number_of_points
     start = time.monotonic()
@@ -257,7 +260,7 @@ def run_windows(source, windows, settings):
 
 
 def count_loops(horizon):
-    """Number of outlines, and of points in them (a closed line repeats its first one; a single point does not)."""
+    """Returns the number of outlines and of their points. The repeated first point of a closed outline is not counted."""
     lines = horizon.GetLines()
     points = 0
     for number in range(lines.GetNumberOfCells()):
@@ -267,7 +270,7 @@ def count_loops(horizon):
 
 
 def _measure(result, settings, reference):
-    """The reference is a surface, or the horizon within its outlines, as they were before they were simplified."""
+    """Measures the error against a surface, or against the horizon within its outlines before they were simplified."""
     meter = settings.make("vtkHorizonSurfaceDistance", settings.error)
     meter.SetInputDataObject(0, reference)
     meter.SetInputDataObject(1, result.data["mesh"])

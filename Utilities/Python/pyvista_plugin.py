@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What PyVista finds of this package by itself: `data.horizon.surface(...)` on its meshes, `pyvista.read("top.ts")`, and
-`mesh.save("top.ts")`. Where it was not installed by pip, import this module first."""
+"""Extensions that PyVista finds automatically: `data.horizon.surface(...)` on its meshes, `pyvista.read("top.ts")` and
+`mesh.save("top.ts")`. If the package was not installed by pip, import this module first."""
 
 import functools
 
@@ -12,7 +12,7 @@ from . import functions, stages
 
 @pyvista.register_dataset_accessor("horizon", pyvista.PolyData)
 class HorizonAccessor:
-    """The functions of the package that take a horizon or a mesh, as methods of it."""
+    """The functions of the package that take a horizon or a mesh, as methods."""
 
     def __init__(self, data):
         self._data = data
@@ -23,7 +23,7 @@ def _add_method(function):
     def method(self, *others, **keywords):
         return function(self._data, *others, **keywords)
 
-    del method.__wrapped__  # whose signature has one more
+    del method.__wrapped__  # its signature has one parameter more
     setattr(HorizonAccessor, function.__name__, method)
 
 
@@ -32,10 +32,10 @@ for _function in (functions.details, functions.distance, functions.surface, func
 
 
 def read_file(path, **keywords):
-    """The horizons of a file as blocks, whose names are theirs."""
+    """Reads the horizons of a file as named blocks."""
     return pyvista.MultiBlock(functions.read(path, **keywords))
 
 
 def write_file(data, path, **keywords):
-    """Writes a mesh, or the points of a horizon."""
+    """Writes a mesh or the points of a horizon."""
     functions.write(data, path, **keywords)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of horizons, and seismic cubes: which reader takes a file, and the horizons it gives.
+"""Files of horizons, and seismic cubes: selects the reader of a file and returns its horizons.
 
     horizons, seconds = read("survey.vsm")
     name, points = horizons[0]
@@ -14,7 +14,7 @@ from .progress import file_work
 from .stage import HorizonError, configure, make, update, watched
 
 SPARSE = "sparse voxels"
-# With what they read, in the order they are asked.
+# Readers and their formats, in the order in which they are tried.
 READERS = {
     "vtkVerneySparseMatrixReader": SPARSE,
     "vtkHorizonGridReader": "grid",
@@ -22,29 +22,29 @@ READERS = {
     geotiff.SOURCE: "GeoTIFF",
     tsurf.READER: "triangles of GOCAD",
     "vtkHorizonTextReader": "text"}
-# Says what is wrong with a file that none of them knows.
+# This reader reports the error of a file in an unknown format.
 LAST_READER = "vtkHorizonTextReader"
 
 
 def counts_indices(form, properties):
-    """Whether the z of a format, read with some properties, are vertical indices, of which nothing tells how long one is."""
+    """Whether z of a format, read with some properties, is in vertical indices of unknown size."""
     return form == SPARSE and not {"VerticalStep", "ZFrom"} & set(properties)
 
 
 def find_reader(path):
-    """The name of the class that reads a file, by what is in it. None when there is none."""
-    if not os.path.isfile(path):  # opening a pipe may wait for ever
+    """Returns the name of the class that reads a file, by its content; None if there is none."""
+    if not os.path.isfile(path):  # opening a pipe may block forever
         return None
     beginning = _beginning(path)
     if beginning.startswith(geotiff.BEGINNINGS):
         return geotiff.SOURCE
     if beginning.upper().startswith(b"GOCAD PLINE"):
-        return None  # which begins as surfaces do
+        return None  # it begins like a surface
     return next((name for name in READERS if name != geotiff.SOURCE and make(name).CanReadFile(os.fsencode(path))), None)
 
 
 def require_text(path):
-    """Raises HorizonError where the name of a file is no text, as one in Latin-1: VTK takes names in UTF-8."""
+    """Raises HorizonError if a file name is not UTF-8, which VTK requires."""
     try:
         str(path).encode()
     except UnicodeEncodeError:
@@ -52,16 +52,16 @@ def require_text(path):
 
 
 def open_file(path, horizons=None, left_out=None, **properties):
-    """What gives the horizons of a file: its reader, or the extraction from a cube. Surfaces are looked at here: only those of
-    the `horizons` that are wanted, and with a list `left_out` the messages on those that are no horizon go there. Raises
-    HorizonError when it has no such property."""
+    """Returns the source of the horizons of a file: its reader, or the extraction from a cube. Surfaces are checked here,
+    only the wanted `horizons`; with a list `left_out`, the messages about surfaces that are not horizons are appended to
+    it. Raises HorizonError for a property that the source does not have."""
     require_text(path)
     name = find_reader(path) or (cubes.READER if cubes.is_named_so(path) else LAST_READER)
     if name == cubes.READER:
         return cubes.open_cube(path, **properties)
     if name == tsurf.READER:
         given = [properties.pop(key, None) for key in ("Origin", "ColumnStep", "RowStep")]
-        properties.pop("VerticalDirection", None)  # the file says it
+        properties.pop("VerticalDirection", None)  # the file defines it
         surfaces = make(name, FileName=str(path))
         if horizons is not None:
             select(surfaces, horizons, path)
@@ -78,7 +78,7 @@ def open_file(path, horizons=None, left_out=None, **properties):
 
 
 def _beginning(path):
-    """The first bytes of a file; none where it cannot be read, which its reader tells."""
+    """Returns the first bytes of a file; none if it cannot be read, which its reader reports."""
     try:
         with open(path, "rb") as file:
             return file.read(16)
@@ -87,7 +87,7 @@ def _beginning(path):
 
 
 def _with_lattice(reader, properties):
-    """Where a reader finds the lattice of its file, what is given of it replaces what it finds."""
+    """Makes a given lattice replace the one that a reader would find."""
     given = [name for name in ("Origin", "ColumnStep", "RowStep") if name in properties]
     if not given or not hasattr(reader, "SetLatticeSource"):
         return properties
@@ -101,18 +101,18 @@ def _with_lattice(reader, properties):
 
 
 def read(path, horizons=None, **properties):
-    """The horizons of a file as a list of (name, polydata), and the seconds it took to read them.
+    """Returns the horizons of a file as a list of (name, polydata), and the time to read them in seconds.
 
-    `horizons` are those wanted, by name, or by the ID of sparse-matrix files; None for all. Raises HorizonError when
-    there is nothing to read.
+    `horizons` lists the names to read, or the IDs in sparse-matrix files; None for all. Raises HorizonError if there is
+    nothing to read.
     """
     path = pathlib.Path(path)
     return read_source(open_file(path, horizons, **properties), path, horizons)
 
 
 def describe(source):
-    """What there is to say of a file that was opened: the kind of its format, what the reader has found as lines, and how
-    many horizons it has."""
+    """Returns the description of a file that was opened: its format, the findings of the reader as lines, and the number of
+    horizons."""
     reader = source.GetInputAlgorithm() if cubes.is_extraction(source) else source
     form = getattr(reader, "kind", "") or READERS[reader.GetClassName()]
     lines = reader.GetDescription().splitlines() if hasattr(reader, "GetDescription") else []
@@ -121,13 +121,13 @@ def describe(source):
 
 
 def read_source(source, path, horizons=None):
-    """The same of what open_file gave."""
+    """Returns the same as read, for a source from open_file."""
     seconds = 0.0
     if cubes.is_extraction(source):
         seconds += cubes.read(source, path)
         for port, files in ((1, [source.picks] if source.picks else []), (2, source.limits)):
             seconds += sum(_connect(source, port, pathlib.Path(file)) for file in files)
-    elif horizons is not None and not hasattr(source, "surfaces"):  # of which open_file has chosen
+    elif horizons is not None and not hasattr(source, "surfaces"):  # open_file has already selected surfaces
         select(source, horizons, path)
     seconds += update(source, "%s: reading" % path.name, work=None if cubes.is_extraction(source) else file_work(path))
     if cubes.is_extraction(source) and horizons is not None:
@@ -136,17 +136,17 @@ def read_source(source, path, horizons=None):
              if source.GetHorizonStatus(name)]
     if not found:
         raise HorizonError("%s: no points, expected those of a horizon at least" % path)
-    if getattr(source, "kind", "") == READERS[geotiff.SOURCE]:  # whose horizon has no name but that of its file
+    if getattr(source, "kind", "") == READERS[geotiff.SOURCE]:  # its horizon is named after the file
         found = [(path.stem, points) for _, points in found]
     return found, seconds
 
 
 def _connect(extraction, port, path):
-    """Gives an extraction the horizons of a file. Returns the seconds it took."""
+    """Connects the horizons of a file to an extraction. Returns the time in seconds."""
     reader = open_file(path)
     if cubes.is_extraction(reader):
         raise HorizonError("%s: a seismic cube, expected picks of horizons" % path)
-    if hasattr(reader, "SetLatticeSource"):  # a few picks have no lattice of their own
+    if hasattr(reader, "SetLatticeSource"):  # a few picks do not define a lattice
         configure(reader, **_with_lattice(reader, cubes.lattice_properties(extraction)))
     seconds = update(reader, "%s: reading" % path.name, work=file_work(path))
     extraction.AddInputConnection(port, reader.GetOutputPort())
@@ -154,7 +154,7 @@ def _connect(extraction, port, path):
 
 
 def list_horizons(output):
-    """The horizons of a collection that have points, as a list of (name, polydata)."""
+    """Returns the horizons of a collection that have points, as a list of (name, polydata)."""
     found = []
     for block in range(output.GetNumberOfPartitionedDataSets()):
         horizon = output.GetPartition(block, 0)
@@ -164,36 +164,36 @@ def list_horizons(output):
 
 
 def read_first(path, **properties):
-    """The first horizon of a file."""
+    """Returns the first horizon of a file."""
     return read(path, **properties)[0][0][1]
 
 
 def name_of(horizon):
-    """The name of a horizon that is given by its ID, or by its name."""
+    """Returns the name of a horizon given by its ID or name."""
     return "Horizon %s" % horizon if str(horizon).isdecimal() else str(horizon)
 
 
 def short_name(name):
-    """The ID of a horizon that has no other name, or its name."""
+    """Returns the ID of a horizon without another name, otherwise its name."""
     first, _, rest = name.partition(" ")
     return rest if first == "Horizon" and rest.isdecimal() else name
 
 
 def selected(reader):
-    """The names of the horizons that are switched on."""
+    """Returns the names of the selected horizons."""
     names = [reader.GetHorizonName(number) for number in range(reader.GetNumberOfHorizons())]
     return [name for name in names if reader.GetHorizonStatus(name)]
 
 
 def select(reader, horizons, path):
-    """Leaves only some horizons switched on. Raises HorizonError when the file does not have them."""
+    """Selects only the given horizons. Raises HorizonError if the file does not have them."""
     with watched(reader):
         reader.UpdateInformation()
     _switch(reader, horizons, path)
 
 
 def _switch(reader, horizons, path):
-    """The same once the list of horizons is filled."""
+    """Does the same after the list of horizons has been filled."""
     known = [reader.GetHorizonName(i) for i in range(reader.GetNumberOfHorizons())]
     reader.DisableAllHorizons()
     for name in map(name_of, horizons):

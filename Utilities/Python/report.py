@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A report of a run as one page for a browser, with everything in it: it needs no network and no other file.
+"""A report of a run as a single self-contained HTML page, which needs no network and no other file.
 
     run = record.Record(print, True, report.make_album(with_pictures=True))
     batch.run([path], folder, settings, True, run)
@@ -19,7 +19,7 @@ from .stage import HorizonError
 from .styles import FAULT_COLOR, FAULT_COLOR_BY_DISTANCE, LOW_TO_HIGH, NEAR_TO_FAR, rgb
 from .writing import require_writable, write_file
 
-# Where Debian's package libjs-three puts three.js, and where SEISMICHORIZONS_THREE says that it is.
+# Paths of three.js in Debian's package libjs-three; SEISMICHORIZONS_THREE overrides them.
 THREE_FILES = ("/usr/share/javascript/three/three.min.js", "/usr/share/nodejs/three/build/three.min.js")
 THREE_VARIABLE = "SEISMICHORIZONS_THREE"
 NO_THREE = ("Interactive meshes are not available in this page: three.js (Debian's package libjs-three) was not found "
@@ -27,24 +27,24 @@ NO_THREE = ("Interactive meshes are not available in this page: three.js (Debian
 
 
 def make_album(with_pictures):
-    """For what a report shows; pictures need an X server."""
+    """Makes the album of a report; pictures need an X server."""
     return Album(with_pictures)
 
 
 def check(path):
-    """Raises HorizonError where no report can be written."""
+    """Raises HorizonError if no report can be written."""
     require_writable(path)
     if not os.access(path.parent, os.W_OK):
         raise HorizonError("%s cannot be written: %s is not a writable folder" % (path, path.parent))
 
 
 def write(run, path, album):
-    """Writes the page of a run (Record.as_values) and its album. It appears when it is complete. Raises HorizonError."""
+    """Writes the page of a run (Record.as_values) and its album; the file appears when it is complete. Raises HorizonError."""
     write_file(make(run, album, find_three()).encode("utf-8"), path)
 
 
 def find_three():
-    """The code of three.js, or None where there is none."""
+    """Returns the code of three.js, or None if it is not installed."""
     places = [os.environ[THREE_VARIABLE]] if THREE_VARIABLE in os.environ else THREE_FILES
     for place in places:
         try:
@@ -55,7 +55,7 @@ def find_three():
 
 
 def make(run, album, three):
-    """The text of the page. `three` is the code of three.js, or None."""
+    """Returns the text of the page. `three` is the code of three.js, or None."""
     codes = [read("page.js")]
     viewer = _viewer(run, album, three)
     if "viewer-data" in viewer:
@@ -70,14 +70,15 @@ def make(run, album, three):
         style=Markup(read("page.css") + _ramps()), when=_when(run, len(pairs)), tiles=sections.tiles(run),
         links=sections.links(bool(pairs), bool(viewer), any(file["layers"] for file in run["files"])),
         problems=sections.problems(run), files=sections.files(run),
-        horizons=sections.horizon_table(run, album), layers=sections.layers(run, album), viewer=viewer, details=sections.details(run, album),
+        horizons=sections.horizon_table(run, album), layers=sections.layers(run, album), viewer=viewer,
+        details=sections.details(run, album),
         parameters=sections.parameters(run), folder=run["command"]["folder"],
         command=shlex.join(run["command"]["words"]),
         versions=", ".join("%s %s" % (name, text) for name, text in run["versions"].items() if text),
         notes=Markup("@notes@"), scripts=join(fill("script", code=Markup("\n" + code + "\n")) for code in codes))
     note = fill("note", text="This page is a single file of %.1f MB and loads nothing from a network. Made by "
                 "SeismicHorizons %s." % (len(page.encode("utf-8")) / 1e6, run["versions"]["SeismicHorizons"]))
-    # There is no other place like it: what is not ours is escaped, or base64.
+    # The replaced text occurs only once, because all other content is escaped or base64.
     return page.replace("<footer>\n@notes@", "<footer>\n" + note, 1)
 
 
@@ -87,7 +88,7 @@ def _when(run, horizons):
 
 
 def _ramps():
-    """The colours of heights, of distances and of closed faults as backgrounds."""
+    """Returns the colours of heights, distances and closed faults as CSS backgrounds."""
     low = ["#%s" % color for color in LOW_TO_HIGH]
     near = ["#%s %g%%" % (color, 100.0 * place) for place, color in NEAR_TO_FAR]
     return (":root { --low-to-high: linear-gradient(90deg, %s); --near-to-far: linear-gradient(90deg, %s); "
@@ -96,7 +97,7 @@ def _ramps():
 
 
 def _viewer(run, album, three):
-    """The section of the meshes that can be turned around."""
+    """Returns the section of the interactive meshes."""
     pairs = sections.horizons_of(run)
     having = [number for number, entry in enumerate(album.entries) if entry.mesh]
     if not pairs:
@@ -110,7 +111,8 @@ def _viewer(run, album, three):
         "%s omitted, as a report holds at most %d MB of meshes." % (
             "1 mesh is" if left_out == 1 else "%d meshes are" % left_out, MESH_BYTES >> 20) if left_out else "")
     by_error = any(album.entries[number].mesh.error_on for number in having)
-    return fill("viewer", note=note, choices=join((_choices(run, having), _body_choices(run, album))), manifest=as_json(_manifest(run, album, having)),
+    return fill("viewer", note=note, choices=join((_choices(run, having), _body_choices(run, album))),
+                manifest=as_json(_manifest(run, album, having)),
                 by_error=fill("by_error") if by_error else None,
                 fault_color=fill("fault_color") if any(album.entries[n].mesh.fault_triangles for n in having) else None,
                 meshes=join((fill("mesh", number=number, content=_base64(mesh.content)) for number, mesh in (
@@ -118,7 +120,7 @@ def _viewer(run, album, three):
 
 
 def _bodies(album):
-    """The bodies of layers that can be turned, by their places in the page."""
+    """Returns the interactive bodies of layers by their IDs in the page."""
     return {"layer-%d-%d" % (place, number): mesh for place, entry in enumerate(album.layers)
             for number, mesh in enumerate(entry.bodies.values())}
 
@@ -135,7 +137,7 @@ def _base64(content):
 
 
 def _numbers_by_file(run, having):
-    """For each file the numbers of its horizons that can be turned."""
+    """Returns for each file the numbers of its horizons with an interactive mesh."""
     number, groups = 0, []
     for file in run["files"]:
         last = number + len(file["horizons"])
@@ -155,7 +157,7 @@ def _choices(run, having):
 
 
 def _manifest(run, album, having):
-    """What the program in the page has to know of the meshes."""
+    """Returns the description of the meshes for the script of the page."""
     pairs = sections.horizons_of(run)
     units = {h["distances"]["unit"] for _, h in pairs if h["distances"]}
     unit_of = {number: (pairs[number][0]["survey"] or {}).get("vertical_unit") for number in having}

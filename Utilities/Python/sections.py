@@ -8,9 +8,9 @@ from .charts import histogram
 from .markup import Markup, data_uri, fill, join
 from .progress import amount_text
 
-# Where a mesh has any.
+# This column appears only if a mesh has fault triangles.
 FAULT_COLUMN = ("Fault triangles", "that close faults, and that nothing else counts", lambda h: h["fault_triangles"], "{:,}")
-# The columns of the table: head, what it means, the value of a horizon (None where there is none), its form.
+# The columns of the table: title, explanation, value of a horizon (None if it has none), format.
 COLUMNS = (
     ("Points in", "points that were read", lambda h: h["points_in"], "{:,}"),
     ("Points out", "points of the mesh", lambda h: h["points_out"], "{:,}"),
@@ -36,8 +36,8 @@ LAYER_COLUMNS = (
     ("Largest thickness", "vertical", lambda own: own["thickness_largest"], "{:.4g}"),
     ("Crossings", "columns where its horizons cross", lambda own: own["crossings"], "{:,}"),
     ("Deepest crossing", "of these", lambda own: own["deepest_crossing"], "{:.4g}"),
-    ("Volume at faults", "of the strip between both sides of faults, which layers leave out", lambda own: own["volume_at_faults"],
-     "{:.4g}"),
+    ("Volume at faults", "of the strip between both sides of faults, which layers leave out",
+     lambda own: own["volume_at_faults"], "{:.4g}"),
     ("Volume without", "left out where horizons have no points", lambda own: own["volume_without"], "{:.4g}"),
     ("Volume computed", "by columns, with heights that were not read", lambda own: sum(
         own["volume_" + name] for name in ("filled", "bridged", "extrapolated")), "{:.4g}"))
@@ -48,7 +48,7 @@ STAGE_NAMES = {"despiked": "despiking", "torn": "faults", "filled": "hole fillin
 PREPARED = {"despiked": "removed spikes", "torn": "faulted links", "filled": "filled points"}
 MOST_OPEN_FILES = 3
 METER = "vtkHorizonSurfaceDistance"
-FROM_HERE_FILTERED = 15  # rows from which on names can be looked for
+FROM_HERE_FILTERED = 15  # smallest number of rows with a search field
 
 
 def _vertical(horizon, name):
@@ -56,9 +56,9 @@ def _vertical(horizon, name):
 
 
 def _in_unit(horizon, height):
-    """A height in vertical indices as it is told."""
-    told = horizon["told_in"]
-    return height if height is None else heights.Height.of(height * told["per_index"], told["unit"] or "")
+    """Converts a height in vertical indices to the unit of reported errors."""
+    reported = horizon["told_in"]
+    return height if height is None else heights.Height.of(height * reported["per_index"], reported["unit"] or "")
 
 
 def _with_unit(text, height):
@@ -78,7 +78,7 @@ def count(number, noun):
 
 
 def horizons_of(run):
-    """All horizons, as (file, horizon), in their order."""
+    """Returns all horizons in order, as (file, horizon)."""
     return [(file, horizon) for file in run["files"] for horizon in file["horizons"]]
 
 
@@ -100,7 +100,7 @@ def tiles(run):
 
 
 def links(has_horizons, has_meshes, has_layers):
-    """To the sections that there are."""
+    """Returns links to the sections of the report."""
     shown = [("files", "Input", True), ("horizons", "Horizons", has_horizons), ("layers", "Layers", has_layers),
              ("meshes", "Meshes", has_meshes),
              ("details", "Horizon by horizon", has_horizons), ("parameters", "Parameters", True),
@@ -109,7 +109,7 @@ def links(has_horizons, has_meshes, has_layers):
 
 
 def problems(run):
-    """Errors and warnings; nothing where there are none."""
+    """Returns errors and warnings; empty if there are none."""
     found = [("error", "Failed.", run["error"])] if run["error"] else []
     for file in run["files"]:
         if file["error"]:
@@ -121,12 +121,12 @@ def problems(run):
 
 
 def facts(pairs):
-    """Names and values, without those that have none."""
+    """Returns names and values; pairs without a value are omitted."""
     return join(fill("fact", name=name, value=value) for name, value in pairs if value not in (None, ""))
 
 
 def files(run):
-    """A card for each file, open where there are few."""
+    """Returns a card for each file, expanded if there are few."""
     is_open = fill("open") if len(run["files"]) <= MOST_OPEN_FILES else None
     return join(_file_card(file, is_open) for file in run["files"])
 
@@ -154,7 +154,7 @@ def _horizons_read(file):
 
 
 def _survey(survey):
-    """What there is to say of the lattice and its coordinates."""
+    """Returns the facts about the lattice and its coordinates."""
     lattice, lines = survey.get("lattice"), survey.get("line_numbers")
     pairs = [("Lattice", lattice and "{:,} \u00d7 {:,} columns, {:,} vertical indices".format(*lattice["columns"])),
              ("Origin", lattice and "(%.10g, %.10g, %.10g)" % tuple(lattice["origin"])),
@@ -170,7 +170,7 @@ def _survey(survey):
 
 
 def _world_units(survey):
-    """Of distances in space, in which z counts as it stands in the file."""
+    """Returns the units of distances in space, where z has the unit of the file."""
     along, up = survey.get("horizontal_unit"), survey.get("vertical_unit")
     if along == up:
         return along or "world units"
@@ -178,7 +178,7 @@ def _world_units(survey):
 
 
 def _units(survey):
-    """The unknown ones are told of as well: results depend on them."""
+    """Returns the units; unknown ones are also shown, because results depend on them."""
     if not survey:
         return None
     vertical = " ".join(filter(None, (survey["vertical_domain"], survey["vertical_unit"]
@@ -210,7 +210,7 @@ def horizon_table(run, album):
 
 
 def layers(run, album):
-    """The volumes between the horizons of each file that has some."""
+    """Returns the volumes between the horizons of each file with layers."""
     having = [file for file in run["files"] if file["layers"]]
     if not having:
         return Markup()
@@ -232,7 +232,7 @@ def _layer_table(file, heads, pictures):
 
 
 def _about_distances(run):
-    """Their unit, and of which horizons there are none."""
+    """Returns the unit of distances, and the horizons without distances."""
     known = [horizon["error"] is not None for _, horizon in horizons_of(run)]
     note = "Distances are in lattice units, 1 being a step from column to column, or a vertical index."
     if all(known):
@@ -272,7 +272,8 @@ def _details(number, horizon, survey, entry, label):
     words = [label, count(horizon["points_in"], "point"), count(horizon["triangles"], "triangle"),
              _with_unit("vertical error at most %.3g" % largest, largest) if largest is not None else
              None if distance is None else "error at most %.3g" % distance]
-    return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)), charts=_charts(horizon, unit),
+    return fill("horizon", number=number, name=horizon["name"], short=", ".join(filter(None, words)),
+                charts=_charts(horizon, unit),
                 turn=fill("turn", number=number) if entry.mesh else None,
                 pictures=_pictures(horizon["name"], entry, unit), facts=_horizon_facts(horizon, survey),
                 errors=_error_table(horizon["error"], units))
@@ -286,7 +287,7 @@ def _pictures(name, entry, unit):
 
 
 def _picture(picture, alt, last, unit):
-    """A picture, with its scale where it has one, whose last value is shown as `last`."""
+    """Returns a picture, with its colour scale if it has one; `last` is the label of the last value."""
     width, height = albums.PICTURE_SIZE
     ends = picture.scale_ends
     scale = None if ends is None else fill("scale", first="%.3g" % ends[0], last=last % ends[1])
@@ -328,7 +329,7 @@ def _horizon_facts(horizon, survey):
 
 
 def _ledger_text(own):
-    """The entries that are not empty, one below the other."""
+    """Returns the ledger entries that are not empty, one per line."""
     return own and join((fill("value", name=ledger.HEADS[entry], value=ledger.amount(own, entry))
                          for entry, number in own["columns"].items() if number), "\n")
 
@@ -336,8 +337,8 @@ def _ledger_text(own):
 def _vertical_text(horizon, survey):
     largest, mean, outlines = (_vertical(horizon, name) for name in ("largest", "mean", "outlines"))
     unit = survey.get("vertical_unit")
-    told = largest.unit or "vertical indices" + (" (%.3g %s)" % (largest * horizon["vertical_step"], unit) if unit else "")
-    text = "at most %.3g %s, %.3g on average; at outlines at most %.3g" % (largest, told, mean, outlines)
+    reported = largest.unit or "vertical indices" + (" (%.3g %s)" % (largest * horizon["vertical_step"], unit) if unit else "")
+    text = "at most %.3g %s, %.3g on average; at outlines at most %.3g" % (largest, reported, mean, outlines)
     outside = horizon["points_outside"]
     return text + (", with %s outside" % count(outside, "point") if outside else "")
 
@@ -348,7 +349,7 @@ def _error_table(error, units):
 
     def text(unit, key):
         value = error[unit][key]
-        # What is only rounding is nothing.
+        # Differences due to rounding are shown as zero.
         return "\u2013" if value is None else "%.4g" % (0.0 if value < 1e-9 * error[unit]["largest"] else value)
 
     return fill("errors", world=units["world"], rows=join(

@@ -114,7 +114,7 @@ def watched(algorithm, label="", warnings=None, work=None):
     def on_progress(_caller, _event):
         if interrupt.is_asked():
             algorithm.AbortExecuteOn()
-        progress.tell(algorithm.GetProgress())
+        progress.show(algorithm.GetProgress())
 
     observers = [(algorithm, algorithm.AddObserver("ProgressEvent", on_progress))]
     # Only algorithms say what is wrong; their executives repeat that something is.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a panel shows of a horizon, in one of several styles: points, outlines, meshes, faults, in their colours."""
+"""The styles in which a panel shows a horizon: points, outlines, meshes and faults, with their colours."""
 
 import math
 
@@ -16,13 +16,13 @@ from . import triangles
 POINTS = "points"
 OUTLINE = "outline"
 MESH = "mesh"
-LEVELS = "levels"  # points, coloured by how often their cells were halved
-CELLS = "cells"  # cells of a simplification as seen from above, in the same colours
+LEVELS = "levels"  # points coloured by the level of their cells
+CELLS = "cells"  # cells of a simplification in map view, in the same colours
 
-DISTANCE = "distance"  # the mesh in the colours of its point data array Distance
-FAULTS = "faults"  # lines in the colours of the size of their point data array Throw
-BODIES = "bodies"  # closed surfaces in the colours of their cell data array Layer
-THICKNESS = "thickness"  # triangles of a plan, seen from above, in the colours of their point data array Thickness
+DISTANCE = "distance"  # the mesh coloured by its point data array Distance
+FAULTS = "faults"  # lines coloured by the magnitude of their point data array Throw
+BODIES = "bodies"  # closed surfaces coloured by their cell data array Layer
+THICKNESS = "thickness"  # triangles of a plan in map view, coloured by their point data array Thickness
 
 LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
 LEVEL_COLORS = ("1d4e89", "2a9d8f", "e9a23b", "c1121f", "6a0d83", "333333")
@@ -31,17 +31,16 @@ LAYER_COLORS = ("edc97a", "cc8052", "8cb06b", "5c94ad", "73618f", "9e9ea3")
 EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
-# Of what closes faults, beside colours of heights, and beside those of distances.
+# Colours of triangles that close faults, next to colours of heights and of distances.
 FAULT_COLOR, FAULT_COLOR_BY_DISTANCE = "cc6b4d", "8fa3b5"
-# How far lines are brought before the surface they lie on, in steps of the depth buffer. A hundred are a few pixels of
-# a slope of 45 degrees. (VTK can also take the slope into account, but knows it only roughly where it draws lines:
-# edges have gaps then, and not the same ones in all versions.)
+# Offset of lines towards the viewer, in steps of the depth buffer; a hundred correspond to a few pixels on a slope of 45
+# degrees. VTK's slope-dependent offset leaves gaps in the edges, which also differ between versions.
 EDGE_OFFSET = -100.0
-OUTLINE_OFFSET = -800.0  # before the edges as well
+OUTLINE_OFFSET = -800.0  # in front of the edges as well
 
 
 def rgb(color):
-    """Red, green and blue from 0 to 1, of a colour in six hexadecimal digits."""
+    """Returns red, green and blue from 0 to 1 for a colour of six hexadecimal digits."""
     return tuple(int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
 
 
@@ -89,7 +88,7 @@ def _actor(data):
 
 
 def _part(horizon, verts=None, lines=None, polys=None):
-    """The points of a horizon with some of its cells, and no arrays."""
+    """Returns the points of a horizon with some of its cells and without arrays."""
     part = vtkPolyData()
     part.SetPoints(horizon.GetPoints())
     part.SetVerts(verts)
@@ -99,7 +98,7 @@ def _part(horizon, verts=None, lines=None, polys=None):
 
 
 def _color_by(actor, values, stops):
-    """Colours from an array of the points, between stops of (value, colour)."""
+    """Colours an actor by a point array, interpolated between stops of (value, colour)."""
     colors = vtkColorTransferFunction()
     for value, color in stops:
         colors.AddRGBPoint(value, *rgb(color))
@@ -111,7 +110,7 @@ def _color_by(actor, values, stops):
 
 
 def _color_by_height(frame, actor):
-    """Colours from the height itself: every stage has it, whatever arrays it carries."""
+    """Colours an actor by height, which every stage has."""
     heights = np.ascontiguousarray(coordinates(actor.GetMapper().GetInput())[:, 2])
     low, high = frame.color_range
     _color_by(actor, numpy_to_vtk(heights, deep=True), [
@@ -120,7 +119,8 @@ def _color_by_height(frame, actor):
 
 def _color_by_array(frame, horizon, name, actor):
     low, high = frame.scale_ends
-    _color_by(actor, horizon.GetPointData().GetArray(name), [(low + part * (high - low), color) for part, color in NEAR_TO_FAR])
+    _color_by(actor, horizon.GetPointData().GetArray(name),
+              [(low + part * (high - low), color) for part, color in NEAR_TO_FAR])
     actor.GetMapper().InterpolateScalarsBeforeMappingOn()
 
 
@@ -143,7 +143,7 @@ def _colored_points(frame, horizon):
 
 
 def _color_by_level(actor, attributes, origins):
-    """Colours from the first component of CellOrigin."""
+    """Colours an actor by the first component of CellOrigin."""
     levels = vtk_to_numpy(origins)[:, 0]
     table = np.rint([[255.0 * part for part in rgb(color)] for color in LEVEL_COLORS]).astype(np.uint8)
     attributes.SetScalars(numpy_to_vtk(table[np.minimum(levels, len(LEVEL_COLORS) - 1)], deep=True))
@@ -159,7 +159,7 @@ def _leveled_points(frame, horizon):
 
 
 def _cells(frame, cells):
-    """All at the same height, so that boxes are squares."""
+    """Draws all cells at the same height, so that boxes appear as squares."""
     flat = vtkPolyData()
     flat.DeepCopy(cells)
     coordinates(flat)[:, 2] = frame.low[2]
@@ -170,7 +170,7 @@ def _cells(frame, cells):
 
 
 def _outline(horizon, dots=False):
-    """The outlines as lines, in front of everything they lie on; with dots on their points when asked for."""
+    """Draws the outlines as lines in front of the surface; with `dots`, also their points."""
     lines = _part(horizon, lines=horizon.GetLines())
     kinds = horizon.GetPointData().GetArray("Boundary")
     colors = vtkUnsignedCharArray()
@@ -185,7 +185,7 @@ def _outline(horizon, dots=False):
     line_actor.GetProperty().SetLineWidth(1.5)
     actors = [line_actor]
     if dots:
-        # As vertices of their own: a line also has points that are drawn nowhere else.
+        # Dots are separate vertices, because a horizon also has points that are on no line.
         dot_actor = _actor(_part(horizon, verts=_vertices(cells)))
         dot_actor.GetProperty().SetPointSize(max(2.0, min(4.0, 1000.0 / max(1, cells.GetNumberOfConnectivityIds()))))
         dot_actor.GetProperty().SetColor(*(0.75 * c for c in EXTERIOR_COLOR))
@@ -231,14 +231,14 @@ def _thickness(frame, plan):
 
 
 def _bring_forward(mapper, offset):
-    """Before what lies at the same place, but still behind what is clearly nearer."""
+    """Draws an actor in front of surfaces at the same depth, but behind surfaces that are clearly nearer."""
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, offset)
     mapper.SetRelativeCoincidentTopologyPointOffsetParameter(offset)
 
 
 def _vertices(cells):
-    """One vertex for each point of the cells."""
+    """Returns one vertex for each point of the cells."""
     vertices = vtkCellArray()
     ids = cells.GetConnectivityArray()
     for number in range(ids.GetNumberOfTuples()):
@@ -252,7 +252,7 @@ def _first_point(cells, cell):
 
 
 def _fault_walls(horizon, color):
-    """Triangles that close faults, in a colour of their own and without the normals of what is beside them."""
+    """Draws the triangles that close faults in a separate colour and without the normals of the adjacent surface."""
     walls = _actor(_part(horizon, polys=triangles.cells_of(triangles.at_faults(horizon))))
     walls.GetProperty().SetColor(*rgb(color))
     walls.GetProperty().SetInterpolationToFlat()
@@ -261,7 +261,7 @@ def _fault_walls(horizon, color):
 
 
 def _mesh(frame, horizon, by_distance=False):
-    """The shaded surface, what closes its faults, and its edges as strongly as their number allows."""
+    """Draws the shaded surface, the triangles that close faults, and the edges, which are fainter the more there are."""
     everything = _part(horizon, polys=horizon.GetPolys())
     is_closed = triangles.count_at_faults(horizon) > 0
     normals = vtkPolyDataNormals()
@@ -282,7 +282,7 @@ def _mesh(frame, horizon, by_distance=False):
     faces = [shaded]
     if is_closed:
         faces.append(_fault_walls(horizon, FAULT_COLOR_BY_DISTANCE if by_distance else FAULT_COLOR))
-    if everything.GetNumberOfPolys() > frame.pixels():  # edges would cover everything
+    if everything.GetNumberOfPolys() > frame.pixels():  # the edges would hide the surface
         return [*faces, *_outline(horizon)]
     edges = _actor(everything)
     edges.GetProperty().SetRepresentationToWireframe()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The horizons of a file, no more of them at a time than memory allows.
+"""The horizons of a file, as many at a time as memory allows.
 
     for name, points in Supply("survey.vsm", None, memory.Budget(2 << 30)):
         ...
@@ -16,11 +16,14 @@ from .stage import HorizonError, update, watched
 
 
 class Supply:
-    """Iterated over once, as (name, points). With `cuts_large`, what comes for a horizon that does not fit alone is Windows
-    in place of points. `names` are those of all, `seconds` what reading has taken so far, `is_whole` says whether all are
-    there at once, `sizes` are the numbers of points, `origin` is what reading.describe says of the file, `surfaces`
-    are the triangles that horizons were made from, by name. `horizons`, `left_out` and properties
-    are those of reading.open_file. Raises HorizonError."""
+    """Yields (name, points) once for each horizon. With `cuts_large`, a horizon that does not fit alone is yielded as
+    Windows in place of points. `horizons`, `left_out` and properties are passed to reading.open_file. Raises
+    HorizonError.
+
+    `names` and `sizes` are the names and numbers of points of all horizons, `seconds` the time spent on reading so far,
+    `is_whole` whether all horizons are in memory at once, `origin` the result of reading.describe, and `surfaces` the
+    triangles from which horizons were sampled, by name.
+    """
 
     def __init__(self, path, horizons, budget, cuts_large=False, left_out=None, **properties):
         self._path = pathlib.Path(path)
@@ -55,7 +58,7 @@ class Supply:
                 yield found.pop(0)
 
     def _require(self, group):
-        """Raises HorizonError where one of the horizons cannot be worked on while the others are there."""
+        """Raises HorizonError if a horizon cannot be processed while the others are in memory."""
         for number in group:
             self._budget.require(self.sizes[number], "%s: %s" % (self._path.name, self.names[number]))
         largest = max(self.sizes[number] for number in group)
@@ -99,5 +102,5 @@ class Supply:
         self.seconds += update(self._reader, "%s: reading" % self._path.name, work=file_work(self._path))
         output = self._reader.GetOutputDataObject(0)
         found = reading.list_horizons(output)
-        output.Initialize()  # points go as soon as nobody uses them any more
+        output.Initialize()  # points are released as soon as they are no longer used
         return found

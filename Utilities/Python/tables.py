@@ -1,26 +1,26 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of results, for reading: a row for each horizon."""
+"""Result tables for people, with a row for each horizon."""
 
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
 
 from . import ledger, triangles
 from .reading import short_name
 
-WIDTH = 98  # of a table; what is wider goes on below
+WIDTH = 98  # characters; wider tables continue below
 LONGEST_NAME = 32
-# Of what comes before the stages: what was found, told by an array of the mesh.
+# Results of the optional stages, counted by an array of the mesh.
 PREPARATION_COLUMNS = {"despiked": "spikes", "torn": "faulted links"}
-# Of meshes within an error, by the names of the field data: the vertical error that was asked for first.
+# Vertical errors of meshes by the names of field data; the bounded error comes first.
 VERTICAL_COLUMNS = {"LargestError": "error", "LargestLoopError": "at outlines"}
-# Of the measure: distances in space, both ways.
+# Measured distances in space, in both directions.
 ERROR_COLUMNS = {"LargestDistance": "Hausdorff", "MeanDistance": "mean distance", "OutlineDistance": "outlines off"}
-TWO_SIDED = 2  # the row of the figures in lattice units for both directions
+TWO_SIDED = 2  # row with the figures for both directions in lattice units
 
 
 def row(result, has_fault_triangles=False, entries=()):
-    """The cells of one horizon as texts, by their heads; triangles that close faults and entries of the ledger only on
-    request, the error where it was asked for or measured."""
+    """Returns the cells of one horizon as texts by column title. Triangles that close faults and ledger entries are
+    included only on request, the error if it was requested or measured."""
     mesh = result.data["mesh"]
     before, after = result.number_of_points, mesh.GetNumberOfPoints()
     cells = {"horizon": _short(short_name(result.name)), "points": "%d" % before}
@@ -50,13 +50,13 @@ def row(result, has_fault_triangles=False, entries=()):
 
 
 def _short(name):
-    """The beginning and the end of a name that is too long for a table."""
+    """Returns the beginning and the end of a name that is too long for a table."""
     half = LONGEST_NAME // 2 - 2
     return name if len(name) <= LONGEST_NAME else "%s...%s" % (name[:half], name[-half:])
 
 
 def prepared_number(figures, name):
-    """How many spikes, faulted links or filled points there are, which the mesh still tells."""
+    """Returns the number of spikes, faulted edges or filled points, from arrays of the mesh."""
     if name == "torn":
         links = figures.GetArray("FaultedLinks")
         return 0 if links is None else links.GetNumberOfTuples()
@@ -71,7 +71,8 @@ def _number(array, factor=1):
 
 
 def table(results):
-    """Heads, a rule and a row for each result, as lines of text; columns for which there is no room in a table below."""
+    """Returns the titles, a rule and a row for each result as lines of text; columns that do not fit follow in another
+    table below."""
     closed = any(triangles.count_at_faults(result.data["mesh"]) for result in results)
     rows = [row(result, closed, _entries(results)) for result in results]
     heads = list(max(rows, key=len))
@@ -86,7 +87,7 @@ def table(results):
 
 
 def _entries(results):
-    """The entries of the ledger that are of interest: none where all columns are known."""
+    """Returns the ledger entries to show: none if all columns are known."""
     ledgers = filter(None, (ledger.read(result.data["mesh"]) for result in results))
     found = {entry for own in ledgers for entry, number in own["columns"].items() if number}
     if any("filled" in result.seconds for result in results):
@@ -95,7 +96,7 @@ def _entries(results):
 
 
 def align(rows):
-    """Lines with the cells of rows one below the other, to the right, and a rule below the first row."""
+    """Returns lines of right-aligned columns, with a rule below the first row."""
     widths = [max(map(len, column)) for column in zip(*rows)]
     lines = ["  ".join(text.rjust(width) for text, width in zip(cells, widths)) for cells in rows]
     return [lines[0], "  ".join("-" * width for width in widths), *lines[1:]]

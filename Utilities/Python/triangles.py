@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The triangles of a mesh: those of its surface, and those that close its faults, which are no part of the surface and
-which no figure counts."""
+"""The triangles of a mesh: triangles of its surface, and triangles that close its faults, which do not belong to the
+surface and are excluded from all figures."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -9,13 +9,13 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 
 def of_surface(mesh):
-    """The corners of the triangles of the surface, as (n, 3) numbers of points."""
+    """Returns the corners of the surface triangles as (n, 3) point numbers."""
     marks = _marks(mesh)
     return _corners(mesh) if marks is None else _corners(mesh)[~marks]
 
 
 def at_faults(mesh):
-    """The same of the triangles that close faults."""
+    """Returns the corners of the triangles that close faults."""
     marks = _marks(mesh)
     return np.zeros((0, 3), dtype=np.int64) if marks is None else _corners(mesh)[marks]
 
@@ -30,14 +30,14 @@ def count_at_faults(mesh):
 
 
 def values_on_surface(mesh, name):
-    """What an array of the cells has for each triangle of the surface, or None where there is no such array."""
+    """Returns the values of a cell array on the surface triangles, or None if there is no such array."""
     values = _values(mesh, name)
     marks = _marks(mesh)
     return values if values is None or marks is None else values[~marks]
 
 
 def cells_of(corners):
-    """Triangles by the numbers of their corners."""
+    """Returns triangles given by the point numbers of their corners."""
     cells = vtkCellArray()
     cells.SetData(numpy_to_vtkIdTypeArray(3 * np.arange(len(corners) + 1, dtype=np.int64), deep=True),
                   numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
@@ -49,7 +49,7 @@ def _corners(mesh):
 
 
 def _values(mesh, name):
-    """Of all triangles, which come last among the cells."""
+    """Returns the values of all triangles, which come last among the cells."""
     array = mesh.GetCellData().GetArray(name)
     if array is None:
         return None
@@ -58,6 +58,6 @@ def _values(mesh, name):
 
 
 def _marks(mesh):
-    """For each triangle whether it closes a fault, or None where none does."""
+    """Returns whether each triangle closes a fault, or None if none does."""
     values = _values(mesh, "Fault")
     return None if values is None or not values.any() else values != 0

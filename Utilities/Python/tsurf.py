@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Horizons from triangle surfaces of GOCAD, which are meshed anew: their heights at the columns of a lattice, one that is
-given, or one along x and y with about 16 columns for each vertex. A surface with two heights at one place is refused, and the
-error of a mesh is measured from the triangles of the file."""
+"""Horizons resampled from GOCAD triangle surfaces: their heights at the columns of a lattice, either given or along x and y
+with about 16 columns for each vertex. A surface with two heights at one position is rejected, and the error of a mesh is
+measured from the original triangles."""
 
 import math
 
@@ -17,17 +17,17 @@ from .stage import HorizonError, make, update
 
 READER = "vtkGOCADTSurfReader"
 SOURCE = "vtkHorizonFromPoints"
-COLUMNS_OF_VERTEX = 16.0  # triangles are larger than columns, and keep their shape
-# What heights and overlaps may be by rounding in the file, in the extent of the surface along z, and along x and y.
+COLUMNS_OF_VERTEX = 16.0  # more columns than vertices, so that triangles keep their shape
+# Largest effects of rounding in the file: on heights as a fraction of the extent along z, on overlaps along x and y.
 SAME_HEIGHT = 1e-4
 SLIVER = 1e-6
-NOTABLE_PART = 0.001  # of the area, from which on a difference is a warning
+NOTABLE_PART = 0.001  # smallest difference in area that is reported, as a fraction
 
 
 def open_file(reader, path, left_out=None, origin=None, column_step=None, row_step=None):
-    """The source of the horizons of a reader of a file. Its `surfaces` are the triangles of the file by name. Raises
-    HorizonError where no surface has triangles, and where one has two heights at one place or covers no column; with a list
-    `left_out` the message goes there, and the others are done."""
+    """Returns the source of the horizons of a file, given its reader; its `surfaces` are the original triangles by name.
+    Raises HorizonError if no surface has triangles, or if a surface has two heights at one position or covers no column;
+    with a list `left_out`, that message is appended to it and the other surfaces are processed."""
     update(reader, "%s: reading" % path.name)
     output = reader.GetOutputDataObject(0)
     meshes = [(output.GetMetaData(n).Get(output.NAME()), output.GetPartition(n, 0))
@@ -68,8 +68,9 @@ def open_file(reader, path, left_out=None, origin=None, column_step=None, row_st
 
 
 def account(result, surface):
-    """Measures how far a mesh is from the triangles of the file, vertically and both ways, which becomes its largest error; and
-    warns where that is more than at the columns of the lattice, where the areas differ, and where triangles became more."""
+    """Measures the vertical distance between a mesh and the original triangles in both directions, which becomes its
+    largest error. Warns if it exceeds the error at the columns of the lattice, if the areas differ, or if the number of
+    triangles has increased."""
     mesh = result.data["mesh"]
     own, other = _corners(surface), _corners(mesh)
     if not len(other):
@@ -105,23 +106,23 @@ def account(result, surface):
 
 
 def _corners(mesh):
-    """The places of the corners of triangles."""
+    """Returns the positions of the corners of triangles."""
     return vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)[triangles.of_surface(mesh)]
 
 
 def _wide(corners, areas, least):
-    """Triangles that are wider than that on the map."""
+    """Returns the triangles wider than `least` in map view."""
     return corners[np.abs(areas) > least * _longest(corners)]
 
 
 def _longest(corners):
-    """The longest edges on the map."""
+    """Returns the length of the longest edge of each triangle in map view."""
     edges = corners[:, overlay.END, :2] - corners[:, overlay.BEGIN, :2]
     return np.hypot(edges[:, :, 0], edges[:, :, 1]).max(axis=1)
 
 
 def _require_height_field(mesh, sign, what):
-    """Raises HorizonError where a mesh has two heights at one place."""
+    """Raises HorizonError if a mesh has two heights at one position."""
     corners = _corners(mesh)
     found = _first_wall(corners) or _first_overlap(corners)
     if found:
@@ -131,18 +132,18 @@ def _require_height_field(mesh, sign, what):
 
 
 def _tolerances(corners):
-    """How wide an overlap is at least, and how far heights are apart."""
+    """Returns the smallest width of an overlap, and the smallest distance between two heights."""
     extents = np.ptp(corners.reshape(-1, 3), axis=0)
     return SLIVER * math.hypot(*extents[:2]), SAME_HEIGHT * extents[2]
 
 
 def _first_wall(corners):
-    """x, y and both z of the first triangle that has no width on the map, but a height; None without any."""
+    """Returns x, y and both z of the first triangle that has a height but no width in map view; None if there is none."""
     width, height = _tolerances(corners)
     thin = corners[np.abs(overlay.doubled_areas(corners)) <= width * _longest(corners)]
     if not len(thin):
         return None
-    # The corner between the two others, by their places along the longest edge, and the edge there.
+    # Compares the height of the corner opposite the longest edge with the edge at the same position.
     edges = thin[:, overlay.END, :2] - thin[:, overlay.BEGIN, :2]
     longest = np.hypot(edges[:, :, 0], edges[:, :, 1]).argmax(axis=1)
     rows = np.arange(len(thin))
@@ -159,7 +160,8 @@ def _first_wall(corners):
 
 
 def _first_overlap(corners):
-    """x, y and both z of the first two triangles that share places on the map at two heights; None without any."""
+    """Returns x, y and both z of the first two triangles that overlap in map view at different heights; None if there are
+    none."""
     width, height = _tolerances(corners)
     areas = overlay.doubled_areas(corners)
     wide = overlay.turned_left(_wide(corners, areas, width))
@@ -174,7 +176,7 @@ def _first_overlap(corners):
 
 
 def _step(meshes):
-    """A step of 1, 2 or 5 times a power of ten that makes about so many columns for each vertex."""
+    """Returns a step of 1, 2 or 5 times a power of ten that gives about COLUMNS_OF_VERTEX columns for each vertex."""
     area = 0.5 * sum(np.abs(overlay.doubled_areas(_corners(mesh))).sum() for _, mesh in meshes)
     step = math.sqrt(area / COLUMNS_OF_VERTEX / sum(mesh.GetNumberOfPoints() for _, mesh in meshes)) or 1.0
     unit = 10.0 ** math.floor(math.log10(step))
@@ -182,7 +184,7 @@ def _step(meshes):
 
 
 def _sample(mesh, steps, origin, sign, path):
-    """World places of the columns that triangles cover, by the writer of grids."""
+    """Returns world positions of the columns that triangles cover, from the grid writer."""
     corners = np.array([(x, y) for x in mesh.GetBounds()[:2] for y in mesh.GetBounds()[2:4]])
     origin = np.zeros(2) if origin is None else np.array(origin[:2])
     columns = np.linalg.solve(steps, (corners - origin).T)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Volumes between horizons as a function."""
+"""Volumes between horizons."""
 
 from __future__ import annotations
 
@@ -19,10 +19,23 @@ FILTER = "vtkHorizonLayers"
 
 
 class Layers(types.SimpleNamespace):
-    """What `layers` made. `cells` has the wedges of all layers with the arrays Layer, Thickness and Volume, `bodies` their
-    closed surfaces, where there are cells, and `horizons` the horizons on the same plan, by names; `figures` has `volume`,
-    `area`, `thickness_mean` and the like of each layer, `table` the same for programs, and `curve` arrays of `contact` and of
-    the volume of each layer above it."""
+    """Result of `layers`.
+
+    Attributes
+    ----------
+    cells : vtkUnstructuredGrid
+        Wedges of all layers, with the arrays Layer, Thickness and Volume.
+    bodies : dict of str to vtkPolyData
+        Closed surface of each layer that has cells.
+    horizons : dict of str to vtkPolyData
+        Horizons on the common plan, by name.
+    figures : dict of str
+        `volume`, `area`, `thickness_mean` and other figures of each layer.
+    table : vtkTable
+        The same figures as a table.
+    curve : dict of str to array
+        Levels in `contact`, and for each layer its volume above each level.
+    """
 
     def __repr__(self):
         return "Layers(%s)" % ", ".join("%r: %.6g" % (name, own.volume) for name, own in self.figures.items())
@@ -30,31 +43,34 @@ class Layers(types.SimpleNamespace):
 
 def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_error: float | str | None = None,
            contact: float | None = None, missing: str | None = None, **keywords: Any) -> Layers:
-    """Closed volumes of the layers between horizons.
+    """Makes closed volumes of the layers between horizons.
 
     Parameters
     ----------
     horizons : dict of str to vtkPolyData, or list of vtkPolyData
-        points of at least two horizons of one survey, as `read`, `horizon` and `extract` give them.
+        Points of at least two horizons of one survey, as returned by `read`, `horizon` and `extract`.
     largest_error : float or str, optional
-        how far a point may be from the layers, vertically: in vertical indices, or with a unit, as "2 ms". By default
-        six times the noise of the horizon that has the most.
+        Largest vertical distance of a point from the layers, in vertical indices or with a unit such as "2 ms". By
+        default, six times the noise of the noisiest horizon.
     contact : float, optional
-        a level, as world z, above which volumes are measured too.
+        Level in world z; volumes above it are measured as well.
     missing : {"Void", "Interpolate", "Follow"}, optional
-        what is done where a horizon has no points: layers are left out; its holes and gaps are closed; or, by default, a horizon
-        that is absent between two others follows one of these, too.
+        Treatment of columns without a point of a horizon. "Void" leaves out the layers there. "Interpolate" closes the
+        holes and gaps of the horizon. "Follow", the default, also lets a horizon that is absent between two others follow
+        one of them.
     **keywords
-        properties of HorizonLayers: `crossings`, `crossings_by_layer`, `domain`, `order` and the like.
+        Properties of HorizonLayers, such as `crossings`, `crossings_by_layer`, `domain` or `order`.
 
     Returns
     -------
     Layers
+        Cells, closed bodies and figures of all layers.
 
     Raises
     ------
     TypeError, ValueError
-        fewer than two horizons, horizons of different lattices, in no order or without a common column.
+        If there are fewer than two horizons, or if they are on different lattices, have no consistent order or share no
+        column.
 
     Examples
     --------
@@ -81,24 +97,24 @@ def layers(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], largest_
 
 
 def crossings(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], **keywords: Any) -> dict[str, vtkPolyData]:
-    """Horizons that cross, in order.
+    """Orders horizons that cross each other.
 
     Parameters
     ----------
     horizons : dict of str to vtkPolyData, or list of vtkPolyData
-        as `layers` takes them.
+        Horizons as for `layers`.
     **keywords
-        properties of HorizonCrossings: `crossings`, `crossings_by_layer`, `order` and the like.
+        Properties of HorizonCrossings, such as `crossings`, `crossings_by_layer` or `order`.
 
     Returns
     -------
-    dict of str to vtkPolyData, or to pyvista.PolyData where PyVista is imported
-        all points, the uppermost horizon first, with the array Moved.
+    dict of str to vtkPolyData, or to pyvista.PolyData if PyVista is imported
+        All points of each horizon with the array Moved, uppermost horizon first.
 
     Raises
     ------
     TypeError, ValueError
-        as those of `layers`.
+        As for `layers`.
 
     Examples
     --------
@@ -114,13 +130,14 @@ def crossings(horizons: Mapping[str, vtkPolyData] | Sequence[vtkPolyData], **key
 
 
 def _run(maker, horizons, keywords, label):
-    """A filter of all horizons. Returns the unit that heights were given in. Raises TypeError and ValueError."""
+    """Runs a filter on all horizons and returns the unit of the heights. Raises TypeError and ValueError."""
     if not isinstance(horizons, (Mapping, Sequence)):
         raise TypeError("%s, expected a dict or a list of horizons" % type(horizons).__name__)
     named = horizons if isinstance(horizons, Mapping) else dict(enumerate(horizons))
     for data in named.values():
         calls.require_points(data, "a horizon")
-    unit = calls.set_keywords(maker, keywords, min(named.values(), key=lambda data: heights.step_of(data) or math.inf, default=None))
+    unit = calls.set_keywords(
+        maker, keywords, min(named.values(), key=lambda data: heights.step_of(data) or math.inf, default=None))
     if isinstance(horizons, Mapping):
         maker.SetInputDataObject(0, making.collect_picks(horizons))
     else:
@@ -131,7 +148,7 @@ def _run(maker, horizons, keywords, label):
 
 
 def of_points(points, settings, label):
-    """The layers between horizons of a file, by names, and warnings. Raises HorizonError."""
+    """Makes the layers between the horizons of a file, given by name, and returns them with warnings. Raises HorizonError."""
     if settings.layers.get("Order") == "AsGiven" and settings.horizons:
         places = {reading.name_of(horizon): place for place, horizon in enumerate(settings.horizons)}
         points = dict(sorted(points.items(), key=lambda item: places.get(item[0], len(places))))
@@ -147,7 +164,7 @@ def of_points(points, settings, label):
 
 
 def _collect(maker):
-    """What a filter made, with its `table` of figures."""
+    """Collects the outputs of a filter of layers."""
     cells, bodies, meshes, table, curve = (maker.GetOutputDataObject(port) for port in range(5))
     rows = {table.GetValueByName(row, "Name").ToString(): types.SimpleNamespace(**{
         calls.snake(table.GetColumnName(column)): _value(table.GetValue(row, column))

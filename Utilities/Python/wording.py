@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Messages of classes name properties, as the panels of the window do: "expected StrayPicks LeaveOut". The command has
-options for them, functions have keywords."""
+"""Replaces property names in messages of classes, such as "expected StrayPicks LeaveOut", by options of the command or
+keywords of functions."""
 
 import re
 
-# What is not replaced: quoted texts, which come from files, and paths.
+# Quoted texts, which come from files, and paths are not changed.
 OTHER_TEXT = r'"[^"]*"|\S*[/\\]\S*'
 
 
 def rename(text, names, word):
-    """The text with word(names[name], value) for each name of a property. `value` is that behind the name, a word in
-    capitals or a number with a blank in front, or empty."""
+    """Returns the text with word(names[name], value) in place of each property name. `value` is the word in capitals or the
+    number that follows the name after a blank, or empty."""
     if not names:
         return text
     known = "|".join(sorted(map(re.escape, names), key=len, reverse=True))
@@ -21,12 +21,12 @@ def rename(text, names, word):
 
 
 def as_option(option, value):
-    """`--stray-picks LeaveOut`."""
+    """Returns text such as `--stray-picks LeaveOut`."""
     return "%s %s" % (option, value) if value else option
 
 
 def as_keyword(keyword, value):
-    """`stray_picks="LeaveOut"`, `cell_size 0`, and `columns=` where no value follows."""
+    """Returns text such as `stray_picks="LeaveOut"` or `cell_size 0`, or `columns=` without a value."""
     if not value:
         return keyword + "="
     return "%s=\"%s\"" % (keyword, value) if value[0].isalpha() else "%s %s" % (keyword, value)

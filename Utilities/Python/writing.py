@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results as files: meshes, points, cells of layers, and tables of figures.
 
-Each format has one writer, that of the window, too. A file is written under another name, checked, and renamed: where
-that fails, what was there is as it was.
+Each format has one writer, shared with ParaView. A file is written under a temporary name, checked and renamed; if that
+fails, an existing file is unchanged.
 """
 
 import csv
@@ -20,29 +20,29 @@ from .stage import HorizonError, make, update_writer
 MESH_WRITER, GRID_WRITER = "vtkHorizonMeshWriter", "vtkHorizonGridWriter"
 MESH_FORMATS = {"vtp": MESH_WRITER, "ts": "vtkGOCADTSurfWriter", "stl": MESH_WRITER, "ply": MESH_WRITER,
                 "obj": MESH_WRITER, "dxf": "vtkHorizonDXFWriter"}
-# Of meshes, by the columns that they cover; GeoTIFF is written by GDAL.
+# Grids of the columns that meshes cover; GeoTIFF is written by GDAL.
 GRID_FORMATS = {"irap": GRID_WRITER, "gri": GRID_WRITER, "zmap": GRID_WRITER, "tif": None}
 POINT_FORMATS = {"dat": "vtkHorizonTextWriter", "vsm": "vtkVerneySparseMatrixWriter"}
-LAYER_FORMATS = ("msh", "inp", "disv")  # of cells of layers, which .vtu has as well
+LAYER_FORMATS = ("msh", "inp", "disv")  # for cells of layers, in addition to .vtu
 FORMATS = (*MESH_FORMATS, *GRID_FORMATS, *POINT_FORMATS, *LAYER_FORMATS)
 WRITERS = {**MESH_FORMATS, **GRID_FORMATS, **POINT_FORMATS}
-FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r")  # with which a cell is a formula in spreadsheets
+FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r")  # first characters of formulas in spreadsheets
 
 
 def write(result, path):
-    """Writes a result (pipeline.Result) in the format of the extension of its file: its mesh, or the points that the mesh
-    was made of. Returns warnings. Raises HorizonError."""
+    """Writes a result (pipeline.Result) in the format of the file extension: its mesh, or the points from which the mesh
+    was made. Returns warnings. Raises HorizonError."""
     return write_data(prepared(result) if path.suffix[1:] in POINT_FORMATS else result.data["mesh"], path, result.name)
 
 
 def prepared(result):
-    """The points that a mesh was made of."""
+    """Returns the points from which a mesh was made."""
     return next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
 
 
 def write_data(data, path, name):
-    """Writes a mesh or the points of a horizon, under a name, in the format of the extension of a file. Returns warnings.
-    Raises HorizonError."""
+    """Writes a mesh or the points of a horizon, with a name, in the format of the file extension. Returns warnings. Raises
+    HorizonError."""
     form = path.suffix[1:]
     if form == "tif":
         content, warnings = geotiff.make_content(data, path)
@@ -55,12 +55,12 @@ def write_data(data, path, name):
 
 
 def write_cells(grid, path):
-    """Writes cells of layers in the format of the extension of a file, and returns warnings. Raises HorizonError."""
+    """Writes cells of layers in the format of the file extension. Returns warnings. Raises HorizonError."""
     return _run(make("vtkHorizonLayersWriter"), grid, path)
 
 
 def _run(writer, data, path):
-    """Writes a file, and returns warnings. Raises HorizonError."""
+    """Writes a file and returns warnings. Raises HorizonError."""
     warnings = []
     writer.SetInputDataObject(0, data)
     writer.SetFileName(str(path))
@@ -69,7 +69,7 @@ def _run(writer, data, path):
 
 
 def write_tables(tables, path):
-    """Writes tables of the same columns as one file of comma-separated values. Raises HorizonError."""
+    """Writes tables with the same columns as one file of comma-separated values. Raises HorizonError."""
     text = io.StringIO()
     writer = csv.writer(text)
     for number, table in enumerate(tables):
@@ -82,7 +82,7 @@ def write_tables(tables, path):
 
 
 def _cell(value):
-    """The text of a value. One that a spreadsheet would take for a formula is quoted, as spreadsheets do."""
+    """Returns the text of a value, quoted if a spreadsheet would interpret it as a formula."""
     if value.IsDouble():
         return repr(value.ToDouble())
     text = value.ToString()
@@ -90,8 +90,8 @@ def _cell(value):
 
 
 def write_file(content, path):
-    """Writes bytes under a name that nobody has, and renames the file when it is complete. A device is written to
-    directly. Raises HorizonError."""
+    """Writes bytes under a temporary name and renames the file when it is complete. A device is written to directly. Raises
+    HorizonError."""
     require_writable(path)
     path = pathlib.Path(os.path.realpath(path))
     try:
@@ -112,7 +112,7 @@ def write_file(content, path):
 
 
 def require_writable(path):
-    """Raises HorizonError where a file would take the place of a folder, or opening it may wait for ever."""
+    """Raises HorizonError if a file would replace a folder, or if opening it may block forever."""
     if path.is_dir():
         raise HorizonError("%s cannot be written: it is a folder" % path)
     if path.is_fifo() or path.is_socket():
