@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Turns files of seismic horizons into triangle meshes, with a table and a picture of every stage.
 
-Runs in pvbatch, in pvpython and in the Python of the system, as long as the package seismichorizons is in PYTHONPATH.
-The work is done by the modules of that package; here is the command line.
+Runs in pvbatch, pvpython and the system Python if the package seismichorizons is in PYTHONPATH. This file is the command
+line; the modules of the package do the work.
 """
 
 import os
@@ -16,7 +16,7 @@ def _end_at_once(signal_number, _frame):
 
 
 if __name__ == "__main__":
-    # As long as nothing is done there is nothing to leave in order: from here on, before anything else is loaded.
+    # Until the work begins there is nothing to clean up, so Ctrl-C ends the program at once.
     signal.signal(signal.SIGINT, _end_at_once)
     signal.signal(signal.SIGTERM, _end_at_once)
 
@@ -37,18 +37,18 @@ JOININGS, POLARITIES = ("BestFirst", "Continuous", "Components"), ("Both", "Posi
 STRAY_PICKS, GRIDDING = ("Stop", "LeaveOut"), ("Plate", "Nearest")
 CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
 NOT_GIVEN = argparse.SUPPRESS
-MOST = 2**31  # more than integers of stages can be
+MOST = 2**31  # exceeds the integers of the stages
 
 
 class _Parser(argparse.ArgumentParser):
-    """Refuses a wrong command line in the same form as everything else."""
+    """Reports a wrong command line in the same form as other errors."""
 
     def error(self, message):
         self.exit(fail("%s (see --help)" % message))
 
 
 def _number_at_least(convert, least, more=False):
-    """A converter of argparse for numbers that are not smaller than `least` (or, with `more`, larger than it)."""
+    """Returns an argparse converter for numbers that are at least `least` or, with `more`, larger than it."""
 
     def check(text):
         value = convert(text)
@@ -82,7 +82,7 @@ _vertical_step.__name__ = "number other than 0:"
 
 
 class _Height(float):
-    """A number that is not negative, from a text with its unit behind it; without one it counts vertical indices."""
+    """A non-negative number from a text with a unit; without a unit it is in vertical indices."""
 
     def __new__(cls, text):
         number, unit = re.fullmatch(r"\s*(.*?)\s*(%s|)\s*" % "|".join(HEIGHT_UNITS), text).groups()
@@ -101,7 +101,7 @@ class _Height(float):
 
 
 def _memory(text):
-    """Bytes from "2G", "1.5 GB", "800M" and the like."""
+    """Converts texts such as "2G", "1.5 GB" or "800M" to bytes."""
     found = re.fullmatch(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*([KMGT]?)I?B?\s*", text.upper())
     size = float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " ") if found else 0.0
     if not 1.0 <= size < float("inf"):
@@ -336,7 +336,7 @@ def tell(kind, text):
 
 
 def fail(error):
-    """Writes an error, and returns the exit code."""
+    """Writes an error and returns the exit code."""
     tell("error", error)
     return 1
 

@@ -1,32 +1,31 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One text for a property: the comment of its setter. The help of the panel and the table of the page are made from it.
+"""Property help in the panel and property tables on the pages, generated from the comments of the setters.
 
-    property_texts.py panel FOLDER    writes the XML files of the plugin, with help, into a folder (the build does)
-    property_texts.py pages           writes the tables of properties into Documentation (the target texts does)
+    property_texts.py panel FOLDER    writes the XML files of the plugin, with help, into a folder (run by the build)
+    property_texts.py pages           writes the tables of properties into Documentation (target texts)
 
-The first paragraph of a comment is the text; more paragraphs are for programmers. It ends with what there is of
+The first paragraph of a comment is the text; further paragraphs are for programmers. It ends with the facts that apply:
 
     Unit: columns. Range: 1 to 16. Default: 2.
 
-The range of a choice is its enumerators, those below '/// Values of ...'; the page has what the panel calls them, where that
-differs, as scripts of ParaView need it. 'Default: 3 in vtkA, 8 in vtkB.' is one for each
-class. Names of properties, values and classes are written as in C++; the panel shows them with its labels, the page as code
-and links. 'See "Faults" in HorizonFaults.md.' becomes a link on the page and is left out of the panel. What a class has no
-method of its own for (inputs) keeps its text in the XML file, in the same form. The brief of a class is the short help of
-its proxy.
+The range of a choice lists the enumerators below '/// Values of ...'; the page adds the labels of the panel if they
+differ, because scripts of ParaView need them. 'Default: 3 in vtkA, 8 in vtkB.' gives a default for each class. Names of
+properties, values and classes are written as in C++; the panel shows them with its labels, the page as code and links.
+'See "Faults" in HorizonFaults.md.' becomes a link on the page and is omitted from the panel. A property without a method
+of its own (an input) has its text in the XML file, in the same form. The brief of a class is the short help of its proxy.
 
-The table on the page of a proxy has its own properties. Those of a base are in a table on the page that is called as the
-XML file of the base, to which the page of the proxy has a link. A file with several bases has a page with a table of each.
-A proxy without properties of its own has no table.
+The table on the page of a proxy lists the proxy's own properties. Properties of a base are listed on the page with the
+name of the base's XML file, and the proxy's page links to it. A file with several bases has a page with a table for each
+base. A proxy without properties of its own has no table.
 
-A base class whose comment says 'Its properties are on HorizonSurface.md.' has its properties in the table of that page alone:
-other pages link to it. A property with another default in each class is on the page of each.
+If the comment of a base class says 'Its properties are on HorizonSurface.md.', its properties are only in the table of
+that page, and other pages link to it. A property whose default differs between classes is on the page of each class.
 
-Of each reader there are two proxies in the plugin, the one in the XML file and one that differs in its name: ParaView asks
-readers for a file in the order of these names, and takes the first that says yes. The second one comes before all readers
-of ParaView that do not look into files, as that of CSV. Python, which goes by labels, makes it, too; states of earlier
-versions have the first.
+The plugin has two proxies of each reader: the one in the XML file and a copy under another name. ParaView asks readers
+for a file in alphabetical order of these names and takes the first that accepts it. The copy comes before all readers of
+ParaView that do not check the content of files, such as the CSV reader. Python uses labels and therefore creates the
+copy; state files of earlier versions contain the original.
 """
 
 import argparse
@@ -41,7 +40,7 @@ TREE = pathlib.Path(__file__).resolve().parents[2]
 COLUMNS = ("Property", "Default", "Range", "Unit", "Meaning")
 NAME = r"(?<!array )(?<!field data )\b[A-Z]\w*\b"
 COMPOUND = r"[A-Z]\w*[a-z0-9][A-Z]\w*$|[A-Z]{2}[a-z]{2}\w*$"
-FIRST = "ByContent"  # before the name of a reader
+FIRST = "ByContent"  # prefix of the copy of a reader proxy
 SEE = r'See "([^"]+)" in (\w+\.md)\.'
 
 Text = collections.namedtuple("Text", "meaning unit range default")
@@ -49,7 +48,7 @@ Header = collections.namedtuple("Header", "base brief page texts values")
 
 
 def split_facts(paragraph):
-    """A text with its facts taken off the end; None for those it does not have."""
+    """Splits a text from the facts at its end; None for missing facts."""
     text = " ".join(paragraph.split())
     facts = {}
     for name in ("default", "range", "unit"):
@@ -60,7 +59,8 @@ def split_facts(paragraph):
 
 
 def read_header(path):
-    """The base of a class, its brief, the page of its properties, the texts of methods, and the values of choices."""
+    """Returns the base of a class, its brief, the page of its properties, the texts of its methods, and the values of
+    choices."""
     text = path.read_text(encoding="utf-8")
     brief = re.search(r"@brief +((?:.+\n)+?) \*\n", text)
     page = re.search(r"Its properties are on (\w+\.md)\.", text.replace("\n * ", " "))
@@ -80,12 +80,12 @@ def read_header(path):
 
 
 class Proxy:
-    """A proxy of the plugin with its properties, those of its bases first. `file` is the stem of its XML file."""
+    """A proxy of the plugin with its properties, base properties first. `file` is the stem of its XML file."""
 
     def __init__(self, element, proxies, file):
         self.base = proxies.get(element.get("base_proxyname"))
         self.name = element.get("name")
-        self.class_name = element.get("class") or "vtk" + self.name  # a base is named as its class
+        self.class_name = element.get("class") or "vtk" + self.name  # a base has the name of its class
         self.is_base = not element.get("class")
         self.label = element.get("label", self.name)
         self.element = element
@@ -95,7 +95,8 @@ class Proxy:
 
 
 def first_asked(element):
-    """The proxy of a reader that ParaView asks before others, and for any name; it is no longer asked for the given one."""
+    """Returns the copy of a reader proxy that ParaView asks before others and for any file name; the original is no longer
+    asked."""
     hints = element.find("Hints")
     first = ElementTree.Element("SourceProxy", name=FIRST + element.get("name"), label=element.get("label"),
                                 base_proxygroup="sources", base_proxyname=element.get("name"))
@@ -107,7 +108,7 @@ def first_asked(element):
 
 
 def label_of(prop):
-    """What the panel calls a property: ParaView puts blanks into the name."""
+    """Returns the label of a property in the panel; ParaView inserts blanks into the name."""
     return prop.get("label") or re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", prop.get("name"))
 
 
@@ -135,18 +136,18 @@ class Texts:
             class_name = self.headers[class_name].base
 
     def header_of(self, proxy, prop):
-        """The header with the text of a property; None if it has none."""
+        """Returns the header with the text of a property; None if it has none."""
         return next((header for header in self.lineage(proxy.class_name) if prop.get("command") in header.texts), None)
 
     def other_page(self, proxy, prop):
-        """The page that has a property instead of that of its proxy; None for most."""
+        """Returns the page that lists a property instead of the page of its proxy; None for most properties."""
         header = self.header_of(proxy, prop)
         if not header or header.page in (None, proxy.page):
             return None
         return None if " in vtk" in (split_facts(header.texts[prop.get("command")]).default or "") else header.page
 
     def find(self, proxy, prop):
-        """The text of a property; None where neither a header nor the XML file has one."""
+        """Returns the text of a property; None if neither a header nor the XML file has one."""
         own = prop.find("Documentation")
         header = self.header_of(proxy, prop)
         if header:
@@ -158,14 +159,14 @@ class Texts:
         return split_facts(own.text) if own is not None and own.text else None
 
     def values(self, proxy, prop):
-        """The names of a choice in C++ with their numbers, as texts."""
+        """Returns the C++ names of a choice with their numbers as texts."""
         if prop.find("EnumerationDomain") is None:
             return []
         name = re.sub("^Set", "", prop.get("command", ""))
         return next((header.values[name] for header in self.lineage(proxy.class_name) if name in header.values), [])
 
     def labels(self, proxy):
-        """What the panel of a proxy calls the names of C++."""
+        """Returns the panel labels of the C++ names of a proxy."""
         labels = {prop.get("name"): label_of(prop) for prop in proxy.properties}
         for prop in proxy.properties:
             entries = {entry.get("value"): entry.get("text") for entry in prop.iter("Entry")}
@@ -173,7 +174,7 @@ class Texts:
         return labels
 
     def help(self, proxy, prop):
-        """A text as the panel shows it."""
+        """Returns a text as the panel shows it."""
         text = self.find(proxy, prop)
         if not text:
             sys.exit("%s: %s has no text, expected a comment of %s in %s.h" % (
@@ -191,7 +192,7 @@ class Texts:
         return re.sub(r"\bvtk\w+", lambda m: self.of_class[m[0]].label if m[0] in self.of_class else m[0], words)
 
     def row(self, proxy, prop):
-        """A line of the table on the page, its cells; None for what is only shown or connected."""
+        """Returns the cells of a table row on the page; None for properties that are only displayed or connected."""
         text = self.find(proxy, prop)
         if not text or not text.default or prop.get("information_only") == "1":
             return None
@@ -226,14 +227,14 @@ class Texts:
         return [prop.get("name"), text.default, reach or "-", cell(text.unit or "-"), cell(text.meaning)]
 
     def table(self, proxy):
-        """Empty without rows."""
+        """Returns the table of a proxy; empty without rows."""
         own = [prop for prop in proxy.own if not self.other_page(proxy, prop)]
         rows = [row for row in (self.row(proxy, prop) for prop in own) if row]
         lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows if rows else []
         return "".join("| %s |\n" % " | ".join(line) for line in lines)
 
     def pages(self):
-        """Each page that has tables of properties, and what it should be."""
+        """Yields each page with tables of properties and its updated content."""
         proxies = {}
         for proxy in self.proxies.values():
             proxies.setdefault(proxy.page, []).append(proxy)
@@ -253,7 +254,7 @@ class Texts:
             yield path, text, re.sub(pattern, lambda _, tables=tables: next(tables), text, flags=re.M)
 
     def write_panel(self, folder):
-        """The XML files of the plugin with the text of each property; none is touched that stays as it is."""
+        """Writes the XML files of the plugin with the text of each property; unchanged files are not touched."""
         for proxy in self.proxies.values():
             for prop in proxy.element:
                 if prop.tag.endswith("Property") and prop.get("command"):

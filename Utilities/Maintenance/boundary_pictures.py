@@ -23,12 +23,12 @@ PANEL_SIZE = (420, 340)
 
 
 def ragged(data):
-    """A corner of a horizon with less than half of its points, as automatic tracking leaves it in noise."""
+    """Makes a corner of a horizon with less than half of its points, as left by automatic tracking in noise."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
     for number in range(data.GetNumberOfPoints()):
         i, j, k = data.GetPoint(number)
-        # Any hash will do that is the same everywhere.
+        # Any hash works that is the same on all machines.
         noise = (int(i) * 73856093 ^ int(j) * 19349663) * 2654435761 % 2**32 / 2**32
         if 30 <= i < 80 and 25 <= j < 65 and noise < 0.45:
             points.InsertNextPoint(i, j, k)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the way from a seismic cube to meshes: a section, the same with picks, surfaces and meshes in space.
+"""Draws the way from a seismic cube to meshes: a section, the section with picks, surfaces and meshes in space.
 
     cube_pictures.py CUBE.sgy PICTURE.png      for Documentation/Pictures/CubeToMesh.png: the cube of
                                                generate_cube --noise 0.2 --folds 22 --spacing 36 --weakest 0.6 CUBE.sgy
@@ -26,9 +26,9 @@ from seismichorizons import cubes, functions, pictures, reading
 from seismichorizons.pipeline import surface
 
 PANEL_SIZE = (480, 430)
-HEIGHT = 0.55  # of a section, in parts of its length
+HEIGHT = 0.55  # height of a section as a fraction of its length
 LARGEST_NUMBER = 36
-IN_SPACE = 12  # surfaces: the strongest, as the sides of a wavelet are surfaces of their own
+IN_SPACE = 12  # strongest surfaces only, because side lobes also form surfaces
 LARGEST_ERROR = 0.75
 COLORS = ("d62728", "1f77b4", "2ca02c", "9467bd", "ff7f0e", "17becf", "e377c2", "8c564b", "bcbd22", "3a5f8a")
 
@@ -46,7 +46,7 @@ def actor(data, color=None, lighting=False):
 
 
 def section(cube, row):
-    """The amplitudes of an inline, grey."""
+    """Draws the amplitudes of an inline in grey."""
     extent = list(cube.GetExtent())
     extent[2:4] = row, row
     part = vtkExtractVOI()
@@ -69,7 +69,7 @@ def section(cube, row):
 
 
 def is_on_row(points, row):
-    """Which points are on an inline."""
+    """Returns which points are on an inline."""
     matrix = vtk_to_numpy(points.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
     places = vtk_to_numpy(points.GetPoints().GetData())
     lattice = np.column_stack([places, np.ones(len(places))]) @ np.linalg.inv(matrix).T
@@ -81,7 +81,7 @@ def strength(points):
 
 
 def picks_of(points, row):
-    """The picks on an inline."""
+    """Returns the picks on an inline."""
     dots = vtkPolyData()
     dots.SetPoints(points.GetPoints())
     vertices = vtkCellArray()
@@ -92,7 +92,7 @@ def picks_of(points, row):
 
 
 def stroke(points, row, color, size=3.5):
-    """The picks on an inline, over its amplitudes."""
+    """Draws the picks on an inline over its amplitudes."""
     dots = actor(picks_of(points, row), color)
     dots.GetProperty().SetPointSize(size)
     dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
@@ -100,7 +100,7 @@ def stroke(points, row, color, size=3.5):
 
 
 def view_of(cube):
-    """How much heights are exaggerated in a section, and the directions along inlines and across them, of length 1."""
+    """Returns the vertical exaggeration of a section, and the unit vectors along and across inlines."""
     bounds = np.array(cube.GetBounds()).reshape(3, 2)
     length = np.hypot(*(bounds[:2, 1] - bounds[:2, 0]))
     matrix = vtk_to_numpy(cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
@@ -109,7 +109,7 @@ def view_of(cube):
 
 
 def extract(path):
-    """The cube of a file, and its strongest surfaces."""
+    """Returns the cube of a file and its strongest surfaces."""
     extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
     cubes.read(extraction, path)
     extraction.Update()
@@ -124,7 +124,7 @@ def place_camera(renderer, toward, scale):
     camera.SetViewUp(0.0, 0.0, 1.0)
     renderer.ResetCamera()
     camera.Zoom(scale)
-    camera.SetWindowCenter(0.0, 0.08)  # a little lower than the middle, for the text above
+    camera.SetWindowCenter(0.0, 0.08)  # slightly below the centre, for the text above
 
 
 def panel(title, caption, actors, exaggeration, toward, zoom):
@@ -142,7 +142,7 @@ def panel(title, caption, actors, exaggeration, toward, zoom):
 
 
 def origin_strokes(points, row):
-    """The picks of a guided horizon on an inline: what grew, parts, and picks of the guide on top."""
+    """Draws the picks of a guided horizon on an inline: grown picks, taken surfaces, and picks of the guide on top."""
     strokes = []
     origins = vtk_to_numpy(points.GetPointData().GetArray("Origin"))
     places = vtk_to_numpy(points.GetPoints().GetData())
@@ -156,7 +156,7 @@ def origin_strokes(points, row):
 
 
 def draw_guides(path, picture, truth):
-    """A section with the strongest surfaces, and with the horizons that picks of reflectors ask for."""
+    """Draws a section with the strongest surfaces, and with the horizons of guides on reflectors."""
     picks_of_each = 25
     cube, horizons = extract(path)
     row = cube.GetDimensions()[1] // 2

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the pictures of the page on faults: a faulted horizon with the lines found, and its meshes without and with cuts,
-which are closed in the second one; in the third one, horizons that are cut by the surface between fault sticks.
+"""Draws the pictures of the page on faults: a faulted horizon with the lines found; its meshes without and with cuts, which
+are closed in the second one; and horizons cut by the surface between fault sticks.
 
     fault_pictures.py FOLDER
 
@@ -30,7 +30,7 @@ LARGEST_ERROR = 1.5
 
 
 def heights():
-    """A fold with two tapered faults, the second of which ends inside at both ends; whole vertical indices."""
+    """Returns a fold with two tapered faults, the second with both tips inside, in whole vertical indices."""
     x, y = np.meshgrid(np.arange(SIZE[0], dtype=float), np.arange(SIZE[1], dtype=float))
     fold = 60.0 + 9.0 * np.sin(x / 26.0) + 7.0 * np.cos((x + 2.0 * y) / 45.0)
     first = 20.0 * np.clip(y / 45.0, 0.25, 1.0) * (x > 55.0 + 0.35 * y + 4.0 * np.sin(y / 14.0))
@@ -42,7 +42,7 @@ def heights():
 
 
 def write(path):
-    """All columns have a point but for a ragged margin."""
+    """Writes a horizon with a point in all columns except a ragged margin."""
     x, y = np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1]))
     from_middle = np.hypot((x - 75.0) / 75.0, (y - 55.0) / 55.0)
     is_there = from_middle < 0.98 + 0.12 * np.sin(5.0 * np.arctan2(y - 55.0, x - 75.0))
@@ -52,7 +52,7 @@ def write(path):
 
 
 def draw_closed(cut, within):
-    """The mesh with its faults open, and closed."""
+    """Draws the mesh with its faults open, and closed."""
     closed, _ = surface(cut, largest_error=LARGEST_ERROR, CloseFaults=True)
     walls = closed.GetFieldData().GetArray("FaultTriangleCount").GetValue(0)
     row = [pictures.Panel("Open", "%d triangles" % within.GetNumberOfPolys(), within, pictures.MESH),
@@ -61,12 +61,12 @@ def draw_closed(cut, within):
 
 
 def fault_x(y, depth):
-    """Where a bent fault is that dips to larger x."""
+    """Returns x of a curved fault that dips towards larger x."""
     return 48.0 + 0.3 * y + 6.0 * np.sin(y / 16.0) + 0.45 * depth
 
 
 def make_sticks():
-    """Sticks on each eleventh row, in no order; one ends short."""
+    """Returns sticks on every eleventh row in random order; one ends early."""
     rows = np.random.default_rng(3).permutation(np.arange(-2, SIZE[1] + 10, 11))
     points, lines = vtkPoints(), vtkCellArray()
     for row in rows:
@@ -80,7 +80,7 @@ def make_sticks():
 
 
 def draw_surfaces():
-    """Two horizons, the surface of a fault between its sticks, and both together."""
+    """Draws two horizons, the surface of a fault between its sticks, and both together."""
     sticks, together, faults = make_sticks(), vtkAppendPolyData(), make("vtkHorizonFaults")
     faults.SetInputDataObject(1, sticks)
     faults.DetectOff()
@@ -116,7 +116,7 @@ def draw_surfaces():
 
 
 def with_fault(mesh, value):
-    """The triangles alone, all of which are of a fault, or none."""
+    """Returns the triangles alone, marked as belonging to a fault or not."""
     triangles = vtkPolyData()
     triangles.SetPoints(mesh.GetPoints())
     triangles.SetPolys(mesh.GetPolys())

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the picture of the page on hole filling: the largest hole of the sample, as it is and filled.
+"""Draws the picture of the page on hole filling: the largest hole of the sample before and after filling.
 
     hole_filling_pictures.py SAMPLE FOLDER
 
@@ -22,11 +22,11 @@ from seismichorizons.pipeline import read_first
 from seismichorizons.stage import apply
 
 PANEL_SIZE = (420, 340)
-WINDOW = ((58.0, 106.0), (28.0, 70.0))  # of columns and rows, around the hole
+WINDOW = ((58.0, 106.0), (28.0, 70.0))  # columns and rows around the hole
 
 
 def window(data):
-    """The points in the window."""
+    """Returns the points in the window."""
     x, y = vtk_to_numpy(data.GetPoints().GetData())[:, :2].T
     (left, right), (bottom, top) = WINDOW
     keep = numpy_to_vtk(((x >= left) & (x <= right) & (y >= bottom) & (y <= top)).astype(np.uint8), deep=True)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Maps: horizons in plan, as dots, strokes and faces over each other; in rows, each with a title, over a legend."""
+"""Maps: horizons in plan view as dots, lines and faces on top of each other, in rows of titled maps above a legend."""
 
 from collections import namedtuple
 
@@ -13,15 +13,15 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from seismichorizons import pictures
 
-SMOOTHING = 2  # pictures are drawn so many times larger, and shrunk
+SMOOTHING = 2  # pictures are drawn larger by this factor, and then shrunk
 PANEL_SIZE = (400, 330)
 TITLE_HEIGHT = 52
 LEGEND_HEIGHT = 38
-FRAME = 8  # free pixels around a map
+FRAME = 8  # margin of a map in pixels
 MARGIN = 1.08
 BACKGROUND = "f6f7f9"
 
-# A map: title, caption, the actors from the lowest to the highest, and the box that it shows (x0, x1, y0, y1).
+# A map: title, caption, actors from bottom to top, and the box shown (x0, x1, y0, y1).
 Map = namedtuple("Map", "title caption actors box")
 
 
@@ -30,14 +30,14 @@ def in_plan(data):
 
 
 def cells_of(cells):
-    """The points of each cell."""
+    """Returns the points of each cell."""
     offsets = vtk_to_numpy(cells.GetOffsetsArray())
     points = vtk_to_numpy(cells.GetConnectivityArray())
     return [points[first:last] for first, last in zip(offsets[:-1], offsets[1:])]
 
 
 def flat_actor(places, color, **cells):
-    """Verts, lines or polys over places in plan, in one colour."""
+    """Returns an actor of verts, lines or polys in plan view, in one colour."""
     data = vtkPolyData()
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.column_stack([places, np.zeros(len(places))]), deep=True))
@@ -74,7 +74,7 @@ def edges_of(polygons):
 
 
 def fit(places):
-    """The box around places that has the proportions of a map."""
+    """Returns the box around positions with the proportions of a map."""
     low, high = places.min(axis=0), places.max(axis=0)
     width, height = PANEL_SIZE[0] - 2 * FRAME, PANEL_SIZE[1] - TITLE_HEIGHT - FRAME
     extent = MARGIN * (high - low)
@@ -88,7 +88,7 @@ def text_actor(text, size, x, y, bold=False):
 
 
 def chip_actor(color, x, y):
-    """A small box of one colour."""
+    """Returns a small box of one colour."""
     actor = text_actor("      ", 12, x, y)
     actor.GetTextProperty().SetBackgroundColor(*pictures.rgb(color))
     actor.GetTextProperty().SetBackgroundOpacity(1.0)
@@ -101,7 +101,7 @@ def viewport(pixels, size):
 
 
 def map_renderers(panel, pixels, size):
-    """A white one with the text, and over it one for the map."""
+    """Returns a white renderer with the text, and a renderer for the map on top of it."""
     x0, y0, width, height = pixels
     text = vtkRenderer()
     text.SetBackground(1.0, 1.0, 1.0)
@@ -126,7 +126,7 @@ def map_renderers(panel, pixels, size):
 
 
 def legend_renderer(legend, size):
-    """Chips of colour with their meaning."""
+    """Returns a renderer of colour chips with their meaning."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetViewport(*viewport((0, 0, size[0], LEGEND_HEIGHT), size))
@@ -139,7 +139,7 @@ def legend_renderer(legend, size):
 
 
 def draw(rows, legend=()):
-    """Rows of maps over a legend, a list of colours and meanings, as vtkImageData."""
+    """Draws rows of maps above a legend, a list of colours and meanings, and returns vtkImageData."""
     legend_height = LEGEND_HEIGHT if legend else 0
     size = (PANEL_SIZE[0] * max(len(row) for row in rows), PANEL_SIZE[1] * len(rows) + legend_height)
     renderers = [legend_renderer(legend, size)] if legend else []

@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 "$tree/build/release/bin/generate_horizons" --size 160 160 60 --horizons 1 --holes 10 --dropouts 0.05 --noise 0.2 \
   --noise-gaps 0.6 "$work/horizon.vsm"
 
-# draw NAME ARGUMENTS...: of side_by_side.py after the two files.
+# draw NAME ARGUMENTS...: the arguments of side_by_side.py after the two files.
 draw() {
   name=$1
   shift

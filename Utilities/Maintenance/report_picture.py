@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws Documentation/Pictures/Report.png: two parts of a report of the sample, in Chromium. Needs an X server.
+"""Draws Documentation/Pictures/Report.png: two sections of a report of the sample, in Chromium. Needs an X server.
 
     report_picture.py PICTURE.png
 """
@@ -20,17 +20,17 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Testing" / "Python"))
-from browser import Browser  # noqa: E402: it is beside the tests
+from browser import Browser  # noqa: E402: in the folder of the tests
 
 SIZE = (1120, 1500)
 GAP = 24
-# What is done before each part is looked at.
+# Scripts that run before each screenshot.
 PARTS = ("document.querySelector('.file').open = false",
          "document.getElementById('horizon-0').open = true; document.getElementById('details').scrollIntoView()")
 
 
 def shoot(page, folder):
-    """The parts of a page as arrays of pixels, the lowest row first."""
+    """Returns screenshots of the page as arrays of pixels, bottom row first."""
     parts = []
     with Browser() as browser:
         browser.open(page)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the pictures of the page on the triangulation: maps of how triangles are found and taken off.
+"""Draws the pictures of the page on the triangulation: maps of how triangles are found and removed.
 
     triangulation_pictures.py GENERATOR FOLDER
 
@@ -26,7 +26,7 @@ STAR = ("--size", "70", "56", "16", "--horizons", "1", "--holes", "0", "--island
 
 STRATEGIES = (("VoxelTraversal", "Voxel traversal"), ("Compactness", "Compactness"))
 
-# Voxels by their dilatation, and those that were looked into otherwise.
+# Colours of voxels by dilatation, and of voxels searched otherwise.
 DILATATIONS = {0: ("1f6fb2", "on the perpendicular bisector"),
                1: ("8cc3e6", "on its dilatations"),
                -1: ("fbdfb0", "in the box of the edge, squares around it, or the circle of a candidate")}
@@ -44,7 +44,7 @@ def outlines(data, width):
 
 
 def mesh_actors(data, width):
-    """Triangles through which what lies below can be seen, and their edges."""
+    """Returns translucent triangles and their edges."""
     triangles = cells_of(data.GetPolys())
     faces = flat_actor(in_plan(data), MESH, Polys=triangles)
     faces.GetProperty().SetOpacity(MESH_OPACITY)
@@ -52,7 +52,7 @@ def mesh_actors(data, width):
 
 
 def voxel_actors(search, width):
-    """The voxels that were looked into, those of the circle lowest: they may have been looked into before."""
+    """Returns the searched voxels; voxels of the circle are drawn first, because others may have been searched before."""
     dilatations = np.minimum(vtk_to_numpy(search.GetCellData().GetArray("Dilatation")), 1)
     squares = cells_of(search.GetPolys())
     actors = []
@@ -79,19 +79,19 @@ def circle_actor(a, b, c, width):
 
 
 def bisector_actor(a, b, width):
-    """Dashes from the middle of the edge to its left, as far as the edge is long."""
+    """Returns a dashed line from the middle of the edge to its left, as long as the edge."""
     across = np.array([a[1] - b[1], b[0] - a[0]])
     places = [(a + b) / 2.0 + across * n / 16.0 for n in range(16)]
     return strokes(places, [(n, n + 1) for n in range(0, 15, 2)], EDGE, width)
 
 
 def last_triangle(mesh):
-    """The edge that the search began with, and the third point."""
+    """Returns the edge at which the search began, and the third point."""
     return in_plan(mesh)[cells_of(mesh.GetPolys())[-1]]
 
 
 def search_actors(mesh, search, size):
-    """The voxels of the last triangle, the triangles so far over them, and then what shows how it was found."""
+    """Returns the voxels of the last triangle, the triangles found so far, and the construction of the last one."""
     places = in_plan(mesh)
     a, b, c = corners = last_triangle(mesh)
     return [
@@ -114,7 +114,7 @@ def stop_after(data, triangles, strategy):
 
 def close_up(title, strategy, data, triangles):
     mesh, search = stop_after(data, triangles, strategy)
-    # Both strategies find the same triangle; the larger of their walks sets the scale for both.
+    # Both strategies find the same triangle; the larger search sets the scale for both.
     walks = [in_plan(stop_after(data, triangles, each)[1]) for each, _ in STRATEGIES]
     seen = np.vstack([*walks, last_triangle(mesh)])
     caption = "triangle %d: %d voxels looked into" % (triangles, search.GetNumberOfPolys())

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Takes the pictures of the gallery: what the window of ParaView shows after File > Open, filters and Apply, with all
-parameters at their defaults where a scene sets none. A process for each.
+"""Takes the pictures of the gallery: ParaView's window after File > Open, filters and Apply, with default parameters unless
+a scene sets them. Each scene runs in a process of its own.
 
     Utilities/with-xvfb.sh window_pictures.py PARAVIEW BIN DATA FOLDER [SCENE ...]
 
-PARAVIEW is the program, BIN the folder with generate_cube, DATA the one with real horizons (CONTRIBUTING.md). Needs
+PARAVIEW is the program, BIN the folder with generate_cube, DATA the folder with real horizons (CONTRIBUTING.md). Needs
 PV_PLUGIN_PATH, the package seismichorizons in PYTHONPATH, and xdotool and ImageMagick.
 """
 
@@ -27,13 +27,13 @@ sys.path.insert(0, str(HERE.parents[1] / "Testing" / "Gui"))
 import window  # noqa: E402
 
 SIZE = (1600, 1000)
-EDGES = (292, 294, 296, 298, 300)  # where the right edge of the panel may be
-EDGE = 420  # where it is to be
-QUIET = 350  # down there nothing can be dragged but the edge
+EDGES = (292, 294, 296, 298, 300)  # possible positions of the right edge of the panel
+EDGE = 420  # wanted position of the edge
+QUIET = 350  # vertical position at which only the edge can be dragged
 COLORS = 128  # keeps pictures small
-LONGEST = 60  # seconds until the window has to be there
-TURNS = 200  # of a macro that waits, between which the window answers to the mouse
-AFTERWARDS = 5  # the same before the picture: what has been asked for is drawn then
+LONGEST = 60  # seconds to wait for the window
+TURNS = 200  # runs of a waiting macro, between which the window responds to the mouse
+AFTERWARDS = 5  # runs before the picture, so that drawing is complete
 
 WAIT = """import os, time
 if not os.path.exists("ready"):
@@ -52,7 +52,7 @@ def run(*command):
 
 
 def write_picks(source, path, first, unit):
-    """Picks of the survey Penobscot, which has bins of 25 by 12 m, as a program of interpretation exports them."""
+    """Writes picks of the Penobscot survey, with bins of 25 by 12 m, as exported by an interpretation program."""
     turn = math.radians(7.0)
     lines = [line.split() for line in source.read_text().splitlines() if not line.startswith("#")][1:]
     with path.open("w") as picks:
@@ -66,7 +66,7 @@ def write_picks(source, path, first, unit):
 
 
 def write_geotiff(source, path):
-    """Elevations in metres, 30 m apart."""
+    """Writes elevations in metres, 30 m apart."""
     lines = [line.split() for line in source.read_text().splitlines() if not line.startswith("#")]
     columns, rows = int(lines[0][0]), int(lines[0][1])
     values = [-9999.0] * (columns * rows)
@@ -141,7 +141,7 @@ SCENES = {
 
 
 def find_window():
-    """The main window: ParaView has others that are small, or not shown yet."""
+    """Returns the main window; ParaView has other windows, which are small or hidden."""
     end = time.monotonic() + LONGEST
     while time.monotonic() < end:
         found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^ParaView"], capture_output=True, text=True)
@@ -152,8 +152,8 @@ def find_window():
 
 
 def arrange(folder):
-    """Gives the window its size, and drags the edge of the panel, which is at one of a few places; beside it the drag does
-    nothing. Meanwhile the first events wait."""
+    """Resizes the window and drags the edge of the panel, which is at one of a few positions; a drag beside the edge has no
+    effect. The first events wait meanwhile."""
     run("xdotool", "windowmove", find_window(), 0, 0, "windowsize", find_window(), *SIZE)
     time.sleep(4.0)
     for place in EDGES:
@@ -163,7 +163,7 @@ def arrange(folder):
 
 
 def take(paraview, name, files, folder):
-    """The picture of a scene, in its folder."""
+    """Takes the picture of a scene, in its folder."""
     events = window.Events()
     for _ in range(TURNS):
         events.macro("Wait")

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of all horizons of a file and how far they are from them, written by ParaView's extractors.
+"""Writes meshes of all horizons of a file and their distances from the horizons by ParaView's extractors.
 
     mpirun -np 4 pvbatch extracts.py survey.vsm results --largest-error 1
 
-Writes meshes.vtpc with the distances at their points, and distances.csv. The plugin has to be in PV_PLUGIN_PATH.
+The results are meshes.vtpc, with the distances as point data, and distances.csv. The plugin must be in PV_PLUGIN_PATH.
 """
 
 import argparse
@@ -32,7 +32,7 @@ def main():
     distance = simple.HorizonSurfaceDistance(Reference=horizons, Mesh=surface)
     meshes = simple.CreateExtractor("VTPC", simple.OutputPort(distance, 1), registrationName="meshes")
     meshes.Writer.FileName = "meshes.vtpc"
-    meshes.Writer.DataMode = "Binary"  # some readers of VTK stumble over appended data
+    meshes.Writer.DataMode = "Binary"  # some readers of VTK fail on appended data
     table = simple.CreateExtractor("CSV", simple.OutputPort(distance, 2), registrationName="distances")
     table.Writer.FileName = "distances.csv"
     os.makedirs(arguments.folder, exist_ok=True)

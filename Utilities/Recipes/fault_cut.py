@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A faulted horizon meshed before and after its faults are cut, and how far each mesh is off.
+"""Meshes a faulted horizon before and after its faults are cut, and measures the error of each mesh.
 
     pvpython fault_cut.py survey.vsm results --throw 4 --triangles 400
 
-Writes before.vtpc and after.vtpc, both with as many triangles, and the fault lines with their throw, faults.vtpc. The
-plugin has to be loaded.
+Writes before.vtpc and after.vtpc, with the same number of triangles, and the fault lines with their throw, faults.vtpc.
+The plugin must be loaded.
 """
 
 import argparse
@@ -33,7 +33,7 @@ def main():
             Input=points, Target="Number Of Triangles", MaximumNumberOfTriangles=arguments.triangles)
         surface.UpdatePipeline()
         surface.UpdatePropertyInformation()
-        print("%s: %s" % (name, surface.Results))  # the largest error is among them
+        print("%s: %s" % (name, surface.Results))  # includes the largest error
         simple.SaveData(os.path.join(arguments.folder, name + ".vtpc"), surface, DataMode="Binary")
     simple.SaveData(os.path.join(arguments.folder, "faults.vtpc"), simple.OutputPort(faults, 1), DataMode="Binary")
 

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a file of horizons to one file with their meshes, as GOCAD surfaces or in another format.
+"""Converts a file of horizons to one file with their meshes, as GOCAD surfaces or in another format.
 
     pvpython file_to_mesh.py survey.vsm meshes.ts --largest-error 1
 
-The extension of the second file is the format: .ts, .vtpc, .stl, .ply or .obj. The plugin has to be loaded.
+The extension of the second file selects the format: .ts, .vtpc, .stl, .ply or .obj. The plugin must be loaded.
 """
 
 import argparse

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture of the layers between the horizons of a file, taken apart, and of their volumes above a contact.
+"""Draws the layers between the horizons of a file, separated vertically, and a chart of their volumes above a contact.
 
     pvbatch layers_apart.py survey.vsm picture.png --crossings LowerWins
 
-Needs an X server; the plugin has to be loaded. Bodies are moved on the screen alone: data stay where they are.
+Needs an X server; the plugin must be loaded. Bodies are moved only in the view; the data are unchanged.
 """
 
 import argparse
@@ -14,14 +14,14 @@ import sys
 from paraview import simple
 
 SIZE = (1100, 520)
-HEIGHT_SHARE = 0.35  # of all layers and the gaps between them, in parts of their width
-GAP = 0.25  # between layers, in parts of the height of all
+HEIGHT_SHARE = 0.35  # height of all layers with their gaps, as a fraction of their width
+GAP = 0.25  # gap between layers, as a fraction of the total height
 COLORS = ((0.93, 0.79, 0.48), (0.80, 0.50, 0.32), (0.55, 0.69, 0.42), (0.36, 0.58, 0.68), (0.45, 0.38, 0.56), (0.62, 0.62, 0.64))
 TEXT = (0.13, 0.16, 0.20)
 
 
 def names_of(bodies):
-    """Of the blocks, as selectors have them."""
+    """Returns the names of the blocks as selectors."""
     info = bodies.GetDataInformation().DataInformation.GetDataAssembly()
     return ["/Root/" + info.GetNodeName(child) for child in info.GetChildNodes(0, False)]
 
@@ -43,7 +43,7 @@ def draw_bodies(bodies, view):
 
 
 def draw_volumes(volumes, view):
-    """The curve of each layer; contacts get deeper to the right."""
+    """Draws the curve of each layer; contacts get deeper to the right."""
     display = simple.Show(volumes, view, "XYChartRepresentation")
     display.UseIndexForXAxis, display.XArrayName = 0, "Contact"
     display.SeriesVisibility = [name for name in display.SeriesLabel[::2] if name != "Contact"]

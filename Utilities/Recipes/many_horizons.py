@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""All horizons of many files as meshes in one folder, each in a file of its name, with a table of what came out.
+"""Meshes all horizons of many files into one folder, each in a file of its own, and prints a table of the results.
 
     python3 many_horizons.py results picks/*.dat survey.vsm
 
-Runs in the Python of the system; the package seismichorizons has to be found by it. Files that cannot be
-read are listed, and the others are done.
+Runs in the system Python, which must find the package seismichorizons. Files that cannot be read are listed, and the
+other files are processed.
 """
 
 import argparse
@@ -20,19 +20,19 @@ from seismichorizons.stage import HorizonError
 
 
 def file_name(path, name):
-    """A name that any file system takes."""
+    """Returns a name that is valid on any file system."""
     return "%s_%s.vtp" % (path.stem, re.sub(r"[^\w.-]+", "_", name))
 
 
 def mesh_file(path, folder, error):
-    """Meshes of one file; a row for each horizon."""
+    """Meshes the horizons of one file and yields a table row for each."""
     horizons, _ = pipeline.read(str(path))
     for name, points in horizons:
         mesh, chosen = pipeline.surface(points, largest_error=error)
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(folder / file_name(path, str(name))))
         writer.SetInputData(mesh)
-        writer.SetDataModeToBinary()  # some readers of VTK stumble over appended data
+        writer.SetDataModeToBinary()  # some readers of VTK fail on appended data
         if not writer.Write():
             raise OSError("%s cannot be written" % writer.GetFileName())
         yield {"file": path.name, "horizon": name, "points": points.GetNumberOfPoints(),

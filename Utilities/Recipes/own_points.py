@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A mesh of points that a script has made or fetched from elsewhere, in world coordinates and in any order.
+"""Meshes points that a script has made or fetched from elsewhere, in world coordinates and in any order.
 
     python3 own_points.py mesh.vtp
 
-Runs in the Python of the system; the package seismichorizons has to be found by it. Put your arrays in the place of
-make_points: the lattice they lie on is found, however the survey is turned, as long as they lie on one.
+Runs in the system Python, which must find the package seismichorizons. Replace make_points by your arrays: the points
+must lie on a lattice, which may be rotated; it is found automatically.
 """
 
 import argparse
@@ -23,7 +23,7 @@ from seismichorizons.stage import apply
 
 
 def make_points():
-    """Picks of a dome on a turned survey of 25 m by 12.5 m, in no order, with a hole."""
+    """Returns picks of a dome on a rotated survey of 25 m by 12.5 m, in random order, with a hole."""
     angle = math.radians(30)
     along, across = (np.array((math.cos(angle), math.sin(angle))), np.array((-math.sin(angle), math.cos(angle))))
     picks = []
@@ -49,7 +49,7 @@ def main():
     parser.add_argument("mesh", metavar="MESH.vtp", help="the file to write")
     arguments = parser.parse_args()
     source = vtkHorizonFromPoints()
-    source.SetVerticalStep(1.0)  # heights of one metre are the unit of errors
+    source.SetVerticalStep(1.0)  # a vertical index is one metre, so errors are in metres
     apply(source, as_poly_data(make_points()))
     name, points = reading.list_horizons(source.GetOutputDataObject(0))[0]
     mesh, _ = pipeline.surface(points, largest_error=1.0)
@@ -57,7 +57,7 @@ def main():
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(arguments.mesh)
     writer.SetInputData(mesh)
-    writer.SetDataModeToBinary()  # some readers of VTK stumble over appended data
+    writer.SetDataModeToBinary()  # some readers of VTK fail on appended data
     writer.Write()
 
 

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture of meshes that differ in one parameter of Horizon Surface, side by side.
+"""Draws meshes that differ in one parameter of Horizon Surface, side by side.
 
     pvbatch side_by_side.py survey.vsm picture.png MaximumError 0.25 1 4
 
-Needs an X server; the plugin has to be loaded. Heights are drawn larger where a horizon is flat.
+Needs an X server; the plugin must be loaded. Flat horizons are drawn with vertical exaggeration.
 """
 
 import argparse
@@ -15,8 +15,8 @@ from paraview import simple
 
 SIZE = (520, 440)
 TEXT = (0.13, 0.16, 0.20)
-HEIGHT_SHARE = 0.25  # height of a horizon on show, in parts of its width
-TOWARD = {False: (-0.45, -0.75, 0.62), True: (0.0, 0.0, 1.0)}  # from the horizon to the eye; from above
+HEIGHT_SHARE = 0.25  # displayed height of a horizon as a fraction of its width
+TOWARD = {False: (-0.45, -0.75, 0.62), True: (0.0, 0.0, 1.0)}  # directions to the viewer: oblique, and from above
 
 
 def make_surface(horizons, name, value):

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One mesh of one huge horizon of a .vsm file, of which each process of MPI reads and meshes windows of rows.
+"""Makes one mesh of one huge horizon of a .vsm file; each MPI process reads and meshes windows of rows.
 
     mpirun -np 4 pvbatch --symmetric windows_on_ranks.py survey.vsm mesh.vtp --horizon "Horizon 1" --largest-error 1
 
-The windows depend on --window-points alone, and so does the mesh, byte by byte: not on the number of processes. The
-first process joins the windows and writes the mesh. PYTHONPATH has to lead to the package seismichorizons.
+The windows depend only on --window-points, and so does the mesh, byte by byte; the number of processes has no effect. The
+first process joins the windows and writes the mesh. PYTHONPATH must contain the package seismichorizons.
 """
 
 import argparse
@@ -20,11 +20,11 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 
 RANKS = vtkMultiProcessController.GetGlobalController()
 OWN, SIZE = RANKS.GetLocalProcessId(), RANKS.GetNumberOfProcesses()
-MESH = 5012  # the tag of messages with meshes
+MESH = 5012  # MPI tag of messages with meshes
 
 
 class WindowSize:
-    """How many points a window may have at most, in the place of a budget of memory."""
+    """The largest number of points in a window, used in place of a memory budget."""
 
     def __init__(self, points):
         self._points = points
@@ -37,7 +37,7 @@ class WindowSize:
 
 
 def largest_of_all(value):
-    """The largest value of all processes, on each of them."""
+    """Returns the largest value of all processes to each of them."""
     own, largest = vtkIntArray(), vtkIntArray()
     for array in (own, largest):
         array.InsertNextValue(value)
@@ -46,13 +46,14 @@ def largest_of_all(value):
 
 
 def together(work):
-    """What work() returns on this process. Raises SystemExit on all when it raises HorizonError on any."""
+    """Returns the result of work() on this process. Raises SystemExit on all processes if work() raises HorizonError on
+    any."""
     result, problem = None, None
     try:
         result = work()
     except HorizonError as error:
         problem = "windows_on_ranks: %s" % error
-    # The first that has a problem tells it: all may have the same.
+    # Only the first process with a problem reports it, because all may have the same problem.
     first = SIZE - largest_of_all(SIZE - OWN if problem else 0)
     if first < SIZE:
         if first == OWN:
@@ -62,7 +63,7 @@ def together(work):
 
 
 def open_windows(path, name, window_points):
-    """The windows of a horizon: by its name, or else of the largest. Raises HorizonError."""
+    """Returns the windows of the named horizon, or of the largest one. Raises HorizonError."""
     reader = make("vtkVerneySparseMatrixReader", FileName=path, LeastMemory=True)
     with watched(reader):
         reader.UpdateInformation()
@@ -77,13 +78,13 @@ def open_windows(path, name, window_points):
 
 
 def mesh_own(windows, properties):
-    """The meshes of the windows of this process: every SIZE-th, as they have about equally many points."""
+    """Returns the meshes of this process: every SIZE-th window, because windows have about the same number of points."""
     return {number: parts.mesh_window(windows, number, properties)
             for number in range(OWN, len(windows.rows), SIZE)}
 
 
 def gather(meshes, count):
-    """The meshes of all windows, in their order, on the first process; nothing on the others."""
+    """Returns the meshes of all windows in order on the first process, and nothing on the others."""
     gathered = []
     for number in range(count):
         rank = number % SIZE
@@ -119,7 +120,7 @@ def make_parser():
 def main():
     arguments = make_parser().parse_args()
     windows = together(lambda: open_windows(arguments.file, arguments.horizon, arguments.window_points))
-    # One radius for all windows, that of the largest.
+    # The radius of the largest window is used for all windows.
     is_chooser = OWN == windows.largest() % SIZE
     error = {"MaximumError": arguments.largest_error}
     radius = largest_of_all(together(lambda: windows.choose(error)["Radius"] if is_chooser else 0))

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The messages of a C++ file: what tellers such as InputError are given, and other texts with "expected" or a remedy.
+"""Extracts the messages of a C++ file: arguments of functions such as InputError, and other texts with "expected" or a
+remedy.
 
-Expressions of pieces are put together, with `...` for each value; those with a choice become several messages.
+Concatenated expressions are joined, with `...` for each value; a conditional expression yields several messages.
 """
 
 import collections
@@ -12,9 +13,9 @@ import re
 VALUE = "..."
 TELLERS = ("InputError", "FileError", "ErrorAt", "CutOffAt", "Error", "Fail", "SetProblem", "vtkWarningMacro",
            "vtkWarningWithObjectMacro", "Warnings.push_back", "oubts.push_back")
-CHECKS = {"CheckAtLeast": "at least %s%s", "CheckWithin": "%s to %s%s"}  # of parameters: name, number, bounds, unit
+CHECKS = {"CheckAtLeast": "at least %s%s", "CheckWithin": "%s to %s%s"}  # arguments: name, number, bounds, unit
 HINT = re.compile(r"\bexpected\b|[:;] (?:set|add)\b")
-SILENT = ("std::fixed", "this->ErrorPrefix", "FilePrefix")  # what says nothing, or only the place
+SILENT = ("std::fixed", "this->ErrorPrefix", "FilePrefix")  # terms without text, or with only the position
 MOST_CHOICES = 12
 TOKEN = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\]|\\.)+'
                    |[A-Za-z_]\w*(?:(?:::|\.|->)~?[A-Za-z_]\w*)*|\d[\w.']*|<<|->|::|\S""", re.S | re.X)
@@ -27,7 +28,7 @@ def tokens_of(text):
 
 
 def end_of(tokens, start, stops=()):
-    """The first of the stops, or an unmatched bracket, from a token on."""
+    """Returns the position of the first stop, or of an unmatched bracket, from a token on."""
     depth = 0
     for n in range(start, len(tokens)):
         if depth == 0 and tokens[n] in stops:
@@ -39,7 +40,7 @@ def end_of(tokens, start, stops=()):
 
 
 def start_of(tokens, n):
-    """Where the expression begins that a token is in."""
+    """Returns the start of the expression that contains a token."""
     depth = 0
     while n > 0:
         token = tokens[n - 1]
@@ -62,7 +63,8 @@ def split(tokens, mark):
 
 
 def choice_of(tokens, question, named):
-    """What the operator ?: may say: a value rather than the word for none, and something rather than nothing."""
+    """Returns the texts of a conditional expression: a value takes precedence over a word for none, and a text over an
+    empty one."""
     colon, depth = question + 1, 0
     while tokens[colon] != ":" or depth:
         depth += {"?": 1, ":": -1, "(": 9, ")": -9}.get(tokens[colon], 0)
@@ -73,14 +75,14 @@ def choice_of(tokens, question, named):
 
 
 def texts_of(tokens, named):
-    """What an expression may say."""
+    """Returns the possible texts of an expression."""
     question = end_of(tokens, 0, ["?"])
     if question < len(tokens):
         return choice_of(tokens, question, named)
     is_stream = end_of(tokens, 0, ["<<"]) < len(tokens)
     terms = split(tokens, "<<" if is_stream else "+")
     if len(terms) > 1:
-        is_named = is_stream and not any(token[0] == '"' for token in terms[0])  # the stream itself
+        is_named = is_stream and not any(token[0] == '"' for token in terms[0])  # the first term is the stream itself
         choices = [texts_of(term, named) for term in terms[is_named:]]
         return list(map("".join, itertools.islice(itertools.product(*choices), MOST_CHOICES)))
     if not tokens or tokens[0] in SILENT:
@@ -96,13 +98,13 @@ def texts_of(tokens, named):
 
 
 def name_local(tokens, n, named):
-    """Gives a name to the text of a definition."""
+    """Stores the text of a definition under its name."""
     if tokens[n] == "=" and tokens[n - 2] in ("*", "std::string", "const"):
         named[tokens[n - 1]] = texts_of(tokens[n + 1:end_of(tokens, n + 1, ";")], named)
 
 
 def named_texts(tokens, named):
-    """Constants, and functions that return a text by their only statement."""
+    """Returns the texts of constants, and of functions whose only statement returns a text."""
     for n in range(2, len(tokens) - 1):
         if "constexpr" in tokens[max(0, n - 6):n]:
             name_local(tokens, n, named)
@@ -115,7 +117,7 @@ def named_texts(tokens, named):
 
 
 def stream_texts(tokens, declared, teller, named):
-    """What the statements from the declaration of a stream to a teller say, those that go on with the ones before."""
+    """Returns the texts written to a stream between its declaration and its use, joined if they continue the previous text."""
     before, texts = [], []
     for n in range(declared, teller):
         if tokens[n] == tokens[declared] and tokens[n - 1] in (";", "{", "}", ")") and tokens[n + 1] == "<<":
@@ -130,7 +132,7 @@ def stream_texts(tokens, declared, teller, named):
 
 
 def checked(tokens, n, named):
-    """The message of a check of a parameter."""
+    """Returns the message of a parameter check."""
     start = tokens.index("(", n) + 1
     name, _, *bounds, unit = split(tokens[start:end_of(tokens, start)], ",")
     numbers = ["".join(bound).removesuffix(".0") for bound in bounds]
@@ -139,7 +141,7 @@ def checked(tokens, n, named):
 
 
 def messages_of(text, constants):
-    """All texts that a file tells, as they are."""
+    """Yields all message texts of a file, unprocessed."""
     tokens = tokens_of(text)
     named = collections.ChainMap({}, named_texts(tokens, dict(constants)))
     streams, untold = {}, {}
@@ -166,6 +168,6 @@ def messages_of(text, constants):
             texts = texts_of(tokens[start:end_of(tokens, start, [",", ";"])], named)
             if tokens[start] in streams:
                 untold.setdefault(streams[tokens[start]], []).extend(texts)
-            elif not (tokens[start - 1] == "=" and texts[0].startswith(",")):  # which ends others
+            elif not (tokens[start - 1] == "=" and texts[0].startswith(",")):  # a continuation of other messages
                 yield from texts
     yield from itertools.chain(*untold.values())

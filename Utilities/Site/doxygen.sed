@@ -1,4 +1,4 @@
-# What every class of VTK has needs no words of its own, and what subclasses alone see is not for users.
-/^  static .* New();$/i\  /// Makes one.
+# New and PrintSelf of every VTK class get standard texts, and protected members are removed.
+/^  static .* New();$/i\  /// Creates an instance.
 /^  void PrintSelf(/i\  /// Prints its state.
 /^protected:$/,/^};$/{/^};$/!d}

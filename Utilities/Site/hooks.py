@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a site of the pages as they lie in the source tree, where README.md and pictures lie outside of Documentation."""
+"""Builds a site from the pages of the source tree; README.md and pictures are outside Documentation."""
 
 import pathlib
 import re
@@ -12,7 +12,7 @@ TREE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TREE / "Utilities" / "Site"))
 import messages  # noqa: E402 -- beside this file
 TOP_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
-QUICK_START = "QuickStart"  # README.md, as the first page of a site of its own is index.md
+QUICK_START = "QuickStart"  # README.md; index.md is the first page of the site
 PICTURES = "Data/Baseline/*.png"
 MESSAGES = "Messages.md"
 
@@ -26,7 +26,7 @@ def add(files, path, config):
 
 
 def on_files(files, config):
-    """Adds what the pages show from outside of Documentation, and leaves out what is no page."""
+    """Adds files outside Documentation that the pages use, and removes files that are not pages."""
     for file in list(files):
         if file.src_path.startswith("Example/"):
             files.remove(file)
@@ -38,7 +38,7 @@ def on_files(files, config):
 
 
 def inside(target):
-    """Where a link to a file of the source tree leads on the site; None to what is not there."""
+    """Returns the target of a link on the site; None if the site does not have it."""
     path = target.partition("#")[0]
     if (TREE / "Documentation" / path).is_file():
         return target
@@ -48,7 +48,7 @@ def inside(target):
 
 
 def move_links(markdown, from_top):
-    """Links as they are right for files of the tree, made right for the site; those to other files become words."""
+    """Converts links between files of the tree to links on the site; links to other files become plain text."""
 
     def moved(match):
         words, target = match.groups()
@@ -62,7 +62,7 @@ def move_links(markdown, from_top):
 
 
 def on_page_markdown(markdown, page, config, files):
-    """Sets links right; the page of messages gets those of the source."""
+    """Converts links, and fills the page of messages from the source."""
     name = page.file.src_path
     if name == MESSAGES:
         markdown += messages.make_page()

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Collects the messages out of the source, with `...` for each value, under the titles of the pages they belong to.
+"""Collects the messages from the source, with `...` for each value, under the titles of the corresponding pages.
 
-As a program it prints them. The pages explain some of them, in tables.
+As a program, prints them. Some of them are explained in tables of the pages.
 """
 
 import ast
@@ -17,7 +17,7 @@ import cpp_messages  # noqa: E402 -- beside this file
 TREE = pathlib.Path(__file__).resolve().parents[2]
 SHARED = "Several readers, writers or stages"
 COMMAND = "Report"
-# The stems and folders of files whose names are not those of their pages.
+# Stems and folders of files whose names differ from their pages.
 PAGES = {stem: page for page, stems in {
     "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
     "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "FaultPolyData CutData",
@@ -27,14 +27,14 @@ PAGES = {stem: page for page, stems in {
     "InPython": "functions making calls stages volumes",
     "SeismicReflectionExtraction": "Reflections ImageCube ExtractionLimits GuidePicks", "": "Parameters",
 }.items() for stem in stems.split()}
-# What messages are given to in Python.
+# Python functions and exceptions that take messages.
 TELLERS = ("HorizonError", "ValueError", "TypeError", "FileNotFoundError", "RuntimeError", "ArgumentTypeError", "error",
            "fail", "warn", "warnings.append")
 PLACES = r"%\([^)]*\)[.\d]*[sdgf]|%[.\d]*[sdgf]"
 
 
 def page_of(path):
-    """The name of the page of a source file; empty of one that several share."""
+    """Returns the page of a source file; empty for files that several pages share."""
     folder, stem = path.parent.name, path.stem.removeprefix("vtk")
     if stem in PAGES:
         return PAGES[stem]
@@ -43,7 +43,7 @@ def page_of(path):
 
 
 def python_texts(node):
-    """What an expression may say."""
+    """Returns the possible texts of an expression."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         return [re.sub(PLACES, "...", node.value).replace("%%", "%")]
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mod):
@@ -65,7 +65,7 @@ def python_messages(text):
 
 
 def tidy(text):
-    """As users read it, without the place that comes before; None of what is no message."""
+    """Returns a message as users read it, without the leading position; None for other texts."""
     text = re.sub(r"\s+", " ", text.removesuffix(" (see --help)"))
     text = re.sub(r"\.{4,}", "...", re.sub(r"^(?=[ ,:.)])|(?<=[ ,:(])$", "...", text))
     text = re.sub(r"^\.\.\.(?=[\w\"])", "... ", re.sub(r"^((byte |line )?\.\.\.: )+", "", text))
@@ -76,12 +76,12 @@ def tidy(text):
 
 def cpp_paths():
     paths = itertools.chain(*((TREE / folder).rglob("*") for folder in ("Common", "Filters", "Readers", "Writers")))
-    # Users never hear of what MeshChecker finds.
+    # Users never see the messages of MeshChecker.
     return [path for path in sorted(paths) if path.suffix in (".h", ".cxx") and path.stem != "MeshChecker"]
 
 
 def collect():
-    """The messages of each page: {its name, or "" of those that several share: texts}."""
+    """Returns the messages of each page: {page, or "" for shared messages: texts}."""
     model = (TREE / "Common" / "DataModel.h").read_text("utf-8")
     constants = cpp_messages.named_texts(cpp_messages.tokens_of(model), {})
     found = {}
@@ -99,14 +99,14 @@ def collect():
 
 
 def explained(page):
-    """What a page says about messages in its tables: [(message, meaning)]."""
+    """Returns the messages that a page explains in its tables: [(message, meaning)]."""
     tables = re.findall(r"^\| Message \|.*\n.*\n((?:\|.*\n)+)", page, re.M)
     rows = re.findall(r"^\| (.*?) \| (.*) \|$", "".join(tables), re.M)
     return [(message, meaning) for cell, meaning in rows for message in re.findall("`([^`]+)`", cell)]
 
 
 def make_page():
-    """All messages as Markdown, with what the pages say about them."""
+    """Returns all messages as Markdown, with the explanations from the pages."""
     pages = {path.stem: path.read_text("utf-8") for path in sorted((TREE / "Documentation").glob("*.md"))}
     meanings = {message: meaning for text in pages.values() for message, meaning in explained(text)}
     lines = []

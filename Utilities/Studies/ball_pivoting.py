@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ball pivoting by Open3D, and our triangulation, on surfaces as large as those of the thesis (table 5.1): prints Markdown.
+"""Compares ball pivoting by Open3D with our triangulation on surfaces as large as those of the thesis (table 5.1), and
+prints Markdown.
 
-Needs the package open3d (pip install open3d); ends without it. Open3D is told that all normals point up, which saves it
-to find them. Argument: the program generate_horizons.
+Needs the package open3d (pip install open3d); ends without it. Open3D receives normals that all point up, so it need not
+compute them. Argument: the program generate_horizons.
 """
 
 import pathlib
@@ -16,11 +17,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from thesis import reported, stages, surfaces
 
-RADII = (1.0, 2.0, 4.0)  # of the balls, in columns
+RADII = (1.0, 2.0, 4.0)  # radii of the balls in columns
 
 
 def pivot(places):
-    """Triangles and processor seconds."""
+    """Returns triangles and processor seconds."""
     import open3d
 
     cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(places))
@@ -31,7 +32,7 @@ def pivot(places):
 
 
 def triangulate(horizon):
-    """The same of ours, boundary included; seconds are of the clock, on all threads."""
+    """Returns the triangles of our triangulation, boundary included, and wall-clock seconds on all threads."""
     mesh = stages.mesh(stages.outline(stages.start(horizon)))
     return mesh.triangles, mesh.seconds
 

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Speed and memory of every stage and of the whole chain, from thousands to millions of points, beside other programs.
+"""Measures speed and memory of every stage and of the whole chain, from thousands to millions of points, and of other
+programs.
 
-Utilities/Studies/benchmark.sh makes all that is needed, and runs it. Each size with each number of threads is a process
-of its own, so that none inherits memory that another one holds. Seconds are by the clock, the least of
-some runs. Memory is by how much the resident memory of the process grows at most during the first run of a stage,
-result included, beyond what it had before (VmHWM after a reset through /proc/self/clear_refs, less VmRSS).
+Utilities/Studies/benchmark.sh sets everything up and runs it. Each size with each number of threads runs in a process of
+its own, so that none inherits memory from another. Seconds are wall-clock times, the shortest of several runs. Memory is
+the largest growth of the resident memory of the process during the first run of a stage, including the result (VmHWM
+after a reset through /proc/self/clear_refs, less VmRSS before the run).
 
-The table goes to the standard output, and with --markdown into a file; with --json all figures go into a file, too.
+The table goes to the standard output and, with --markdown, into a file; with --json all figures also go into a file.
 """
 
 import argparse
@@ -24,7 +25,7 @@ from benchmark_programs import HUGE, measure_programs, measure_reading
 from text import report
 
 SIZES = (15626, 148317, 886639, 10000000)
-MOST_SECONDS = 10.0  # for a run of another program
+MOST_SECONDS = 10.0  # limit for a run of another program
 
 
 def parse_arguments():
@@ -40,19 +41,19 @@ def parse_arguments():
 
 
 def measure_apart(*arguments):
-    """In a process of its own."""
+    """Runs benchmark_stages.py in a separate process."""
     command = [sys.executable, str(pathlib.Path(__file__).with_name("benchmark_stages.py")), *arguments]
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
 
 
 def measure_stages(path, threads, before):
-    """`before` has the results of the size before, which tell how much memory a stage will need."""
+    """Measures all stages. `before` has the results of the previous size, which predict how much memory a stage needs."""
     needs = {r["stage"]: r["bytes_per_point"] for r in before if r["threads"] == threads}
     return measure_apart("stages", str(path), str(threads), json.dumps(needs))
 
 
 class Peers:
-    """Other programs, each until it is too slow."""
+    """Other programs, each until it becomes too slow."""
 
     def __init__(self):
         self.last = {}  # name: (points, seconds)

@@ -10,7 +10,7 @@ def number(value):
 
 
 def stage_table(results):
-    """Seconds by the number of threads at the two largest sizes, and the memory at the largest one."""
+    """Returns seconds by number of threads at the two largest sizes, and memory at the largest size."""
     sizes = sorted({r["size"] for r in results})[-2:]
     counts = sorted({r["threads"] for r in results})
     found = {(r["stage"], r["size"], r["threads"]): r for r in results}
@@ -26,7 +26,7 @@ def stage_table(results):
 
 
 def ratios_by_size(results):
-    """Of each other program, by the size asked for: those in C++ make horizons of nearly that size."""
+    """Returns the ratios of each other program by requested size; the C++ programs make horizons of nearly that size."""
     sizes = sorted({r["size"] for r in results["stages"]})
     found = {}
     for r in results["peers"]:
@@ -77,7 +77,7 @@ Their time divided by ours on as many threads: above 1, ours is faster. Programs
 
 
 def page(results, most_seconds):
-    """Other programs were left out that would have taken longer than `most_seconds`."""
+    """Returns the page. Other programs that would take longer than `most_seconds` were omitted."""
     stages = results["stages"]
     threads = " / ".join(map(str, sorted({r["threads"] for r in stages})))
     peers = peer_table(results) if results["peers"] else "None were run.\n"

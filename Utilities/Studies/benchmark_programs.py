@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The benchmark programs in C++, which measure our algorithms beside other libraries."""
+"""The benchmark programs in C++, which compare our algorithms with other libraries."""
 
 import subprocess
 
 from text import cells, report
 
-HUGE = 50000000  # points, beyond what OpenCV is given
-PEERS_UP_TO = 1000000  # points for CGAL and VTK's locator
+HUGE = 50000000  # points, more than the limit for OpenCV
+PEERS_UP_TO = 1000000  # limit for CGAL and VTK's locator
 
 
 def run_program(folder, name, *arguments):
-    """Lines that a benchmark program prints; none where it was not built."""
+    """Returns the lines that a benchmark program prints; none if it was not built."""
     program = folder / name
     if not program.is_file():
         return []
@@ -25,7 +25,7 @@ def program_result(stage, peer, points, theirs, ours):
 
 
 def measure_reading(folder, path, size):
-    """The parser alone, on one thread, beside a bare loop."""
+    """Measures the parser alone, on one thread, against a minimal loop."""
     rows = [line.split(",") for line in run_program(folder, "ReadingBenchmark", path)[1:]]
     seconds = {(what, int(threads)): float(value) for _, what, threads, value in rows}
     return [program_result("read", "bare loop", size, seconds["bare", 1], ours)
@@ -43,14 +43,14 @@ CGAL_COLUMNS = (("CGAL constrained Delaunay", "CGAL inside s"),)
 
 
 def measure_cgal(folder, sizes):
-    """All points at every size; what the simplifications leave, at the least, the middle and the largest."""
+    """Measures all points at every size, and simplified points at the smallest, middle and largest size."""
     some = [sizes[n] for n in sorted({0, len(sizes) // 2, len(sizes) - 1})]
     return read_cgal(run_program(folder, "TriangulationBenchmark", "--full", *sizes), ("full",)) + \
         read_cgal(run_program(folder, "TriangulationBenchmark", *some), ("simplified", "elaborate"))
 
 
 def read_cgal(lines, kinds):
-    """Simplified horizons are filed under the points they had before."""
+    """Lists simplified horizons under their original number of points."""
     stages = {"full": "triangulation, all points", "simplified": "triangulation, after rough",
               "elaborate": "triangulation, after elaborate"}
     rows = [cells(line) for line in lines]
@@ -67,7 +67,7 @@ def read_cgal(lines, kinds):
 
 
 def measure_locator(folder, sizes):
-    """Distances of all points of a horizon to a simplified mesh of it."""
+    """Measures the distances of all points of a horizon from a simplified mesh of it."""
     found = []
     for size in sizes:
         lines = map(cells, run_program(folder, "SurfaceDistanceBenchmark", size))

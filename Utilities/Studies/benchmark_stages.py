@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The part of benchmark.py that runs in a process of its own; prints JSON.
 
-    benchmark_stages.py stages FILE.vsm THREADS NEEDS     all stages; NEEDS: bytes per point by stage, as far as known
-    benchmark_stages.py peers FILE.vsm THREADS SLOW       filters of VTK, but for those named in SLOW
+    benchmark_stages.py stages FILE.vsm THREADS NEEDS     all stages; NEEDS: known bytes per point by stage
+    benchmark_stages.py peers FILE.vsm THREADS SLOW       filters of VTK except those named in SLOW
 """
 
 import ctypes
@@ -24,19 +24,19 @@ from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 from thesis import peers, stages
 from thesis.worth import arrays_of
 
-CELL_SIZE = 3  # of rough
-LARGE_CELL_SIZE = 8  # of elaborate
+CELL_SIZE = 3  # of the rough simplification
+LARGE_CELL_SIZE = 8  # of the elaborate simplification
 FLATNESS = 0.03
 MOST_RUNS = 5
 ENOUGH_SECONDS = 1.0
-MEMORY_LEFT = 0.8  # a stage may fill this part of the free memory
+MEMORY_LEFT = 0.8  # fraction of the free memory that a stage may use
 WHOLE_CHAIN = "whole chain"
 FILE_TO_MESH = "file to mesh"
-FROM_FILE = (WHOLE_CHAIN, FILE_TO_MESH)  # the last rows
+FROM_FILE = (WHOLE_CHAIN, FILE_TO_MESH)  # last rows of the table
 
 
 def memory(name, path="/proc/self/status"):
-    """A line of what Linux tells, in bytes."""
+    """Returns a memory figure of Linux in bytes."""
     with open(path, encoding="ascii") as file:
         for line in file:
             if line.startswith(name + ":"):
@@ -45,7 +45,7 @@ def memory(name, path="/proc/self/status"):
 
 
 def start_peak():
-    """The peak starts anew; what was freed but not given back would hide what is taken."""
+    """Resets the memory peak, after freed memory is returned to the system, which would otherwise hide new allocations."""
     gc.collect()
     ctypes.CDLL(None).malloc_trim(0)
     pathlib.Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
@@ -53,7 +53,7 @@ def start_peak():
 
 
 def measure(work, points):
-    """Memory of the first run, seconds of the fastest one."""
+    """Measures the memory of the first run and the seconds of the fastest run."""
     seconds = []
     before = start_peak()
     while not seconds or (len(seconds) < MOST_RUNS and sum(seconds) < ENOUGH_SECONDS):
@@ -67,7 +67,7 @@ def measure(work, points):
 
 
 class Chain:
-    """Runs filters one after the other, and notes what each takes."""
+    """Runs filters one after the other and records their time and memory."""
 
     def __init__(self, needs):
         self.needs = needs
@@ -77,7 +77,7 @@ class Chain:
         return self.needs.get(stage, 0.0) * points <= MEMORY_LEFT * memory("MemAvailable", "/proc/meminfo")
 
     def run(self, stage, algorithm, points=None, **inputs):
-        """Returns what comes out, or None where there is not enough memory."""
+        """Returns the output, or None if there is not enough memory."""
         for port, data in inputs.items():
             algorithm.SetInputDataObject({"data": 0, "mesh": 1}[port], data)
         points = points or inputs["data"].GetNumberOfPoints()
@@ -93,7 +93,7 @@ class Chain:
 
 
 def make_stages():
-    """Of the whole chain."""
+    """Makes the stages of the whole chain."""
     return [make("vtkHorizonExteriorBoundary"),
             make("vtkHorizonBoundarySimplification", DistanceThreshold=stages.DISTANCE_THRESHOLD),
             make("vtkHorizonRoughSimplification", CellSize=CELL_SIZE),
@@ -101,7 +101,7 @@ def make_stages():
 
 
 def measure_stages(path, needs):
-    # What begins with the file comes first, when nothing else is in memory.
+    # Chains that begin with the file come first, while nothing else is in memory.
     points = read_first(path).GetNumberOfPoints()
     chain = Chain(needs)
     measure_chain(chain, path, points)

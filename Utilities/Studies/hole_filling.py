@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How near filled holes come to what was there: columns are taken out of horizons, filled by several methods, and
-compared. Prints a table of Documentation/StageTables.md: for each horizon and each width of holes in columns, the root mean
-square error of Method Automatic in lattice units, and in brackets its ratio to the least of the other methods. With
+"""Measures the error of filled holes: removes columns from horizons, fills the holes by several methods, and compares.
+Prints a table of Documentation/StageTables.md: for each horizon and each width of holes in columns, the root mean square
+error of Method Automatic in lattice units, and in brackets its ratio to the smallest error of the other methods. With
 --methods each method has a column.
 
     hole_filling.py [--methods] [--real FOLDER] [--widths W...] [--size COLUMNS] [--repeat N] [--processes N]
 
-Generated horizons have waves of all lengths and a deviation of 12 vertical indices; their errors are those to the surface
-without noise. The others are real: their errors include noise, and their unit is the median of the nonzero steps from
-column to column. Ours besides Automatic: "plate" has RimSmoothing 1, "exact plate" 0, "smooth plate" 16 with RimWidth 5.
-The spline is a thin-plate spline through some columns of the rim, six wide; the smoothing one has the smoothing 10 of
-SciPy's RBFInterpolator. Triangles are linear over our mesh. Inverse distance is squared, from the rim, three wide.
+Generated horizons have waves of all lengths and a deviation of 12 vertical indices; their errors are measured from the
+surface without noise. Errors of real horizons include noise, in units of the median of the nonzero steps between adjacent
+columns. Our methods besides Automatic: "plate" has RimSmoothing 1, "exact plate" 0, "smooth plate" 16 with RimWidth 5.
+The spline is a thin-plate spline through some columns of the rim, six wide; the smoothing spline has smoothing 10 in
+SciPy's RBFInterpolator. Triangles are linear over our mesh. Inverse distance is squared, from a rim three columns wide.
 
 Needs the package seismichorizons in PYTHONPATH, and numpy. Horizons in FOLDER are files *.ijz with lines "i j z".
 """
@@ -33,18 +33,19 @@ import seismichorizons as sh
 from seismichorizons.stage import apply
 from text import report, table
 
-MARGIN = 12  # columns that stay around each hole
-MOST_PLACES = 4000  # that are compared: kernels take long in the middle of wide holes
-NEAREST = 32  # points that a kernel takes
-MOST_CENTRES = 3000  # of a spline, whose matrix is full
+MARGIN = 12  # known columns around each hole
+MOST_PLACES = 4000  # compared positions: kernels are slow in the middle of wide holes
+NEAREST = 32  # points of a kernel
+MOST_CENTRES = 3000  # of a spline, whose matrix is dense
 OURS = ("automatic", "plate", "exact plate", "smooth plate", "membrane")
 KERNELS = {"Voronoi": vtkVoronoiKernel, "Shepard": vtkShepardKernel, "Gaussian": vtkGaussianKernel}
 
 
-# ---- Horizons, as two arrays of one number per column: whether there is a point, and its height ----
+# ---- Horizons, as two arrays by column: whether there is a point, and its height ----
 
 def generated(random, size, roughness):
-    """A surface of waves of all lengths, higher the longer they are; roughness is the part of short waves."""
+    """Returns a surface of waves of all lengths, with amplitude increasing with length; roughness is the fraction of short
+    waves."""
     frequencies = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
     height = np.zeros((size, size))
     for power, shortest, deviation in ((2.5, 16.0, 12.0), (1.7, 2.0, 12.0 * roughness)):
@@ -57,7 +58,7 @@ def generated(random, size, roughness):
 
 
 def read_real(path):
-    """The columns of a file, with the median of the steps between neighbours as the vertical index where that is more."""
+    """Returns the columns of a file; the vertical index is the median of the steps between neighbours if that is larger."""
     lines = [line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
     values = np.array([line.split() for line in lines[1:] if len(line.split()) == 3], float)
     i, j = (values[:, axis].astype(int) - int(values[:, axis].min()) for axis in (0, 1))
@@ -67,7 +68,7 @@ def read_real(path):
 
 
 def cut_holes(random, there, width, number):
-    """Numbers of holes, 0 elsewhere: discs with lobes, all of whose surroundings are there."""
+    """Returns the number of a hole for each column, 0 elsewhere: lobed discs surrounded by known columns."""
     holes = np.zeros(there.shape, int)
     reach = int(0.65 * width) + MARGIN
     rows, columns = there.shape
@@ -87,7 +88,7 @@ def cut_holes(random, there, width, number):
 
 
 def horizon(there, height):
-    """The data of the stages."""
+    """Returns the input data of the stages."""
     j, i = np.nonzero(there)
     data = vtkPolyData()
     points = vtkPoints()
@@ -100,7 +101,7 @@ def horizon(there, height):
     return data
 
 
-# ---- Methods: each gives the heights at the places (row, column) that were taken out ----
+# ---- Methods: each returns the heights at the removed positions (row, column) ----
 
 def fill(there, height, places, **properties):
     filled = apply(sh.vtkHorizonHoleFilling(), horizon(there, height), LargestHoleSize=there.size, **properties)
@@ -111,13 +112,13 @@ def fill(there, height, places, **properties):
 
 
 def triangles(there, height, places):
-    """Linear over the triangles of the mesh, which closes holes."""
+    """Linear interpolation over the triangles of the mesh, which closes holes."""
     outline = apply(sh.vtkHorizonExteriorBoundary(), horizon(there, height))
     return probe(apply(sh.vtkHorizonTriangulation(), outline), places)
 
 
 def flat(data):
-    """The points in plan, with their heights as an array."""
+    """Returns the points in plan view, with their heights as an array."""
     places = vtk_to_numpy(data.GetPoints().GetData()).copy()
     heights = numpy_to_vtk(places[:, 2].copy(), deep=True)
     heights.SetName("Height")
@@ -149,7 +150,7 @@ def probe_flat(mesh, places):
     sample.SetSourceData(mesh)
     sample.Update()
     found = vtk_to_numpy(sample.GetOutput().GetPointData().GetArray("Height"))
-    # VTK's own triangles leave gaps between points on a line; there the nearest point stands for them.
+    # VTK's Delaunay triangles leave gaps between collinear points, where the nearest point is used.
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     heights = vtk_to_numpy(mesh.GetPointData().GetArray("Height"))
     for n in np.nonzero(vtk_to_numpy(sample.GetOutput().GetPointData().GetArray("vtkValidPointMask")) == 0)[0]:
@@ -159,7 +160,7 @@ def probe_flat(mesh, places):
 
 
 def rim(there, holes, width=3):
-    """The known columns near holes."""
+    """Returns the known columns near holes."""
     near = holes > 0
     for _ in range(width):
         near = near | np.roll(near, 1, 0) | np.roll(near, -1, 0)
@@ -168,7 +169,7 @@ def rim(there, holes, width=3):
 
 
 def delaunay(there, height, holes, places):
-    """Linear over VTK's own Delaunay triangles between the columns around holes."""
+    """Linear interpolation over VTK's Delaunay triangles between the columns around holes."""
     mesher = vtkDelaunay2D()
     mesher.SetInputData(flat(horizon(rim(there, holes), height)))
     mesher.Update()
@@ -192,7 +193,7 @@ def kernel(kind, there, height, holes, places):
 
 
 def inverse_distance(there, height, holes, places):
-    """Weights by the inverse square of the distance to all columns of the hole's own rim."""
+    """Average weighted by the inverse square of the distance to all columns of the hole's rim."""
     result = np.empty(len(places[0]))
     numbers = holes[places]
     for number in range(1, holes.max() + 1):
@@ -212,7 +213,7 @@ def thin_plate(places, centres):
 
 
 def spline_of_hole(known, heights, places, smoothing):
-    """A thin-plate spline with a plane (Duchon 1977), by the places and heights that it goes through, or nearly so."""
+    """Thin-plate spline with a plane (Duchon 1977) through, or near, given positions and heights."""
     middle, scale = known.mean(axis=0), max(1.0, np.ptp(known))
     known, places = (known - middle) / scale, (places - middle) / scale
     count = len(known)
@@ -228,7 +229,7 @@ def spline_of_hole(known, heights, places, smoothing):
 
 
 def spline(there, height, holes, places, smoothing):
-    """That of each hole."""
+    """Thin-plate spline of each hole."""
     result = np.empty(len(places[0]))
     numbers = holes[places]
     for number in np.unique(numbers):
@@ -241,7 +242,7 @@ def spline(there, height, holes, places, smoothing):
 
 
 def methods(there, height, holes, places):
-    """All of them by name."""
+    """Returns the heights of all methods by name."""
     yield "automatic", fill(there, height, places)
     yield "plate", fill(there, height, places, Method="Plate")
     yield "exact plate", fill(there, height, places, Method="Plate", RimSmoothing=0.0)
@@ -259,7 +260,7 @@ def methods(there, height, holes, places):
 # ---- The table ----
 
 def errors(random, truth, noisy, width, number):
-    """The root mean square error of each method; none when no hole fits."""
+    """Returns the root mean square error of each method; empty if no hole fits."""
     there = np.isfinite(noisy)
     holes = cut_holes(random, there, width, number)
     places = np.nonzero((holes > 0) & there)
@@ -278,7 +279,7 @@ NOISES = {"no noise": lambda random, height: height,
 
 
 def number_of_holes(width):
-    return max(4, 2000 // width**2 + 100 // width)  # as far as there is room
+    return max(4, 2000 // width**2 + 100 // width)  # fewer if there is no room
 
 
 def errors_of_generated(options, noise, width, seed):
@@ -301,7 +302,7 @@ def run(job):
 
 
 def jobs_of(options):
-    """What the rows are made of, as (name, width, function, its arguments)."""
+    """Returns the table rows to compute, as (name, width, function, its arguments)."""
     for width in options.widths:
         for noise in NOISES:
             for seed in range(options.repeat):

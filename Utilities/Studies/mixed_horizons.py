@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes one .vsm file of horizons of mixed size: those of generate_horizons, of several runs, on one lattice.
+"""Makes one .vsm file of horizons of mixed size on one lattice, from several runs of generate_horizons.
 
     python3 mixed_horizons.py build/release/bin/generate_horizons mixed.vsm
 
@@ -12,20 +12,20 @@ import pathlib
 import subprocess
 import tempfile
 
-# How many horizons, and how many points each has, about.
+# Numbers of horizons, and approximate points of each.
 CLASSES = ((1, 500000), (4, 200000), (15, 80000), (40, 30000), (60, 15000), (80, 5000))
-LARGEST_AT_ONCE = 20  # horizons that are generated together, one above the other
+LARGEST_AT_ONCE = 20  # horizons generated together, one above the other
 
 
 def read_columns(path):
-    """The size of a lattice, and its lines with the voxels of each column."""
+    """Returns the size of a lattice, and its lines with the voxels of each column."""
     with open(path, encoding="ascii") as file:
         size = [int(number) for number in file.readline().split()]
         return size, [line.split() for line in file]
 
 
 def shift(line, first_index, first_id):
-    """The voxels of a column with other vertical indices and IDs."""
+    """Returns the voxels of a column with shifted vertical indices and IDs."""
     for position in range(0, len(line), 5):
         line[position] = str(int(line[position]) + first_index)
         line[position + 1] = str(int(line[position + 1]) + first_id)
@@ -42,7 +42,7 @@ def generate(program, horizons, points, seed, folder):
 
 
 def merge(parts):
-    """One lattice with the voxels of all parts, one part above the other: its size, and the voxels of each column."""
+    """Stacks several lattices into one; returns its size and the voxels of each column."""
     size = [max(part[axis] for part, _, _ in parts) for axis in (0, 1)] + [0]
     columns = [[] for _ in range(size[0] * size[1])]
     for part, lines, first_id in parts:

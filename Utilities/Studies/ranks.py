@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long horizons take on several processes: read, Horizon Surface and Horizon Surface Distance.
+"""Measures the time of several processes for horizons: reading, Horizon Surface and Horizon Surface Distance.
 
     python3 ranks.py mixed.vsm --ranks 1 2 4 --pvbatch pvbatch
 
-For each number of processes it runs each piece of them by itself, one after the other, and takes its processor time, as
-processes that wait for others in MPI use the processor, too; then all at once by mpirun, and takes the time on the clock.
+For each number of processes, each piece runs alone, one after the other, and its processor time is measured, because
+processes that wait in MPI also use the processor. Then all pieces run at once by mpirun, and wall-clock time is measured.
 Prints a table for a page.
 """
 
@@ -26,7 +26,7 @@ def processor_time():
 
 
 def run(path, piece, pieces, clock):
-    """The seconds of each step for a piece, and how many points each of its horizons has."""
+    """Returns the seconds of each step for a piece, and the number of points of each of its horizons."""
     reader, surface, distance = (getattr(sh, "vtk" + name)() for name in (
         "VerneySparseMatrixReader", "HorizonSurface", "HorizonSurfaceDistance"))
     reader.SetFileName(path)
@@ -53,7 +53,7 @@ def call(command):
 
 
 def measure(path, ranks, pvbatch):
-    """The results of the pieces, and the seconds on the clock of all at once."""
+    """Returns the results of the pieces, and the wall-clock seconds of all pieces at once."""
     pieces = [call([sys.executable, __file__, path, "--piece", str(piece), str(ranks)])[0] for piece in range(ranks)]
     together = call(["mpirun", "-np", str(ranks), pvbatch, "--symmetric", __file__, path, "--together"])
     return pieces, max(sum(result["seconds"]) for result in together)
@@ -84,7 +84,7 @@ def main():
         controller = vtkMultiProcessController.GetGlobalController()
         own, size = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
         controller.Barrier()
-        # One write each, so that lines of processes do not mix.
+        # A single write per process keeps their lines apart.
         sys.stdout.write(json.dumps(run(arguments.file, own, size, time.monotonic)) + "\n")
         sys.stdout.flush()
         return

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does what the thesis reports on again, and writes a page with what its tables 4.1 to 4.6 and 5.1, its curves 3.18, 3.19
-and 5.18 and its figures of surfaces say, the numbers found here, and those of other programs.
+"""Repeats the measurements of the thesis and writes a page that compares its tables 4.1 to 4.6 and 5.1, its curves 3.18,
+3.19 and 5.18 and its figures of surfaces with our results and those of other programs.
 
-Utilities/Studies/reproduce_thesis.sh makes all that is needed, and runs it. Needs the package seismichorizons in
-PYTHONPATH; Matplotlib for the curves, an X server for the pictures of surfaces, and MeshLab as well for the partners of
-the thesis. What cannot be made is left out.
+Utilities/Studies/reproduce_thesis.sh sets everything up and runs it. Needs the package seismichorizons in PYTHONPATH;
+Matplotlib for the curves, an X server for the pictures of surfaces, and MeshLab as well for the programs compared in the
+thesis. Results whose programs are missing are omitted.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from text import cells, report
 from thesis import figures, partners, reported, study
 from thesis.page import all_tables, page
 
-CURVE_SURFACE = 60511  # on which errors are drawn over the vertices
+CURVE_SURFACE = 60511  # surface whose errors are plotted against vertices
 
 
 def parse_arguments():
@@ -38,7 +38,7 @@ def parse_arguments():
 
 
 def measure_surfaces(options, folder, pace):
-    """All surfaces of table 4.1, and the errors over the vertices of one of them."""
+    """Measures all surfaces of table 4.1, and the errors by number of vertices of one of them."""
     sizes = sorted(reported.SURFACES)[:options.surfaces]
     found = []
     curves = None
@@ -63,7 +63,7 @@ def measure_meshings(options, folder, pace):
 
 
 def measure_cgal(program, meshings):
-    """Times of CGAL's Delaunay triangulations on as many points, by name."""
+    """Returns the times of CGAL's Delaunay triangulations of the same numbers of points, by name."""
     if not program:
         return {}
     report("CGAL")

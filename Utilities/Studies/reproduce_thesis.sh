@@ -4,10 +4,10 @@
 #
 # reproduce_thesis.sh [FOLDER [OPTION]...]
 #
-# Sets everything up, and writes the page Tables.md and its pictures into a folder, Documentation without one. Options
-# are those of reproduce_thesis.py. The curves need the package python3-matplotlib; the partners of the thesis need
-# meshlab, and CGAL libcgal-dev: they are left out where they are missing. Takes some minutes; times are only worth
-# something when the computer does nothing else.
+# Sets everything up, and writes the page Tables.md and its pictures into a folder, by default Documentation. The options
+# are the same as for reproduce_thesis.py. The curves need the package python3-matplotlib, the programs compared in the thesis
+# need meshlab, and CGAL needs libcgal-dev; missing ones are skipped. Takes a few minutes; times are meaningful only on an
+# otherwise idle computer.
 set -eu
 
 studies=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)

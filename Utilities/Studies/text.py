@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the studies say, and how they write and read tables."""
+"""Messages and Markdown tables of the studies."""
 
 import sys
 import textwrap
@@ -9,23 +9,23 @@ WIDTH = 120
 
 
 def report(text):
-    """How far a study is, beside what it prints as its result."""
+    """Reports the progress of a study, separately from its printed result."""
     print(text, file=sys.stderr, flush=True)
 
 
 def table(heads, rows):
-    """A table in Markdown."""
+    """Returns a table in Markdown."""
     lines = ["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
 
 
 def cells(line):
-    """The cells of a line of such a table."""
+    """Returns the cells of a line of such a table."""
     return [cell.strip() for cell in line.strip("| \n").split("|")]
 
 
 def wrapped(page):
-    """Paragraphs and lists of a page filled again, each to its own indent; tables, headings and pictures stay."""
+    """Rewraps the paragraphs and lists of a page with their indents; tables, headings and pictures are unchanged."""
     blocks = []
     for line in page.splitlines():
         stays = not line or line.startswith(("|", "#", "!"))

@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The parts of reproduce_thesis.py."""
+"""The modules of reproduce_thesis.py."""

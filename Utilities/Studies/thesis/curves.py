@@ -5,7 +5,7 @@
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  the back-end comes first
+import matplotlib.pyplot as plt  # noqa: E402  the back-end is selected first
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 from . import reported  # noqa: E402
@@ -34,12 +34,12 @@ def logarithmic(axis):
 
 
 def legend(axis):
-    """To the right of the panel."""
+    """Places the legend to the right of the panel."""
     axis.legend(loc="center left", bbox_to_anchor=(1.02, 0.5))
 
 
 def crowded(axis):
-    """Marks between the powers of ten, for short spans."""
+    """Adds ticks between the powers of ten, for short ranges."""
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     logarithmic(axis)
 
@@ -50,7 +50,7 @@ def save(figure, path):
 
 
 def boundary_time(found, path):
-    """Figure 3.18."""
+    """Draws figure 3.18."""
     figure, axes = panels(2, (9.0, 3.9), same_heights=True)
     for axis, rule in zip(axes, found[0].boundary_seconds):
         for color, s in zip(COLORS, found):
@@ -69,7 +69,7 @@ def boundary_time(found, path):
 
 
 def boundary_rate(found, path):
-    """Figure 3.19."""
+    """Draws figure 3.19."""
     figure, (axis,) = panels(1, (6.8, 3.9))
     for color, s in zip(COLORS, found):
         axis.plot(*zip(*s.boundary_rates), "o-", color=color, label="{:,} points".format(s.size))
@@ -82,7 +82,7 @@ def boundary_rate(found, path):
 
 
 def triangulation_time(meshings, others, path):
-    """Figure 5.18. `others` are more programs, as lists of (points, seconds) by name."""
+    """Draws figure 5.18. `others` are further programs, as lists of (points, seconds) by name."""
     figure, (axis,) = panels(1, (7.6, 4.6))
     names = {"VTS": "voxel traversal", "CTC": "compactness", "BP": "ball pivoting (MeshLab)"}
     curves = {"%s, here" % title: [(m.points, m.seconds[name]) for m in meshings if name in m.seconds]
@@ -110,7 +110,7 @@ def triangulation_time(meshings, others, path):
 
 
 def vertex_worth(curves, title, path):
-    """Errors over vertices for everybody; ours is drawn heavier."""
+    """Draws errors against vertices for all programs; our curve is thicker."""
     figure, axes = panels(3, (12.0, 4.2))
     ours = [name for name in curves if not name.startswith(("vtk", "MeshLab"))]
     for number, (name, worths) in enumerate(curves.items()):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The end of the page Tables.md: what the figures of the thesis show, with our surfaces."""
+"""The end of the page Tables.md: the figures of the thesis, with our surfaces."""
 
 from text import table
 
@@ -22,7 +22,7 @@ def shown(figure):
 
 
 def rows(figures):
-    """What the captions of the thesis say, and ours."""
+    """Returns the numbers in the captions of the thesis, and ours."""
     return table(["figure", "what", "thesis", "here"],
                  [[listing(figure.numbers)] + row for figure in figures for row in figure.rows])
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The figures of the thesis that show results, done again with our surfaces: numbers of their captions, and panels."""
+"""The figures of the thesis with results, repeated with our surfaces: the numbers in their captions, and panels."""
 
 import os
 
@@ -10,13 +10,13 @@ from seismichorizons import pictures
 from . import partners, reported, stages, surfaces
 from .worth import errors, measure
 
-SQUARE = 257  # columns: 66049 points, 1024 of them on the boundary
-SMALL = 600  # points, with an outline about as long as that of figure 3.24
-SMALL_SIDE = 30  # columns of a square, the same
+SQUARE = 257  # columns; 66049 points, 1024 on the boundary
+SMALL = 600  # points, with an outline about as long as in figure 3.24
+SMALL_SIDE = 30  # columns of a square, for the same figure
 
 
 class Figure:
-    """`numbers` are those of the thesis; `rows` are (what, thesis, here)."""
+    """`numbers` are the figure numbers in the thesis; `rows` are (what, thesis, here)."""
 
     def __init__(self, numbers, title, text):
         self.numbers = numbers
@@ -47,14 +47,14 @@ def both(largest, mean):
 
 
 class Simplified:
-    """A mesh of what a simplification left, and how far it is from the mesh of all points."""
+    """A mesh of simplified points, and its distance from the mesh of all points."""
 
     def __init__(self, full, mesh):
         self.mesh = mesh
         self.points = mesh.GetNumberOfPoints()
         meter = measure(full, mesh)
         self.largest, self.mean = errors(meter)
-        self.colored = meter.GetOutputDataObject(0)  # all points, by their distance
+        self.colored = meter.GetOutputDataObject(0)  # all points, coloured by distance
 
     def panel(self, figure, title):
         figure.panel(title, "%s points, mean error %.5f" % (count(self.points), self.mean), self.colored,
@@ -83,7 +83,7 @@ class Prepared:
         return Simplified(self.full, stages.mesh(stages.elaborate(self.straight, 8, flatness)).data)
 
     def merged(self, distance, folder):
-        """By MeshLab; None without it."""
+        """Returns the mesh merged by MeshLab; None without it."""
         peer = partners.Partners(self.full, self.outlined, folder, partners.Pace()).merge(distance)
         return peer and Simplified(self.full, peer.mesh)
 
@@ -97,7 +97,7 @@ def outline_panel(figure, title, outlined, text="%s outline points"):
 
 
 def outline_rows(figure, outlined, thresholds, thesis):
-    """`thesis` are the numbers of outline points in full, and for each threshold."""
+    """`thesis` is the number of all outline points, and the number for each threshold."""
     whole = stages.outline_points(outlined.data)
     figure.row("outline points, k = 1", count(thesis[0]), count(whole))
     figure.row("bends in plan among them, which stay", "at most %s" % count(thesis[-1]), count(stages.bends(outlined)))
@@ -110,7 +110,7 @@ def outline_rows(figure, outlined, thresholds, thesis):
 
 
 def smoother_row(figure, what, horizon, threshold):
-    """The same for a surface with fewer bends."""
+    """Adds the same row for a surface with fewer bends."""
     outlined = stages.outline(stages.start(horizon))
     whole = stages.outline_points(outlined.data)
     left = stages.outline_points(stages.straighten(outlined, threshold).data)
@@ -241,7 +241,7 @@ def small_surface(make):
 
 
 def figures(generator, folder, largest):
-    """All figures with surfaces of up to so many points, in the order of the thesis."""
+    """Returns all figures with surfaces of up to `largest` points, in the order of the thesis."""
 
     def make(points):
         return Prepared(surfaces.make(generator, points, folder)[0])

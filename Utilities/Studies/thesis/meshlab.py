@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""MeshLab's filters, run by its program meshlabserver, which needs an X server. The partners of the thesis."""
+"""MeshLab's filters, to which the thesis compares; run by the program meshlabserver, which needs an X server."""
 
 import os
 import pathlib
@@ -16,7 +16,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 
 from .worth import arrays_of
 
-MOST_SECONDS = 120  # then a run is given up
+MOST_SECONDS = 120  # limit of a run
 FILTERS = {
     "nothing": "",
     "merge": """
@@ -59,8 +59,8 @@ def processor_seconds():
 
 
 class MeshLab:
-    """Applies filters to one mesh, or to its points. Seconds are of the processor (it uses one thread), without those
-    that it takes to read the file, and to write it."""
+    """Applies filters to one mesh or to its points. Seconds are processor time (MeshLab uses one thread), without reading
+    and writing files."""
 
     def __init__(self, mesh, folder):
         self.folder = pathlib.Path(folder)
@@ -68,11 +68,11 @@ class MeshLab:
         self.overhead = {}
 
     def merge(self, distance):
-        """The mesh with vertices merged that are nearer than the distance; and seconds, or None for both."""
+        """Returns the mesh with vertices closer than the distance merged, and seconds; None for both if it failed."""
         return self._run(FILTERS["merge"] % distance, self.triangles)
 
     def ball_pivoting(self):
-        """A mesh of the points; and seconds, or None for both."""
+        """Returns a mesh of the points, and seconds; None for both if it failed."""
         return self._run(FILTERS["ball pivoting"], np.empty((0, 3), int))
 
     def _run(self, script, triangles):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page Tables.md: what was measured beside what the thesis reports."""
+"""The page Tables.md: our measurements beside the results of the thesis."""
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
@@ -108,7 +108,7 @@ Errors are the largest and the mean.
 
 
 def all_tables(found, meshings, paces, shown):
-    """What the medians of the page are made of, and what the figures say."""
+    """Returns the tables behind the medians of the page, and the figures."""
     return wrapped(ALL_TABLES.format(
         surfaces=tables.surfaces(found), outline_words=words.outline_sentence(found),
         rough_table=tables.rough(found), elaborate_table=tables.elaborate(found), both_after_3=tables.both(found, 3),
@@ -117,7 +117,7 @@ def all_tables(found, meshings, paces, shown):
 
 
 def page(found, curves, paces, shown):
-    """`shown` are the figures that show surfaces."""
+    """`shown` are the figures of surfaces."""
     rough, elaborate = found[0].equal
     return wrapped(PAGE.format(
         runs=stages.MOST_RUNS, threads=vtkSMPTools.GetEstimatedNumberOfThreads(),

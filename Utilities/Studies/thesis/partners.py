@@ -1,22 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What others make of the same surface with as many vertices: our own decimation, MeshLab's merging of close vertices,
-which the thesis compares with, and filters of VTK. All but the decimation and vtkDelaunay2D take the mesh with all
-points; that it has to be made before is not counted."""
+"""Meshes of the same surface with the same number of vertices by other methods: our decimation, MeshLab's merging of close
+vertices, to which the thesis compares, and filters of VTK. All except the decimation and vtkDelaunay2D take the mesh of all
+points, whose time is not counted."""
 
 from . import stages
 from .meshlab import MeshLab, is_installed
 from .peers import Peer, binned_decimation, decimate_pro, delaunay, quadric_clustering, quadric_decimation
 from .terrain import Terrain
 
-MOST_SECONDS = 5.0  # a partner that would take longer on a surface is left out of it
-GROWTH = 1.3  # with this power of the points, going by the surface before
-OUTLINE_TOLERANCE = 0.5  # of our decimation
-MOST_TRIALS = 4  # to get as many vertices as we have
+MOST_SECONDS = 5.0  # a method expected to take longer on a surface skips it
+GROWTH = 1.3  # exponent of time by points, from the previous surface
+OUTLINE_TOLERANCE = 0.5  # outline tolerance of our decimation
+MOST_TRIALS = 4  # trials to match the number of vertices
 NEAR_ENOUGH = 0.03
 
-# First guesses, found by trying: a distance for a cell of size 1, triangles for one of ours, and those of a whole image
-# for one inside the outline, whose number grows faster than that of all.
+# Initial guesses, found by trial: merging distance per cell size, triangles per triangle of ours, and triangles of a whole
+# image per triangle inside the outline.
 MERGE_PER_CELL = 0.95
 PRO_PER_TRIANGLE = 0.6
 TERRAIN_PER_TRIANGLE = 1.5
@@ -27,8 +27,8 @@ DECIMATION = "our decimation"
 
 
 def match(work, parameter, correct, target):
-    """The run of `work` whose number of vertices is nearest to the target. `correct` makes a better parameter of one
-    and of the vertices it led to."""
+    """Returns the run of `work` whose number of vertices is closest to the target. `correct` improves a parameter from the
+    resulting number of vertices."""
     best = None
     for _ in range(MOST_TRIALS):
         peer = work(parameter)
@@ -43,7 +43,7 @@ def match(work, parameter, correct, target):
 
 
 class Partners:
-    """All partners for one surface. `pace` is kept from one surface to the next, and knows who is too slow."""
+    """All methods for one surface. `pace` is passed from one surface to the next and records which methods are too slow."""
 
     def __init__(self, full, outlined, folder, pace):
         self.full = stages.triangles_only(full)
@@ -53,7 +53,7 @@ class Partners:
         self.pace = pace
 
     def with_vertices(self, ours):
-        """Their meshes with as many vertices as ours, by name."""
+        """Returns meshes with the same number of vertices as ours, by name."""
         target = ours.points
         cell = (self.full.GetNumberOfPoints() / target) ** 0.5
         triangles = ours.triangles
@@ -62,7 +62,7 @@ class Partners:
             return match(work, first, lambda size, vertices: size * (target / vertices) ** power, target)
 
         def by_difference(work):
-            """A vertex more is two triangles more."""
+            """One more vertex gives two more triangles."""
             return match(work, triangles, lambda number, vertices: number + 2 * (target - vertices), target)
 
         works = {
@@ -85,7 +85,7 @@ class Partners:
         return found
 
     def series(self, ours):
-        """Their meshes with about as many vertices as each of ours, by name."""
+        """Returns meshes with about as many vertices as each of ours, by name."""
         cells = [(self.full.GetNumberOfPoints() / mesh.points) ** 0.5 for mesh in ours]
         triangles = [mesh.triangles for mesh in ours]
         runs = {
@@ -99,7 +99,7 @@ class Partners:
         return {name: results for name, results in runs.items() if all(results)}
 
     def decimate(self, points):
-        """Ours, with the fewest outline points within half a column, of which it has at least as many."""
+        """Returns our decimation; it keeps at least the fewest outline points within half a column."""
         straight = stages.fewest_outline_points(self.outlined, OUTLINE_TOLERANCE)
         result = stages.decimate(straight, max(points, stages.outline_points(straight.data)))
         return Peer(stages.triangles_only(result.data), result.seconds)
@@ -112,7 +112,7 @@ class Partners:
 
 
 class Pace:
-    """Who takes how long, and so who is left out of which surface."""
+    """Records the time of each method, and decides which surfaces it skips."""
 
     def __init__(self, most_seconds=MOST_SECONDS):
         self.most_seconds = most_seconds

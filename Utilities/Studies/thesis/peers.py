@@ -13,7 +13,7 @@ from .worth import arrays_of
 
 
 class Peer:
-    """A mesh from another program, and the seconds it took."""
+    """A mesh from another program, and the seconds that it took."""
 
     def __init__(self, mesh, seconds):
         self.mesh = mesh
@@ -29,13 +29,13 @@ def run(algorithm, mesh):
 
 
 def divisions(mesh, cell_size):
-    """Cubic cells."""
+    """Returns the divisions for cubic cells."""
     bounds = mesh.GetBounds()
     return [max(1, round((bounds[2 * axis + 1] - bounds[2 * axis]) / cell_size)) for axis in range(3)]
 
 
 def quadric_clustering(mesh, cell_size):
-    """With cells as high as the surface some of its points fly far off."""
+    """If cells were as high as the surface, some points would be far off."""
     algorithm = vtkQuadricClustering()
     algorithm.AutoAdjustNumberOfDivisionsOff()
     algorithm.SetNumberOfDivisions(divisions(mesh, cell_size))
@@ -44,8 +44,8 @@ def quadric_clustering(mesh, cell_size):
 
 
 def binned_decimation(mesh, cell_size):
-    """With cells as the rough simplification has them, square in plan and as high as the surface: cubic ones led to a
-    larger error for its vertices."""
+    """Cells are as in the rough simplification, square in plan view and as high as the surface; cubic cells led to a larger
+    error for the same vertices."""
     algorithm = vtkBinnedDecimation()
     algorithm.AutoAdjustNumberOfDivisionsOff()
     algorithm.SetNumberOfDivisions(divisions(mesh, cell_size)[:2] + [1])
@@ -54,7 +54,7 @@ def binned_decimation(mesh, cell_size):
 
 
 def decimate(algorithm, mesh, triangles):
-    """Down to so many triangles."""
+    """Decimates to a number of triangles."""
     algorithm.SetTargetReduction(max(0.0, 1.0 - triangles / mesh.GetNumberOfPolys()))
     return run(algorithm, mesh)
 
@@ -74,6 +74,6 @@ def delaunay(points):
 
 
 def ball_pivoting(mesh, folder):
-    """Of the points of a mesh; None where MeshLab did not get to the end."""
+    """Returns a mesh of the points of a mesh; None if MeshLab did not finish."""
     found, seconds = MeshLab(mesh, folder).ball_pivoting()
     return found and Peer(found, seconds)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the thesis reports. Each result is (points left, milliseconds, largest error, mean error); errors are divided by
-the diagonal of the bounding box."""
+"""Results of the thesis. Each result is (points left, milliseconds, largest error, mean error); errors are divided by the
+diagonal of the bounding box."""
 
-# Values of the flatness for which the elaborate simplification is reported.
+# Flatness values with reported results of the elaborate simplification.
 FLATNESS = (0.03, 0.12, 0.20)
 
 # Table 4.1: points of the surfaces, and the boxes around them.
@@ -40,7 +40,7 @@ CLUSTER = {
 }
 
 # Table 4.3: elaborate with cells of 8 for each flatness, as (points left, milliseconds of the method alone,
-# milliseconds after rough with cells of 3, largest error, mean error). One number of points is given for both.
+# milliseconds after rough with cells of 3, largest error, mean error). Both have the same number of points.
 ELABORATE = {
     15626: ((1571, 856, 574, 0.013, 0.0004), (1123, 851, 568, 0.02, 0.0006), (1071, 842, 567, 0.022, 0.0007)),
     32402: ((5818, 1384, 1186, 0.009, 0.0004), (5509, 1380, 1179, 0.01, 0.0005), (5185, 1371, 1178, 0.013, 0.0005)),
@@ -102,5 +102,5 @@ BOUNDARY_TIME = (15626, 1, 18)
 # Figure 3.23: points on the outline, radius 1.
 OUTLINE = {15626: 1025}
 
-# Figures 3.23 and 3.26: threshold, part of the boundary points that goes, in percent.
+# Figures 3.23 and 3.26: threshold, percentage of boundary points removed.
 BOUNDARY_RATES = ((0.3, 63), (0.4, 35), (0.5, 90))

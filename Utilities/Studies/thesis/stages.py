@@ -9,8 +9,8 @@ from seismichorizons.stage import configure
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 DISTANCE_THRESHOLD = 0.4  # of the boundary simplification, as in the thesis
-MOST_RUNS = 3  # the fastest counts
-ENOUGH_SECONDS = 1.0  # after which there are no more runs
+MOST_RUNS = 3  # the fastest run counts
+ENOUGH_SECONDS = 1.0  # no further runs after this time
 
 
 class Result:
@@ -24,7 +24,7 @@ class Result:
 
 
 def time_update(algorithm):
-    """Seconds of the fastest of some runs."""
+    """Returns the seconds of the fastest of several runs."""
     best = float("inf")
     total = 0.0
     for _ in range(MOST_RUNS):
@@ -86,13 +86,13 @@ def outline_points(horizon):
 
 
 def bends(outlined):
-    """How many points of outlines stay whatever the threshold: those where they turn, seen from above, and those that
-    they visit more than once. With a threshold that lets all others go, nearly these are left."""
+    """Returns approximately the number of outline points that stay at any threshold: points where outlines turn in map
+    view, and points that they visit more than once."""
     return outline_points(straighten(outlined, 1e6).data)
 
 
 def triangles_only(data):
-    """Without lines and attributes, for filters that would do something with them."""
+    """Removes lines and attributes, which some filters would process."""
     bare = vtkPolyData()
     bare.SetPoints(data.GetPoints())
     bare.SetPolys(data.GetPolys())

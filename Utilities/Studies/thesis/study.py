@@ -15,13 +15,13 @@ THRESHOLDS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
 CURVE_CELLS = (12, 8, 6, 4, 3)
 CURVE_FLATNESS = (0.03, 0.01, 0.003)
 CURVE_GROWTH = 1.5
-MOST_SECONDS_TO_MESH = 15.0  # for other programs that mesh all points
+MOST_SECONDS_TO_MESH = 15.0  # limit for other programs that mesh all points
 
 OURS = "ours"
 
 
 class Measured:
-    """Points that a simplification left, its seconds, and what a mesh of them is worth."""
+    """Points left by a simplification, its seconds, and the quality of a mesh of them."""
 
     def __init__(self, points, seconds, worth):
         self.points = points
@@ -52,7 +52,7 @@ class Surface:
             ("elaborate, s = 8, flatness 0.03", stages.elaborate(self.straight, 8, 0.03)))}
 
     def forget(self):
-        """Lets go of all that is large."""
+        """Releases all large data."""
         del self.outlined, self.full, self.straight, self.partners, self._measured
 
     def _boundary_curves(self, horizon):
@@ -64,7 +64,7 @@ class Surface:
             for t in THRESHOLDS]
 
     def _our_tables(self):
-        start = stages.Result(self.straight.data, 0.0)  # times in the tables are of the simplification alone
+        start = stages.Result(self.straight.data, 0.0)  # times in the tables cover the simplification alone
         rough = {size: stages.rough(start, size) for size in (3, 6, 8)}
         self.rough = {size: self._measure(result) for size, result in rough.items()}
         self.alone = [self._measure(stages.elaborate(start, 8, flatness)) for flatness in reported.FLATNESS]
@@ -83,7 +83,7 @@ class Surface:
         return Measured(simplified.points, simplified.seconds, self._worth(stages.mesh(simplified).data))
 
     def _worth(self, mesh):
-        """Several flatnesses may give the same mesh, which is then measured once."""
+        """Different flatness values may give the same mesh, which is then measured once."""
         places = vtk_to_numpy(mesh.GetPoints().GetData())
         for known, worth in self._measured:
             if np.array_equal(known, places):
@@ -96,8 +96,8 @@ class Surface:
         return Measured(peer.vertices, peer.seconds, Worth(self.full.data, peer.mesh))
 
     def _with_vertices(self, simplified):
-        """What all make of the surface with as many vertices, by name; without those that are too slow. Our seconds are
-        those from the points to the mesh."""
+        """Returns the meshes of all methods with the same number of vertices, by name, without methods that are too slow.
+        Our seconds cover the time from points to mesh."""
         mesh = stages.mesh(simplified)
         found = {OURS: Measured(simplified.points, mesh.seconds, self._worth(mesh.data))}
         for name, peer in self.partners.with_vertices(mesh).items():
@@ -105,7 +105,7 @@ class Surface:
         return found
 
     def curves(self):
-        """Results of several sizes for each method, by name."""
+        """Returns results of several sizes for each method, by name."""
         rough = {size: stages.rough(self.straight, size) for size in CURVE_CELLS}
         ours = {
             "rough": rough.values(),
@@ -120,14 +120,14 @@ class Surface:
 
 
 class Meshing:
-    """A row of table 5.1: all points of a surface meshed. Ours includes the exterior boundary."""
+    """A row of table 5.1: all points of a surface meshed. Our time includes the exterior boundary."""
 
     def __init__(self, generator, size, folder, pace):
         self.size = size
         horizon, _ = surfaces.make(generator, size, folder)
         self.points = horizon.GetNumberOfPoints()
         outlined = stages.outline(stages.start(horizon))
-        stages.mesh(outlined)  # or the first strategy would pay for memory that the second one finds ready
+        stages.mesh(outlined)  # warms up memory, which only the first strategy would pay for
         self.seconds = {}
         self.faces = {}
         for name, strategy in (("VTS", "VoxelTraversal"), ("CTC", "Compactness")):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Generated surfaces like those of the thesis: as many points, in a box of the same proportions that is as full, and as
-rough in places."""
+"""Generated surfaces like those of the thesis: the same number of points, in a box of the same proportions, equally filled,
+and equally rough in patches."""
 
 from functools import lru_cache
 import pathlib
@@ -16,18 +16,18 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import reported, stages
 
-HEIGHT_OF_CUBE = 1.85  # of that of the surface the generator puts into it
+HEIGHT_OF_CUBE = 1.85  # relative to the height of the surface inside it
 DROPOUTS = 0.01
 NOISE_HEIGHT = 3  # voxels
-NOISE_GAPS = 0.5  # part of the voxels
-POINTS_TO_TRY = 20000  # of small surfaces
+NOISE_GAPS = 0.5  # fraction of voxels
+POINTS_TO_TRY = 20000  # points of small surfaces
 SQUARENESS_STEPS = 8
 NOISE_STEPS = 6
 WAVES = 24
-SQUARE_HEIGHT = 4.0  # of the longest wave
+SQUARE_HEIGHT = 4.0  # height of the longest wave
 
-# Table 5.1 has two surfaces without a box, and figures have more; theirs, and their noise, is that of the surface with
-# the next number of points.
+# Two surfaces of table 5.1 and some in figures have no box; they use the box and noise of the surface with the next
+# number of points.
 BOX_OF = {5830: 15626, 23559: 32402, 53660: 60511, 98231: 148317, 886639: 664582}
 
 
@@ -41,12 +41,12 @@ def size_of_box(horizon):
 
 
 def occupancy(points, box):
-    """The part of the columns of a box that is filled."""
+    """Returns the fraction of the columns of a box that is filled."""
     return points / (box[0] * box[1])
 
 
 def generate(generator, points, size, squareness, noise, path):
-    """Writes a surface; without holes and islands where its shape has no room for them."""
+    """Writes a surface, without holes and islands if its shape has no room for them."""
     command = [generator, "--size", *size, "--points", points, "--horizons", 1, "--dropouts", DROPOUTS,
                "--squareness", squareness, "--noise", noise, "--noise-height", NOISE_HEIGHT, "--noise-gaps", NOISE_GAPS,
                path]
@@ -65,8 +65,8 @@ def bisect(low, high, steps, is_too_low):
 
 
 def make_with_noise(generator, points, noise, folder, points_to_make=None):
-    """With the outline that fills its box as the surface of the thesis with so many points does, found on small
-    surfaces of that shape. It can be made with another number of points."""
+    """Makes a surface whose outline fills its box to the same degree as the surface of the thesis, as determined on small
+    surfaces of that shape. `points_to_make` may be another number of points."""
     path = pathlib.Path(folder) / "surface.vsm"
     box = box_of(points)
     size = (round(box[0]), round(box[1]), round(HEIGHT_OF_CUBE * box[2]))
@@ -82,8 +82,8 @@ def make_with_noise(generator, points, noise, folder, points_to_make=None):
 
 @lru_cache(maxsize=None)
 def find_noise(generator, points, folder):
-    """The part of the area in patches of noise with which the rough simplification leaves as many points as in the
-    thesis. That is one number for three sizes of cells: the median of the three ratios becomes 1."""
+    """Returns the fraction of the area in patches of noise at which the rough simplification leaves as many points as in
+    the thesis: the median of the ratios for three cell sizes becomes 1."""
 
     def is_too_smooth(noise):
         horizon = make_with_noise(generator, points, noise, folder)
@@ -95,17 +95,17 @@ def find_noise(generator, points, folder):
 
 
 def make(generator, points, folder):
-    """A surface of the thesis, by its number of points, and the part of its area in patches of noise."""
+    """Returns a surface of the thesis, by its number of points, and the fraction of its area in patches of noise."""
     noise = find_noise(generator, BOX_OF.get(points, points), folder)
     return make_with_noise(generator, points, noise, folder), noise
 
 
 def make_square(side):
-    """A full square of a sum of waves, the longer the higher, in whole heights."""
+    """Returns a full square with a sum of waves, whose height increases with length, in whole heights."""
     numbers = np.random.default_rng(1)
     i, j = (axis.ravel() for axis in np.meshgrid(np.arange(side), np.arange(side)))
     heights = np.zeros(side * side)
-    for waves in np.geomspace(1.0, 20.0, WAVES):  # across the square
+    for waves in np.geomspace(1.0, 20.0, WAVES):  # number of waves across the square
         angle, phase = numbers.uniform(0.0, 2.0 * np.pi, 2)
         way = (i * np.cos(angle) + j * np.sin(angle)) / side
         heights += SQUARE_HEIGHT / waves * np.sin(2.0 * np.pi * waves * way + phase)

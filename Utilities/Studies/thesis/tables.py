@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of the thesis, with ours beside them, as Markdown."""
+"""The tables of the thesis beside ours, as Markdown."""
 
 from text import table
 
@@ -34,7 +34,7 @@ def surfaces(found):
 
 
 def row(surface, method, thesis, here):
-    """Thesis and here side by side: points left, errors, milliseconds."""
+    """Returns thesis and our results side by side: points left, errors, milliseconds."""
     points, spent, largest, mean = thesis
     cells = ["%d" % surface.size, method, percent(points, surface.size)]
     if here is None:
@@ -52,19 +52,19 @@ def cluster_row(surface, size):
 
 
 def rough(found):
-    """Tables 4.1 and 4.2, and what table 4.4 has of merging."""
+    """Returns tables 4.1 and 4.2, and the merging results of table 4.4."""
     return table(HEADS, [make(s, size) for s in found for make in (rough_row, cluster_row) for size in (6, 8)])
 
 
 def both(found, size):
-    """Tables 4.4 to 4.6."""
+    """Returns tables 4.4 to 4.6."""
     return table([HEADS[0], "flatness", *HEADS[2:]], [
         row(s, "%.2f" % flatness, reported.GLOBAL[size][s.size][n], s.both[size][n])
         for s in found for n, flatness in enumerate(reported.FLATNESS)])
 
 
 def elaborate(found):
-    """Table 4.3."""
+    """Returns table 4.3."""
     heads = ["points", "method", "left, thesis", "alone", "after rough", "largest, thesis", "alone", "after rough",
              "mean, thesis", "alone", "after rough", "ms alone, thesis", "here", "ms after rough, thesis", "here"]
     rows = []

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A surface as vtkGreedyTerrainDecimation needs it, and what that filter makes of it."""
+"""A surface as vtkGreedyTerrainDecimation needs it, and the result of that filter."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -15,8 +15,8 @@ from .worth import arrays_of
 
 
 class Terrain:
-    """An image without blanked pixels. Columns without a point are
-    filled smoothly; what the filter makes of them is cut off along the outline."""
+    """An image without blanked pixels. Columns without a point are filled smoothly, and their triangles are cut off along
+    the outline."""
 
     def __init__(self, mesh):
         self.flat = to_polydata(arrays_of(mesh)[0] * (1.0, 1.0, 0.0), arrays_of(mesh)[1])
@@ -50,7 +50,7 @@ class Terrain:
 
 
 def fill(heights):
-    """Gaps take the mean of what is near: from an image of half the size, whose gaps are filled in the same way."""
+    """Fills gaps with the mean of nearby heights, from an image of half the size whose gaps are filled recursively."""
     known = np.isfinite(heights)
     if known.all():
         return heights
@@ -63,7 +63,7 @@ def fill(heights):
 
 
 def smooth(image):
-    """Means of three by three pixels."""
+    """Returns means of three by three pixels."""
     rows, columns = image.shape
     framed = np.pad(image, 1, mode="edge")
     return sum(framed[i:i + rows, j:j + columns] for i in range(3) for j in range(3)) / 9.0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the figures say, in words that follow from them."""
+"""Sentences and tables of the page that follow from the figures."""
 
 from statistics import median
 
@@ -21,8 +21,8 @@ def listing(parts):
 
 
 class Against:
-    """A partner beside us at equal vertices: medians over the surfaces it was run on. Errors are multiplied by the
-    vertices, which makes up for small differences in their number: the error of a good mesh falls in proportion."""
+    """A method compared with ours at equal vertices: medians over its surfaces. Errors are multiplied by the number of
+    vertices, because the error of a good mesh is inversely proportional to it; this corrects for small differences."""
 
     def __init__(self, partner, pairs):
         self.partner = partner
@@ -46,7 +46,7 @@ def per_vertex(partner, ours, name):
 
 
 def partners(found, name):
-    """Everybody who was compared, in the order of the tables."""
+    """Returns all compared methods in the order of the tables."""
     names = dict.fromkeys(partner for s in found for partner in s.equal[name] if partner != OURS)
     return [Against(partner, [(s.equal[name][partner], s.equal[name][OURS]) for s in found if partner in s.equal[name]])
             for partner in names]
@@ -61,7 +61,7 @@ def partner_table(found, name):
 
 
 def best_sentence(found, name):
-    """Whose vertices buy most, of all others."""
+    """Returns a sentence on the other method with the smallest error per vertex."""
     against = partners(found, name)
     mean, largest, nearest = (min(against, key=lambda a, what=what: getattr(a, what))
                               for what in ("mean", "largest", "outline"))
@@ -107,7 +107,7 @@ def thesis_table(found):
 
 
 def thesis_sentence(found):
-    """The span of that table."""
+    """Returns a sentence with the range of that table."""
     comparisons = thesis_comparisons(found)
     spans = []
     for name in ("left", "largest", "mean", "speed"):
@@ -118,22 +118,23 @@ def thesis_sentence(found):
 
 
 def outline_sentence(found):
-    """Something of the thesis that nothing was fitted to."""
+    """Returns a sentence on a result of the thesis to which nothing was fitted."""
     s = found[0]
     return "The outline of the surface of %d points then has %d points, in figure 3.23 %d." % (
         s.size, s.outline, reported.OUTLINE[s.size])
 
 
 def contradiction_sentence():
-    """A cell of 6 that keeps b boundary points keeps at most b + 3 points as four cells of 3, and any other at most 4
-    for 1: never more than four times as many."""
+    """Returns a sentence on a contradiction: a cell of 6 with b boundary points keeps at most b + 3 points as four cells of
+    3, and any other cell at most 4 instead of 1, so never more than four times as many."""
     sizes = ["%d" % size for size, rough in sorted(reported.ROUGH.items()) if rough[3][0] > 4 * rough[6][0]]
     return "No surface could fit all three values of s. A cell of 6 is four cells of 3, so s = 3 leaves at most four " \
         "times as many points as s = 6; in the thesis it leaves more on the surfaces of %s points." % listing(sizes)
 
 
 def cluster_sentence(found):
-    """How near MeshLab here is to MeshLab in the thesis: what the surfaces and the machine are worth."""
+    """Returns a sentence on how close MeshLab's results are here and in the thesis, which shows the effect of surfaces and
+    machine."""
     pairs = [(s, reported.CLUSTER[s.size][size], s.cluster[size]) for s in found for size in s.cluster]
     if not pairs:
         return "MeshLab was not run."
