@@ -215,6 +215,18 @@ private:
     this->Above[this->Parts.Find(a)] = std::move(all);
   }
 
+  /// Prefers the given sheet; returns MostSheets if all are taken.
+  static int FindFreeSheet(std::uint64_t taken, int preferred)
+  {
+    const auto isTaken = [taken](int sheet) { return sheet < MostSheets && (taken >> sheet & 1U) != 0; };
+    int sheet = isTaken(preferred) ? 0 : preferred;
+    while (isTaken(sheet))
+    {
+      ++sheet;
+    }
+    return sheet;
+  }
+
   /// The largest part goes first, to the first sheet without its columns.
   std::vector<int> DealOut()
   {
@@ -243,18 +255,16 @@ private:
       {
         used |= taken[this->ColumnOf[order[last]]];
       }
-      int sheet = 0;
-      while (sheet < MostSheets && (used >> sheet & 1U) != 0)
-      {
-        ++sheet;
-      }
+      const int sheet = FindFreeSheet(used, 0);
       for (; first < last; ++first)
       {
+        // A part that lies above itself, as on a dip of the distance between its layers, continues on other sheets.
         std::uint64_t& ofColumn = taken[this->ColumnOf[order[first]]];
-        if (sheet < MostSheets && (ofColumn >> sheet & 1U) == 0)
+        const int own = FindFreeSheet(ofColumn, sheet);
+        if (own < MostSheets)
         {
-          ofColumn |= std::uint64_t(1) << sheet;
-          sheets[order[first]] = sheet;
+          ofColumn |= std::uint64_t(1) << own;
+          sheets[order[first]] = own;
         }
       }
     }

@@ -29,8 +29,8 @@ struct ColumnSheets
   std::int64_t Dropped = 0; // points on no sheet
 };
 
-/// Points must be sorted by j, then i; heights are finite. A sheet has at most one point per column; points above their
-/// own part, or beyond the largest number of sheets, are dropped. Time is of order n log n.
+/// Points must be sorted by j, then i; heights are finite. A sheet has at most one point per column; points
+/// beyond the largest number of sheets are dropped. Time is of order n log n.
 ColumnSheets SplitIntoSheets(PlanePoints columns, const std::vector<double>& heights);
 }
 

@@ -145,18 +145,26 @@ const CoveredColumns::Run* CoveredColumns::FindRun(const PlanePoint& column) con
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Ledger CoveredColumns::Account(PlanePoints columns, const std::vector<unsigned char>& filled) const
+Ledger CoveredColumns::Account(
+  PlanePoints columns, const std::vector<unsigned char>& filled, const KeptPoints& kept) const
 {
+  const std::vector<PointId> numbers = kept.AreAll() ? std::vector<PointId>() : kept.Numbers();
   const auto count = [&](Ledger& ledger, std::int64_t first, std::int64_t last)
   {
-    const auto entryOf = [&filled](std::size_t point)
-    { return filled.empty() ? LedgerEntry::Known : EntryOf(filled[point]); };
+    const auto entryOf = [&](std::size_t point)
+    {
+      const LedgerEntry entry = filled.empty() ? LedgerEntry::Known : EntryOf(filled[point]);
+      const bool isDropped = entry == LedgerEntry::Known && !numbers.empty() && numbers[point] == NoPoint;
+      return isDropped ? LedgerEntry::LeftOut : entry;
+    };
     for (auto point = std::size_t(first); point < std::size_t(last);)
     {
       const Run* const run = this->FindRun(columns[point]);
       if (!run)
       {
-        const bool isLeftOut = entryOf(point) == LedgerEntry::Known && columns[point].Y != this->Rows.Left;
+        const LedgerEntry entry = entryOf(point);
+        const bool isRead = entry == LedgerEntry::Known || entry == LedgerEntry::LeftOut;
+        const bool isLeftOut = isRead && columns[point].Y != this->Rows.Left;
         ledger[LedgerEntry::LeftOut] += isLeftOut ? 1 : 0;
         ++point;
         continue;

@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsCoveredColumns_h
 #define SeismicHorizonsCoveredColumns_h
 
+#include "KeptPoints.h"
 #include "Ledger.h"
 #include "Types.h"
 
@@ -35,8 +36,8 @@ public:
 
   bool ArePart() const { return this->Rows.Left || this->Rows.Kept; }
 
-  /// `filled` has the array Filled, or is empty.
-  Ledger Account(PlanePoints columns, const std::vector<unsigned char>& filled) const;
+  /// `filled` has the array Filled, or is empty. Points that are not kept are left out even in covered columns.
+  Ledger Account(PlanePoints columns, const std::vector<unsigned char>& filled, const KeptPoints& kept) const;
 
 private:
   struct Run

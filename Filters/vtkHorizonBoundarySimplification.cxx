@@ -57,7 +57,8 @@ void vtkHorizonBoundarySimplification::ProcessHorizon(
   WriteDropped(input, simplified.Dropped, simplified.Boundary, output);
   const PlanePoints places = points.AreMerged ? PlanePoints(plane) : points.Column;
   const std::int32_t subVoxels = points.AreMerged ? points.Lattice.SubVoxelsPerColumn() : 1;
-  WriteLedger(points, CoveredColumns(places, simplified.Boundary, subVoxels), output);
+  WriteLedger(
+    points, KeptPoints::All(points.Column.size()), CoveredColumns(places, simplified.Boundary, subVoxels), output);
   // Points dropped by an earlier simplification are missing, so adding its figures gives upper bounds.
   vtkFieldData* const figures = output->GetFieldData();
   const auto add = [&](const char* name, double value)

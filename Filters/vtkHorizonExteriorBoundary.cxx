@@ -78,7 +78,7 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   const KeptPoints kept = DropPointsWithoutPatch(found);
   WriteBoundary(input, kept, found, kept.Select(marks), outputs.front());
   const Loops loops = found.Boundary.RenumberedBy([&kept](PointId point) { return kept[std::size_t(point)]; });
-  WriteLedger(points, CoveredColumns(points.Column, loops, 1), outputs.front());
+  WriteLedger(points, kept, CoveredColumns(points.Column, loops, 1), outputs.front());
   if (!this->UseCuts)
   {
     RemoveCuts(outputs.front());

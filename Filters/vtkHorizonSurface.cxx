@@ -205,7 +205,7 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   }
   const auto loops =
     surface.Boundary.Boundary.RenumberedBy([&](PointId point) { return surface.Kept[std::size_t(point)]; });
-  WriteLedger(points, CoveredColumns(points.Column, loops, 1), outlines);
+  WriteLedger(points, surface.Kept, CoveredColumns(points.Column, loops, 1), outlines);
   vtkPolyData* const mesh = outputs[MeshPort];
   RemoveCuts(mesh); // The cuts of the outlines replace these.
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
@@ -222,7 +222,8 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(surface.NumberOutside));
     WriteDecimation(outlines, points.Lattice, surface.Mesh, mesh);
     const SharedRows rows{ options.Seams.Lower, options.Seams.Upper };
-    WriteLedger(points, CoveredColumns(surface.Mesh.Points.Plane, surface.Mesh.Points.Boundary, 1, rows), mesh);
+    WriteLedger(
+      points, surface.Kept, CoveredColumns(surface.Mesh.Points.Plane, surface.Mesh.Points.Boundary, 1, rows), mesh);
     if (this->GetCloseFaults())
     {
       const Reduction& vertices = surface.Mesh.Points;

@@ -137,11 +137,13 @@ void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& 
   output->SetLines(MakePolylines(horizon.Boundary));
   if (this->ConvexHull || this->MaximumNumberOfTriangles > 0)
   {
-    WriteLedger(points, CoveredColumns(horizon.Plane, MakeLoops(mesh.Triangles), horizon.SubVoxelsPerColumn), output);
+    WriteLedger(points, KeptPoints::All(points.Column.size()),
+      CoveredColumns(horizon.Plane, MakeLoops(mesh.Triangles), horizon.SubVoxelsPerColumn), output);
   }
   else if (!input->GetFieldData()->HasArray(FieldArray::LedgerColumns))
   {
-    WriteLedger(points, CoveredColumns(horizon.Plane, horizon.Boundary, horizon.SubVoxelsPerColumn), output);
+    WriteLedger(points, KeptPoints::All(points.Column.size()),
+      CoveredColumns(horizon.Plane, horizon.Boundary, horizon.SubVoxelsPerColumn), output);
   }
   const double smallestAngle = WriteTriangles(horizon.Plane, lattice, std::move(mesh.Triangles), output);
   vtkFieldData* const figures = output->GetFieldData();

@@ -152,11 +152,11 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const bool isUp = this->IsUpright(survey.Survey);
   frame.Direction = isUp ? Direction::Up : Direction::Down;
   const auto [negative, others] = CountSigns(survey.Horizons);
-  if (this->VerticalDirection == Automatic && !isUp && negative > others)
+  if (this->VerticalDirection == Automatic && !isUp && negative > 0)
   {
     vtkWarningMacro(<< this->ErrorPrefix() << negative << " of " << negative + others
-                    << " z are negative, like elevations, but increase downwards, as the others are positive; "
-                       "VerticalDirection Up turns them");
+                    << " z are negative, so that these may be elevations or depths; they are taken to increase "
+                       "downwards, which VerticalDirection Up turns, and Down confirms");
   }
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)

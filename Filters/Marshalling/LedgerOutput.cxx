@@ -26,7 +26,8 @@ std::int64_t CountLeftOut(const std::optional<Ledger>& before, const Ledger& poi
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteLedger(const LatticePoints& points, const CoveredColumns& covered, vtkPolyData* output)
+void WriteLedger(
+  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, vtkPolyData* output)
 {
   vtkFieldData* const given = points.Horizon->GetFieldData();
   std::optional<Ledger> ledger = ReadLedger(given);
@@ -34,7 +35,7 @@ void WriteLedger(const LatticePoints& points, const CoveredColumns& covered, vtk
   {
     // The ledger of a part may be of the whole horizon.
     const std::int64_t before = covered.ArePart() ? 0 : CountLeftOut(ledger, CountPoints(points.Horizon));
-    ledger = covered.Account(points.Column, ReadFilled(points.Horizon));
+    ledger = covered.Account(points.Column, ReadFilled(points.Horizon), kept);
     (*ledger)[LedgerEntry::LeftOut] += before;
   }
   else if (ledger)

@@ -13,7 +13,9 @@ namespace SeismicHorizons
 {
 /// `covered` are the columns of the output. After merging or dropping, points have no columns, and the ledger of the
 /// input is adapted; without it none is written.
-void WriteLedger(const LatticePoints& points, const CoveredColumns& covered, vtkPolyData* output);
+/// Only points that are kept can be known.
+void WriteLedger(
+  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, vtkPolyData* output);
 
 /// For outputs of points alone, unless the stage has written a ledger. Loops and meshes keep the ledger of the input.
 void WriteLedgerOfPoints(vtkPolyData* input, vtkPolyData* output);

@@ -318,7 +318,7 @@ class ErrorsTest(unittest.TestCase):
                 sh.surface(sh.horizon(dome()))
 
     def test_warnings(self):
-        with self.assertWarnsRegex(UserWarning, "2399 of 2400 z are negative, like elevations, but increase downwards"):
+        with self.assertWarnsRegex(UserWarning, "2399 of 2400 z are negative, so that these may be elevations or depths"):
             z = -dome()
             z[0, 0] = 1.0
             sh.horizon(z)

@@ -13,6 +13,8 @@ import warnings
 
 import numpy
 
+from vtkmodules.util.numpy_support import numpy_to_vtk
+
 import ledger_check
 import seismichorizons as sh
 from seismichorizons import ledger
@@ -107,9 +109,33 @@ class LedgerTest(unittest.TestCase):
                 if not data.GetNumberOfPoints():
                     break
             expected = ledger_check.expected_of_mesh(read, points, data)
-            if names.count("vtkHorizonBoundarySimplification") > 1:  # the second has no points that the first dropped
+            dropped = sh.details(data).dropped_small_patch_points  # they are left out even under the mesh
+            if names.count("vtkHorizonBoundarySimplification") > 1 or dropped:  # the second has no points that the first dropped
+                self.assertLessEqual(expected["Known"] - own["Known"], dropped if names.count("vtkHorizonBoundarySimplification") < 2
+                                     else len(read), (seed, names))
                 own, expected = sums(own), sums(expected)
             self.assertEqual(own, expected, (seed, names))
+
+    def test_small_patches(self):
+        """Faults that go around some points cut them off: dropped as a small patch, they are left out even under the mesh."""
+        for size in (1, 2, 3):
+            block = [(3 + i, 3 + j) for i in range(size) for j in range(size)]
+            heights = numpy.full((9, 9), 1000.0)
+            links = set()
+            for i, j in block:
+                heights[j, i] = 1100.0
+                links |= {link for link, other in (((i, j, 0), (i + 1, j)), ((i - 1, j, 0), (i - 1, j)), ((i, j, 1), (i, j + 1)),
+                                                   ((i, j - 1, 1), (i, j - 1))) if other not in block}
+            horizon = sh.horizon(heights, vertical_step=1.0)
+            array = numpy_to_vtk(numpy.array(sorted(links, key=lambda link: (link[1], link[0], link[2])), dtype=numpy.int32), deep=1)
+            array.SetName("FaultedLinks")
+            horizon.GetFieldData().AddArray(array)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                found = sh.details(sh.surface(horizon, largest_error=1.0, minimum_patch_size=20))
+            self.assertEqual(found.dropped_small_patch_points, size * size)
+            self.assertGreaterEqual(found.ledger_columns.left_out, size * size)
+            self.assertEqual(found.ledger_columns.known + found.ledger_columns.left_out, 81)
 
     def test_windows(self):
         for seed in range(FIRST, FIRST + RUNS):

@@ -150,7 +150,7 @@ void ZOfOneSignSaysItsDirection()
   const auto reader = Open("mixed.txt", "1 2 30\n1 3 -31\n2 2 -32\n");
   Messages warnings(reader, vtkCommand::WarningEvent);
   reader->Update();
-  CHECK(warnings.WasOne("mixed.txt: 2 of 3 z are negative, like elevations, but increase downwards"));
+  CHECK(warnings.WasOne("mixed.txt: 2 of 3 z are negative, so that these may be elevations or depths"));
   reader->SetVerticalDirectionToDown();
   reader->Update();
   CHECK_EQUAL(warnings.Number(), 0);

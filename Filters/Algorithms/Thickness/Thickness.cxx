@@ -24,6 +24,9 @@ constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::int64_t Grain = 1 << 14;
 
+/// Lines farther apart are not a grid whose columns represent all bins between; outlines bridge no more, either.
+constexpr std::int64_t LargestStep = 32;
+
 /// Returns the step between columns of a horizon, for example 2 if only every second line has points.
 std::int64_t StepOf(PlanePoints columns, std::int32_t PlanePoint::*along, std::int32_t PlanePoint::*across)
 {
@@ -50,7 +53,7 @@ std::int64_t StepOf(PlanePoints columns, std::int32_t PlanePoint::*along, std::i
       ++(std::int64_t(sorted[n].*along) - sorted[n - 1].*along == step ? neighbours : others);
     }
   }
-  return neighbours > others ? step : 1;
+  return neighbours > others && step <= LargestStep ? step : 1;
 }
 
 struct SteppedColumns

@@ -47,6 +47,30 @@ void NoPointsNoSheets()
   CHECK_EQUAL(SplitIntoSheets({}, {}).Points.size(), 1U);
 }
 
+/// Layers are linked to each other where the dip of a column is about their distance.
+void NothingIsLostOnDips()
+{
+  for (int distance = 1; distance < 12; ++distance)
+  {
+    std::vector<PlanePoint> columns;
+    std::vector<double> heights;
+    for (int j = 0; j < 10; ++j)
+    {
+      for (int i = 0; i < 12; ++i)
+      {
+        for (int layer = 0; layer < (j < 4 ? 2 : 1); ++layer)
+        {
+          columns.push_back({ i, j });
+          heights.push_back(i + 2.0 * j + 0.5 * distance * layer);
+        }
+      }
+    }
+    const std::vector<int> sheets = FindSheets(columns, heights);
+    CHECK_EQUAL(std::count(sheets.begin(), sheets.end(), 0), 120);
+    CHECK_EQUAL(std::count(sheets.begin(), sheets.end(), 1), 48);
+  }
+}
+
 /// Points of all horizons under one name, or of a well: comparing each with each would take hours, and all memory.
 void PilesAreQuick()
 {
@@ -75,6 +99,7 @@ int TestColumnSheets(int, char*[])
 {
   HeightsMayBeFractionsAndLarge();
   NoPointsNoSheets();
+  NothingIsLostOnDips();
   PilesAreQuick();
   return Check::Result();
 }

@@ -104,6 +104,23 @@ void TestGaps()
 }
 
 /// Where they cross thickness is negative, adds no volume, and is counted; a fault does not change the dip.
+/// Rows that are far apart represent no bins between them.
+void TestFarRows()
+{
+  const Layer all = Make(20, 101, [](int, int) { return 0.0; });
+  LatticeScale scale;
+  scale.Height = 1.0;
+  for (const int apart : { 1, 2, 4, 20, 25, 50, 100 })
+  {
+    const Layer rows = Make(20, 101, [apart](int, int j) { return j % apart == 0 ? 10.0 : std::nan(""); });
+    const Thickness found = MeasureThickness(all.View(), rows.View(), scale);
+    const std::int64_t common = 20 * (100 / apart + 1);
+    CHECK_EQUAL(found.Columns, common);
+    CHECK_EQUAL(found.Volume, 10.0 * double(common * (apart <= 32 ? apart : 1)) * scale.Plane.determinant());
+    CHECK_EQUAL(found.LeftOut, apart <= 32 ? 0 : 101 * 20 - common);
+  }
+}
+
 void TestCrossingsAndFaults()
 {
   const Layer top = Make(10, 10, [](int i, int) { return i < 8 ? 5.0 : -1.0; });
@@ -182,6 +199,7 @@ int TestThickness(int, char*[])
 {
   TestPlanes();
   TestGaps();
+  TestFarRows();
   TestCrossingsAndFaults();
   TestRandom();
   TestErrors();
