@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Classes of VTK called as Python users expect it: keywords in lower case, exceptions, warnings, a bar of progress, and
+"""Calls VTK classes in the way Python users expect: with lower-case keywords, exceptions, warnings, a progress bar and
 Ctrl-C. `CellSize` of the documentation is `cell_size` here."""
 
 from __future__ import annotations
@@ -20,23 +20,23 @@ from . import heights, interrupt, ledger, wording
 from .stage import HorizonError, configure, heard_by, update
 from .stage import warn as warn_in_python
 
-SEQUENTIAL = "Sequential"  # what VTK begins with
+SEQUENTIAL = "Sequential"  # VTK's initial back-end
 QUIET_SECONDS = 1.0  # before a bar appears
 MATRIX_SIZE = 16
-MEMORY_WORDS = "more data than memory"  # of all such messages
-NOT_WRITTEN = "cannot be written"  # what modules of the package say
+MEMORY_WORDS = "more data than memory"  # occurs in all such messages
+NOT_WRITTEN = "cannot be written"  # occurs in messages of the package
 LATTICE_WORDS = "no field data array LatticeDimensions"
 LATTICE_CURE = "; horizon_from_points(xyz) finds the lattice of points"
 RENAMED = {"thread_width": "spur_width", "elevation": "z_from"}  # keywords of version 0.2
 
 
 def snake(name):
-    """`CellSize` as `cell_size`, `Percentile95` as `percentile_95`."""
+    """Converts `CellSize` to `cell_size` and `Percentile95` to `percentile_95`."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z])(?=[0-9])", "_", name).lower()
 
 
 def properties(algorithm):
-    """The names of what can be set, by their keywords: {"cell_size": "CellSize"}."""
+    """Returns the settable properties by keyword: {"cell_size": "CellSize"}."""
     of_vtk = next(kind for kind in type(algorithm).__mro__ if kind.__module__.startswith("vtkmodules"))
     names = [name[3:] for name in dir(algorithm) if name.startswith("Set") and hasattr(algorithm, "Get" + name[3:])]
     return {snake(name): name for name in names if not hasattr(of_vtk, "Set" + name)
@@ -44,20 +44,20 @@ def properties(algorithm):
 
 
 def default(algorithm, name):
-    """The value of a property; where it is a choice, its name."""
+    """Returns the value of a property; for a choice, its name."""
     value = getattr(algorithm, "Get" + name)()
     return next((choice for choice in _choices(algorithm, name) if getattr(algorithm, choice, None) == value), value)
 
 
 def _choices(algorithm, name):
-    """The names of the choices that a property is one of."""
+    """Returns the names of the choices of a property."""
     start = "Set%sTo" % name
     return [method[len(start):] for method in dir(algorithm) if method.startswith(start)]
 
 
 def set_keywords(algorithm, keywords, horizon=None):
-    """Sets properties by keywords. Heights with a unit, as "2 ms", are in that of z of the horizon; returns the unit, or
-    an empty text. Raises ValueError and TypeError."""
+    """Sets properties by keyword. Heights with a unit, such as "2 ms", are converted to the unit of z of the horizon.
+    Returns that unit, or an empty text. Raises ValueError and TypeError."""
     known = properties(algorithm)
     given = {}
     for keyword, value in keywords.items():
@@ -78,7 +78,7 @@ def set_keywords(algorithm, keywords, horizon=None):
         step = heights.step_of(horizon)
         if step is None or any(name in given for name in units):
             given.update({name: "World" for name in units if any(number.unit for number in numbers.values())})
-        else:  # others, given without a unit or not at all, count vertical indices
+        else:  # heights without a unit, or with their default, are in vertical indices
             given.update({name: given[name] / step for name, number in numbers.items() if number.unit})
     for name, value in given.items():
         choices = _choices(algorithm, name)
@@ -92,15 +92,15 @@ def set_keywords(algorithm, keywords, horizon=None):
 
 
 def run(algorithm, label):
-    """Runs an algorithm, on all processors. Its error becomes an exception, its warnings those of Python."""
-    told = []
+    """Runs an algorithm on all processors. Its error becomes an exception, and its warnings become Python warnings."""
+    messages = []
     backend = vtkSMPTools.GetBackend()
     vtkSMPTools.SetBackend("STDThread" if backend == SEQUENTIAL else backend)
     observer = _Bar(label)
-    tag = algorithm.AddObserver("ProgressEvent", lambda *_: observer.tell(algorithm.GetProgress()))
+    tag = algorithm.AddObserver("ProgressEvent", lambda *_: observer.show(algorithm.GetProgress()))
     try:
         with interrupt.noting():
-            update(algorithm, warnings=told)
+            update(algorithm, warnings=messages)
     except HorizonError as error:
         raise _exception(_with_keywords(str(error), algorithm), algorithm) from None
     finally:
@@ -108,20 +108,20 @@ def run(algorithm, label):
         vtkSMPTools.SetBackend(backend)
         observer.end()
     if algorithm.IsA("vtkHorizonSurface"):
-        told += filter(None, [ledger.warning(ledger.read(algorithm.GetOutputDataObject(0)))])
-    for text in told:
+        messages += filter(None, [ledger.warning(ledger.read(algorithm.GetOutputDataObject(0)))])
+    for text in messages:
         warn(text, algorithm)
 
 
 def warn(text, algorithm=None):
-    """A warning with keywords in place of options and of properties."""
+    """Issues a warning with keywords in place of options and properties."""
     warn_in_python(_with_keywords(text, algorithm))
 
 
 @contextlib.contextmanager
 def python_errors(algorithm=None):
-    """What modules of the package raise within the block is a ValueError, or an OSError where a file cannot be written;
-    it names keywords in place of options, and so do warnings."""
+    """Within the block, a HorizonError of the package is raised as ValueError, or as OSError if a file cannot be written.
+    Errors and warnings name keywords in place of options."""
     try:
         with heard_by(warn):
             yield
@@ -131,7 +131,7 @@ def python_errors(algorithm=None):
 
 
 def _with_keywords(text, algorithm):
-    """A message with keywords in place of options and of properties."""
+    """Returns a message with keywords in place of options and properties."""
     names = {} if algorithm is None else {name: keyword for keyword, name in properties(algorithm).items()}
     text = wording.rename(text, names, wording.as_keyword)
     text = re.sub(r"--([a-z][a-z-]*)", lambda found: found[1].replace("-", "_") + "=", text)
@@ -139,7 +139,7 @@ def _with_keywords(text, algorithm):
 
 
 def _exception(text, algorithm):
-    """What an error of VTK is in Python."""
+    """Returns the Python exception for an error of VTK."""
     if MEMORY_WORDS in text:
         return MemoryError(text)
     code = algorithm.GetErrorCode()
@@ -151,12 +151,12 @@ def _exception(text, algorithm):
 
 
 class _Bar:
-    """The progress of one call, by tqdm where that is installed, once it takes long."""
+    """Progress bar of a long call, by tqdm if it is installed."""
 
     def __init__(self, label):
         try:
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # of notebooks without widgets
+                warnings.simplefilter("ignore")  # tqdm warns in notebooks without widgets
                 from tqdm.auto import tqdm
         except ImportError:
             self._bar = None
@@ -164,9 +164,9 @@ class _Bar:
             self._bar = tqdm(total=1.0, desc=label, delay=QUIET_SECONDS, leave=False,
                              bar_format="{desc}: {percentage:3.0f}% |{bar}| {remaining} left")
 
-    def tell(self, part):
+    def show(self, fraction):
         if self._bar is not None:
-            self._bar.update(part - self._bar.n)
+            self._bar.update(fraction - self._bar.n)
 
     def end(self):
         if self._bar is not None:
@@ -174,44 +174,44 @@ class _Bar:
 
 
 def wrap(data):
-    """Data as PyVista's where that is imported; else as they are."""
+    """Returns data as PyVista objects if PyVista is imported, otherwise unchanged."""
     pyvista = sys.modules.get("pyvista")
     return data if pyvista is None or data is None else pyvista.wrap(data)
 
 
 def require_points(data, what):
-    """Raises TypeError where something is no dataset of VTK, and ValueError where it has no points."""
+    """Raises TypeError if something is not a VTK dataset, and ValueError if it has no points."""
     require_data(data, what)
     if not data.GetNumberOfElements(vtkDataObject.POINT):
         raise ValueError("%s without points, expected some" % what)
 
 
 def require_data(data, what):
-    """Raises TypeError where something is no dataset of VTK."""
+    """Raises TypeError if something is not a VTK dataset."""
     if not isinstance(data, vtkDataObject):
         raise TypeError("%s, expected %s as a dataset of VTK or PyVista: horizon(z) makes one of an array of heights, "
                         "horizon_from_points(xyz) of points, read(path) of a file" % (type(data).__name__, what))
 
 
 class Details(types.SimpleNamespace):
-    """What a dataset says of itself, as attributes: `vertical_unit`, `largest_error` and the like (DataModel.md)."""
+    """The metadata of a dataset as attributes: `vertical_unit`, `largest_error` and others (see DataModel.md)."""
 
 
 def details(data: vtkDataObject) -> Details:
-    """The field data of a horizon or a mesh as attributes.
+    """Returns the field data of a horizon or a mesh as attributes.
 
     Parameters
     ----------
     data : vtkDataObject
-        what any function of this package gives.
+        Result of any function of this package.
 
     Returns
     -------
     Details
-        with numbers and texts where there is one, a numpy array or a list of texts where there are several,
-        `ledger_columns.left_out` and the like where components have names, and
-        `lattice_to_world` as a 4 x 4 array. Errors are in vertical indices or, where the result was asked for with a
-        unit, as "2 m", in that: numbers with an attribute `unit`.
+        Single values as numbers and texts, several values as a numpy array or a list of texts, named components as
+        attributes such as `ledger_columns.left_out`, and `lattice_to_world` as a 4 x 4 array. Errors are in vertical
+        indices or, if the result was requested with a unit such as "2 m", in that unit, as numbers with an attribute
+        `unit`.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One stage, that is one VTK algorithm: made with properties by their names, and run with errors as exceptions.
+"""One stage, which is a VTK algorithm: created with properties by name, and run with errors as exceptions.
 
-Properties are those of the documentation (`CellSize=3` calls `SetCellSize(3)`); one that is a choice may be given by
-the name of the choice (`ZFrom="RealZ"`).
+Properties have the names of the documentation (`CellSize=3` calls `SetCellSize(3)`); a choice may be given by name
+(`ZFrom="RealZ"`).
 """
 
 import contextlib
@@ -23,17 +23,16 @@ from .progress import Progress
 
 PACKAGE = __name__.partition(".")[0]
 
-_hearers = []  # who gets the warnings that no caller collects; the last one does
+_hearers = []  # handlers of warnings that no caller collects; the last one is used
 
 
 class HorizonError(ValueError):
-    """What the user should read: one line."""
+    """An error with a one-line message for the user."""
 
 
 @contextlib.contextmanager
 def heard_by(hear):
-    """Within the block, hear(text) gets the warnings of algorithms that no caller collects. Outside they are warnings of
-    Python."""
+    """Passes algorithm warnings that no caller collects to hear(text) within the block. Outside, they are Python warnings."""
     _hearers.append(hear)
     try:
         yield
@@ -42,7 +41,7 @@ def heard_by(hear):
 
 
 def warn(text):
-    """A warning of Python, which names the line outside the package that led to it."""
+    """Issues a Python warning that names the calling line outside the package."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] in (PACKAGE, "contextlib"):
         level, frame = level + 1, frame.f_back
@@ -50,8 +49,8 @@ def warn(text):
 
 
 def set_threads(number):
-    """How many threads the stages use; 0 stands for all processors."""
-    # The default back-end of many VTK builds is the sequential one.
+    """Sets the number of threads of the stages; 0 means all processors."""
+    # The default back-end of many VTK builds is sequential.
     vtkSMPTools.SetBackend("STDThread")
     vtkSMPTools.Initialize(number)
 
@@ -66,17 +65,17 @@ def configure(algorithm, **properties):
 
 
 def make(class_name, **properties):
-    """An algorithm of this package, by the name of its class."""
+    """Creates an algorithm of this package by class name."""
     algorithm = getattr(sh, class_name)()
     configure(algorithm, **properties)
     return algorithm
 
 
 def update(algorithm, label="", warnings=None, work=None):
-    """Runs an algorithm and returns the seconds it took. Raises HorizonError with what the algorithm says is wrong.
+    """Runs an algorithm and returns the time in seconds. Raises HorizonError with the error message of the algorithm.
 
-    With a label, progress is told on the terminal when the algorithm takes long; `work` is how much there is to do, as
-    (number, unit). With a list for warnings, those go there; else to heard_by.
+    With a label, the progress of a long run is shown on the terminal; `work` is the amount of work, as (number, unit).
+    Warnings are appended to a list `warnings`; without one they go to heard_by.
     """
     start = time.monotonic()
     with watched(algorithm, label, warnings, work):
@@ -85,8 +84,8 @@ def update(algorithm, label="", warnings=None, work=None):
 
 
 def update_writer(writer, label, warnings=None):
-    """Runs a writer; errors name the file by a label, as it may lie in a folder for a while. Raises HorizonError, of files
-    that cannot be written with these words."""
+    """Runs a writer; errors name the file by a label, because it may be in a temporary folder. Raises HorizonError, which
+    says "cannot be written" for errors of the file system."""
     try:
         update(writer, "%s: writing" % label, warnings)
     except HorizonError as error:
@@ -106,9 +105,9 @@ def apply(algorithm, *inputs, **properties):
 
 @contextlib.contextmanager
 def watched(algorithm, label="", warnings=None, work=None):
-    """Watches an algorithm as long as the block runs, and raises its first error, if there was one, as HorizonError.
-    Stops the algorithm, and raises SystemExit, when the program is to end."""
-    errors, told = [], [] if warnings is None else warnings
+    """Watches an algorithm while the block runs, and raises its first error as HorizonError. If the program has been asked
+    to end, stops the algorithm and raises SystemExit."""
+    errors, found_warnings = [], [] if warnings is None else warnings
     progress = Progress(label, work)
 
     def on_progress(_caller, _event):
@@ -117,11 +116,11 @@ def watched(algorithm, label="", warnings=None, work=None):
         progress.show(algorithm.GetProgress())
 
     observers = [(algorithm, algorithm.AddObserver("ProgressEvent", on_progress))]
-    # Only algorithms say what is wrong; their executives repeat that something is.
+    # Algorithms report the cause of an error before their executives report the failure.
     for speaker in _upstream(algorithm):
         for observed in (speaker, speaker.GetExecutive()):
             observers.append((observed, observed.AddObserver("ErrorEvent", _collect(errors))))
-        observers.append((speaker, speaker.AddObserver("WarningEvent", _collect(told))))
+        observers.append((speaker, speaker.AddObserver("WarningEvent", _collect(found_warnings))))
     try:
         yield
     finally:
@@ -129,7 +128,7 @@ def watched(algorithm, label="", warnings=None, work=None):
             observed.RemoveObserver(tag)
         progress.end()
     if warnings is None:
-        for text in told:
+        for text in found_warnings:
             (_hearers[-1] if _hearers else warn)(text)
     interrupt.check()
     if errors:
@@ -137,7 +136,7 @@ def watched(algorithm, label="", warnings=None, work=None):
 
 
 def _upstream(algorithm):
-    """An algorithm, and those that its input comes from."""
+    """Returns an algorithm and all algorithms upstream of it."""
     found = [algorithm]
     for one in found:
         for port in range(one.GetNumberOfInputPorts()):
@@ -149,7 +148,7 @@ def _upstream(algorithm):
 
 
 def _collect(messages):
-    """An observer of errors or warnings."""
+    """Returns an observer that collects error or warning messages."""
 
     @calldata_type(VTK_STRING)
     def on_message(_caller, _event, message):
@@ -159,8 +158,8 @@ def _collect(messages):
 
 
 def _one_line(message):
-    """The text of a VTK message without the place in the source that it comes from. VTK gives None for one with bytes
-    that are no UTF-8, as names in files can have."""
+    """Returns a VTK message without its source location. VTK passes None for a message that is not UTF-8, as names in files
+    may be."""
     message = message or "a message that is not UTF-8, expected text without special characters"
     _, _, text = message.partition("): ")
     return " ".join((text or message).split())

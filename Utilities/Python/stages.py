@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each stage as a function, made from its class: `hole_filling` is HorizonHoleFilling, whose properties are its keywords.
+"""Each stage as a function, generated from its class: `hole_filling` is HorizonHoleFilling with its properties as keywords.
 
     python -m seismichorizons.stages
 
-prints what editors and type checkers read of them.
+prints the signatures for editors and type checkers.
 """
 
 import inspect
+import textwrap
 
 import seismichorizons
 
@@ -15,13 +16,15 @@ from . import calls, heights
 from .stage import make
 
 STAGE = "vtkHorizon"
-OWN = ("vtkHorizonCrossings", "vtkHorizonLayers", "vtkHorizonSurface", "vtkHorizonSurfaceDistance")  # which have functions that are written (functions.py, volumes.py)
+# Classes whose functions are hand-written (functions.py, volumes.py).
+OWN = ("vtkHorizonCrossings", "vtkHorizonLayers", "vtkHorizonSurface", "vtkHorizonSurfaceDistance")
 INPUTS = ("horizon", "other")
-TYPES = {bool: "bool", int: "int", float: "float | str", str: "str"}  # of keywords; heights may have a unit
+TEXT_WIDTH = 76  # characters, as in the documentation of classes
+TYPES = {bool: "bool", int: "int", float: "float | str", str: "str"}  # types of keywords; heights may have a unit
 
 
 def apply(class_name, inputs, keywords):
-    """The first output of a stage."""
+    """Runs a stage and returns its first output."""
     for data in inputs:
         calls.require_points(data, "a horizon")
     algorithm = make(class_name)
@@ -35,7 +38,7 @@ def apply(class_name, inputs, keywords):
 
 
 def _make_stage(class_name, algorithm):
-    """The function of a stage: its inputs, then its properties as keywords."""
+    """Returns the function of a stage, which takes its inputs and then its properties as keywords."""
     known = calls.properties(algorithm)
     names = INPUTS[:algorithm.GetNumberOfInputPorts()]
 
@@ -45,7 +48,7 @@ def _make_stage(class_name, algorithm):
         return apply(class_name, inputs, keywords)
 
     stage.__name__ = stage.__qualname__ = calls.snake(class_name[len(STAGE):])
-    stage.__doc__ = _text(class_name, known)
+    stage.__doc__ = _text(class_name, names, known)
     stage.__signature__ = inspect.Signature([
         *(inspect.Parameter(name, inspect.Parameter.POSITIONAL_ONLY,
                             default=inspect.Parameter.empty if name == names[0] else None) for name in names),
@@ -54,21 +57,24 @@ def _make_stage(class_name, algorithm):
     return stage
 
 
-def _text(class_name, known):
-    """The documentation of a class as that of its function."""
+def _text(class_name, names, known):
+    """Returns the docstring of a stage's function, from the documentation of its class."""
     made = getattr(seismichorizons, class_name)
     title, _, rest = made.__doc__.partition("\n\nSuperclass:")
-    lines = [" ".join(title.partition(" - ")[2].split()).capitalize() + ".", rest.partition("\n\n")[2].strip(), "",
-             "Parameters", "----------", "horizon : vtkPolyData"]
+    title = " ".join(title.partition(" - ")[2].split())
+    lines = [title[:1].upper() + title[1:] + ".", "", rest.partition("\n\n")[2].strip().replace("@sa ", "See also "), "",
+             "Parameters", "----------",
+             *(name + " : vtkPolyData" + ("" if name == names[0] else ", optional") for name in names)]
     for keyword, name in known.items():
-        said = (getattr(made, "Set" + name).__doc__ or "").partition("\n\n")[2]
-        lines += [keyword, "    " + " ".join(said.split())]
-    return "\n".join([*lines, "", "Returns", "-------", "vtkPolyData, or pyvista.PolyData where PyVista is imported", "",
-                      "Raises", "------", "TypeError, ValueError", "    no horizon, or a parameter out of its range.", ""])
+        text = " ".join((getattr(made, "Set" + name).__doc__ or "").partition("\n\n")[2].split())
+        lines += [keyword, *textwrap.wrap(text, TEXT_WIDTH, initial_indent="    ", subsequent_indent="    ")]
+    return "\n".join([*lines, "", "Returns", "-------", "vtkPolyData, or pyvista.PolyData if PyVista is imported", "",
+                      "Raises", "------", "TypeError, ValueError",
+                      "    If the input is not a horizon, or a parameter is out of range.", ""])
 
 
 def _make_stages():
-    """The functions of all other stages, by their names."""
+    """Returns the functions of all other stages by name."""
     made = {}
     for class_name in dir(seismichorizons):
         kind = getattr(seismichorizons, class_name)
@@ -76,7 +82,7 @@ def _make_stages():
             try:
                 algorithm = kind()
             except (NotImplementedError, TypeError):
-                continue  # an abstract one
+                continue  # the class is abstract
             function = _make_stage(class_name, algorithm)
             made[function.__name__] = function
     return made
@@ -88,7 +94,7 @@ __all__ = [*STAGES]
 
 
 def print_types():
-    """The signatures of all stages."""
+    """Prints the signatures of all stages."""
     print("from collections.abc import Sequence\n\nfrom vtkmodules.vtkCommonDataModel import vtkPolyData\n")
     for name, function in STAGES.items():
         words = []
