@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What became of all columns of a horizon: the section Ledger of Documentation/DataModel.md."""
+"""The ledger of all columns of a horizon, as described in the section Ledger of Documentation/DataModel.md."""
 
 ENTRIES = ("known", "filled", "bridged", "extrapolated", "left_out")  # the components of the arrays
 HEADS = dict(zip(ENTRIES, ("known", "filled", "bridged", "extrapolated", "left out")))
-WARNING_FRACTION = 0.001  # of the covered area, as LedgerWarningFraction in Common/Ledger.h
+WARNING_FRACTION = 0.001  # fraction of the covered area, as LedgerWarningFraction in Common/Ledger.h
 
 
 def read(dataset):
-    """Columns and areas by entry, as {"columns": {"known": ...}, "area": {...}}; None of a dataset without a ledger."""
+    """Returns columns and areas by entry, as {"columns": {"known": ...}, "area": {...}}; None for a dataset without a
+    ledger."""
     data = dataset.GetFieldData()
     columns, area = (data.GetArray(name) for name in ("LedgerColumns", "LedgerArea"))
     if columns is None:
@@ -18,12 +19,12 @@ def read(dataset):
 
 
 def covered(ledger):
-    """The columns that the result has."""
+    """Returns the number of columns that the result covers."""
     return sum(number for entry, number in ledger["columns"].items() if entry != "left_out")
 
 
 def warning(ledger):
-    """What to warn of, or None."""
+    """Returns the text of a warning, or None."""
     if ledger is None or not any(ledger["columns"].values()):
         return None
     if not covered(ledger):
@@ -37,6 +38,6 @@ def warning(ledger):
 
 
 def amount(ledger, entry):
-    """The columns of an entry and their area, as a text."""
+    """Returns the columns of an entry and their area as a text."""
     area = ledger["area"]
     return "%d" % ledger["columns"][entry] + ("" if area is None else " (%.4g)" % area[entry])

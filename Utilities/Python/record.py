@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What happened in a run, noted as it goes on: its files, their horizons, warnings and errors (see figures.py)."""
+"""Records the events of a run: its files, their horizons, warnings and errors (see figures.py)."""
 
 import datetime
 import json
@@ -12,8 +12,8 @@ from .options import with_options
 
 
 class Record:
-    """Of one run. `tell` is called with "error" or "warning" and the text. Figures of horizons, which take some time, are
-    noted with `has_figures`; `album` (album.Album) gets the horizons as well, or is None."""
+    """The record of one run. `tell` is called with "error" or "warning" and the text. With `has_figures`, figures of
+    horizons, which take some time, are recorded; `album` (album.Album) also receives the horizons, unless it is None."""
 
     def __init__(self, tell, has_figures=False, album=None):
         self._tell = tell
@@ -39,7 +39,7 @@ class Record:
                            "horizons": [], "layers": [], "results": [], "warnings": []})
 
     def add_horizon(self, result, supply, names):
-        """A horizon whose mesh is written under some names."""
+        """Records a horizon whose mesh is written to the files `names`."""
         if not self._has_figures:
             return
         file = self.files[-1]
@@ -51,21 +51,21 @@ class Record:
             self.album.add(result, sizes.index(result.number_of_points))
 
     def add_layers(self, made):
-        """Volumes between the horizons of a file (volumes.Layers)."""
+        """Records volumes between the horizons of a file (volumes.Layers)."""
         self.files[-1]["layers"] = [vars(own) for own in made.figures.values()]
         if self.album:
             self.album.add_layers(made)
 
     def end_file(self, supply, results):
-        """The results are complete."""
+        """Records that the results of a file are complete."""
         self.files[-1].update(status="done", seconds_reading=supply.seconds, results=list(results), **supply.origin)
 
     def end_stack(self, results):
-        """The same for layers between files."""
+        """Records that the results of layers between files are complete."""
         self.files[-1].update(status="done", seconds_reading=0.0, results=list(results))
 
     def fail_file(self, error):
-        """There are no results, or they cannot be told of."""
+        """Records that a file has no results, or that they cannot be reported."""
         file = self.files[-1]
         file["error"] = with_options(str(error))
         if file["status"] != "done":
@@ -75,7 +75,7 @@ class Record:
         self._tell("error", file["error"])
 
     def warn(self, text):
-        """Of the file that was begun last, or of the run before the first one. The same warning comes once."""
+        """Records a warning, once, about the current file or, before the first file, about the run."""
         text = with_options(text)
         warnings = self.files[-1]["warnings"] if self.files else self.warnings
         if text not in warnings:
@@ -83,11 +83,11 @@ class Record:
             self._tell("warning", text)
 
     def warn_of_file(self, path, label, text):
-        """A warning that names a file by its path, or none."""
+        """Records a warning about a file, with its label in place of its path."""
         self.warn("%s: %s" % (label, text.replace("%s: " % path, "", 1)))
 
     def fail(self, error):
-        """The whole run cannot be done."""
+        """Records that the whole run failed."""
         self.error = with_options(str(error))
         self._tell("error", self.error)
 
@@ -95,7 +95,7 @@ class Record:
         return self.error is None and all(file["error"] is None for file in self.files)
 
     def as_values(self):
-        """All of it, for JSON and for a report."""
+        """Returns the record as values for JSON and a report."""
         return figures.without_nan({
             "version": 1, "program": "horizon_mesh", "done": self.is_done(), "error": self.error,
             "warnings": self.warnings,
@@ -104,5 +104,5 @@ class Record:
             "running": self._running, "files": self.files})
 
     def as_json(self):
-        """The same as one line of text."""
+        """Returns the record as one line of JSON."""
         return json.dumps(self.as_values(), allow_nan=False)

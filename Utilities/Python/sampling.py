@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heights of meshes at the columns of their lattice, by the writer of grids."""
+"""Heights of meshes at the columns of their lattice, from the grid writer."""
 
 import os
 import tempfile
@@ -9,9 +9,9 @@ from .stage import make, update, update_writer
 
 
 def sample(mesh, direction, label):
-    """A horizon of the columns that the triangles of a mesh cover. `direction` says where z of the mesh grows to. Raises
-    HorizonError, which names the mesh by its label, and OSError."""
-    with tempfile.TemporaryDirectory() as folder:  # which nobody else has
+    """Returns a horizon of the columns that the triangles of a mesh cover. `direction` is the direction in which z of the
+    mesh increases. Raises HorizonError, which names the mesh by its label, and OSError."""
+    with tempfile.TemporaryDirectory() as folder:
         grid = os.path.join(folder, "sampled.irap")
         writer = make("vtkHorizonGridWriter", FileName=grid)
         writer.SetInputDataObject(0, mesh)
