@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a file was taken for, in a few lines, so that a wrong guess is seen: columns, lattice, heights, what was left out."""
+"""Summarizes in a few lines how a file was interpreted, so that a wrong guess is visible: columns, lattice, heights and
+omitted points."""
 
 import math
 
@@ -12,7 +13,7 @@ DIRECTION = "z increases "  # begins what a source says of the direction of z
 
 
 class Found:
-    """Of one file, whose horizons come one after the other."""
+    """Summary of one file, whose horizons are added one after the other."""
 
     def __init__(self):
         self._surveys = []
@@ -20,7 +21,7 @@ class Found:
         self._errors = []  # the largest errors of meshes, in the unit of z and in vertical indices
 
     def add(self, horizon, mesh):
-        """A horizon as it was read, or the mesh of one that is larger than memory; and its mesh."""
+        """Adds a horizon as it was read, or the mesh of a horizon larger than memory, and its mesh."""
         self._surveys.append(figures.survey(horizon))
         self._bounds.append(horizon.GetBounds()[4:6])
         error = pipeline.chosen_parameters(mesh).get("MaximumError")
@@ -28,7 +29,7 @@ class Found:
             self._errors.append((error * (heights.step_of(mesh) or 1.0), error))
 
     def lines(self, origin, settings):
-        """`origin` is what reading.describe says of the file."""
+        """Returns the summary; `origin` is the result of reading.describe."""
         what = origin["description"][:1] or [origin["format"]]
         reason = next((line for line in origin["description"] if line.startswith(DIRECTION)), "")
         return [*what, *self._lattice(), self._heights(origin["format"], settings, reason), *self._left_out()]
@@ -45,7 +46,7 @@ class Found:
             math.degrees(math.atan2(*steps[0])) % 360.0)]
 
     def _heights(self, form, settings, reason):
-        """The range of z as in the file, where it grows to and why, and what a vertical index is."""
+        """Returns the range of z as in the file, its direction and the reason for it, and the size of a vertical index."""
         survey = self._surveys[0]
         down = survey["vertical_direction"] == "down"
         least, most = min(b[0] for b in self._bounds), max(b[1] for b in self._bounds)
@@ -75,7 +76,7 @@ class Found:
         return "; ".join(words)
 
     def _left_out(self):
-        """A line on the points that are not in the horizons, if there are any."""
+        """Returns a line on points that are not in the horizons, if there are any."""
         left_out = [(sum(s[key] or 0 for s in self._surveys), what) for key, what in
                     (("dropped_duplicates", "duplicates"), ("dropped_nulls", "without z"))]
         words = ["%d %s left out" % pair for pair in left_out if pair[0]]
@@ -92,6 +93,6 @@ def _range(values, digits=6):
 
 
 def written(names, folder):
-    """A line with the names of the results."""
+    """Returns a line with the names of the results."""
     shown = names if len(names) <= MOST_NAMES else [*names[:MOST_NAMES], "..."]
     return "%d file%s in %s: %s" % (len(names), "" if len(names) == 1 else "s", folder, ", ".join(shown))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the options of the program horizon_mesh.py mean for the reader and for each stage."""
+"""Converts the options of horizon_mesh.py to properties of the reader and of each stage."""
 
 from . import wording
 from .pipeline import CHOSEN, Settings, fault_settings, surface_properties
@@ -23,7 +23,7 @@ CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
 
 
 def with_options(text):
-    """A message with options in place of properties."""
+    """Returns a message with options in place of properties."""
     return wording.rename(text, NAMES, wording.as_option)
 
 
@@ -47,7 +47,8 @@ def _reader(options):
 
 
 def _surface(options, boundary, simplified):
-    """What one number means: that, and what was given beside it. None for the stages of the thesis."""
+    """Returns properties of the single surface stage, from the largest error or number of triangles and the options given
+    beside it. None for the stages of the thesis."""
     if options.stages:
         return None
     target = given(options, largest_error="largest_error", triangles="triangles")
@@ -59,7 +60,7 @@ def _surface(options, boundary, simplified):
 
 
 def _layers(options):
-    """Properties of volumes: within the error of the meshes, where they have one."""
+    """Returns properties of the layers; their error is the error of the meshes, if given."""
     words = getattr(options, "crossings", [])
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
     error = given(options, MaximumError="largest_error")
@@ -68,7 +69,7 @@ def _layers(options):
 
 
 def make_settings(options):
-    """What the options mean for each stage."""
+    """Returns the settings of all stages."""
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
     settings.memory = options.memory
