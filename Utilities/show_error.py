@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws meshes in the colours of their distance from the horizon they stand for, with the figures beside them.
+"""Draws meshes coloured by their distance from a horizon, with a table of figures.
 
     pvbatch show_error.py [OPTIONS] REFERENCE MESH [MESH ...] PICTURE.png
 
-Runs in pvbatch and pvpython, and needs an X server. The plugin SeismicHorizons is loaded from the build tree, or else
-from where PV_PLUGIN_PATH says.
+Runs in pvbatch and pvpython, and needs an X server. The plugin SeismicHorizons is loaded from the build tree, otherwise
+from PV_PLUGIN_PATH.
 """
 
 import argparse
@@ -21,8 +21,8 @@ PLUGIN = "build/release/lib/paraview-*/plugins/SeismicHorizons/SeismicHorizons.s
 PRESETS = {"Distance": "Horizon Distance", "VerticalDistance": "Horizon Vertical Distance"}
 PANEL = (900, 780)
 TEXT = (0.13, 0.16, 0.20)
-HEIGHT_SHARE = 0.15  # height of a horizon on show, in parts of its width
-TOWARD = (0.30, -0.66, 0.69)  # from the horizon to the eye
+HEIGHT_SHARE = 0.15  # displayed height of a horizon as a fraction of its width
+TOWARD = (0.30, -0.66, 0.69)  # direction from the horizon to the viewer
 
 
 def make_parser():
@@ -65,7 +65,7 @@ def open_reference(path, horizon):
 
 
 def figures(distance):
-    """The table of the measure as a list of dictionaries, a row each."""
+    """Returns the table of the measure as a list of dictionaries, one per row."""
     table = servermanager.Fetch(distance, idx=2)
     names = [table.GetColumnName(column) for column in range(table.GetNumberOfColumns())]
     return [{name: table.GetValue(row, column) for column, name in enumerate(names)}
@@ -73,7 +73,7 @@ def figures(distance):
 
 
 def round_up(value):
-    """To a number whose quarters, the labels of the scale, are short."""
+    """Rounds up to a number whose quarters, the labels of the scale, are short."""
     unit = 10.0 ** math.floor(math.log10(value)) if value > 0.0 else 1.0
     return unit * next(digit for digit in (1.0, 2.0, 4.0, 6.0, 8.0, 10.0) if value <= digit * unit * (1.0 + 1e-12))
 
@@ -84,12 +84,12 @@ def figure(rows, direction, unit, name):
 
 
 def caption(rows, points, unit):
-    """Three lines; with several horizons the largest figures of all."""
+    """Returns three lines; with several horizons, the largest figures of all."""
     largest, mean, outline = (figure(rows, "Two-sided", unit, name)
                               for name in ("LargestDistance", "MeanDistance", "OutlineDistance"))
     share = [100.0 * figure(rows, "Two-sided", "Diagonal", name) for name in ("LargestDistance", "MeanDistance")]
     median, percentile = (figure(rows, "Two-sided", unit, "DistancePercentile%d" % n) for n in (50, 95))
-    outline = 0.0 if outline < 1e-9 * largest else outline  # rounding
+    outline = 0.0 if outline < 1e-9 * largest else outline  # rounding is shown as zero
     return ("{:,} points".format(points),
             "largest %.3g   mean %.3g   (%.2g %% and %.2g %% of the diagonal)" % (largest, mean, *share),
             "median %.3g   95th percentile %.3g   outline %.3g" % (median, percentile, outline))
@@ -125,8 +125,8 @@ def place_camera(view, bounds, exaggeration):
     view.CameraPosition = [m + 3.0 * width * t for m, t in zip(middle, TOWARD)]
     view.CameraViewUp = (0.0, 0.0, 1.0)
     simple.ResetCamera(view)
-    view.CameraParallelScale *= 0.82  # ResetCamera leaves room to turn
-    # A little lower than the middle, for the text above.
+    view.CameraParallelScale *= 0.82  # ResetCamera leaves room for rotation
+    # The horizon is slightly below the centre, for the text above.
     lift = (0.0, 0.0, 0.05 * width)
     view.CameraFocalPoint = [f + d for f, d in zip(view.CameraFocalPoint, lift)]
     view.CameraPosition = [p + d for p, d in zip(view.CameraPosition, lift)]

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the manual page of a program from its own description of its options, and from the examples of its page, so
-that all say the same.
+"""Writes the manual page of a program from the description of its options and the examples on its page, so that all of them
+agree.
 
-Arguments: the program (Python with a function make_parser), the name it is installed by, the version, the page with
-examples, and the file to write.
+Arguments: the program (Python with a function make_parser), its installed name, the version, the page with examples, and
+the file to write.
 """
 
 import gzip
@@ -17,7 +17,7 @@ SEE_ALSO = r"""\fBparaview\fR(1), \fBpvpython\fR(1), the pages in /usr/share/doc
 
 
 def escape(text):
-    """Text that troff shows as it is."""
+    """Escapes a text for troff."""
     text = text.replace("\\", r"\e").replace("-", r"\-")
     return re.sub(r"(?m)^([.'])", r"\\&\1", text)
 
@@ -30,7 +30,7 @@ def load_parser(path):
 
 
 def describe(formatter, action):
-    """One option: how it is written, and what it does."""
+    """Describes one option: its syntax and its effect."""
     formatter._indent_increment = 0
     written = formatter._format_action_invocation(action)
     return ".TP\n.B %s\n%s\n" % (escape(written), escape(formatter._expand_help(action)))
@@ -45,7 +45,7 @@ def sections(parser):
 
 
 def examples(name, examples_page):
-    """What the lines of its page with the program are for, and these."""
+    """Returns the commands on the page of the program and their purposes."""
     for line in examples_page.splitlines():
         command, _, meaning = line.partition("  # ")
         if command.startswith(name + " ") and not command.endswith("--help"):
@@ -69,7 +69,7 @@ def manual_page(parser, name, version, examples_page):
 
 def main(program, name, version, examples_page, page):
     text = manual_page(load_parser(pathlib.Path(program)), name, version, pathlib.Path(examples_page).read_text(encoding="utf-8"))
-    # No time stamp: the same input gives the same file.
+    # Without a time stamp the same input gives the same file.
     pathlib.Path(page).write_bytes(gzip.compress(text.encode("utf-8"), 9, mtime=0))
 
 

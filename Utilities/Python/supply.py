@@ -58,7 +58,7 @@ class Supply:
                 yield found.pop(0)
 
     def _require(self, group):
-        """Raises HorizonError if a horizon cannot be processed while the others are in memory."""
+        """Raises HorizonError if a horizon cannot be processed while the rest of its group is in memory."""
         for number in group:
             self._budget.require(self.sizes[number], "%s: %s" % (self._path.name, self.names[number]))
         largest = max(self.sizes[number] for number in group)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares ball pivoting by Open3D with our triangulation on surfaces as large as those of the thesis (table 5.1), and
-prints Markdown.
+"""Compares ball pivoting by Open3D with our triangulation on surfaces of the sizes in table 5.1 of the thesis, and prints
+Markdown.
 
 Needs the package open3d (pip install open3d); ends without it. Open3D receives normals that all point up, so it need not
 compute them. Argument: the program generate_horizons.

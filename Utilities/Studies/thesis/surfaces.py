@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Generated surfaces like those of the thesis: the same number of points, in a box of the same proportions, equally filled,
-and equally rough in patches."""
+"""Generated surfaces similar to the surfaces of the thesis: the same number of points, in a box of the same proportions,
+equally filled, and equally rough in patches."""
 
 from functools import lru_cache
 import pathlib
