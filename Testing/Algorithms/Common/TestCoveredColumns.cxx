@@ -72,7 +72,7 @@ void TestTriangles(std::int32_t subVoxels)
     }
     const CoveredColumns covered(corners, triangles, subVoxels);
     CHECK_EQUAL(covered.Count(), expected);
-    const Ledger ledger = covered.Account(columns, {});
+    const Ledger ledger = covered.Account(columns, {}, KeptPoints::All(columns.size()));
     CHECK_EQUAL(ledger[LedgerEntry::Known], expected);
     CHECK_EQUAL(ledger[LedgerEntry::Bridged], 0);
     CHECK_EQUAL(ledger.Read(), std::int64_t(columns.size()));
@@ -108,12 +108,19 @@ void TestLoops()
   CHECK_EQUAL(covered.Count(), 44);
   const std::vector<PlanePoint> points = { { 0, 0 }, { 4, 3 }, { 8, 2 }, { 3, 2 }, { 9, 2 }, { 10, 2 }, { 2, 6 },
     { 6, 6 }, { 5, 2 }, { 6, 2 }, { 11, 11 } };
-  const Ledger ledger = covered.Account(points, { 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 1 });
+  const Ledger ledger = covered.Account(points, { 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 1 }, KeptPoints::All(points.size()));
   CHECK_EQUAL(ledger[LedgerEntry::Known], 3);
   CHECK_EQUAL(ledger[LedgerEntry::Filled], 1);
   CHECK_EQUAL(ledger[LedgerEntry::Extrapolated], 1);
   CHECK_EQUAL(ledger[LedgerEntry::Bridged], 39);
   CHECK_EQUAL(ledger[LedgerEntry::LeftOut], 5);
+
+  KeptPoints kept(points.size());
+  kept.AppendRun(1, points.size() - 1);
+  const Ledger without = covered.Account(points, {}, kept); // the first one is covered, and dropped
+  CHECK_EQUAL(without[LedgerEntry::Known], 5);
+  CHECK_EQUAL(without[LedgerEntry::Bridged], 39);
+  CHECK_EQUAL(without[LedgerEntry::LeftOut], 6);
 }
 
 /// The row 0 is that of another part; all along the row 6 counts.
@@ -122,7 +129,7 @@ void TestSharedRows()
   const Loops loops = ToLoops({ { 0, 1, 2, 3, 4, 3, 5 }, { 6, 8, 7 }, { 9, 10 }, { 11 } });
   const CoveredColumns covered(Vertices, loops, 1, { 0, 6 });
   CHECK_EQUAL(covered.Count(), 44 - 9 + 4);
-  const Ledger ledger = covered.Account({ { 0, 0 }, { 20, 0 }, { 1, 6 }, { 6, 6 } }, {});
+  const Ledger ledger = covered.Account({ { 0, 0 }, { 20, 0 }, { 1, 6 }, { 6, 6 } }, {}, KeptPoints::All(4));
   CHECK_EQUAL(ledger[LedgerEntry::Known], 1);
   CHECK_EQUAL(ledger[LedgerEntry::LeftOut], 1);
 }
