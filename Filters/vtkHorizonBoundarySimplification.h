@@ -41,6 +41,7 @@
 #define vtkHorizonBoundarySimplification_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonBoundarySimplification : public vtkHorizonAlgorithm
@@ -50,52 +51,30 @@ public:
   vtkTypeMacro(vtkHorizonBoundarySimplification, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Method.
-  enum MethodType
-  {
-    Threshold = 0,
-    FewestPoints = 1
-  };
-
-  ///@{
   /**
    * Which points are dropped. Threshold: one after the other, if near enough to the line through their neighbours, as
    * in the thesis. FewestPoints: as many as OutlineTolerance and DistanceThreshold allow. Default: Threshold.
    */
-  vtkSetClampMacro(Method, int, Threshold, FewestPoints);
-  vtkGetMacro(Method, int);
-  void SetMethodToThreshold() { this->SetMethod(Threshold); }
-  void SetMethodToFewestPoints() { this->SetMethod(FewestPoints); }
-  ///@}
+  vtkHorizonChoice2Macro(Method, MethodType, Threshold, FewestPoints);
 
-  ///@{
   /**
    * A point is dropped if it is nearer than this to the line through its neighbours (t of the thesis). With
    * FewestPoints: the largest height of a dropped point above or below the new outline. Unit: lattice units. Range: at
    * least 0. Default: 0.4.
    */
-  vtkSetMacro(DistanceThreshold, double);
-  vtkGetMacro(DistanceThreshold, double);
-  ///@}
+  vtkHorizonNumberMacro(DistanceThreshold, double);
 
-  ///@{
   /**
    * Whether dropped points stay within DistanceThreshold above or below the final outline. Off: only of the line when
    * they are dropped, so that deviations add up. FewestPoints always does this. Default: off.
    */
-  vtkSetMacro(BoundDeviation, bool);
-  vtkGetMacro(BoundDeviation, bool);
-  vtkBooleanMacro(BoundDeviation, bool);
-  ///@}
+  vtkHorizonFlagMacro(BoundDeviation);
 
-  ///@{
   /**
    * The largest distance of a dropped point from the new outline on the map. 0 keeps the outline on the map; from about
    * 0.5, staircases of the lattice become straight lines. Unit: columns. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(OutlineTolerance, double);
-  vtkGetMacro(OutlineTolerance, double);
-  ///@}
+  vtkHorizonNumberMacro(OutlineTolerance, double);
 
 protected:
   vtkHorizonBoundarySimplification() = default;

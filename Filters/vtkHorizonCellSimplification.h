@@ -23,6 +23,7 @@
 #define vtkHorizonCellSimplification_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 class vtkFieldData;
@@ -39,52 +40,30 @@ public:
   vtkTypeMacro(vtkHorizonCellSimplification, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The side of a cell (s of the thesis): a square in the rough simplification, where 3 leaves about one point in nine;
    * a cube in the elaborate one. Unit: lattice units. Range: at least 1. Default: 3 in vtkHorizonRoughSimplification, 8
    * in vtkHorizonElaborateSimplification.
    */
-  vtkSetMacro(CellSize, int);
-  vtkGetMacro(CellSize, int);
-  ///@}
+  vtkHorizonNumberMacro(CellSize, int);
 
-  ///@{
   /**
    * The largest number of points, for which CellSize or FlatnessThreshold are chosen (thesis 6.2). 0: both as given.
    * Outline points are always kept. Unit: points. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(MaximumNumberOfPoints, int);
-  vtkGetMacro(MaximumNumberOfPoints, int);
-  ///@}
+  vtkHorizonNumberMacro(MaximumNumberOfPoints, int);
 
-  /// Values of Representative.
-  enum RepresentativeChoice
-  {
-    Barycentre = 0,
-    NearestPoint = 1
-  };
-
-  ///@{
   /**
    * The point that replaces those of a cell. Barycentre: their mean, with mean attributes, as in the thesis.
    * NearestPoint: the point nearest to that on the map, with its own attributes. Default: Barycentre.
    */
-  vtkSetClampMacro(Representative, int, Barycentre, NearestPoint);
-  vtkGetMacro(Representative, int);
-  void SetRepresentativeToBarycentre() { this->SetRepresentative(Barycentre); }
-  void SetRepresentativeToNearestPoint() { this->SetRepresentative(NearestPoint); }
-  ///@}
+  vtkHorizonChoice2Macro(Representative, RepresentativeChoice, Barycentre, NearestPoint);
 
-  ///@{
   /**
    * For inspection: the output is the cells as wireframe. The cell data array CellOrigin has the halvings and the ring
    * of each. Default: off.
    */
-  vtkSetMacro(ShowCells, bool);
-  vtkGetMacro(ShowCells, bool);
-  vtkBooleanMacro(ShowCells, bool);
-  ///@}
+  vtkHorizonFlagMacro(ShowCells);
 
 protected:
   explicit vtkHorizonCellSimplification(int cellSize)

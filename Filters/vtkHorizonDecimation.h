@@ -38,6 +38,7 @@
 #ifndef vtkHorizonDecimation_h
 #define vtkHorizonDecimation_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -55,42 +56,22 @@ public:
   vtkTypeMacro(vtkHorizonDecimation, vtkHorizonReducedMesh);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Target.
-  enum Targets
-  {
-    LargestError = 0,
-    NumberOfPoints = 1,
-    Reduction = 2
-  };
-
-  ///@{
   /**
    * What limits the number of points. LargestError: MaximumError. NumberOfPoints: MaximumNumberOfPoints.
    * Reduction: TargetReduction. Default: LargestError.
    */
-  vtkSetClampMacro(Target, int, LargestError, Reduction);
-  vtkGetMacro(Target, int);
-  void SetTargetToLargestError() { this->SetTarget(LargestError); }
-  void SetTargetToNumberOfPoints() { this->SetTarget(NumberOfPoints); }
-  void SetTargetToReduction() { this->SetTarget(Reduction); }
-  ///@}
+  vtkHorizonChoice3Macro(Target, Targets, LargestError, NumberOfPoints, Reduction);
 
-  ///@{
   /**
    * The largest number of points of each horizon, outlines included. Unit: points. Range: at least 1. Default: 10000.
    */
-  vtkSetMacro(MaximumNumberOfPoints, int);
-  vtkGetMacro(MaximumNumberOfPoints, int);
-  ///@}
+  vtkHorizonNumberMacro(MaximumNumberOfPoints, int);
 
-  ///@{
   /**
    * The fraction of the points of each horizon to drop; 0.95 leaves one in twenty. Unit: fraction of the points. Range:
    * 0 to 1. Default: 0.95.
    */
-  vtkSetMacro(TargetReduction, double);
-  vtkGetMacro(TargetReduction, double);
-  ///@}
+  vtkHorizonNumberMacro(TargetReduction, double);
 
 protected:
   vtkHorizonDecimation() = default;

@@ -27,6 +27,7 @@
 #define vtkHorizonDespiking_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonDespiking : public vtkHorizonAlgorithm
@@ -36,66 +37,33 @@ public:
   vtkTypeMacro(vtkHorizonDespiking, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Action.
-  enum Actions
-  {
-    Remove = 0,
-    Flag = 1
-  };
-
-  ///@{
   /**
    * What happens to spikes and spurs. Remove: they are left out. Flag: all points stay, and the array Spike is 1 at
    * spikes, 2 on spurs. Default: Remove.
    */
-  vtkSetClampMacro(Action, int, Remove, Flag);
-  vtkGetMacro(Action, int);
-  void SetActionToRemove() { this->SetAction(Remove); }
-  void SetActionToFlag() { this->SetAction(Flag); }
-  ///@}
+  vtkHorizonChoice2Macro(Action, Actions, Remove, Flag);
 
-  ///@{
   /**
    * The largest distance of a point above or below the surface through the points around it. 0: four times the noise,
    * measured on each horizon. Unit: ThresholdUnit. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(Threshold, double);
-  vtkGetMacro(Threshold, double);
-  ///@}
+  vtkHorizonNumberMacro(Threshold, double);
 
-  /// Values of ThresholdUnit.
-  enum ThresholdUnits
-  {
-    Lattice = 0,
-    World = 1
-  };
-
-  ///@{
   /**
    * The unit of Threshold. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
    */
-  vtkSetClampMacro(ThresholdUnit, int, Lattice, World);
-  vtkGetMacro(ThresholdUnit, int);
-  void SetThresholdUnitToLattice() { this->SetThresholdUnit(Lattice); }
-  void SetThresholdUnitToWorld() { this->SetThresholdUnit(World); }
-  ///@}
+  vtkHorizonChoice2Macro(ThresholdUnit, ThresholdUnits, Lattice, World);
 
-  ///@{
   /**
    * The extent of the points around, along each axis: 2 is a square of 5 by 5 columns. Unit: columns. Range: 1 to 16.
    * Default: 2.
    */
-  vtkSetMacro(NeighborhoodRadius, int);
-  vtkGetMacro(NeighborhoodRadius, int);
-  ///@}
+  vtkHorizonNumberMacro(NeighborhoodRadius, int);
 
-  ///@{
   /**
    * The largest width of strips and spurs to remove; 0: none. Unit: columns. Range: 0 to 64. Default: 0.
    */
-  vtkSetMacro(SpurWidth, int);
-  vtkGetMacro(SpurWidth, int);
-  ///@}
+  vtkHorizonNumberMacro(SpurWidth, int);
 
   /// The name of SpurWidth in version 0.2, for scripts of that version. @deprecated Use SetSpurWidth.
   void SetThreadWidth(int width) { this->SetSpurWidth(width); }

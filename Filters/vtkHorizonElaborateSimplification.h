@@ -33,6 +33,7 @@
 #define vtkHorizonElaborateSimplification_h
 
 #include "vtkHorizonCellSimplification.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonElaborateSimplification : public vtkHorizonCellSimplification
@@ -42,79 +43,49 @@ public:
   vtkTypeMacro(vtkHorizonElaborateSimplification, vtkHorizonCellSimplification);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The largest curvature of a flat cell: the least eigenvalue of the covariance of its points, divided by the sum of
    * the three (thesis, eq. 4.5). Smaller values keep more points; the thesis uses 0.03 to 0.20. Range: 0 to 1/3.
    * Default: 0.12.
    */
-  vtkSetMacro(FlatnessThreshold, double);
-  vtkGetMacro(FlatnessThreshold, double);
-  ///@}
+  vtkHorizonNumberMacro(FlatnessThreshold, double);
 
-  ///@{
   /**
    * A cell with outline points is halved unless it has more of them per unit of its side (PD of the thesis, eq. 4.2),
    * and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default: 0.25.
    */
-  vtkSetMacro(BoundaryDensityThreshold, double);
-  vtkGetMacro(BoundaryDensityThreshold, double);
-  ///@}
+  vtkHorizonNumberMacro(BoundaryDensityThreshold, double);
 
-  ///@{
   /**
    * A cell with outline points is halved unless two of them are farther apart than this (d_max of the thesis, eq. 4.1
    * and 4.2), and it exceeds BoundaryDensityThreshold. Unit: lattice units. Range: at least 0. Default: 2.
    */
-  vtkSetMacro(BoundaryExtentThreshold, double);
-  vtkGetMacro(BoundaryExtentThreshold, double);
-  ///@}
+  vtkHorizonNumberMacro(BoundaryExtentThreshold, double);
 
-  ///@{
   /**
    * A cell with outline points that is larger than this and not halved keeps one more point, for all its others. Unit:
    * lattice units. Range: at least 0. Default: 2.
    */
-  vtkSetMacro(BoundaryCellSizeThreshold, double);
-  vtkGetMacro(BoundaryCellSizeThreshold, double);
-  ///@}
+  vtkHorizonNumberMacro(BoundaryCellSizeThreshold, double);
 
-  ///@{
   /**
    * No cell is halved to a smaller side than this. Unit: lattice units. Range: at least 1. Default: 1.
    */
-  vtkSetMacro(SmallestCellSize, double);
-  vtkGetMacro(SmallestCellSize, double);
-  ///@}
+  vtkHorizonNumberMacro(SmallestCellSize, double);
 
-  /// Values of NeighbourMean.
-  enum NeighbourMeanChoice
-  {
-    OverCubes = 0,
-    OverPieces = 1
-  };
-
-  ///@{
   /**
    * What the mean size of neighbours one ring further out is taken over. OverCubes: cubes, each with the mean size of
    * its cells (thesis, eq. 4.3). OverPieces: their cells, which gives smaller cells inside. Default: OverCubes.
    */
-  vtkSetClampMacro(NeighbourMean, int, OverCubes, OverPieces);
-  vtkGetMacro(NeighbourMean, int);
-  void SetNeighbourMeanToOverCubes() { this->SetNeighbourMean(OverCubes); }
-  void SetNeighbourMeanToOverPieces() { this->SetNeighbourMean(OverPieces); }
-  ///@}
+  vtkHorizonChoice2Macro(NeighbourMean, NeighbourMeanChoice, OverCubes, OverPieces);
 
-  ///@{
   /**
    * The largest size of a cell, divided by the mean of its neighbours one ring further out. 1: sizes never grow
    * inwards, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1. Default: 1.
    *
    * Up to the nearest size that halving gives.
    */
-  vtkSetMacro(GrowthPerRing, double);
-  vtkGetMacro(GrowthPerRing, double);
-  ///@}
+  vtkHorizonNumberMacro(GrowthPerRing, double);
 
 protected:
   vtkHorizonElaborateSimplification()

@@ -36,6 +36,7 @@
 #define vtkHorizonExteriorBoundary_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <cstdint> // for std::int64_t
@@ -47,22 +48,6 @@ public:
   vtkTypeMacro(vtkHorizonExteriorBoundary, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of BoundaryType.
-  enum BoundaryTypes
-  {
-    Exterior = 0,
-    Topological4 = 1,
-    Topological8 = 2
-  };
-
-  /// Values of GrowthStrategy.
-  enum GrowthStrategies
-  {
-    Distance = 0,
-    Clockwise = 1
-  };
-
-  ///@{
   /**
    * What counts as boundary. Exterior: the outline of every patch. Topological4: every point with an empty column on
    * one of its four sides. Topological8: also at a corner. See "Topological boundaries" in HorizonExteriorBoundary.md.
@@ -72,23 +57,14 @@ public:
    * and all holes, whatever Radius, GrowthStrategy, HoleBoundaries and the smallest hole are. With Topological8 the
    * loops are the same, and Boundary is that of the points beside.
    */
-  vtkSetClampMacro(BoundaryType, int, Exterior, Topological8);
-  vtkGetMacro(BoundaryType, int);
-  void SetBoundaryTypeToExterior() { this->SetBoundaryType(Exterior); }
-  void SetBoundaryTypeToTopological4() { this->SetBoundaryType(Topological4); }
-  void SetBoundaryTypeToTopological8() { this->SetBoundaryType(Topological8); }
-  ///@}
+  vtkHorizonChoice3Macro(BoundaryType, BoundaryTypes, Exterior, Topological4, Topological8);
 
-  ///@{
   /**
    * The largest hop of an outline along each axis (k of the thesis). Up to Radius - 1 missing columns do not break a
    * patch; larger values give fewer patches and coarser outlines. Unit: columns. Range: 1 to 32. Default: 1.
    */
-  vtkSetMacro(Radius, int);
-  vtkGetMacro(Radius, int);
-  ///@}
+  vtkHorizonNumberMacro(Radius, int);
 
-  ///@{
   /**
    * How the outline continues where a Radius above 1 leaves a choice. Distance: from neighbour to neighbour, with
    * single bridges over gaps; every detail stays. Clockwise: by the outermost hop, which cuts narrow bays short.
@@ -96,63 +72,42 @@ public:
    *
    * Thesis, Alg. 3.1 and 3.2. Clockwise takes the first hop of a clockwise sweep.
    */
-  vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
-  vtkGetMacro(GrowthStrategy, int);
-  void SetGrowthStrategyToDistance() { this->SetGrowthStrategy(Distance); }
-  void SetGrowthStrategyToClockwise() { this->SetGrowthStrategy(Clockwise); }
-  ///@}
+  vtkHorizonChoice2Macro(GrowthStrategy, GrowthStrategies, Distance, Clockwise);
 
-  ///@{
   /**
    * Whether holes have an outline and stay open in the mesh. Off: the mesh closes them. Default: off.
    *
    * A hole is what the hops of the chosen rule leave open inside a patch, with at least one column strictly inside.
    */
-  vtkSetMacro(HoleBoundaries, bool);
-  vtkGetMacro(HoleBoundaries, bool);
-  vtkBooleanMacro(HoleBoundaries, bool);
-  ///@}
+  vtkHorizonFlagMacro(HoleBoundaries);
 
-  ///@{
   /**
    * Holes with fewer columns strictly inside are closed. Unit: columns. Range: at least 1. Default: 1.
    *
    * Columns of islands in the hole count.
    */
-  vtkSetMacro(SmallestHoleSize, int);
-  vtkGetMacro(SmallestHoleSize, int);
-  ///@}
+  vtkHorizonNumberMacro(SmallestHoleSize, int);
 
-  ///@{
   /**
    * Holes with a smaller area are closed, too; 0: no limit. Unit: square units of the world. Range: at least 0.
    * Default: 0.
    *
    * The area is that of the columns strictly inside.
    */
-  vtkSetMacro(SmallestHoleArea, double);
-  vtkGetMacro(SmallestHoleArea, double);
-  ///@}
+  vtkHorizonNumberMacro(SmallestHoleArea, double);
 
-  ///@{
   /**
    * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
-  vtkSetMacro(MinimumPatchSize, int);
-  vtkGetMacro(MinimumPatchSize, int);
-  ///@}
+  vtkHorizonNumberMacro(MinimumPatchSize, int);
 
-  ///@{
   /**
    * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the output has no FaultedLinks.
    */
-  vtkSetMacro(UseCuts, bool);
-  vtkGetMacro(UseCuts, bool);
-  vtkBooleanMacro(UseCuts, bool);
-  ///@}
+  vtkHorizonFlagMacro(UseCuts);
 
 protected:
   vtkHorizonExteriorBoundary() = default;

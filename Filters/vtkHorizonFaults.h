@@ -44,6 +44,7 @@
 #define vtkHorizonFaults_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <vector>
@@ -62,121 +63,65 @@ public:
   vtkTypeMacro(vtkHorizonFaults, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Polygons.
-  enum PolygonUses
-  {
-    Blank = 0,
-    Cut = 1,
-    Leave = 2
-  };
-
-  ///@{
   /**
    * Whether surfaces of Sticks continue at both ends by the distance of the last two sticks. Default: off.
    */
-  vtkSetMacro(ExtendSticks, bool);
-  vtkGetMacro(ExtendSticks, bool);
-  vtkBooleanMacro(ExtendSticks, bool);
-  ///@}
+  vtkHorizonFlagMacro(ExtendSticks);
 
-  ///@{
   /**
    * What fault polygons among Traces do. Blank: points inside, where values are made up, are left out. Cut: they stay,
    * as islands. Leave: nothing. Default: Blank.
    */
-  vtkSetClampMacro(Polygons, int, Blank, Leave);
-  vtkGetMacro(Polygons, int);
-  void SetPolygonsToBlank() { this->SetPolygons(Blank); }
-  void SetPolygonsToCut() { this->SetPolygons(Cut); }
-  void SetPolygonsToLeave() { this->SetPolygons(Leave); }
-  ///@}
+  vtkHorizonChoice3Macro(Polygons, PolygonUses, Blank, Cut, Leave);
 
-  ///@{
   /**
    * Whether faults are detected in the heights. Off: only lines that you supply cut. Default: on.
    */
-  vtkSetMacro(Detect, bool);
-  vtkGetMacro(Detect, bool);
-  vtkBooleanMacro(Detect, bool);
-  ///@}
+  vtkHorizonFlagMacro(Detect);
 
-  ///@{
   /**
    * The throw that a fault must reach somewhere; its ends are found down to half of it. 0: eight times the noise of the
    * heights of each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(SmallestThrow, double);
-  vtkGetMacro(SmallestThrow, double);
-  ///@}
+  vtkHorizonNumberMacro(SmallestThrow, double);
 
-  ///@{
   /**
    * Standard deviation of height differences between neighbouring columns due to noise alone. 0: measured on each
    * horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(Noise, double);
-  vtkGetMacro(Noise, double);
-  ///@}
+  vtkHorizonNumberMacro(Noise, double);
 
-  /// Values of ThrowUnit.
-  enum ThrowUnits
-  {
-    Lattice = 0,
-    World = 1
-  };
-
-  ///@{
   /**
    * The unit of SmallestThrow and Noise. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
    */
-  vtkSetClampMacro(ThrowUnit, int, Lattice, World);
-  vtkGetMacro(ThrowUnit, int);
-  void SetThrowUnitToLattice() { this->SetThrowUnit(Lattice); }
-  void SetThrowUnitToWorld() { this->SetThrowUnit(World); }
-  ///@}
+  vtkHorizonChoice2Macro(ThrowUnit, ThrowUnits, Lattice, World);
 
-  ///@{
   /**
    * The least extent of a fault along i or j. Unit: columns. Range: at least 0. Default: 20.
    */
-  vtkSetMacro(SmallestExtent, int);
-  vtkGetMacro(SmallestExtent, int);
-  ///@}
+  vtkHorizonNumberMacro(SmallestExtent, int);
 
-  ///@{
   /**
    * Branches of a fault with fewer faulted links are dropped. Unit: links. Range: at least 0. Default: 10.
    */
-  vtkSetMacro(SmallestBranch, int);
-  vtkGetMacro(SmallestBranch, int);
-  ///@}
+  vtkHorizonNumberMacro(SmallestBranch, int);
 
-  ///@{
   /**
    * Faults are followed across up to this many missing columns in a row. Unit: columns. Range: at least 0. Default: 5.
    */
-  vtkSetMacro(LargestGap, int);
-  vtkGetMacro(LargestGap, int);
-  ///@}
+  vtkHorizonNumberMacro(LargestGap, int);
 
-  ///@{
   /**
    * Also finds faults that bend the surface over up to this many columns instead of tearing it, and cuts them in the
    * middle. 0: none. Unit: columns. Range: 0 to 10. Default: 7.
    */
-  vtkSetMacro(LargestRamp, int);
-  vtkGetMacro(LargestRamp, int);
-  ///@}
+  vtkHorizonNumberMacro(LargestRamp, int);
 
-  ///@{
   /**
    * Whether fault lines that end at a hole and point to each other become one, if their throws are similar. Default:
    * on.
    */
-  vtkSetMacro(JoinThroughHoles, bool);
-  vtkGetMacro(JoinThroughHoles, bool);
-  vtkBooleanMacro(JoinThroughHoles, bool);
-  ///@}
+  vtkHorizonFlagMacro(JoinThroughHoles);
 
   /**
    * Standard deviation of height differences due to noise alone, in vertical indices; the largest of all horizons of
@@ -190,25 +135,13 @@ public:
   /// How many links between columns are cut, in all horizons of the last update.
   vtkGetMacro(NumberOfFaultedLinks, vtkIdType);
 
-  /// Values of LineType.
-  enum LineTypes
-  {
-    Traces = 0,
-    Sticks = 1
-  };
-
-  ///@{
   /**
    * What the fault lines are. Traces: fault traces or polygons, seen from above. Sticks: lines down faults; the horizon
    * is cut where it meets the surface between them, the third output. Default: Traces.
    *
    * Sticks of one fault agree in all words of the cell array FaultName but the last.
    */
-  vtkSetClampMacro(LineType, int, Traces, Sticks);
-  vtkGetMacro(LineType, int);
-  void SetLineTypeToTraces() { this->SetLineType(Traces); }
-  void SetLineTypeToSticks() { this->SetLineType(Sticks); }
-  ///@}
+  vtkHorizonChoice2Macro(LineType, LineTypes, Traces, Sticks);
 
   ///@{
   /**

@@ -14,6 +14,7 @@
 #ifndef vtkHorizonFromImage_h
 #define vtkHorizonFromImage_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 #include "vtkSurveyHorizonSource.h"
 
@@ -24,23 +25,17 @@ public:
   vtkTypeMacro(vtkHorizonFromImage, vtkSurveyHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The array with z, of points or cells. Empty: the active scalars, else the first array of one component, of points
    * before cells. Range: a name. Default: empty.
    */
-  vtkSetStringMacro(ZArray);
-  vtkGetStringMacro(ZArray);
-  ///@}
+  vtkHorizonTextMacro(ZArray);
 
-  ///@{
   /**
    * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out and counted
    * in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default: empty.
    */
-  vtkSetStringMacro(NullValues);
-  vtkGetStringMacro(NullValues);
-  ///@}
+  vtkHorizonTextMacro(NullValues);
 
   ///@{
   /**

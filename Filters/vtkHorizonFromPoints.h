@@ -16,6 +16,7 @@
 #ifndef vtkHorizonFromPoints_h
 #define vtkHorizonFromPoints_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkPickHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 #include "vtkTimeStamp.h" // for the points
@@ -29,65 +30,44 @@ public:
   vtkTypeMacro(vtkHorizonFromPoints, vtkPickHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The array with x. Empty: the coordinates of points, or an array with a usual name. Range: a name. Default: empty.
    *
    * A named array must exist, here and below.
    */
-  vtkSetStringMacro(XArray);
-  vtkGetStringMacro(XArray);
-  ///@}
+  vtkHorizonTextMacro(XArray);
 
-  ///@{
   /**
    * The array with y. Empty: as for x. Range: a name. Default: empty.
    */
-  vtkSetStringMacro(YArray);
-  vtkGetStringMacro(YArray);
-  ///@}
+  vtkHorizonTextMacro(YArray);
 
-  ///@{
   /**
    * The array with z. Empty: as for x. Range: a name. Default: empty.
    */
-  vtkSetStringMacro(ZArray);
-  vtkGetStringMacro(ZArray);
-  ///@}
+  vtkHorizonTextMacro(ZArray);
 
-  ///@{
   /**
    * The array with inline numbers. Empty: one with a usual name, if any. Range: a name. Default: empty.
    */
-  vtkSetStringMacro(InlineArray);
-  vtkGetStringMacro(InlineArray);
-  ///@}
+  vtkHorizonTextMacro(InlineArray);
 
-  ///@{
   /**
    * The array with crossline numbers. Empty: one with a usual name, if any. Range: a name. Default: empty.
    */
-  vtkSetStringMacro(CrosslineArray);
-  vtkGetStringMacro(CrosslineArray);
-  ///@}
+  vtkHorizonTextMacro(CrosslineArray);
 
-  ///@{
   /**
    * The array with the names of horizons, numbers or texts. Empty: one called name or horizon, else all points are
    * Horizon 1. Range: a name. Default: empty.
    */
-  vtkSetStringMacro(NameArray);
-  vtkGetStringMacro(NameArray);
-  ///@}
+  vtkHorizonTextMacro(NameArray);
 
-  ///@{
   /**
    * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out and counted
    * in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default: empty.
    */
-  vtkSetStringMacro(NullValues);
-  vtkGetStringMacro(NullValues);
-  ///@}
+  vtkHorizonTextMacro(NullValues);
 
   ///@{
   /**

@@ -35,6 +35,7 @@
 #define vtkHorizonHoleFilling_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 namespace SeismicHorizons
@@ -49,54 +50,26 @@ public:
   vtkTypeMacro(vtkHorizonHoleFilling, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Method.
-  enum Methods
-  {
-    Plate = 0,
-    Membrane = 1,
-    Automatic = 2
-  };
-
-  /// Values of Attributes.
-  enum AttributeChoices
-  {
-    FromRim = 0,
-    NotANumber = 1
-  };
-
-  ///@{
   /**
    * Holes of more columns than this stay open. Unit: columns. Range: at least 1. Default: 2500.
    */
-  vtkSetMacro(LargestHoleSize, vtkIdType);
-  vtkGetMacro(LargestHoleSize, vtkIdType);
-  ///@}
+  vtkHorizonNumberMacro(LargestHoleSize, vtkIdType);
 
-  ///@{
   /**
    * Holes with a larger area stay open, too; 0: no limit. Unit: square units of the world. Range: at least 0. Default:
    * 0.
    *
    * The area is that of the columns of the hole.
    */
-  vtkSetMacro(LargestHoleArea, double);
-  vtkGetMacro(LargestHoleArea, double);
-  ///@}
+  vtkHorizonNumberMacro(LargestHoleArea, double);
 
-  ///@{
   /**
    * The surface over a hole. Plate: continues the slope and curvature of the rim. Membrane: like a skin, never above or
    * below the rim. Automatic: a plate with RimSmoothing and RimWidth chosen by the roughness of the horizon. Default:
    * Automatic.
    */
-  vtkSetClampMacro(Method, int, Plate, Automatic);
-  vtkGetMacro(Method, int);
-  void SetMethodToPlate() { this->SetMethod(Plate); }
-  void SetMethodToMembrane() { this->SetMethod(Membrane); }
-  void SetMethodToAutomatic() { this->SetMethod(Automatic); }
-  ///@}
+  vtkHorizonChoice3Macro(Method, Methods, Plate, Membrane, Automatic);
 
-  ///@{
   /**
    * How much noise of the rim the Method Plate smooths; known points never move. 0: none, for clean data. 1: for
    * autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6. Default: 1.
@@ -104,44 +77,31 @@ public:
    * The inverse of the strength of the plate's springs; 0, and all below a millionth, makes it pass through all
    * heights.
    */
-  vtkSetMacro(RimSmoothing, double);
-  vtkGetMacro(RimSmoothing, double);
-  ///@}
+  vtkHorizonNumberMacro(RimSmoothing, double);
 
-  ///@{
   /**
    * How many columns of known points around a hole the Method Plate continues; more for noisy data. Unit: columns.
    * Range: 1 to 64. Default: 3.
    *
    * Below 2 it has no slope from a rim that is straight.
    */
-  vtkSetMacro(RimWidth, int);
-  vtkGetMacro(RimWidth, int);
-  ///@}
+  vtkHorizonNumberMacro(RimWidth, int);
 
-  ///@{
   /**
    * Floating-point attributes at new points. FromRim: values between those of the rim. NotANumber: nan. Default:
    * FromRim.
    *
    * FromRim carries them inwards by a membrane, where values that are not finite count as unknown.
    */
-  vtkSetClampMacro(Attributes, int, FromRim, NotANumber);
-  vtkGetMacro(Attributes, int);
-  void SetAttributesToFromRim() { this->SetAttributes(FromRim); }
-  void SetAttributesToNotANumber() { this->SetAttributes(NotANumber); }
-  ///@}
+  vtkHorizonChoice2Macro(Attributes, AttributeChoices, FromRim, NotANumber);
 
-  ///@{
   /**
    * Columns outside the horizon, at most this far from it and in the survey, are filled, too, with 2 in the array
    * Filled. Unit: columns. Range: 0 to 10000. Default: 0.
    *
    * The survey is that of LatticeDimensions: a distance of its size fills it. Holes have the limits above.
    */
-  vtkSetMacro(ExtrapolationDistance, int);
-  vtkGetMacro(ExtrapolationDistance, int);
-  ///@}
+  vtkHorizonNumberMacro(ExtrapolationDistance, int);
 
   /// How many holes were filled, in all horizons of the last update.
   vtkGetMacro(NumberOfFilledHoles, vtkIdType);

@@ -36,6 +36,7 @@
 #ifndef vtkHorizonLayers_h
 #define vtkHorizonLayers_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonStackStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -63,173 +64,93 @@ public:
   vtkTypeMacro(vtkHorizonLayers, vtkHorizonStackStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The largest vertical distance of a point of any horizon from the layers. -1: automatic, six times the noise of the
    * horizon that has the most. Unit: HeightUnit. Range: at least 0, or -1. Default: -1.
    */
-  vtkSetMacro(MaximumError, double);
-  vtkGetMacro(MaximumError, double);
-  ///@}
+  vtkHorizonNumberMacro(MaximumError, double);
 
-  ///@{
   /**
    * Whether the thickness of each layer is within MaximumError, too. Off: within twice that, with fewer cells. Default:
    * off.
    */
-  vtkSetMacro(BoundThickness, bool);
-  vtkGetMacro(BoundThickness, bool);
-  vtkBooleanMacro(BoundThickness, bool);
-  ///@}
+  vtkHorizonFlagMacro(BoundThickness);
 
-  ///@{
   /**
    * Whether layers end along lines through the outermost columns without them. Off: they end in thin feathers beyond.
    * Default: on.
    */
-  vtkSetMacro(PinchOutLines, bool);
-  vtkGetMacro(PinchOutLines, bool);
-  vtkBooleanMacro(PinchOutLines, bool);
-  ///@}
+  vtkHorizonFlagMacro(PinchOutLines);
 
-  ///@{
   /**
    * The smallest area without a layer that has a pinch-out line. Unit: columns. Range: at least 1. Default: 25.
    */
-  vtkSetMacro(SmallestPinch, int);
-  vtkGetMacro(SmallestPinch, int);
-  ///@}
+  vtkHorizonNumberMacro(SmallestPinch, int);
 
-  /// Values of Domain.
-  enum Domains
-  {
-    EachLayer = 0,
-    Common = 1
-  };
-
-  ///@{
   /**
    * Where layers are. EachLayer: where both horizons of a layer are. Common: where all horizons are, with outlines simplified within MaximumError, at most 0.75 columns on the map, and small holes closed. Default:
    * EachLayer.
    */
-  vtkSetClampMacro(Domain, int, EachLayer, Common);
-  vtkGetMacro(Domain, int);
-  void SetDomainToEachLayer() { this->SetDomain(EachLayer); }
-  void SetDomainToCommon() { this->SetDomain(Common); }
-  ///@}
+  vtkHorizonChoice2Macro(Domain, Domains, EachLayer, Common);
 
-  ///@{
   /**
    * Whether outlines of the domain Common stay unchanged on the map: volumes then differ by heights alone. Default:
    * off.
    */
-  vtkSetMacro(KeepOutlines, bool);
-  vtkGetMacro(KeepOutlines, bool);
-  vtkBooleanMacro(KeepOutlines, bool);
-  ///@}
+  vtkHorizonFlagMacro(KeepOutlines);
 
-  ///@{
   /**
    * Whether faults of the horizons (field data FaultedLinks) divide layers. Default: on.
    */
-  vtkSetMacro(UseCuts, bool);
-  vtkGetMacro(UseCuts, bool);
-  vtkBooleanMacro(UseCuts, bool);
-  ///@}
+  vtkHorizonFlagMacro(UseCuts);
 
-  /// Values of Missing.
-  enum MissingPolicies
-  {
-    Void = 0,
-    Interpolate = 1,
-    Follow = 2
-  };
-
-  ///@{
   /**
    * What happens where a horizon has no points. Void: both layers beside it are absent. Interpolate: its holes and gaps
    * are closed, up to LargestHoleSize and LargestGap. Follow: in addition, a horizon that is absent between two others
    * follows the one that it is nearer to along the border of the area, so that no rock between these is lost. Default:
    * Follow.
    */
-  vtkSetClampMacro(Missing, int, Void, Follow);
-  vtkGetMacro(Missing, int);
-  void SetMissingToVoid() { this->SetMissing(Void); }
-  void SetMissingToInterpolate() { this->SetMissing(Interpolate); }
-  void SetMissingToFollow() { this->SetMissing(Follow); }
-  ///@}
+  vtkHorizonChoice3Macro(Missing, MissingPolicies, Void, Interpolate, Follow);
 
-  ///@{
   /**
    * Enclosed holes of up to this size are closed, by a smooth surface as in Horizon Hole Filling. Unit: columns. Range:
    * at least 0. Default: 2500.
    */
-  vtkSetMacro(LargestHoleSize, int);
-  vtkGetMacro(LargestHoleSize, int);
-  ///@}
+  vtkHorizonNumberMacro(LargestHoleSize, int);
 
-  ///@{
   /**
    * Gaps that are at most this wide along rows or columns, as at faults and between sparse lines, are closed by linear
    * interpolation. Unit: columns. Range: 0 to 255. Default: 10.
    */
-  vtkSetMacro(LargestGap, int);
-  vtkGetMacro(LargestGap, int);
-  ///@}
+  vtkHorizonNumberMacro(LargestGap, int);
 
-  /// Values of Effort.
-  enum Efforts
-  {
-    Fast = 0,
-    Best = 1
-  };
-
-  ///@{
   /**
    * How thoroughly the plan is optimised. Fast: points are inserted where a horizon is farthest. Best: then they are
    * removed, edges flipped and heights fitted. Default: Best.
    */
-  vtkSetClampMacro(Effort, int, Fast, Best);
-  vtkGetMacro(Effort, int);
-  void SetEffortToFast() { this->SetEffort(Fast); }
-  void SetEffortToBest() { this->SetEffort(Best); }
-  ///@}
+  vtkHorizonChoice2Macro(Effort, Efforts, Fast, Best);
 
-  ///@{
   /**
    * No flip or removal makes a smaller angle on the map, unless a smaller one was there before; with the effort Fast,
    * points are inserted beside smaller ones. Unit: degrees. Range: 0 to 60. Default: 10.
    */
-  vtkSetMacro(SmallestAngle, double);
-  vtkGetMacro(SmallestAngle, double);
-  ///@}
+  vtkHorizonNumberMacro(SmallestAngle, double);
 
-  ///@{
   /**
    * Whether heights of inner vertices are fitted to the points around them. Off: they are those of the points.
    * Default: on.
    */
-  vtkSetMacro(FitHeights, bool);
-  vtkGetMacro(FitHeights, bool);
-  vtkBooleanMacro(FitHeights, bool);
-  ///@}
+  vtkHorizonFlagMacro(FitHeights);
 
-  ///@{
   /**
    * Whether figures include the volume above Contact (VolumeAboveContact). Default: off.
    */
-  vtkSetMacro(MeasureAboveContact, bool);
-  vtkGetMacro(MeasureAboveContact, bool);
-  vtkBooleanMacro(MeasureAboveContact, bool);
-  ///@}
+  vtkHorizonFlagMacro(MeasureAboveContact);
 
-  ///@{
   /**
    * A level contact, as of gas and oil. Unit: that of z, upwards. Range: any. Default: 0.
    */
-  vtkSetMacro(Contact, double);
-  vtkGetMacro(Contact, double);
-  ///@}
+  vtkHorizonNumberMacro(Contact, double);
 
   /**
    * What the last update made: cells, and of each layer volume and thickness.

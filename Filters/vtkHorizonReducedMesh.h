@@ -14,6 +14,7 @@
 #define vtkHorizonReducedMesh_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <vector> // for places and heights
@@ -31,94 +32,45 @@ public:
   vtkTypeMacro(vtkHorizonReducedMesh, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The largest vertical distance of a point of the horizon from the mesh. -1: automatic, six times the noise of the
    * heights. For heights in whole voxels, 0.75 comes nearest to the true surface. Unit: ErrorUnit. Range: at least 0, or
    * -1. Default: -1.
    */
-  vtkSetMacro(MaximumError, double);
-  vtkGetMacro(MaximumError, double);
-  ///@}
+  vtkHorizonNumberMacro(MaximumError, double);
 
-  /// Values of ErrorUnit.
-  enum ErrorUnits
-  {
-    Lattice = 0,
-    World = 1,
-    Diagonal = 2
-  };
-
-  ///@{
   /**
    * The unit of MaximumError. Lattice: one vertical index, a voxel. World: the unit of z. Diagonal: the diagonal of the
    * bounding box, in lattice units. Default: Lattice.
    */
-  vtkSetClampMacro(ErrorUnit, int, Lattice, Diagonal);
-  vtkGetMacro(ErrorUnit, int);
-  void SetErrorUnitToLattice() { this->SetErrorUnit(Lattice); }
-  void SetErrorUnitToWorld() { this->SetErrorUnit(World); }
-  void SetErrorUnitToDiagonal() { this->SetErrorUnit(Diagonal); }
-  ///@}
+  vtkHorizonChoice3Macro(ErrorUnit, ErrorUnits, Lattice, World, Diagonal);
 
-  ///@{
   /**
    * Whether heights of inner vertices are fitted to the points around them, for fewer vertices. Off: every vertex is a
    * point of the horizon, with its attributes. Default: on.
    */
-  vtkSetMacro(FitHeights, bool);
-  vtkGetMacro(FitHeights, bool);
-  vtkBooleanMacro(FitHeights, bool);
-  ///@}
+  vtkHorizonFlagMacro(FitHeights);
 
-  /// Values of Effort.
-  enum Efforts
-  {
-    Fast = 0,
-    Best = 1
-  };
-
-  ///@{
   /**
    * How thoroughly the mesh is optimised. Fast: points are inserted where the mesh is farthest from the horizon. Best:
    * vertices are then removed and edges flipped, which needs a quarter to a half fewer points and two to three times
    * the time. Default: Best.
    */
-  vtkSetClampMacro(Effort, int, Fast, Best);
-  vtkGetMacro(Effort, int);
-  void SetEffortToFast() { this->SetEffort(Fast); }
-  void SetEffortToBest() { this->SetEffort(Best); }
-  ///@}
+  vtkHorizonChoice2Macro(Effort, Efforts, Fast, Best);
 
-  /// Values of Priority.
-  enum Priorities
-  {
-    LargestErrors = 0,
-    SumOfSquares = 1
-  };
-
-  ///@{
   /**
    * Which error is minimised unless the target is LargestError. LargestErrors: the largest one. SumOfSquares: the sum
    * of squares, and with it the mean. Default: SumOfSquares.
    */
-  vtkSetClampMacro(Priority, int, LargestErrors, SumOfSquares);
-  vtkGetMacro(Priority, int);
-  void SetPriorityToLargestErrors() { this->SetPriority(LargestErrors); }
-  void SetPriorityToSumOfSquares() { this->SetPriority(SumOfSquares); }
-  ///@}
+  vtkHorizonChoice2Macro(Priority, Priorities, LargestErrors, SumOfSquares);
 
-  ///@{
   /**
    * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before; with
    * the effort Fast, points are inserted beside smaller ones. Larger values need more points: 5 one in twenty, 10 one in
    * five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
-  vtkSetMacro(SmallestAngle, double);
-  vtkGetMacro(SmallestAngle, double);
-  ///@}
+  vtkHorizonNumberMacro(SmallestAngle, double);
 
-  ///@{
   /**
    * Whether steep triangles, with 1 in the array Fault, close the cracks at faults. See "Closed meshes" in
    * HorizonFaults.md. Default: off.
@@ -126,10 +78,7 @@ public:
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure or array counts them; the new FaultTriangleCount (vtkIdType) has their number.
    */
-  vtkSetMacro(CloseFaults, bool);
-  vtkGetMacro(CloseFaults, bool);
-  vtkBooleanMacro(CloseFaults, bool);
-  ///@}
+  vtkHorizonFlagMacro(CloseFaults);
 
 protected:
   vtkHorizonReducedMesh() = default;

@@ -15,6 +15,7 @@
 #ifndef vtkHorizonStackStage_h
 #define vtkHorizonStackStage_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -33,82 +34,36 @@ public:
   vtkTypeMacro(vtkHorizonStackStage, vtkHorizonStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Order.
-  enum Orders
-  {
-    ByHeight = 0,
-    AsGiven = 1
-  };
-
-  ///@{
   /**
    * Which horizon is above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
    * first, for horizons without a clear order. Default: ByHeight.
    */
-  vtkSetClampMacro(Order, int, ByHeight, AsGiven);
-  vtkGetMacro(Order, int);
-  void SetOrderToByHeight() { this->SetOrder(ByHeight); }
-  void SetOrderToAsGiven() { this->SetOrder(AsGiven); }
-  ///@}
+  vtkHorizonChoice2Macro(Order, Orders, ByHeight, AsGiven);
 
-  /// Values of Crossings.
-  enum CrossingPolicies
-  {
-    Mean = 0,
-    UpperWins = 1,
-    LowerWins = 2,
-    Stop = 3
-  };
-
-  ///@{
   /**
    * What happens in columns where horizons cross. Mean: all move to their mean, which suits noise. UpperWins: the lower
    * one moves, as if eroded. LowerWins: the upper one moves, as if it onlaps. Stop: an error that says in how many
    * columns, and how deep. Default: Mean.
    */
-  vtkSetClampMacro(Crossings, int, Mean, Stop);
-  vtkGetMacro(Crossings, int);
-  void SetCrossingsToMean() { this->SetCrossings(Mean); }
-  void SetCrossingsToUpperWins() { this->SetCrossings(UpperWins); }
-  void SetCrossingsToLowerWins() { this->SetCrossings(LowerWins); }
-  void SetCrossingsToStop() { this->SetCrossings(Stop); }
-  ///@}
+  vtkHorizonChoice4Macro(Crossings, CrossingPolicies, Mean, UpperWins, LowerWins, Stop);
 
-  ///@{
   /**
    * Crossings for each layer, from the uppermost on, as words separated by spaces, such as "Mean LowerWins Mean";
    * empty: Crossings for all. Range: as many words as layers, or none. Default: empty.
    */
-  vtkSetStringMacro(CrossingsByLayer);
-  vtkGetStringMacro(CrossingsByLayer);
-  ///@}
+  vtkHorizonTextMacro(CrossingsByLayer);
 
-  ///@{
   /**
    * Where a layer is thinner, it is absent: its horizons become one, as Crossings says, with Stop at their mean. Unit:
    * HeightUnit. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(MinimumThickness, double);
-  vtkGetMacro(MinimumThickness, double);
-  ///@}
+  vtkHorizonNumberMacro(MinimumThickness, double);
 
-  /// Values of HeightUnit.
-  enum HeightUnits
-  {
-    Lattice = 0,
-    World = 1
-  };
-
-  ///@{
   /**
    * The unit of MinimumThickness, and of MaximumError in vtkHorizonLayers. Lattice: one vertical index, the smallest of
    * all horizons. World: the unit of z. Default: Lattice.
    */
-  vtkSetClampMacro(HeightUnit, int, Lattice, World);
-  vtkGetMacro(HeightUnit, int);
-  void SetHeightUnitToLattice() { this->SetHeightUnit(Lattice); }
-  void SetHeightUnitToWorld() { this->SetHeightUnit(World); }
-  ///@}
+  vtkHorizonChoice2Macro(HeightUnit, HeightUnits, Lattice, World);
 
 protected:
   vtkHorizonStackStage() = default;

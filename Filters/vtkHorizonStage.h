@@ -15,6 +15,7 @@
 #define vtkHorizonStage_h
 
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 #include "vtkSmartPointer.h" // for a member
 
@@ -26,23 +27,11 @@ public:
   vtkTypeMacro(vtkHorizonStage, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of InvalidHorizons.
-  enum InvalidHorizonsActions
-  {
-    Stop = 0,
-    LeaveOut = 1
-  };
-
-  ///@{
   /**
    * What happens to a horizon that cannot be processed. Stop: an error, and no output. LeaveOut: a warning, and an
    * empty horizon. Default: Stop.
    */
-  vtkSetClampMacro(InvalidHorizons, int, Stop, LeaveOut);
-  vtkGetMacro(InvalidHorizons, int);
-  void SetInvalidHorizonsToStop() { this->SetInvalidHorizons(Stop); }
-  void SetInvalidHorizonsToLeaveOut() { this->SetInvalidHorizons(LeaveOut); }
-  ///@}
+  vtkHorizonChoice2Macro(InvalidHorizons, InvalidHorizonsActions, Stop, LeaveOut);
 
   ///@{
   /**

@@ -34,6 +34,7 @@
 #ifndef vtkHorizonSurface_h
 #define vtkHorizonSurface_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -53,155 +54,88 @@ public:
   vtkTypeMacro(vtkHorizonSurface, vtkHorizonReducedMesh);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Target.
-  enum Targets
-  {
-    LargestError = 0,
-    NumberOfTriangles = 1
-  };
-
-  ///@{
   /**
    * What limits the number of triangles. LargestError: MaximumError. NumberOfTriangles: MaximumNumberOfTriangles.
    * Default: LargestError.
    */
-  vtkSetClampMacro(Target, int, LargestError, NumberOfTriangles);
-  vtkGetMacro(Target, int);
-  void SetTargetToLargestError() { this->SetTarget(LargestError); }
-  void SetTargetToNumberOfTriangles() { this->SetTarget(NumberOfTriangles); }
-  ///@}
+  vtkHorizonChoice2Macro(Target, Targets, LargestError, NumberOfTriangles);
 
-  ///@{
   /**
    * The largest number of triangles of each horizon. It must suffice for the outlines. Unit: triangles. Range: at least
    * 1. Default: 20000.
    */
-  vtkSetMacro(MaximumNumberOfTriangles, int);
-  vtkGetMacro(MaximumNumberOfTriangles, int);
-  ///@}
+  vtkHorizonNumberMacro(MaximumNumberOfTriangles, int);
 
-  ///@{
   /**
    * Whether the radius is chosen, by the steps from point to point. Off: Radius. See "What is chosen" in
    * HorizonSurface.md. Default: on.
    */
-  vtkSetMacro(AutomaticRadius, bool);
-  vtkGetMacro(AutomaticRadius, bool);
-  vtkBooleanMacro(AutomaticRadius, bool);
-  ///@}
+  vtkHorizonFlagMacro(AutomaticRadius);
 
-  ///@{
   /**
    * Without AutomaticRadius, the largest hop of outlines along each axis. Unit: columns. Range: 1 to 32. Default: 1.
    */
-  vtkSetMacro(Radius, int);
-  vtkGetMacro(Radius, int);
-  ///@}
+  vtkHorizonNumberMacro(Radius, int);
 
-  /// Values of GrowthStrategy.
-  enum GrowthStrategies
-  {
-    Distance = 0,
-    Clockwise = 1
-  };
-
-  ///@{
   /**
    * How outlines continue where the radius leaves a choice, as in vtkHorizonExteriorBoundary. Distance: from neighbour
    * to neighbour. Clockwise: by the outermost hop. Default: Clockwise.
    */
-  vtkSetClampMacro(GrowthStrategy, int, Distance, Clockwise);
-  vtkGetMacro(GrowthStrategy, int);
-  void SetGrowthStrategyToDistance() { this->SetGrowthStrategy(Distance); }
-  void SetGrowthStrategyToClockwise() { this->SetGrowthStrategy(Clockwise); }
-  ///@}
+  vtkHorizonChoice2Macro(GrowthStrategy, GrowthStrategies, Distance, Clockwise);
 
-  ///@{
   /**
    * Whether holes stay open unless too small. Off: all are closed. Default: on.
    */
-  vtkSetMacro(HoleBoundaries, bool);
-  vtkGetMacro(HoleBoundaries, bool);
-  vtkBooleanMacro(HoleBoundaries, bool);
-  ///@}
+  vtkHorizonFlagMacro(HoleBoundaries);
 
-  ///@{
   /**
    * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the outputs have no FaultedLinks.
    */
-  vtkSetMacro(UseCuts, bool);
-  vtkGetMacro(UseCuts, bool);
-  vtkBooleanMacro(UseCuts, bool);
-  ///@}
+  vtkHorizonFlagMacro(UseCuts);
 
-  ///@{
   /**
    * Whether the smallest hole that stays open is chosen, by the radius and the outline tolerance. Off:
    * SmallestHoleSize. Default: on.
    */
-  vtkSetMacro(AutomaticSmallestHoleSize, bool);
-  vtkGetMacro(AutomaticSmallestHoleSize, bool);
-  vtkBooleanMacro(AutomaticSmallestHoleSize, bool);
-  ///@}
+  vtkHorizonFlagMacro(AutomaticSmallestHoleSize);
 
-  ///@{
   /**
    * Without AutomaticSmallestHoleSize, holes with fewer columns strictly inside are closed. Unit: columns. Range: at
    * least 1. Default: 1.
    */
-  vtkSetMacro(SmallestHoleSize, int);
-  vtkGetMacro(SmallestHoleSize, int);
-  ///@}
+  vtkHorizonNumberMacro(SmallestHoleSize, int);
 
-  ///@{
   /**
    * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
-  vtkSetMacro(MinimumPatchSize, int);
-  vtkGetMacro(MinimumPatchSize, int);
-  ///@}
+  vtkHorizonNumberMacro(MinimumPatchSize, int);
 
-  ///@{
   /**
    * Whether the tolerance of outlines on the map, in columns, is the error of the mesh, but at most 0.75 unless the
    * target is NumberOfTriangles. Off: OutlineTolerance. Default: on.
    */
-  vtkSetMacro(AutomaticOutlineTolerance, bool);
-  vtkGetMacro(AutomaticOutlineTolerance, bool);
-  vtkBooleanMacro(AutomaticOutlineTolerance, bool);
-  ///@}
+  vtkHorizonFlagMacro(AutomaticOutlineTolerance);
 
-  ///@{
   /**
    * Without AutomaticOutlineTolerance, the largest distance on the map of a dropped point from its outline. Unit:
    * columns. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(OutlineTolerance, double);
-  vtkGetMacro(OutlineTolerance, double);
-  ///@}
+  vtkHorizonNumberMacro(OutlineTolerance, double);
 
-  ///@{
   /**
    * Whether the vertical tolerance of outlines is the error of the mesh. Off: DistanceThreshold. Default: on.
    */
-  vtkSetMacro(AutomaticDistanceThreshold, bool);
-  vtkGetMacro(AutomaticDistanceThreshold, bool);
-  vtkBooleanMacro(AutomaticDistanceThreshold, bool);
-  ///@}
+  vtkHorizonFlagMacro(AutomaticDistanceThreshold);
 
-  ///@{
   /**
    * Without AutomaticDistanceThreshold, the largest vertical distance of a dropped point from its outline. Unit:
    * lattice units. Range: at least 0. Default: 0.4.
    */
-  vtkSetMacro(DistanceThreshold, double);
-  vtkGetMacro(DistanceThreshold, double);
-  ///@}
+  vtkHorizonNumberMacro(DistanceThreshold, double);
 
-  ///@{
   /**
    * For a part that vtkHorizonSurfaceJoin joins: the rows of the lattice, below and above, that it shares with other
    * parts; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
@@ -212,9 +146,7 @@ public:
    * at points, 1 to the left of gaps along a seam that are not filled. PointCount leaves out the points of the row
    * below.
    */
-  vtkSetVector2Macro(SeamRows, int);
-  vtkGetVector2Macro(SeamRows, int);
-  ///@}
+  vtkHorizonVectorMacro(SeamRows, int, 2);
 
   /**
    * The radius that AutomaticRadius chooses for the points of a horizon, to be given to all its parts; 0 for none, and,

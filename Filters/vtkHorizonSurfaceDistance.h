@@ -49,6 +49,7 @@
 #ifndef vtkHorizonSurfaceDistance_h
 #define vtkHorizonSurfaceDistance_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -66,58 +67,33 @@ public:
   vtkTypeMacro(vtkHorizonSurfaceDistance, vtkHorizonStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of DistanceUnit.
-  enum DistanceUnits
-  {
-    Lattice = 0,
-    World = 1
-  };
-
-  ///@{
   /**
    * The unit of the arrays Distance and VerticalDistance; figures are in both. Lattice: one column sideways, one
    * vertical index up. World: the unit of the coordinates. Default: Lattice.
    */
-  vtkSetClampMacro(DistanceUnit, int, Lattice, World);
-  vtkGetMacro(DistanceUnit, int);
-  void SetDistanceUnitToLattice() { this->SetDistanceUnit(Lattice); }
-  void SetDistanceUnitToWorld() { this->SetDistanceUnit(World); }
-  ///@}
+  vtkHorizonChoice2Macro(DistanceUnit, DistanceUnits, Lattice, World);
 
-  ///@{
   /**
    * How many samples on the faces of each surface, for each point of the larger surface; at least 10,000. More make
    * means and percentiles more exact. Unit: places per point. Range: 0.01 to 1000. Default: 2.
    */
-  vtkSetMacro(SamplesPerPoint, double);
-  vtkGetMacro(SamplesPerPoint, double);
-  ///@}
+  vtkHorizonNumberMacro(SamplesPerPoint, double);
 
-  ///@{
   /**
    * The seed of the random samples on faces. Range: at least 0. Default: 1.
    */
-  vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
-  ///@}
+  vtkHorizonNumberMacro(Seed, int);
 
-  ///@{
   /**
    * For a reference with neither triangles nor outlines, and a mesh not by vtkHorizonSurface: the Radius of its
    * vtkHorizonExteriorBoundary. Unit: columns. Range: 1 to 32. Default: 1.
    */
-  vtkSetMacro(Radius, int);
-  vtkGetMacro(Radius, int);
-  ///@}
+  vtkHorizonNumberMacro(Radius, int);
 
-  ///@{
   /**
    * Whether figures include points added by vtkHorizonHoleFilling, with the edges and triangles at them. Default: off.
    */
-  vtkSetMacro(IncludeFilledPoints, bool);
-  vtkGetMacro(IncludeFilledPoints, bool);
-  vtkBooleanMacro(IncludeFilledPoints, bool);
-  ///@}
+  vtkHorizonFlagMacro(IncludeFilledPoints);
 
 protected:
   vtkHorizonSurfaceDistance();

@@ -24,6 +24,7 @@
 #ifndef vtkHorizonSurfaceJoin_h
 #define vtkHorizonSurfaceJoin_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -34,13 +35,10 @@ public:
   vtkTypeMacro(vtkHorizonSurfaceJoin, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
-  vtkSetMacro(MinimumPatchSize, int);
-  vtkGetMacro(MinimumPatchSize, int);
-  ///@}
+  vtkHorizonNumberMacro(MinimumPatchSize, int);
 
 protected:
   vtkHorizonSurfaceJoin() = default;

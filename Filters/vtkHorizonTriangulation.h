@@ -39,6 +39,7 @@
 #define vtkHorizonTriangulation_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonTriangulation : public vtkHorizonAlgorithm
@@ -48,37 +49,20 @@ public:
   vtkTypeMacro(vtkHorizonTriangulation, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of SearchStrategy.
-  enum SearchStrategyType
-  {
-    VoxelTraversal = 0,
-    Compactness = 1
-  };
-
-  ///@{
   /**
    * How the third point of a triangle is searched; the mesh is the same. VoxelTraversal: along the perpendicular
    * bisector of the edge (thesis 5.3.6). Compactness: among all points in the square box of the edge (5.4). Default:
    * VoxelTraversal.
    */
-  vtkSetClampMacro(SearchStrategy, int, VoxelTraversal, Compactness);
-  vtkGetMacro(SearchStrategy, int);
-  void SetSearchStrategyToVoxelTraversal() { this->SetSearchStrategy(VoxelTraversal); }
-  void SetSearchStrategyToCompactness() { this->SetSearchStrategy(Compactness); }
-  ///@}
+  vtkHorizonChoice2Macro(SearchStrategy, SearchStrategyType, VoxelTraversal, Compactness);
 
-  ///@{
   /**
    * Whether the convex hull of all points is meshed, with or without outlines. Default: off.
    *
    * The polylines of the output are then the hull, or what the limits below leave of it.
    */
-  vtkSetMacro(ConvexHull, bool);
-  vtkGetMacro(ConvexHull, bool);
-  vtkBooleanMacro(ConvexHull, bool);
-  ///@}
+  vtkHorizonFlagMacro(ConvexHull);
 
-  ///@{
   /**
    * With ConvexHull, triangles are removed from the outside inwards if the angle opposite their boundary edge is
    * larger; 180 removes none. See "Without outlines" in HorizonTriangulation.md. Unit: degrees on the map. Range: 0 to
@@ -88,31 +72,22 @@ public:
    * boundary pass a point twice. A bay whose sides spread by some angle opens about below 90 plus half of it: below 90
    * with parallel sides, the narrower the later.
    */
-  vtkSetMacro(MaximumBoundaryAngle, double);
-  vtkGetMacro(MaximumBoundaryAngle, double);
-  ///@}
+  vtkHorizonNumberMacro(MaximumBoundaryAngle, double);
 
-  ///@{
   /**
    * With ConvexHull, triangles are also removed if their boundary edge is longer; 0 removes none. Unit: columns. Range:
    * at least 0. Default: 0.
    */
-  vtkSetMacro(MaximumBoundaryEdgeLength, double);
-  vtkGetMacro(MaximumBoundaryEdgeLength, double);
-  ///@}
+  vtkHorizonNumberMacro(MaximumBoundaryEdgeLength, double);
 
-  ///@{
   /**
    * For inspection: each patch stops after this many triangles, and the second output shows the last search. 0 makes
    * all triangles. Unit: triangles. Range: at least 0. Default: 0.
    *
    * Full lattices are searched as well then.
    */
-  vtkSetMacro(MaximumNumberOfTriangles, int);
-  vtkGetMacro(MaximumNumberOfTriangles, int);
-  ///@}
+  vtkHorizonNumberMacro(MaximumNumberOfTriangles, int);
 
-  ///@{
   /**
    * Whether steep triangles, with 1 in the array Fault, close the cracks at faults. Not with ConvexHull or
    * MaximumNumberOfTriangles. See "Closed meshes" in HorizonFaults.md. Default: off.
@@ -120,10 +95,7 @@ public:
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure counts them; the new FaultTriangleCount (vtkIdType) has their number.
    */
-  vtkSetMacro(CloseFaults, bool);
-  vtkGetMacro(CloseFaults, bool);
-  vtkBooleanMacro(CloseFaults, bool);
-  ///@}
+  vtkHorizonFlagMacro(CloseFaults);
 
 protected:
   vtkHorizonTriangulation();

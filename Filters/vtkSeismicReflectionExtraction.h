@@ -26,6 +26,7 @@
 #ifndef vtkSeismicReflectionExtraction_h
 #define vtkSeismicReflectionExtraction_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
@@ -46,188 +47,86 @@ public:
   vtkTypeMacro(vtkSeismicReflectionExtraction, vtkHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The angle by which the phase of the wavelet is rotated first: minus the EstimatedPhase of the cube puts picks on
    * interfaces. Unit: degrees. Range: -180 to 180. Default: 0.
    */
-  vtkSetMacro(PhaseRotation, double);
-  vtkGetMacro(PhaseRotation, double);
-  ///@}
+  vtkHorizonNumberMacro(PhaseRotation, double);
 
-  /// Values of Polarity.
-  enum Polarities
-  {
-    Both = 0,
-    Positive = 1,
-    Negative = 2
-  };
-
-  ///@{
   /**
    * The sign of the reflections that are used. Default: Both.
    */
-  vtkSetClampMacro(Polarity, int, Both, Negative);
-  vtkGetMacro(Polarity, int);
-  void SetPolarityToBoth() { this->SetPolarity(Both); }
-  void SetPolarityToPositive() { this->SetPolarity(Positive); }
-  void SetPolarityToNegative() { this->SetPolarity(Negative); }
-  ///@}
+  vtkHorizonChoice3Macro(Polarity, Polarities, Both, Positive, Negative);
 
-  /// Values of Position.
-  enum Positions
-  {
-    Middle = 0,
-    Peak = 1,
-    ZeroCrossing = 2
-  };
-
-  ///@{
   /**
    * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold. Peak: at each
    * local maximum of the absolute amplitude, interpolated. ZeroCrossing: where amplitudes change sign; positive ones
    * become positive downwards. Default: Peak.
    */
-  vtkSetClampMacro(Position, int, Middle, ZeroCrossing);
-  vtkGetMacro(Position, int);
-  void SetPositionToMiddle() { this->SetPosition(Middle); }
-  void SetPositionToPeak() { this->SetPosition(Peak); }
-  void SetPositionToZeroCrossing() { this->SetPosition(ZeroCrossing); }
-  ///@}
+  vtkHorizonChoice3Macro(Position, Positions, Middle, Peak, ZeroCrossing);
 
-  /// Values of ThresholdType.
-  enum ThresholdTypes
-  {
-    Amplitude = 0,
-    Percentile = 1
-  };
-
-  ///@{
   /**
    * Whether AmplitudeThreshold or AmplitudePercentile selects strong reflections. Default: Percentile.
    */
-  vtkSetClampMacro(ThresholdType, int, Amplitude, Percentile);
-  vtkGetMacro(ThresholdType, int);
-  void SetThresholdTypeToAmplitude() { this->SetThresholdType(Amplitude); }
-  void SetThresholdTypeToPercentile() { this->SetThresholdType(Percentile); }
-  ///@}
+  vtkHorizonChoice2Macro(ThresholdType, ThresholdTypes, Amplitude, Percentile);
 
-  ///@{
   /**
    * The least absolute amplitude of a peak; with Middle, of all samples of a reflection; at a zero crossing, of the
    * mean of the peaks beside it. Unit: that of the amplitudes. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(AmplitudeThreshold, double);
-  vtkGetMacro(AmplitudeThreshold, double);
-  ///@}
+  vtkHorizonNumberMacro(AmplitudeThreshold, double);
 
-  ///@{
   /**
    * The percentage of peaks of the polarity that are too weak; with Middle, of samples other than 0. With guides all
    * peaks are used. Unit: percent. Range: 0 to 100. Default: 25.
    */
-  vtkSetMacro(AmplitudePercentile, double);
-  vtkGetMacro(AmplitudePercentile, double);
-  ///@}
+  vtkHorizonNumberMacro(AmplitudePercentile, double);
 
-  /// Values of Joining.
-  enum Joinings
-  {
-    BestFirst = 0,
-    Continuous = 1,
-    Components = 2
-  };
-
-  ///@{
   /**
    * How picks become surfaces. BestFirst: the most similar waveforms are linked first. Continuous: surfaces grow one
    * after the other, each from the strongest remaining pick. Components: all that touch. See "Three ways to join" in
    * SeismicReflectionExtraction.md. Default: BestFirst.
    */
-  vtkSetClampMacro(Joining, int, BestFirst, Components);
-  vtkGetMacro(Joining, int);
-  void SetJoiningToBestFirst() { this->SetJoining(BestFirst); }
-  void SetJoiningToContinuous() { this->SetJoining(Continuous); }
-  void SetJoiningToComponents() { this->SetJoining(Components); }
-  ///@}
+  vtkHorizonChoice3Macro(Joining, Joinings, BestFirst, Continuous, Components);
 
-  /// Values of Connectivity.
-  enum Connectivities
-  {
-    Four = 0,
-    Eight = 1
-  };
-
-  ///@{
   /**
    * Which columns are neighbours: the next ones along i and j, or also the diagonal ones. Default: Four.
    */
-  vtkSetClampMacro(Connectivity, int, Four, Eight);
-  vtkGetMacro(Connectivity, int);
-  void SetConnectivityToFour() { this->SetConnectivity(Four); }
-  void SetConnectivityToEight() { this->SetConnectivity(Eight); }
-  ///@}
+  vtkHorizonChoice2Macro(Connectivity, Connectivities, Four, Eight);
 
-  ///@{
   /**
    * The largest vertical step between neighbouring picks of a surface. 0: 0.3 of the dominant period, at least 2. Unit:
    * samples. Range: 0 to 262143. Default: 0.
    */
-  vtkSetMacro(LargestStep, double);
-  vtkGetMacro(LargestStep, double);
-  ///@}
+  vtkHorizonNumberMacro(LargestStep, double);
 
-  ///@{
   /**
    * The least correlation of the waveforms of neighbouring picks, as a fraction of the median over all links. Not with
    * Components. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
    */
-  vtkSetMacro(SmallestCorrelation, double);
-  vtkGetMacro(SmallestCorrelation, double);
-  ///@}
+  vtkHorizonNumberMacro(SmallestCorrelation, double);
 
-  ///@{
   /**
    * With BestFirst, the least fraction of links among the pairs of picks along which two parts of a surface face each
    * other. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
    */
-  vtkSetMacro(SmallestContact, double);
-  vtkGetMacro(SmallestContact, double);
-  ///@}
+  vtkHorizonNumberMacro(SmallestContact, double);
 
-  ///@{
   /**
    * The smallest surface. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0. Default: 0.
    */
-  vtkSetMacro(SmallestSize, vtkIdType);
-  vtkGetMacro(SmallestSize, vtkIdType);
-  ///@}
+  vtkHorizonNumberMacro(SmallestSize, vtkIdType);
 
-  ///@{
   /**
    * The largest number of horizons. Unit: surfaces. Range: at least 1. Default: 100.
    */
-  vtkSetMacro(LargestNumber, int);
-  vtkGetMacro(LargestNumber, int);
-  ///@}
+  vtkHorizonNumberMacro(LargestNumber, int);
 
-  /// Values of Order.
-  enum Orders
-  {
-    Strength = 0,
-    Size = 1
-  };
-
-  ///@{
   /**
    * Which surfaces come first. Strength: those with the largest sum of cubed absolute amplitudes, the main reflectors.
    * Size: those with the most picks. Default: Strength.
    */
-  vtkSetClampMacro(Order, int, Strength, Size);
-  vtkGetMacro(Order, int);
-  void SetOrderToStrength() { this->SetOrder(Strength); }
-  void SetOrderToSize() { this->SetOrder(Size); }
-  ///@}
+  vtkHorizonChoice2Macro(Order, Orders, Strength, Size);
 
   ///@{
   /**
@@ -240,39 +139,27 @@ public:
   void RemoveGuides() { this->SetInputConnection(1, nullptr); }
   ///@}
 
-  ///@{
   /**
    * The largest distance of a pick of a guide from its reflection. 0: 0.2 of the dominant period, at least 1.5. Unit:
    * samples. Range: 0 to 262143. Default: 0.
    */
-  vtkSetMacro(GuideTolerance, double);
-  vtkGetMacro(GuideTolerance, double);
-  ///@}
+  vtkHorizonNumberMacro(GuideTolerance, double);
 
-  ///@{
   /**
    * The least correlation of waveforms for a guided horizon to grow to a neighbour. Range: 0 to 1. Default: 0.6.
    */
-  vtkSetMacro(GrowthCorrelation, double);
-  vtkGetMacro(GrowthCorrelation, double);
-  ///@}
+  vtkHorizonNumberMacro(GrowthCorrelation, double);
 
-  ///@{
   /**
    * How far a guided horizon grows from its picks and from surfaces taken. 0: no growth, which is safest. Unit:
    * columns. Range: at least 0. Default: 60.
    */
-  vtkSetMacro(GrowthReach, int);
-  vtkGetMacro(GrowthReach, int);
-  ///@}
+  vtkHorizonNumberMacro(GrowthReach, int);
 
-  ///@{
   /**
    * Whether the output also has the surfaces without a guide, after the others. Range: on, off. Default: off.
    */
-  vtkSetMacro(KeepOthers, bool);
-  vtkGetMacro(KeepOthers, bool);
-  ///@}
+  vtkHorizonNumberMacro(KeepOthers, bool);
 
   ///@{
   /**
@@ -285,39 +172,15 @@ public:
   void RemoveLimits() { this->SetInputConnection(2, nullptr); }
   ///@}
 
-  /// Values of LimitSide.
-  enum LimitSides
-  {
-    Below = 0,
-    Above = 1
-  };
-
-  ///@{
   /**
    * The side of a single limit that is searched. Below: at and after it, in the order of samples. Default: Below.
    */
-  vtkSetClampMacro(LimitSide, int, Below, Above);
-  vtkGetMacro(LimitSide, int);
-  void SetLimitSideToBelow() { this->SetLimitSide(Below); }
-  void SetLimitSideToAbove() { this->SetLimitSide(Above); }
-  ///@}
+  vtkHorizonChoice2Macro(LimitSide, LimitSides, Below, Above);
 
-  /// Values of ZFrom.
-  enum ZSource
-  {
-    VerticalIndex = 0,
-    RealZ = 1
-  };
-
-  ///@{
   /**
    * z of the points. VerticalIndex: that of the nearest sample. RealZ: that of the pick itself. Default: RealZ.
    */
-  vtkSetClampMacro(ZFrom, int, VerticalIndex, RealZ);
-  vtkGetMacro(ZFrom, int);
-  void SetZFromToVerticalIndex() { this->SetZFrom(VerticalIndex); }
-  void SetZFromToRealZ() { this->SetZFrom(RealZ); }
-  ///@}
+  vtkHorizonChoice2Macro(ZFrom, ZSource, VerticalIndex, RealZ);
 
   /// The name of ZFrom in version 0.2, for scripts of that version. @deprecated Use SetZFrom.
   void SetElevation(int source) { this->SetZFrom(source); }

@@ -12,6 +12,7 @@
 #ifndef vtkLatticeHorizonWriter_h
 #define vtkLatticeHorizonWriter_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonWriter.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -21,25 +22,11 @@ public:
   vtkTypeMacro(vtkLatticeHorizonWriter, vtkHorizonWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of VerticalPositive.
-  enum VerticalSense
-  {
-    AsRead = 0,
-    Elevation = 1,
-    Depth = 2
-  };
-
-  ///@{
   /**
    * The direction in which z of the file increases. AsRead: as in the file the horizon comes from (field data
    * VerticalDirection), else up. Elevation: up. Depth: down; world z is negated. Default: AsRead.
    */
-  vtkSetClampMacro(VerticalPositive, int, AsRead, Depth);
-  vtkGetMacro(VerticalPositive, int);
-  void SetVerticalPositiveToAsRead() { this->SetVerticalPositive(AsRead); }
-  void SetVerticalPositiveToElevation() { this->SetVerticalPositive(Elevation); }
-  void SetVerticalPositiveToDepth() { this->SetVerticalPositive(Depth); }
-  ///@}
+  vtkHorizonChoice3Macro(VerticalPositive, VerticalSense, AsRead, Elevation, Depth);
 
 protected:
   vtkLatticeHorizonWriter() = default;

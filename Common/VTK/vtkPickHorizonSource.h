@@ -21,6 +21,7 @@
 #ifndef vtkPickHorizonSource_h
 #define vtkPickHorizonSource_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h"
 #include "vtkSurveyHorizonSource.h"
 
@@ -39,15 +40,6 @@ public:
   vtkTypeMacro(vtkPickHorizonSource, vtkSurveyHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of LatticeSource.
-  enum LatticeSourceKind
-  {
-    FromPoints = 0,
-    CornerPoints = 1,
-    OriginAndSteps = 2
-  };
-
-  ///@{
   /**
    * Where the lattice comes from. FromPoints: line numbers, x and y, or both. CornerPoints: line numbers and
    * coordinates of three points. OriginAndSteps: a column and the steps to its neighbours. See "Lattice" in
@@ -55,105 +47,56 @@ public:
    *
    * Points must agree with a lattice that is given.
    */
-  vtkSetClampMacro(LatticeSource, int, FromPoints, OriginAndSteps);
-  vtkGetMacro(LatticeSource, int);
-  void SetLatticeSourceToFromPoints() { this->SetLatticeSource(FromPoints); }
-  void SetLatticeSourceToCornerPoints() { this->SetLatticeSource(CornerPoints); }
-  void SetLatticeSourceToOriginAndSteps() { this->SetLatticeSource(OriginAndSteps); }
-  ///@}
+  vtkHorizonChoice3Macro(LatticeSource, LatticeSourceKind, FromPoints, CornerPoints, OriginAndSteps);
 
-  ///@{
   /**
    * With CornerPoints: inline, crossline, x and y of a point; the three not on one line. Unit: line numbers, world
    * units. Range: finite. Default: 0, 0, 0, 0.
    */
-  vtkSetVector4Macro(FirstCorner, double);
-  vtkGetVector4Macro(FirstCorner, double);
-  ///@}
+  vtkHorizonVectorMacro(FirstCorner, double, 4);
 
-  ///@{
   /**
    * With CornerPoints: a second point. Unit: line numbers, world units. Range: finite. Default: 0, 1, 1, 0.
    */
-  vtkSetVector4Macro(SecondCorner, double);
-  vtkGetVector4Macro(SecondCorner, double);
-  ///@}
+  vtkHorizonVectorMacro(SecondCorner, double, 4);
 
-  ///@{
   /**
    * With CornerPoints: a third point. Unit: line numbers, world units. Range: finite. Default: 1, 0, 0, 1.
    */
-  vtkSetVector4Macro(ThirdCorner, double);
-  vtkGetVector4Macro(ThirdCorner, double);
-  ///@}
+  vtkHorizonVectorMacro(ThirdCorner, double, 4);
 
-  ///@{
   /**
    * With OriginAndSteps: x and y of a column; with line numbers, of the first inline and crossline. Unit: world units.
    * Range: finite. Default: 0, 0.
    */
-  vtkSetVector2Macro(Origin, double);
-  vtkGetVector2Macro(Origin, double);
-  ///@}
+  vtkHorizonVectorMacro(Origin, double, 2);
 
-  ///@{
   /**
    * With OriginAndSteps: the step in x and y to the next column, or crossline of the data. Unit: world units. Range:
    * finite, not parallel to RowStep. Default: 1, 0.
    */
-  vtkSetVector2Macro(ColumnStep, double);
-  vtkGetVector2Macro(ColumnStep, double);
-  ///@}
+  vtkHorizonVectorMacro(ColumnStep, double, 2);
 
-  ///@{
   /**
    * With OriginAndSteps: the step in x and y to the next row, or inline of the data. Unit: world units. Range: finite,
    * not parallel to ColumnStep. Default: 0, 1.
    */
-  vtkSetVector2Macro(RowStep, double);
-  vtkGetVector2Macro(RowStep, double);
-  ///@}
+  vtkHorizonVectorMacro(RowStep, double, 2);
 
-  ///@{
   /**
    * The largest distance of points from their columns, as a fraction of each step; farther ones are an error. Unit:
    * columns. Range: more than 0, less than 0.5. Default: 0.1.
    */
-  vtkSetMacro(LatticeTolerance, double);
-  vtkGetMacro(LatticeTolerance, double);
-  ///@}
+  vtkHorizonNumberMacro(LatticeTolerance, double);
 
-  /// Values of StrayPicks.
-  enum StrayChoice
-  {
-    Stop = 0,
-    LeaveOut = 1
-  };
-
-  ///@{
   /**
    * How picks off the lattice, or far from all others, are treated. Stop: an error, or a warning for distant ones on
    * the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning. Default: Stop.
    *
    * With Gridding, picks far from all others are an error, or a warning if the lattice is given.
    */
-  vtkSetClampMacro(StrayPicks, int, Stop, LeaveOut);
-  vtkGetMacro(StrayPicks, int);
-  void SetStrayPicksToStop() { this->SetStrayPicks(Stop); }
-  void SetStrayPicksToLeaveOut() { this->SetStrayPicks(LeaveOut); }
-  ///@}
+  vtkHorizonChoice2Macro(StrayPicks, StrayChoice, Stop, LeaveOut);
 
-  /// Values of DuplicatePolicy.
-  enum DuplicateChoice
-  {
-    StrongestAmplitude = 0,
-    Topmost = 1,
-    Lowest = 2,
-    Sheets = 3,
-    Mean = 4
-  };
-
-  ///@{
   /**
    * Which of several points in one column is kept; with Gridding, of several at one position. StrongestAmplitude: the
    * one with the largest absolute value of the attribute Amplitude, then the topmost. Topmost, Lowest: by height.
@@ -162,24 +105,8 @@ public:
    *
    * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
-  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Mean);
-  vtkGetMacro(DuplicatePolicy, int);
-  void SetDuplicatePolicyToStrongestAmplitude() { this->SetDuplicatePolicy(StrongestAmplitude); }
-  void SetDuplicatePolicyToTopmost() { this->SetDuplicatePolicy(Topmost); }
-  void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
-  void SetDuplicatePolicyToSheets() { this->SetDuplicatePolicy(Sheets); }
-  void SetDuplicatePolicyToMean() { this->SetDuplicatePolicy(Mean); }
-  ///@}
+  vtkHorizonChoice5Macro(DuplicatePolicy, DuplicateChoice, StrongestAmplitude, Topmost, Lowest, Sheets, Mean);
 
-  /// Values of Gridding.
-  enum GriddingChoice
-  {
-    NoGridding = 0,
-    Plate = 1,
-    Nearest = 2
-  };
-
-  ///@{
   /**
    * Makes a horizon of picks off any lattice, such as 2D lines, wells or scattered points. Plate: a thin plate near all
    * of them. Nearest: each column has the z of the nearest pick. See "Gridding" in HorizonTextReader.md. Default:
@@ -187,30 +114,19 @@ public:
    *
    * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.
    */
-  vtkSetClampMacro(Gridding, int, NoGridding, Nearest);
-  vtkGetMacro(Gridding, int);
-  void SetGriddingToNoGridding() { this->SetGridding(NoGridding); }
-  void SetGriddingToPlate() { this->SetGridding(Plate); }
-  void SetGriddingToNearest() { this->SetGridding(Nearest); }
-  ///@}
+  vtkHorizonChoice3Macro(Gridding, GriddingChoice, NoGridding, Plate, Nearest);
 
-  ///@{
   /**
    * With Gridding, the largest distance of filled columns from a pick, whose own column is always filled; in lines for
    * line numbers alone. 0: the convex hull of the picks. Unit: world units. Range: 0 to 1e12. Default: 0.
    */
-  vtkSetMacro(GriddingRadius, double);
-  vtkGetMacro(GriddingRadius, double);
-  ///@}
+  vtkHorizonNumberMacro(GriddingRadius, double);
 
-  ///@{
   /**
    * With Gridding Plate, how far the surface may depart from picks: larger values remove noise, and misties at line
    * crossings. Range: 0 to 1e6. Default: 0.01.
    */
-  vtkSetMacro(GriddingSmoothing, double);
-  vtkGetMacro(GriddingSmoothing, double);
-  ///@}
+  vtkHorizonNumberMacro(GriddingSmoothing, double);
 
 protected:
   vtkPickHorizonSource();

@@ -33,6 +33,7 @@
 #ifndef vtkSurveyHorizonSource_h
 #define vtkSurveyHorizonSource_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -48,7 +49,6 @@ public:
   vtkTypeMacro(vtkSurveyHorizonSource, vtkHorizonSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The length of a vertical index, the unit of errors and thresholds. 0: chosen for each horizon. See "Vertical
    * indices" in HorizonTextReader.md. Unit: that of z. Range: finite, at least 0. Default: 0.
@@ -56,19 +56,8 @@ public:
    * The default is the median of the nonzero differences in z between neighbouring columns, rounded to 1, 2 or 5 times
    * a power of ten; 1 if there are none.
    */
-  vtkSetMacro(VerticalStep, double);
-  vtkGetMacro(VerticalStep, double);
-  ///@}
+  vtkHorizonNumberMacro(VerticalStep, double);
 
-  /// Values of VerticalDirection.
-  enum VerticalSense
-  {
-    Down = 0,
-    Up = 1,
-    Automatic = 2
-  };
-
-  ///@{
   /**
    * The direction of world z in which z of the data increases: Down for time and depth, Up for elevation. Automatic: Up
    * for elevations, by their format (GeoTIFF, BAG, DEM, Esri ASCII) or name, and if no z is positive, as Petrel writes
@@ -76,44 +65,27 @@ public:
    *
    * The description has the direction and the reason; if most z, but not all, are negative, there is a warning.
    */
-  vtkSetClampMacro(VerticalDirection, int, Down, Automatic);
-  vtkGetMacro(VerticalDirection, int);
-  void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
-  void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
-  void SetVerticalDirectionToAutomatic() { this->SetVerticalDirection(Automatic); }
-  ///@}
+  vtkHorizonChoice3Macro(VerticalDirection, VerticalSense, Down, Up, Automatic);
 
-  ///@{
   /**
    * The unit of z: ms, s, m or ft, without conversion. Empty: as in the data. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(VerticalUnit);
-  vtkGetStringMacro(VerticalUnit);
-  ///@}
+  vtkHorizonTextMacro(VerticalUnit);
 
-  ///@{
   /**
    * Time or depth. Empty: as in the data. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(VerticalDomain);
-  vtkGetStringMacro(VerticalDomain);
-  ///@}
+  vtkHorizonTextMacro(VerticalDomain);
 
-  ///@{
   /**
    * The unit of x and y: m or ft, without conversion. Empty: as in the data. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(HorizontalUnit);
-  vtkGetStringMacro(HorizontalUnit);
-  ///@}
+  vtkHorizonTextMacro(HorizontalUnit);
 
-  ///@{
   /**
    * The coordinate system of x and y, without conversion. Empty: as in the data. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(CoordinateSystem);
-  vtkGetStringMacro(CoordinateSystem);
-  ///@}
+  vtkHorizonTextMacro(CoordinateSystem);
 
   /// What was found in the data: format and columns, lattice, and vertical indices. Empty before the first update.
   const char* GetDescription() { return this->Description.c_str(); }

@@ -21,6 +21,7 @@
 #define vtkFaultLinesReader_h
 
 #include "vtkHorizonFileSeries.h"
+#include "vtkHorizonProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -44,25 +45,11 @@ public:
   vtkHorizonFileNamesMacro();
   ///@}
 
-  /// Values of VerticalDirection.
-  enum VerticalSense
-  {
-    Down = 0,
-    Up = 1,
-    Automatic = 2
-  };
-
-  ///@{
   /**
    * The direction of world z in which z of sticks increases; it must match the horizon's reader. GOCAD files state
    * their own. Automatic: Up if no z is positive, as Petrel writes depths; else Down. Default: Automatic.
    */
-  vtkSetClampMacro(VerticalDirection, int, Down, Automatic);
-  vtkGetMacro(VerticalDirection, int);
-  void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
-  void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
-  void SetVerticalDirectionToAutomatic() { this->SetVerticalDirection(Automatic); }
-  ///@}
+  vtkHorizonChoice3Macro(VerticalDirection, VerticalSense, Down, Up, Automatic);
 
 protected:
   vtkFaultLinesReader();

@@ -22,6 +22,7 @@
 #define vtkHorizonTextReader_h
 
 #include "vtkHorizonFileSeries.h"
+#include "vtkHorizonProperty.h"
 #include "vtkPickHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -50,25 +51,19 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
-  ///@{
   /**
    * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), the name of an attribute, or a minus sign
    * to skip one. Empty: found from the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
    * separated by commas, or by blanks if there is no comma. Default: empty.
    */
-  vtkSetStringMacro(Columns);
-  vtkGetStringMacro(Columns);
-  ///@}
+  vtkHorizonTextMacro(Columns);
 
-  ///@{
   /**
    * Numbers and words that mean no value, besides the usual ones. Points without z are left out and counted in the
    * field data DroppedNulls. See "No value" in HorizonTextReader.md. Range: numbers and words, separated by blanks or
    * commas. Default: -999.25 -99999 9999900.
    */
-  vtkSetStringMacro(NullValues);
-  vtkGetStringMacro(NullValues);
-  ///@}
+  vtkHorizonTextMacro(NullValues);
 
   ///@{
   /**

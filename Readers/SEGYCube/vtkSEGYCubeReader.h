@@ -45,6 +45,7 @@
 #define vtkSEGYCubeReader_h
 
 #include "vtkHorizonFileSeries.h"
+#include "vtkHorizonProperty.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -80,66 +81,45 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
-  ///@{
   /**
    * The byte of the inline number in trace headers, from 1; 189 in the standard. 0, with a CrosslineByte of 0: found
    * automatically. -1: none, all traces are on one inline. Range: -1 to 237. Default: 0.
    */
-  vtkSetMacro(InlineByte, int);
-  vtkGetMacro(InlineByte, int);
-  ///@}
+  vtkHorizonNumberMacro(InlineByte, int);
 
-  ///@{
   /**
    * As InlineByte, for the crossline number; 193 in the standard. Range: -1 to 237. Default: 0.
    *
    * Only one of the two can be -1.
    */
-  vtkSetMacro(CrosslineByte, int);
-  vtkGetMacro(CrosslineByte, int);
-  ///@}
+  vtkHorizonNumberMacro(CrosslineByte, int);
 
-  ///@{
   /**
    * The byte of x in trace headers, from 1; 181 in the standard. 0, with a YByte of 0: found automatically. -1, with a
    * YByte of -1: x is the crossline, y the inline. Range: -1 to 237. Default: 0.
    */
-  vtkSetMacro(XByte, int);
-  vtkGetMacro(XByte, int);
-  ///@}
+  vtkHorizonNumberMacro(XByte, int);
 
-  ///@{
   /**
    * As XByte, for y; 185 in the standard. Range: -1 to 237. Default: 0.
    */
-  vtkSetMacro(YByte, int);
-  vtkGetMacro(YByte, int);
-  ///@}
+  vtkHorizonNumberMacro(YByte, int);
 
-  ///@{
   /**
    * The first and last inline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
-  vtkSetVector2Macro(InlineRange, int);
-  vtkGetVector2Macro(InlineRange, int);
-  ///@}
+  vtkHorizonVectorMacro(InlineRange, int, 2);
 
-  ///@{
   /**
    * The first and last crossline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
-  vtkSetVector2Macro(CrosslineRange, int);
-  vtkGetVector2Macro(CrosslineRange, int);
-  ///@}
+  vtkHorizonVectorMacro(CrosslineRange, int, 2);
 
-  ///@{
   /**
    * The first and last sample (k) to read; -1 for the end. Unit: vertical indices. Range: at least 0, or -1 for the
    * end. Default: 0, -1.
    */
-  vtkSetVector2Macro(SampleRange, int);
-  vtkGetVector2Macro(SampleRange, int);
-  ///@}
+  vtkHorizonVectorMacro(SampleRange, int, 2);
 
   /// Values of SampleFormat: the codes of SEG-Y.
   enum SampleFormatCode
@@ -158,150 +138,79 @@ public:
     Unsigned8 = 16
   };
 
-  ///@{
   /**
    * The sample format, for files that state a wrong one: amplitudes are then around 1e30, or look like noise. Default:
    * FromFile.
    */
-  vtkSetMacro(SampleFormat, int);
-  vtkGetMacro(SampleFormat, int);
-  ///@}
+  vtkHorizonNumberMacro(SampleFormat, int);
 
-  ///@{
   /**
    * The samples per trace. 0: as the file states, or as the traces do if that does not fit. Range: at least 0. Default:
    * 0.
    */
-  vtkSetMacro(NumberOfSamples, int);
-  vtkGetMacro(NumberOfSamples, int);
-  ///@}
+  vtkHorizonNumberMacro(NumberOfSamples, int);
 
-  ///@{
   /**
    * Leaves out an incomplete last trace, with a warning. Off: it is an error. Default: off.
    */
-  vtkSetMacro(IgnoreIncompleteTrace, bool);
-  vtkGetMacro(IgnoreIncompleteTrace, bool);
-  vtkBooleanMacro(IgnoreIncompleteTrace, bool);
-  ///@}
+  vtkHorizonFlagMacro(IgnoreIncompleteTrace);
 
-  /// Values of DuplicatePolicy.
-  enum DuplicateChoice
-  {
-    Refuse = 0,
-    First = 1,
-    Last = 2,
-    Mean = 3
-  };
-
-  ///@{
   /**
    * Which of several traces with the same inline and crossline is used. Refuse: an error. First, Last: by order in the
    * file. Mean: their mean, without traces of zeros. Dead traces never count beside others. Default: Refuse.
    */
-  vtkSetClampMacro(DuplicatePolicy, int, Refuse, Mean);
-  vtkGetMacro(DuplicatePolicy, int);
-  void SetDuplicatePolicyToRefuse() { this->SetDuplicatePolicy(Refuse); }
-  void SetDuplicatePolicyToFirst() { this->SetDuplicatePolicy(First); }
-  void SetDuplicatePolicyToLast() { this->SetDuplicatePolicy(Last); }
-  void SetDuplicatePolicyToMean() { this->SetDuplicatePolicy(Mean); }
-  ///@}
+  vtkHorizonChoice4Macro(DuplicatePolicy, DuplicateChoice, Refuse, First, Last, Mean);
 
-  /// Values of DelayPolicy.
-  enum DelayChoice
-  {
-    Interpolate = 0,
-    Nearest = 1
-  };
-
-  ///@{
   /**
    * How traces are aligned whose delay is not whole steps from that of most others. Interpolate: by cubic polynomials.
    * Nearest: samples move by up to half a step. Default: Interpolate.
    */
-  vtkSetClampMacro(DelayPolicy, int, Interpolate, Nearest);
-  vtkGetMacro(DelayPolicy, int);
-  void SetDelayPolicyToInterpolate() { this->SetDelayPolicy(Interpolate); }
-  void SetDelayPolicyToNearest() { this->SetDelayPolicy(Nearest); }
-  ///@}
+  vtkHorizonChoice2Macro(DelayPolicy, DelayChoice, Interpolate, Nearest);
 
-  ///@{
   /**
    * The step between samples. 0: a thousandth of the interval in the file, which is ms for time, m or ft in most depth
    * cubes. Unit: that of z. Range: finite, at least 0. Default: 0.
    */
-  vtkSetMacro(VerticalStep, double);
-  vtkGetMacro(VerticalStep, double);
-  ///@}
+  vtkHorizonNumberMacro(VerticalStep, double);
 
-  /// Values of VerticalDirection.
-  enum VerticalSense
-  {
-    Down = 0,
-    Up = 1
-  };
-
-  ///@{
   /**
    * The direction of world z in which time or depth increases. Default: Down.
    */
-  vtkSetClampMacro(VerticalDirection, int, Down, Up);
-  vtkGetMacro(VerticalDirection, int);
-  void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
-  void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
-  ///@}
+  vtkHorizonChoice2Macro(VerticalDirection, VerticalSense, Down, Up);
 
-  ///@{
   /**
    * The unit of z: ms, s, m or ft, without conversion. Empty: ms; set m or ft for a depth cube. Range: any text.
    * Default: empty.
    */
-  vtkSetStringMacro(VerticalUnit);
-  vtkGetStringMacro(VerticalUnit);
-  ///@}
+  vtkHorizonTextMacro(VerticalUnit);
 
-  ///@{
   /**
    * Time or depth. Empty: from the unit. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(VerticalDomain);
-  vtkGetStringMacro(VerticalDomain);
-  ///@}
+  vtkHorizonTextMacro(VerticalDomain);
 
-  ///@{
   /**
    * The unit of x and y: m or ft, without conversion. Empty: as in the file. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(HorizontalUnit);
-  vtkGetStringMacro(HorizontalUnit);
-  ///@}
+  vtkHorizonTextMacro(HorizontalUnit);
 
-  ///@{
   /**
    * The name of the coordinate system of x and y, without conversion. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(CoordinateSystem);
-  vtkGetStringMacro(CoordinateSystem);
-  ///@}
+  vtkHorizonTextMacro(CoordinateSystem);
 
-  ///@{
   /**
    * The largest distance of x and y from the lattice, as a fraction of the step. Up to a tenth of the traces may be
    * farther off, with a warning; if more are, line numbers replace x and y. Unit: columns. Range: more than 0, less
    * than 0.5. Default: 0.25.
    */
-  vtkSetMacro(LatticeTolerance, double);
-  vtkGetMacro(LatticeTolerance, double);
-  ///@}
+  vtkHorizonNumberMacro(LatticeTolerance, double);
 
-  ///@{
   /**
    * The largest distance of image points from their true positions; images cannot be sheared, so lines must be nearly
    * perpendicular. Unit: columns. Range: at least 0. Default: 0.5.
    */
-  vtkSetMacro(ImageTolerance, double);
-  vtkGetMacro(ImageTolerance, double);
-  ///@}
+  vtkHorizonNumberMacro(ImageTolerance, double);
 
   /**
    * What was found in the headers: format and byte order, lines and their bytes, missing and dead traces, coordinates,

@@ -52,6 +52,7 @@
 #define vtkVerneySparseMatrixReader_h
 
 #include "vtkHorizonFileSeries.h"
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonSource.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -87,43 +88,30 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
-  ///@{
   /**
    * Horizons with fewer points in the ranges are not listed. Unit: points. Range: at least 1. Default: 1.
    */
-  vtkSetMacro(SmallestHorizonSize, vtkIdType);
-  vtkGetMacro(SmallestHorizonSize, vtkIdType);
-  ///@}
+  vtkHorizonNumberMacro(SmallestHorizonSize, vtkIdType);
 
-  ///@{
   /**
    * The first and last column (i) to load; -1 for the end. Unit: columns. Range: at least 0, or -1 for the end.
    * Default: 0, -1.
    */
-  vtkSetVector2Macro(ColumnRange, int);
-  vtkGetVector2Macro(ColumnRange, int);
-  ///@}
+  vtkHorizonVectorMacro(ColumnRange, int, 2);
 
-  ///@{
   /**
    * The first and last row (j) to load; -1 for the end. Unit: rows. Range: at least 0, or -1 for the end. Default: 0,
    * -1.
    */
-  vtkSetVector2Macro(RowRange, int);
-  vtkGetVector2Macro(RowRange, int);
-  ///@}
+  vtkHorizonVectorMacro(RowRange, int, 2);
 
-  ///@{
   /**
    * For files larger than memory: lists the horizons in one pass, then reads only selected horizons and rows. Not for
    * volumes. See "Files larger than memory" in VerneySparseMatrixReader.md. Default: off.
    *
    * The list has the number of points of each horizon in each row, and is kept for other rows and horizons.
    */
-  vtkSetMacro(LeastMemory, bool);
-  vtkGetMacro(LeastMemory, bool);
-  vtkBooleanMacro(LeastMemory, bool);
-  ///@}
+  vtkHorizonFlagMacro(LeastMemory);
 
   /**
    * With LeastMemory, after UpdateInformation(): the number of points of a horizon in some rows (and the ColumnRange).
@@ -136,15 +124,6 @@ public:
    */
   int GetNumberOfRows();
 
-  /// Values of OutputType.
-  enum OutputKind
-  {
-    Points = 0,
-    Images = 1,
-    Volume = 2
-  };
-
-  ///@{
   /**
    * What horizons become. Points: points in space, the input of the stages. Images: maps at z = 0. Volume: all horizons
    * in one image. For the last two, ColumnStep and RowStep must be perpendicular. See "Output" in
@@ -153,77 +132,32 @@ public:
    * One vtkPolyData or vtkImageData per horizon, or one vtkImageData for a volume; GetOutput() gives null for a volume,
    * use GetOutputDataObject(0).
    */
-  vtkSetClampMacro(OutputType, int, Points, Volume);
-  vtkGetMacro(OutputType, int);
-  void SetOutputTypeToPoints() { this->SetOutputType(Points); }
-  void SetOutputTypeToImages() { this->SetOutputType(Images); }
-  void SetOutputTypeToVolume() { this->SetOutputType(Volume); }
-  ///@}
+  vtkHorizonChoice3Macro(OutputType, OutputKind, Points, Images, Volume);
 
-  /// Values of VolumeExtent.
-  enum VolumeBox
-  {
-    Whole = 0,
-    BoundingBox = 1
-  };
-
-  ///@{
   /**
    * What a volume covers. Whole: the lattice. BoundingBox: the smallest box around the selected horizons. Default:
    * Whole.
    */
-  vtkSetClampMacro(VolumeExtent, int, Whole, BoundingBox);
-  vtkGetMacro(VolumeExtent, int);
-  void SetVolumeExtentToWhole() { this->SetVolumeExtent(Whole); }
-  void SetVolumeExtentToBoundingBox() { this->SetVolumeExtent(BoundingBox); }
-  ///@}
+  vtkHorizonChoice2Macro(VolumeExtent, VolumeBox, Whole, BoundingBox);
 
-  /// Values of VolumeArray.
-  enum VolumeContent
-  {
-    SurfaceId = 0,
-    Amplitude = 1,
-    Thickness = 2
-  };
-
-  ///@{
   /**
    * The active scalars of a volume: the ID of the horizon, or Amplitude or Thickness, which become a second array.
    * Default: SurfaceId.
    */
-  vtkSetClampMacro(VolumeArray, int, SurfaceId, Thickness);
-  vtkGetMacro(VolumeArray, int);
-  void SetVolumeArrayToSurfaceId() { this->SetVolumeArray(SurfaceId); }
-  void SetVolumeArrayToAmplitude() { this->SetVolumeArray(Amplitude); }
-  void SetVolumeArrayToThickness() { this->SetVolumeArray(Thickness); }
-  ///@}
+  vtkHorizonChoice3Macro(VolumeArray, VolumeContent, SurfaceId, Amplitude, Thickness);
 
-  ///@{
   /**
    * The array SurfaceId of a volume where there is no voxel. Range: an integer that is not the ID of a selected
    * horizon. Default: 0.
    */
-  vtkSetMacro(BackgroundValue, int);
-  vtkGetMacro(BackgroundValue, int);
-  ///@}
+  vtkHorizonNumberMacro(BackgroundValue, int);
 
-  ///@{
   /**
    * The largest memory of the arrays of a volume, per process; a larger volume is an error. Unit: MB (2^20 bytes).
    * Range: at least 1. Default: 2048.
    */
-  vtkSetMacro(VolumeMemoryLimit, int);
-  vtkGetMacro(VolumeMemoryLimit, int);
-  ///@}
+  vtkHorizonNumberMacro(VolumeMemoryLimit, int);
 
-  /// Values of ZFrom.
-  enum ZSource
-  {
-    VerticalIndex = 0,
-    RealZ = 1
-  };
-
-  ///@{
   /**
    * World z of points. VerticalIndex: from the index, Origin and VerticalStep. RealZ: the time or depth in the file.
    * Stages measure in the lattice in both cases. See "World coordinates" in VerneySparseMatrixReader.md. Default:
@@ -234,11 +168,7 @@ public:
    * index. If real z or the index is constant, Origin and VerticalStep are used. The voxels of a volume always lie
    * where LatticeToWorld puts their vertical index.
    */
-  vtkSetClampMacro(ZFrom, int, VerticalIndex, RealZ);
-  vtkGetMacro(ZFrom, int);
-  void SetZFromToVerticalIndex() { this->SetZFrom(VerticalIndex); }
-  void SetZFromToRealZ() { this->SetZFrom(RealZ); }
-  ///@}
+  vtkHorizonChoice2Macro(ZFrom, ZSource, VerticalIndex, RealZ);
 
   ///@{
   /// The names of version 0.2, for scripts of that version. @deprecated Use SetZFrom.
@@ -247,87 +177,46 @@ public:
   void SetElevationToRealZ() { this->SetZFrom(RealZ); }
   ///@}
 
-  ///@{
   /**
    * World coordinates of the centre of cell (0, 0, 0). Unit: world units. Range: finite. Default: 0, 0, 0.
    */
-  vtkSetVector3Macro(Origin, double);
-  vtkGetVector3Macro(Origin, double);
-  ///@}
+  vtkHorizonVectorMacro(Origin, double, 3);
 
-  ///@{
   /**
    * The step in x and y from a column to the next along i, which runs fastest in the file. Unit: world units. Range:
    * finite, not parallel to RowStep. Default: 1, 0.
    */
-  vtkSetVector2Macro(ColumnStep, double);
-  vtkGetVector2Macro(ColumnStep, double);
-  ///@}
+  vtkHorizonVectorMacro(ColumnStep, double, 2);
 
-  ///@{
   /**
    * The step in x and y from a row to the next along j. Unit: world units. Range: finite, not parallel to ColumnStep.
    * Default: 0, 1.
    */
-  vtkSetVector2Macro(RowStep, double);
-  vtkGetVector2Macro(RowStep, double);
-  ///@}
+  vtkHorizonVectorMacro(RowStep, double, 2);
 
-  ///@{
   /**
    * The length of a vertical index; a negative one reverses the direction. Unit: world units. Range: finite, not 0.
    * Default: 1.
    *
    * z is Origin's z minus (VerticalDirection Down) or plus (Up) VerticalStep times the index.
    */
-  vtkSetMacro(VerticalStep, double);
-  vtkGetMacro(VerticalStep, double);
-  ///@}
+  vtkHorizonNumberMacro(VerticalStep, double);
 
-  /// Values of VerticalDirection.
-  enum VerticalSense
-  {
-    Down = 0,
-    Up = 1
-  };
-
-  ///@{
   /**
    * The direction of world z in which vertical indices and real z increase. Default: Down.
    */
-  vtkSetClampMacro(VerticalDirection, int, Down, Up);
-  vtkGetMacro(VerticalDirection, int);
-  void SetVerticalDirectionToDown() { this->SetVerticalDirection(Down); }
-  void SetVerticalDirectionToUp() { this->SetVerticalDirection(Up); }
-  ///@}
+  vtkHorizonChoice2Macro(VerticalDirection, VerticalSense, Down, Up);
 
-  ///@{
   /**
    * The unit of z: ms, s, m or ft, without conversion; z is that of ZFrom. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(VerticalUnit);
-  vtkGetStringMacro(VerticalUnit);
-  ///@}
+  vtkHorizonTextMacro(VerticalUnit);
 
-  ///@{
   /**
    * Time or depth. Empty: from the unit. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(VerticalDomain);
-  vtkGetStringMacro(VerticalDomain);
-  ///@}
+  vtkHorizonTextMacro(VerticalDomain);
 
-  /// Values of DuplicatePolicy.
-  enum DuplicateChoice
-  {
-    StrongestAmplitude = 0,
-    Topmost = 1,
-    Lowest = 2,
-    Sheets = 3,
-    Mean = 4
-  };
-
-  ///@{
   /**
    * Which of several voxels of a horizon in one column is kept. StrongestAmplitude: the one with the largest absolute
    * amplitude, then the topmost. Topmost, Lowest: by vertical index. Sheets: all, as at reverse faults; not with
@@ -336,14 +225,7 @@ public:
    *
    * The second sheet is named "Horizon 7 (2)"; see ColumnSheets.h.
    */
-  vtkSetClampMacro(DuplicatePolicy, int, StrongestAmplitude, Mean);
-  vtkGetMacro(DuplicatePolicy, int);
-  void SetDuplicatePolicyToStrongestAmplitude() { this->SetDuplicatePolicy(StrongestAmplitude); }
-  void SetDuplicatePolicyToTopmost() { this->SetDuplicatePolicy(Topmost); }
-  void SetDuplicatePolicyToLowest() { this->SetDuplicatePolicy(Lowest); }
-  void SetDuplicatePolicyToSheets() { this->SetDuplicatePolicy(Sheets); }
-  void SetDuplicatePolicyToMean() { this->SetDuplicatePolicy(Mean); }
-  ///@}
+  vtkHorizonChoice5Macro(DuplicatePolicy, DuplicateChoice, StrongestAmplitude, Topmost, Lowest, Sheets, Mean);
 
 protected:
   vtkVerneySparseMatrixReader();

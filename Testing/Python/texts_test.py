@@ -46,24 +46,14 @@ ONE = """
 class VTK_EXPORT vtkOne : public vtkBase
 {
 public:
-  /// Values of Kind.
-  enum Kinds
-  {
-    ByRow = 0,
-    Column2 = 1
-  };
-
-  ///@{
   /**
    * What is done with RowWidth, as in vtkTwo. ByRow: rows. Column2: columns. See "Some kinds" in One.md. Default: ByRow.
    */
-  vtkSetClampMacro(Kind, int, ByRow, Column2);
-  vtkGetMacro(Kind, int);
-  void SetKindToByRow() { this->SetKind(ByRow); }
-  ///@}
+  vtkHorizonChoice2Macro(Kind, Kinds,
+    ByRow, Column2);
 
   /// Whether it is on. See "Some kinds" in Two.md. Default: off.
-  vtkSetMacro(On, bool);
+  vtkHorizonFlagMacro(On);
 
   /// How many there were.
   int GetCount();

@@ -9,8 +9,8 @@ The first paragraph of a comment is the text; further paragraphs are for program
 
     Unit: columns. Range: 1 to 16. Default: 2.
 
-The range of a choice lists the enumerators below '/// Values of ...'; the page adds the labels of the panel if they
-differ, because scripts of ParaView need them. 'Default: 3 in vtkA, 8 in vtkB.' gives a default for each class. Names of
+The range of a choice lists the enumerators of its macro or below '/// Values of ...'; the page adds the labels of the
+panel if they differ, because scripts of ParaView need them. 'Default: 3 in vtkA, 8 in vtkB.' gives a default for each class. Names of
 properties, values and classes are written as in C++; the panel shows them with its labels, the page as code and links.
 'See "Faults" in HorizonFaults.md.' becomes a link on the page and is omitted from the panel. A property without a method
 of its own (an input) has its text in the XML file, in the same form. The brief of a class is the short help of its proxy.
@@ -69,12 +69,14 @@ def read_header(path):
     comment = r"^  (?:/\*\*\n((?:   \*(?!/).*\n)+)   \*/|/// (.*))\n((?:  (?!/).*\n)+)"
     for block, line, lines in re.findall(comment, text, re.M):
         paragraph = re.sub(r"^   \* ?", "", block, flags=re.M).split("\n\n")[0] or line
-        for access, name, method in re.findall(r"^  (?:vtk(Set|Get)\w*Macro\((\w+)|[^(\n]*?(\w+)\()", lines, re.M):
-            texts[method or access + name] = paragraph
+        for access, name, method in re.findall(r"^  (?:vtk(Set|Get|Horizon)\w*Macro\((\w+)|[^(\n]*?(\w+)\()", lines, re.M):
+            texts[method or access.replace("Horizon", "Set") + name] = paragraph
         if "vtkHorizonFileNamesMacro" in lines:
             texts["AddFileName"] = paragraph
     enums = re.findall(r"/// Values of (\w+)[^\n]*\n  enum \w+\n  {\n(.*?)  };", text, re.S)
     values = {name: re.findall(r"(\w+) = (\d+)", body) for name, body in enums}
+    for name, names in re.findall(r"vtkHorizonChoice\dMacro\((\w+),\s+\w+,\s+(.*?)\)", text, re.S):
+        values[name] = [(value, str(number)) for number, value in enumerate(re.split(r",\s+", names))]
     return Header(base and base.group(1), brief and " ".join(brief.group(1).replace("\n *", " ").split()),
                   page and page.group(1), texts, values)
 

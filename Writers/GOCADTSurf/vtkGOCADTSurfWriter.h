@@ -24,6 +24,7 @@
 #ifndef vtkGOCADTSurfWriter_h
 #define vtkGOCADTSurfWriter_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonWriter.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -34,60 +35,30 @@ public:
   vtkTypeMacro(vtkGOCADTSurfWriter, vtkHorizonWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of VerticalPositive.
-  enum VerticalSense
-  {
-    Elevation = 0,
-    Depth = 1
-  };
-
-  /// Values of WriteAttributes.
-  enum AttributeChoice
-  {
-    NoArrays = 0,
-    PickArrays = 1,
-    AllArrays = 2
-  };
-
-  ///@{
   /**
    * The direction in which z of the file increases (ZPOSITIVE). Elevation: up, z as in the data. Depth: down; z is
    * negated, and triangles are flipped to face the same side. Default: Elevation.
    */
-  vtkSetClampMacro(VerticalPositive, int, Elevation, Depth);
-  vtkGetMacro(VerticalPositive, int);
-  void SetVerticalPositiveToElevation() { this->SetVerticalPositive(Elevation); }
-  void SetVerticalPositiveToDepth() { this->SetVerticalPositive(Depth); }
-  ///@}
+  vtkHorizonChoice2Macro(VerticalPositive, VerticalSense, Elevation, Depth);
 
-  ///@{
   /**
    * The unit of z, such as m or ms, without conversion. Empty: as in the data (field data VerticalUnit), else none.
    * Range: any text. Default: empty.
    */
-  vtkSetStringMacro(VerticalUnit);
-  vtkGetStringMacro(VerticalUnit);
-  ///@}
+  vtkHorizonTextMacro(VerticalUnit);
 
-  ///@{
   /**
    * The unit of x and y, such as m or ft, without conversion. Empty: as in the data (field data HorizontalUnit), else
    * none. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(HorizontalUnit);
-  vtkGetStringMacro(HorizontalUnit);
-  ///@}
+  vtkHorizonTextMacro(HorizontalUnit);
 
-  ///@{
   /**
    * The coordinate system, without conversion. Empty: as in the data (field data CoordinateSystem), else Default,
    * GOCAD's word for none. Range: any text. Default: empty.
    */
-  vtkSetStringMacro(CoordinateSystemName);
-  vtkGetStringMacro(CoordinateSystemName);
-  ///@}
+  vtkHorizonTextMacro(CoordinateSystemName);
 
-  ///@{
   /**
    * Which point arrays become properties of vertices. NoArrays: none. PickArrays: the attributes of picks, such as
    * Amplitude, but not arrays of the stages. AllArrays: all, such as Distance. See "Attributes" in GOCADTSurfWriter.md.
@@ -96,22 +67,13 @@ public:
    * A property has the components of the array. No value is -99999, or a number with more nines if the array has that
    * value.
    */
-  vtkSetClampMacro(WriteAttributes, int, NoArrays, AllArrays);
-  vtkGetMacro(WriteAttributes, int);
-  void SetWriteAttributesToNoArrays() { this->SetWriteAttributes(NoArrays); }
-  void SetWriteAttributesToPickArrays() { this->SetWriteAttributes(PickArrays); }
-  void SetWriteAttributesToAllArrays() { this->SetWriteAttributes(AllArrays); }
-  ///@}
+  vtkHorizonChoice3Macro(WriteAttributes, AttributeChoice, NoArrays, PickArrays, AllArrays);
 
-  ///@{
   /**
    * Writes the borders of surfaces, outlines and holes (BSTONE and BORDER). Some programs, such as xtgeo, refuse files
    * with them. Default: off.
    */
-  vtkSetMacro(WriteBorders, bool);
-  vtkGetMacro(WriteBorders, bool);
-  vtkBooleanMacro(WriteBorders, bool);
-  ///@}
+  vtkHorizonFlagMacro(WriteBorders);
 
 protected:
   vtkGOCADTSurfWriter() = default;

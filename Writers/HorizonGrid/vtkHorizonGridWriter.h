@@ -15,6 +15,7 @@
 #ifndef vtkHorizonGridWriter_h
 #define vtkHorizonGridWriter_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkLatticeHorizonWriter.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -25,28 +26,12 @@ public:
   vtkTypeMacro(vtkHorizonGridWriter, vtkLatticeHorizonWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Values of Format.
-  enum GridKind
-  {
-    ByExtension = 0,
-    IrapText = 1,
-    Zmap = 2,
-    IrapBinary = 3
-  };
-
-  ///@{
   /**
    * The format. ByExtension: ZMAP+ for .zmap and .zmp, IRAP classic binary for .gri and .irapbin, else IRAP classic
    * ASCII. IrapText: IRAP classic ASCII. Zmap: ZMAP+; rotated grids are resampled. IrapBinary: IRAP classic binary, in
    * single precision. See "What is written" in HorizonGridWriter.md. Default: ByExtension.
    */
-  vtkSetClampMacro(Format, int, ByExtension, IrapBinary);
-  vtkGetMacro(Format, int);
-  void SetFormatToByExtension() { this->SetFormat(ByExtension); }
-  void SetFormatToIrapText() { this->SetFormat(IrapText); }
-  void SetFormatToZmap() { this->SetFormat(Zmap); }
-  void SetFormatToIrapBinary() { this->SetFormat(IrapBinary); }
-  ///@}
+  vtkHorizonChoice4Macro(Format, GridKind, ByExtension, IrapText, Zmap, IrapBinary);
 
 protected:
   vtkHorizonGridWriter() = default;

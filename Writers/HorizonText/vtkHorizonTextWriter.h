@@ -16,6 +16,7 @@
 #ifndef vtkHorizonTextWriter_h
 #define vtkHorizonTextWriter_h
 
+#include "vtkHorizonProperty.h"
 #include "vtkLatticeHorizonWriter.h"
 #include "vtkSeismicHorizonsModule.h"
 
@@ -26,15 +27,11 @@ public:
   vtkTypeMacro(vtkHorizonTextWriter, vtkLatticeHorizonWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * Writes point arrays of real numbers, other than those of the stages, as attributes; only of horizons without
    * triangles. Default: on.
    */
-  vtkSetMacro(WriteAttributes, bool);
-  vtkGetMacro(WriteAttributes, bool);
-  vtkBooleanMacro(WriteAttributes, bool);
-  ///@}
+  vtkHorizonFlagMacro(WriteAttributes);
 
 protected:
   vtkHorizonTextWriter() = default;

@@ -14,6 +14,7 @@
 #define vtkHorizonSmoothing_h
 
 #include "vtkHorizonAlgorithm.h"
+#include "vtkHorizonProperty.h"
 #include "vtkHorizonSmoothingModule.h" // for the export macro
 
 class VTKHORIZONSMOOTHING_EXPORT vtkHorizonSmoothing : public vtkHorizonAlgorithm
@@ -23,13 +24,10 @@ public:
   vtkTypeMacro(vtkHorizonSmoothing, vtkHorizonAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * How far around a point the mean is taken, in columns along each axis. At least 0. Default: 2.
    */
-  vtkSetMacro(Radius, int);
-  vtkGetMacro(Radius, int);
-  ///@}
+  vtkHorizonNumberMacro(Radius, int);
 
 protected:
   vtkHorizonSmoothing() = default;
