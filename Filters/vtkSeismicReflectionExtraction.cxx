@@ -83,7 +83,7 @@ ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
     this->ThresholdType == Amplitude ? ThresholdKind::Amplitude : ThresholdKind::Percentile;
   options.Reflections.AmplitudeThreshold = this->AmplitudeThreshold;
   options.Reflections.AmplitudePercentile = this->AmplitudePercentile;
-  options.Joining = static_cast<SurfaceJoining>(this->Joining);
+  options.Joining = this->Joining == Components ? SurfaceJoining::Components : SurfaceJoining::BestFirst;
   options.Connectivity = this->Connectivity == Four ? ColumnConnectivity::Four : ColumnConnectivity::Eight;
   options.LargestStep = this->LargestStep;
   options.SmallestCorrelation = this->SmallestCorrelation;
@@ -101,6 +101,10 @@ ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
 //----------------------------------------------------------------------------------------------------------------------
 void vtkSeismicReflectionExtraction::CheckParameters()
 {
+  if (this->Joining != BestFirst && this->Joining != Components)
+  {
+    throw InputError("Joining Continuous of version 0.2, expected BestFirst with SmallestContact 0, which finds more");
+  }
   CheckOptions(this->MakeOptions());
 }
 
@@ -354,7 +358,6 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
 {
   constexpr std::array<const char*, 3> polarities = { "Both", "Positive", "Negative" };
   constexpr std::array<const char*, 3> positions = { "Middle", "Peak", "ZeroCrossing" };
-  constexpr std::array<const char*, 3> joinings = { "BestFirst", "Continuous", "Components" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PhaseRotation: " << this->PhaseRotation << '\n';
   os << indent << "Polarity: " << polarities[static_cast<std::size_t>(this->Polarity)] << '\n';
@@ -362,7 +365,7 @@ void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ThresholdType: " << (this->ThresholdType == Amplitude ? "Amplitude" : "Percentile") << '\n';
   os << indent << "AmplitudeThreshold: " << this->AmplitudeThreshold << '\n';
   os << indent << "AmplitudePercentile: " << this->AmplitudePercentile << '\n';
-  os << indent << "Joining: " << joinings[static_cast<std::size_t>(this->Joining)] << '\n';
+  os << indent << "Joining: " << (this->Joining == Components ? "Components" : "BestFirst") << '\n';
   os << indent << "Connectivity: " << (this->Connectivity == Four ? "Four" : "Eight") << '\n';
   os << indent << "LargestStep: " << this->LargestStep << '\n';
   os << indent << "SmallestCorrelation: " << this->SmallestCorrelation << '\n';

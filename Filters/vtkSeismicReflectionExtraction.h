@@ -82,12 +82,22 @@ public:
    */
   vtkHorizonNumberMacro(AmplitudePercentile, double);
 
+  /// Values of Joining; 1 was Continuous in version 0.2.
+  enum Joinings
+  {
+    BestFirst = 0,
+    Components = 2
+  };
+
+  ///@{
   /**
-   * How picks become surfaces. BestFirst: the most similar waveforms are linked first. Continuous: surfaces grow one
-   * after the other, each from the strongest remaining pick. Components: all that touch. See "Three ways to join" in
-   * SeismicReflectionExtraction.md. Default: BestFirst.
+   * How picks become surfaces. BestFirst: the most similar waveforms are linked first. Components: all that touch. See
+   * "Two ways to join" in SeismicReflectionExtraction.md. Default: BestFirst.
    */
-  vtkHorizonChoice3Macro(Joining, Joinings, BestFirst, Continuous, Components);
+  vtkHorizonNumberMacro(Joining, int);
+  void SetJoiningToBestFirst() { this->SetJoining(BestFirst); }
+  void SetJoiningToComponents() { this->SetJoining(Components); }
+  ///@}
 
   /**
    * Which columns are neighbours: the next ones along i and j, or also the diagonal ones. Default: Four.

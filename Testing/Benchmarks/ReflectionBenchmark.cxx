@@ -119,16 +119,6 @@ void MeasureSteps(const Cube& cube)
         }
       }),
     picks, "picks");
-  PrintRow("joining, continuously",
-    Time(
-      [&]()
-      {
-        for (std::size_t sign = 0; sign < 2; ++sign)
-        {
-          JoinContinuously(found.BySign[sign], links[sign]);
-        }
-      }),
-    picks, "picks");
   std::printf("\n%.0f million samples, %.1f million picks\n\n", cube.Samples() / 1e6, picks / 1e6);
 }
 
@@ -248,8 +238,6 @@ void Compare(const Cube& cube)
   options.SmallestSize = 200;
   options.LargestNumber = 1000000;
   MeasureExtraction(cube, "best first", options);
-  options.Joining = SurfaceJoining::Continuous;
-  MeasureExtraction(cube, "continuous", options);
   options.Joining = SurfaceJoining::Components;
   options.Connectivity = ColumnConnectivity::Eight;
   options.LargestStep = 1.0;

@@ -37,7 +37,7 @@ std::vector<Method> ListMethods()
   ExtractionOptions options;
   options.SmallestSize = 10;
   options.LargestNumber = 1000000;
-  std::vector<Method> methods(3, { "", options });
+  std::vector<Method> methods(2, { "", options });
   methods[0].Name = "components";
   methods[0].Options.Joining = SurfaceJoining::Components;
   methods[0].Options.Connectivity = ColumnConnectivity::Eight;
@@ -45,8 +45,6 @@ std::vector<Method> ListMethods()
   methods[0].Options.Reflections.Position = ReflectionPosition::Middle;
   methods[0].Options.Reflections.AmplitudePercentile = 70.0;
   methods[1].Name = "best first";
-  methods[2].Name = "continuous";
-  methods[2].Options.Joining = SurfaceJoining::Continuous;
   return methods;
 }
 
@@ -324,9 +322,8 @@ constant of the method was chosen by.
 
 constexpr const char* Easy = R"(## Easy cubes
 
-All ways of joining find nearly everything, Continuous less of weak reflectors in noise. The worst of no noise and
-50 %% noise, %d cubes of 80 x 64 traces of 220 samples, with layers 32 samples apart, folds, and a fault of half a
-layer; Ricker wavelet of 30 Hz, 4 ms.
+Both ways of joining find nearly everything. The worst of no noise and 50 %% noise, %d cubes of 80 x 64 traces of 220
+samples, with layers 32 samples apart, folds, and a fault of half a layer; Ricker wavelet of 30 Hz, 4 ms.
 )";
 
 constexpr const char* Hard = R"(## Hard cubes

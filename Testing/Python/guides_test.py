@@ -233,7 +233,7 @@ class GuidesTest(unittest.TestCase):
         self.assertIn("guide array Horizon of 3 components, expected the number or the name", str(caught.exception))
         with self.assertRaises(ValueError) as caught:
             sh.extract(self.cube, {name: places}, joining="Components")
-        self.assertIn("expected BestFirst or Continuous", str(caught.exception))
+        self.assertIn("expected BestFirst", str(caught.exception))
 
     def run_program(self, *words):
         done = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, check=False)

@@ -10,10 +10,11 @@ The first paragraph of a comment is the text; further paragraphs are for program
     Unit: columns. Range: 1 to 16. Default: 2.
 
 The range of a choice lists the enumerators of its macro or below '/// Values of ...'; the page adds the labels of the
-panel if they differ, because scripts of ParaView need them. 'Default: 3 in vtkA, 8 in vtkB.' gives a default for each class. Names of
-properties, values and classes are written as in C++; the panel shows them with its labels, the page as code and links.
-'See "Faults" in HorizonFaults.md.' becomes a link on the page and is omitted from the panel. A property without a method
-of its own (an input) has its text in the XML file, in the same form. The brief of a class is the short help of its proxy.
+panel if they differ, because scripts of ParaView need them. 'Default: 3 in vtkA, 8 in vtkB.' gives a default for each
+class. Names of properties, values and classes are written as in C++; the panel shows them with its labels, the page as
+code and links. 'See "Faults" in HorizonFaults.md.' becomes a link on the page and is omitted from the panel. A property
+without a method of its own (an input) has its text in the XML file, in the same form. The brief of a class is the short
+help of its proxy.
 
 The table on the page of a proxy lists the proxy's own properties. Properties of a base are listed on the page with the
 name of the base's XML file, and the proxy's page links to it. A file with several bases has a page with a table for each

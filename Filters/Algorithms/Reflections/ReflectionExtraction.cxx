@@ -81,10 +81,6 @@ public:
     std::optional<ReflectionLinks> links(std::in_place, this->Cube, picks, this->Link, monitor.Step(0.0, 0.3));
     medianCorrelation = links->MedianCorrelation();
     links->Drop(this->Options.SmallestCorrelation * medianCorrelation);
-    if (this->Options.Joining == SurfaceJoining::Continuous)
-    {
-      return JoinContinuously(picks, *links, monitor.Step(0.3, 1.0));
-    }
     JoiningRules rules;
     rules.SmallestContact = this->Options.SmallestContact;
     BestFirstJoining joining(picks);
@@ -478,8 +474,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   CheckOptions(options);
   if (!guides.empty() && options.Joining == SurfaceJoining::Components)
   {
-    throw InputError(
-      "guides and Joining Components, whose surfaces pass columns twice, expected BestFirst or Continuous");
+    throw InputError("guides and Joining Components, whose surfaces pass columns twice, expected BestFirst");
   }
   const TraceCube cube = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
   ReflectionOptions reflectionOptions = options.Reflections;

@@ -23,7 +23,6 @@ namespace SeismicHorizons
 enum class SurfaceJoining
 {
   BestFirst, // best links first, if parts fit
-  Continuous, // as far as links lead
   Components // all that touch, as in the thesis; one pick per column stays
 };
 

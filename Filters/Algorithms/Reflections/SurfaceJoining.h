@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Joins picks of a sign to surfaces: BestFirstJoining.cxx, ContinuousJoining.cxx, ConnectedPicks.cxx.
+// Joins picks of a sign to surfaces: BestFirstJoining.cxx, ConnectedPicks.cxx.
 
 #ifndef SeismicHorizonsSurfaceJoining_h
 #define SeismicHorizonsSurfaceJoining_h
@@ -55,11 +55,6 @@ private:
   const double WindowPicks;
   const std::unique_ptr<Parts> Joined;
 };
-
-/// Grows surfaces from the strongest picks left (Prim's order), which name them. Strong events come out whole, through
-/// steep and noisy places, and sometimes across faults.
-RawVector<PointId> JoinContinuously(
-  const ReflectionPicks& picks, const ReflectionLinks& links, const Monitor& monitor = Monitor());
 
 /// Components have the number of their first pick, and may have several picks in a column (thesis, 2.2.1).
 RawVector<PointId> FindConnectedPicks(
