@@ -15,7 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double ErrorPerNoise = 6.0;
 constexpr std::int32_t LongestStride = 32;
 
 struct Differences
@@ -84,11 +83,11 @@ double NoiseOf(std::vector<double> sizes)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double ChooseMaximumError(PlanePoints columns, const std::vector<double>& heights)
+HeightNoise MeasureHeightNoise(PlanePoints columns, const std::vector<double>& heights)
 {
   if (columns.empty())
   {
-    return 0.0;
+    return {};
   }
   const double digits = 1e-6 * // Single precision.
     std::abs(
@@ -97,6 +96,7 @@ double ChooseMaximumError(PlanePoints columns, const std::vector<double>& height
   const Differences alongX = Measure(index, heights, { 1, 0 }, digits);
   const Differences alongY = Measure(index, heights, { 0, 1 }, digits);
   const double rounding = std::min(alongX.LeastStep, alongY.LeastStep) / std::sqrt(12.0);
-  return ErrorPerNoise * std::max({ NoiseOf(alongX.Second), NoiseOf(alongY.Second), rounding });
+  const double noise = std::max(NoiseOf(alongX.Second), NoiseOf(alongY.Second));
+  return { std::max(noise, rounding), noise <= rounding };
 }
 }

@@ -15,15 +15,19 @@ namespace SeismicHorizons
 /// The value of a maximum error that stands for one that is chosen.
 constexpr double AutomaticError = -1.0;
 
-/// Six times the noise of heights, in their unit: few points of normal noise are farther off than three deviations, on
-/// both sides of the mesh.
-///
-/// The noise is that of second differences, along rows or along columns, whichever is rougher: heights that were
-/// interpolated between lines are smooth one way. A mesh can follow what neighbours have in common, which these
-/// differences leave out. It is at least what rounding does: the least difference of neighbours,
-/// at most 1, over the root of 12. Where no three neighbours follow each other, columns farther apart are compared. Of
-/// many points a part is looked at.
-double ChooseMaximumError(PlanePoints columns, const std::vector<double>& heights);
+/// Heights scatter by this much around what a mesh can follow.
+struct HeightNoise
+{
+  double Deviation = 0.0; // standard deviation, in the unit of the heights
+  bool IsRounding = false; // steps of heights scatter more than their noise
+
+  /// Few points of normal noise are farther off than three deviations, on both sides of the mesh.
+  double MaximumError() const { return 6.0 * this->Deviation; }
+};
+
+/// Second differences give the noise along the rougher axis, as interpolated lines are smooth along the other. Rounding
+/// is the least difference of neighbours, at most 1, over the root of 12.
+HeightNoise MeasureHeightNoise(PlanePoints columns, const std::vector<double>& heights);
 }
 
 #endif

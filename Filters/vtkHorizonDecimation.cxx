@@ -14,6 +14,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -38,14 +39,14 @@ void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 DecimationOptions vtkHorizonDecimation::MakeOptions(
-  const BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice) const
+  const BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const
 {
   DecimationOptions options;
   options.MaximumError = 0.0;
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindMaximumError(horizon.Columns, horizon.Height, lattice);
+    options.MaximumError = this->FindMaximumError(horizon.Columns, horizon.Height, lattice, figures);
   }
   else if (this->Target == NumberOfPoints)
   {
@@ -76,12 +77,14 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
   bounded.Cuts = ShareCuts(points.Horizon, PlaneBox(points.Column));
   ReadCounts(points.Horizon); // Invalid counts are refused before the work.
   monitor.Progress(0.1);
-  const DecimationOptions options = this->MakeOptions(bounded, lattice);
+  vtkNew<vtkFieldData> noise;
+  const DecimationOptions options = this->MakeOptions(bounded, lattice, noise);
   Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));
   WriteDecimation(points.Horizon, lattice, decimation, outputs.front());
   if (this->Target == LargestError && this->IsErrorAutomatic())
   {
     AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::ChosenMaximumError, options.MaximumError);
+    outputs.front()->GetFieldData()->PassData(noise);
   }
   if (this->GetCloseFaults())
   {

@@ -83,8 +83,8 @@ private:
   vtkHorizonDecimation(const vtkHorizonDecimation&) = delete;
   void operator=(const vtkHorizonDecimation&) = delete;
 
-  SeismicHorizons::DecimationOptions MakeOptions(
-    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice) const;
+  SeismicHorizons::DecimationOptions MakeOptions(const SeismicHorizons::BoundedHorizon& horizon,
+    const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const;
 
   int Target = LargestError;
   int MaximumNumberOfPoints = 10000;

@@ -8,6 +8,7 @@
 #include "Common/Parameters.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
+#include "Common/VTK/SurveyFields.h"
 #include "Common/VTK/VertexCells.h"
 #include "Despiking/Despiking.h"
 #include "Marshalling/HeightUnit.h"
@@ -100,9 +101,11 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   if (percent > FewPercent)
   {
     const std::string name = NameBySurfaceId(input);
+    const std::string unit = ReadSurveyFields(input->GetFieldData()).VerticalUnit;
     vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << spikes << " of " << kinds.size()
                     << " points are spikes, expected at most " << FewPercent << " %: threshold " << found.Threshold
-                    << " vertical indices; terrain and faults may be mistaken for spikes");
+                    << " vertical indices, " << found.Threshold * WorldPerIndex(points.Lattice) << ' '
+                    << (unit.empty() ? "in z" : unit) << "; terrain and faults may be mistaken for spikes");
   }
   this->NumberOfSpikes += spikes;
   this->NumberOfSpurPoints += spurs;

@@ -28,6 +28,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -121,19 +122,22 @@ int vtkHorizonLayers::RequestData(
         vtkWarningMacro(<< "z is time, so that volumes are areas times time, expected depths for volumes: convert the "
                            "horizons to depth before");
       }
-      LayerOptions options = this->MakeOptions(stack);
+      vtkNew<vtkFieldData> noise;
+      LayerOptions options = this->MakeOptions(stack, noise);
       const std::optional<LinkCuts> cuts = this->UseCuts ? stack.FindCuts() : std::nullopt;
       options.Cuts = cuts ? &*cuts : nullptr;
       const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.7));
       this->Write(layers, stack, outputs, monitor.Step(0.7, 1.0));
       if (this->MaximumError == AutomaticError)
       {
-        AddValue<vtkDoubleArray>(
-          outputs[LayersPort]->GetFieldData(), FieldArray::ChosenMaximumError, options.MaximumError);
+        vtkFieldData* const figures = outputs[LayersPort]->GetFieldData();
+        AddValue<vtkDoubleArray>(figures, FieldArray::ChosenMaximumError, options.MaximumError);
+        figures->PassData(noise);
         std::ostringstream text;
         const std::string unit = stack.GetSurvey().VerticalUnit;
         text << "maximum error " << options.MaximumError * WorldPerIndex(stack.CommonLattice()) << ' '
-             << (unit.empty() ? "in z" : unit) << ", automatic\n";
+             << (unit.empty() ? "in z" : unit) << ", six times the "
+             << (figures->HasArray(FieldArray::HeightNoise) ? "noise" : "rounding") << "\n";
         this->Results += text.str();
       }
       this->WarnOfCrossings(layers.Stack.Repair, options.Crossings.Policies, stack);
@@ -146,23 +150,25 @@ int vtkHorizonLayers::RequestData(
 }
 
 //------------------------------------------------------------------------------
-double vtkHorizonLayers::FindMaximumError(const HorizonStack& stack) const
+double vtkHorizonLayers::FindMaximumError(const HorizonStack& stack, vtkFieldData* figures) const
 {
   if (this->MaximumError != AutomaticError)
   {
     CheckAtLeast("maximum error", this->MaximumError, 0.0, ", or -1 for automatic");
     return this->IndicesOf(this->MaximumError, stack);
   }
-  double error = 0.0;
+  HeightNoise most;
   for (std::size_t n = 0; n < stack.Size(); ++n)
   {
-    error = std::max(error, ChooseMaximumError(stack[n].Placed.Columns, stack[n].Placed.Height));
+    const HeightNoise noise = MeasureHeightNoise(stack[n].Placed.Columns, stack[n].Placed.Height);
+    most = noise.Deviation > most.Deviation ? noise : most;
   }
-  return error;
+  WriteHeightNoise(most, figures);
+  return most.MaximumError();
 }
 
 //------------------------------------------------------------------------------
-LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
+LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack, vtkFieldData* figures) const
 {
   CheckAtLeast("smallest pinch", this->SmallestPinch, 1, " column");
   CheckAtLeast("largest hole size", this->LargestHoleSize, 0, " columns");
@@ -173,7 +179,7 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
   }
   LayerOptions options;
   options.Crossings = this->MakeCrossings(stack);
-  options.MaximumError = this->FindMaximumError(stack);
+  options.MaximumError = this->FindMaximumError(stack, figures);
   options.BoundThickness = this->BoundThickness;
   const bool isCommon = this->Domain == Common || stack.Size() == 2;
   options.Domain = isCommon ? LayerDomain::Common : LayerDomain::EachLayer;
@@ -309,9 +315,10 @@ void vtkHorizonLayers::WarnOfCrossings(
   }
   if (deep > 0)
   {
+    const std::string unit = stack.GetSurvey().VerticalUnit;
     vtkWarningMacro(<< stack[deepest].Name << " and " << stack[deepest + 1].Name
                     << (deep > 1 ? ", and " + std::to_string(deep - 1) + " other pairs," : "") << " cross by up to "
-                    << depthOf(deepest) * WorldPerIndex(stack.CommonLattice())
+                    << depthOf(deepest) * WorldPerIndex(stack.CommonLattice()) << (unit.empty() ? "" : " ") << unit
                     << ", expected no more than their noise makes: at an unconformity choose UpperWins or LowerWins");
   }
 }

@@ -55,6 +55,7 @@ struct Layers;
 enum class CrossingPolicy;
 }
 class vtkDataObject;
+class vtkFieldData;
 class vtkTable;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayers : public vtkHorizonStackStage
@@ -170,8 +171,8 @@ private:
   vtkHorizonLayers(const vtkHorizonLayers&) = delete;
   void operator=(const vtkHorizonLayers&) = delete;
 
-  double FindMaximumError(const SeismicHorizons::HorizonStack& stack) const;
-  SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
+  double FindMaximumError(const SeismicHorizons::HorizonStack& stack, vtkFieldData* figures) const;
+  SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack, vtkFieldData* figures) const;
   void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
     const std::vector<vtkDataObject*>& outputs, const SeismicHorizons::Monitor& monitor);
   void WarnOfEmpty(

@@ -42,12 +42,14 @@ bool vtkHorizonReducedMesh::IsErrorAutomatic() const
 }
 
 //------------------------------------------------------------------------------
-double vtkHorizonReducedMesh::FindMaximumError(
-  PlanePoints columns, const std::vector<double>& height, const SeismicHorizons::Lattice& lattice) const
+double vtkHorizonReducedMesh::FindMaximumError(PlanePoints columns, const std::vector<double>& height,
+  const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const
 {
   if (this->IsErrorAutomatic())
   {
-    return ChooseMaximumError(columns, height);
+    const HeightNoise noise = MeasureHeightNoise(columns, height);
+    WriteHeightNoise(noise, figures);
+    return noise.MaximumError();
   }
   CheckAtLeast("maximum error", this->MaximumError, 0.0, ", or -1 for automatic");
   return this->MaximumError * IndicesPerUnit(static_cast<HeightUnit>(this->ErrorUnit), columns, height, lattice);

@@ -26,6 +26,8 @@ struct DecimationQuality;
 class PlanePoints;
 }
 
+class vtkFieldData;
+
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonReducedMesh : public vtkHorizonAlgorithm
 {
 public:
@@ -88,9 +90,9 @@ protected:
 
   SeismicHorizons::DecimationQuality MakeQuality() const;
   bool IsErrorAutomatic() const;
-  /// The result is in lattice units, and chosen from the points if automatic; `columns` are in sub-voxels.
+  /// The result is in lattice units, and if automatic, chosen from the points; `figures` get what it is six times of.
   double FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
-    const SeismicHorizons::Lattice& lattice) const;
+    const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const;
 
 private:
   vtkHorizonReducedMesh(const vtkHorizonReducedMesh&) = delete;

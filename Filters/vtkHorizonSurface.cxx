@@ -14,6 +14,7 @@
 #include "Marshalling/CrackData.h"
 #include "Marshalling/CutData.h"
 #include "Marshalling/DecimationOutput.h"
+#include "Marshalling/HeightUnit.h"
 #include "Marshalling/HorizonData.h"
 #include "Marshalling/HorizonPoints.h"
 #include "Marshalling/HorizonTree.h"
@@ -25,6 +26,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -151,22 +153,25 @@ int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
 }
 
 //------------------------------------------------------------------------------
-double vtkHorizonSurface::ChooseMaximumError(vtkPolyData* horizon)
+double vtkHorizonSurface::ChooseMaximumError(vtkPolyData* horizon, vtkFieldData* figures)
 {
-  double error = 0.0;
-  this->Choose(horizon,
-    [&](const LatticePoints& points) { error = SeismicHorizons::ChooseMaximumError(points.Column, points.Height); });
-  return error;
+  HeightNoise noise;
+  this->Choose(horizon, [&](const LatticePoints& points) { noise = MeasureHeightNoise(points.Column, points.Height); });
+  if (figures)
+  {
+    WriteHeightNoise(noise, figures);
+  }
+  return noise.MaximumError();
 }
 
 //------------------------------------------------------------------------------
-SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points) const
+SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points, vtkFieldData* figures) const
 {
   SurfaceOptions options;
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindMaximumError(points.Column, points.Height, points.Lattice);
+    options.MaximumError = this->FindMaximumError(points.Column, points.Height, points.Lattice, figures);
   }
   else
   {
@@ -189,7 +194,8 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   RequireAllPoints(horizon);
   LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const input = points.Horizon;
-  SurfaceOptions options = this->MakeOptions(points);
+  vtkNew<vtkFieldData> noise;
+  SurfaceOptions options = this->MakeOptions(points, noise);
   options.Seams = this->MakeSeams();
   const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
@@ -235,4 +241,5 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     }
   }
   WriteChosen(surface.Parameters, mesh->GetFieldData());
+  mesh->GetFieldData()->PassData(noise);
 }

@@ -153,8 +153,8 @@ public:
    * after an error, for points that are not on a lattice.
    */
   int ChooseRadius(vtkPolyData* horizon);
-  /// The same for an automatic MaximumError, in lattice units.
-  double ChooseMaximumError(vtkPolyData* horizon);
+  /// The same for an automatic MaximumError, in lattice units. Figures get HeightNoise or HeightRounding.
+  double ChooseMaximumError(vtkPolyData* horizon, vtkFieldData* figures = nullptr);
 
 protected:
   vtkHorizonSurface();
@@ -166,7 +166,8 @@ private:
   vtkHorizonSurface(const vtkHorizonSurface&) = delete;
   void operator=(const vtkHorizonSurface&) = delete;
 
-  SeismicHorizons::SurfaceOptions MakeOptions(const SeismicHorizons::LatticePoints& points) const;
+  SeismicHorizons::SurfaceOptions MakeOptions(
+    const SeismicHorizons::LatticePoints& points, vtkFieldData* figures) const;
   SeismicHorizons::SeamRows MakeSeams();
   void Choose(vtkPolyData* horizon, const std::function<void(const SeismicHorizons::LatticePoints&)>& choose);
 

@@ -37,6 +37,7 @@ struct TSurf
   std::string Name;
   std::optional<std::array<double, 3>> Colour; // red, green and blue, 0 to 1
   VerticalPositive Positive = VerticalPositive::Elevation;
+  bool HasPositive = false; // the file states ZPOSITIVE
   SurveyDescription Survey;
   std::vector<TSurfProperty> Properties;
   std::vector<std::array<double, 3>> Vertices; // z increases as Positive says.

@@ -3,7 +3,12 @@
 
 #include "HeightUnit.h"
 
+#include "Common/DataModel.h"
 #include "Common/PlaneGeometry.h"
+#include "Common/VTK/DataArrays.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,5 +38,12 @@ double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<do
     return diagonal.norm();
   }
   return 1.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteHeightNoise(const HeightNoise& noise, vtkFieldData* figures)
+{
+  AddValue<vtkDoubleArray>(
+    figures, noise.IsRounding ? FieldArray::HeightRounding : FieldArray::HeightNoise, noise.Deviation);
 }
 }

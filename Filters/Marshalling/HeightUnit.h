@@ -4,10 +4,13 @@
 #ifndef SeismicHorizonsHeightUnit_h
 #define SeismicHorizonsHeightUnit_h
 
+#include "Common/HeightNoise.h"
 #include "Common/Lattice.h"
 #include "Common/Types.h"
 
 #include <vector>
+
+class vtkFieldData;
 
 namespace SeismicHorizons
 {
@@ -23,6 +26,9 @@ double WorldPerIndex(const Lattice& lattice);
 
 /// The columns and heights of all points give the diagonal.
 double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice);
+
+/// An automatic error is six times this noise, which is in vertical indices.
+void WriteHeightNoise(const HeightNoise& noise, vtkFieldData* figures);
 }
 
 #endif

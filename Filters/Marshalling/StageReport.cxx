@@ -42,7 +42,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 40> Figures = { {
+constexpr std::array<Figure, 42> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
   { FieldArray::NumberOfSpurPoints, "points on spurs" },
@@ -79,6 +79,8 @@ constexpr std::array<Figure, 40> Figures = { {
   { FieldArray::ChosenOutlineTolerance, "outline tolerance", "columns" },
   { FieldArray::ChosenDistanceThreshold, "distance threshold", "lattice units" },
   { FieldArray::ChosenMaximumError, "maximum error", Heights },
+  { FieldArray::HeightNoise, "six times the noise of", Heights },
+  { FieldArray::HeightRounding, "six times the rounding of", Heights },
   { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
   { FieldArray::ChosenCellSize, "cell size", "columns" },
   { FieldArray::ChosenFlatnessThreshold, "flatness threshold" },

@@ -265,6 +265,7 @@ TSurf TSurfBuilder::Finish(TSurfHeader header)
   this->Surface.Name = std::move(header.Name);
   this->Surface.Colour = header.Colour;
   this->Surface.Positive = this->Description.Positive;
+  this->Surface.HasPositive = this->Description.HasPositive;
   this->Surface.Survey = std::move(this->Description.Survey);
   this->Surface.Properties = std::move(this->Description.Properties);
   PlaceAtoms(this->Atoms, this->Ids, this->Surface);

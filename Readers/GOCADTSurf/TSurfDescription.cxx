@@ -121,6 +121,7 @@ void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& l
     {
       throw ErrorAt(number, "ZPOSITIVE " + Quote(Unquote(line.Rest())) + ", expected Elevation or Depth");
     }
+    this->HasPositive = true;
     this->Positive = way == "depth" ? VerticalPositive::Depth : VerticalPositive::Elevation;
   }
 }

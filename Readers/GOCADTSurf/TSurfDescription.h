@@ -32,6 +32,7 @@ class TSurfDescription
 {
 public:
   VerticalPositive Positive = VerticalPositive::Elevation;
+  bool HasPositive = false; // the file states it
   SurveyDescription Survey;
   std::vector<TSurfProperty> Properties;
   std::vector<double> Nulls; // Null value per property, or nan.

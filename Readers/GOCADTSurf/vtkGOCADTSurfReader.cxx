@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <memory>
@@ -35,6 +36,18 @@ std::vector<std::string> NamesOf(const TSurfList& list)
     }
   }
   return names;
+}
+
+/// Where z grows to, and why.
+std::string DescribeSense(const std::vector<TSurf>& surfaces)
+{
+  const auto isDown = [](const TSurf& surface) { return surface.Positive == VerticalPositive::Depth; };
+  const auto down = std::count_if(surfaces.begin(), surfaces.end(), isDown);
+  const bool isSaid = std::any_of(surfaces.begin(), surfaces.end(), [](const TSurf& s) { return s.HasPositive; });
+  const char* const way = down == 0 ? "upwards" : "downwards";
+  return std::string("z increases ") + way +
+    (down > 0 && down < std::ptrdiff_t(surfaces.size()) ? " in some surfaces" : "") +
+    (isSaid ? ", as ZPOSITIVE of the file says" : ", as nothing in the file says otherwise");
 }
 }
 
@@ -104,6 +117,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
       return LoadTSurfs(*stream, isChosen, monitor.Step(0.0, 0.9));
     });
+  this->Description = DescribeSense(surfaces);
   std::vector<vtkSmartPointer<vtkDataObject>> datasets;
   for (TSurf& surface : surfaces)
   {
@@ -119,4 +133,5 @@ void vtkGOCADTSurfReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->Files.Print(os, indent);
+  os << indent << "Description: " << this->Description << '\n';
 }

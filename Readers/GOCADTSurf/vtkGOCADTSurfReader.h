@@ -36,6 +36,7 @@
 #include "vtkSeismicHorizonsModule.h"
 
 #include <memory>
+#include <string>
 
 class VTKSEISMICHORIZONS_EXPORT vtkGOCADTSurfReader : public vtkHorizonSource
 {
@@ -58,6 +59,9 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
+  /// The direction in which z of the file increases, and the reason. Empty before the first update.
+  const char* GetDescription() { return this->Description.c_str(); }
+
 protected:
   vtkGOCADTSurfReader();
   ~vtkGOCADTSurfReader() override;
@@ -73,6 +77,7 @@ private:
   void operator=(const vtkGOCADTSurfReader&) = delete;
 
   SeismicHorizons::FileSeries Files;
+  std::string Description;
 
   struct FileList;
   std::unique_ptr<FileList> List;

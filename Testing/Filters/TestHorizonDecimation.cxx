@@ -254,10 +254,16 @@ void TestAutomaticError()
   pipeline.Mesh->SetErrorUnitToWorld(); // counts for nothing
   const double error = Figure(pipeline.Update(), "ChosenMaximumError");
   CHECK(error > 1.73 && error < 4.0);
+  const bool isRounding = pipeline.Update()->GetFieldData()->HasArray("HeightRounding");
+  CHECK(pipeline.Update()->GetFieldData()->HasArray("HeightNoise") != isRounding);
+  CHECK(std::abs(6.0 * Figure(pipeline.Update(), isRounding ? "HeightRounding" : "HeightNoise") - error) < 1e-12);
   CHECK(Figure(pipeline.Update(), "LargestError") <= error + 1e-9);
   CHECK(Figure(pipeline.Update(), "LargestError") > 0.75);
   pipeline.Mesh->SetTargetToNumberOfPoints();
-  CHECK(!pipeline.Update()->GetFieldData()->HasArray("ChosenMaximumError"));
+  for (const char* const name : { "ChosenMaximumError", "HeightNoise", "HeightRounding" })
+  {
+    CHECK(!pipeline.Update()->GetFieldData()->HasArray(name));
+  }
 }
 
 void TestPrint()

@@ -162,7 +162,8 @@ class FilesTest(unittest.TestCase):
                 self.assertLess(np.abs(z * sign - (1000 + 0.5 * (x - 431000) - 0.25 * (y - 6348000))).max(), 1e-6)
                 code, messages, told = self.run_program(*steps, path)
                 self.assertEqual((code, messages), (0, []))
-                self.assertIn("ms, growing %s" % ("down" if sign < 0 else "up"), told)
+                self.assertIn("ms, growing %s (as ZPOSITIVE of the file says); " % ("down" if sign < 0 else "up"), told)
+                self.assertRegex(told, "error [0-9.]+ ms, six times the rounding of [0-9.]+\n")
         steep = self.write("steep.ts", ["GOCAD TSurf 1", "HEADER {", "name:Fault", "}", "TFACE", "VRTX 1 0.3 0.4 0",
                                         "VRTX 2 0.35 99.4 0", "VRTX 3 0.3 50.4 90", "TRGL 1 2 3", "END"])
         code, messages, _ = self.run_program("--column-step", "10", "0", "--row-step", "0", "10", steep)

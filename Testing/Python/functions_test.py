@@ -226,6 +226,8 @@ class StagesTest(unittest.TestCase):
             errors.append(step * found.chosen_maximum_error)
             self.assertLess(found.triangle_count, 0.06 * 2 * top.GetNumberOfPoints())
             self.assertLessEqual(found.largest_error, found.chosen_maximum_error + 1e-9)
+            self.assertAlmostEqual(6.0 * found.height_noise, found.chosen_maximum_error)
+            self.assertFalse(hasattr(found, "height_rounding"))
         self.assertAlmostEqual(errors[0], errors[1], delta=1e-6)
         self.assertAlmostEqual(errors[0], 1.2, delta=0.1)
         self.assertEqual(sh.details(sh.surface(sh.horizon(dome()), 0.0)).chosen_maximum_error, 0.0)
@@ -233,6 +235,14 @@ class StagesTest(unittest.TestCase):
         base = sh.horizon(dome(200, 300) + 90.0 + 2.0 * noise, vertical_step=1.0)
         made = sh.layers({"Top": top, "Base": base})
         self.assertAlmostEqual(sh.details(made.cells).chosen_maximum_error, 2.4, delta=0.2)
+        self.assertAlmostEqual(sh.details(made.cells).height_noise, 0.4, delta=0.04)
+        for given in ({"largest_error": 1.0}, {"triangles": 500}):
+            self.assertFalse({"height_noise", "height_rounding"} & vars(sh.details(sh.surface(top, **given))).keys())
+        j, i = np.mgrid[0:30, 0:40]
+        plane = sh.details(sh.surface(sh.horizon(1000.0 + 0.1 * i + 0.2 * j, vertical_step=1.0)))
+        self.assertAlmostEqual(plane.height_rounding, 0.1 / 12.0 ** 0.5)
+        self.assertAlmostEqual(6.0 * plane.height_rounding, plane.chosen_maximum_error)
+        self.assertFalse(hasattr(plane, "height_noise"))
 
     def test_smallest_angle(self):
         """With the effort Fast, points are inserted beside slivers; the few that outlines leave are counted."""

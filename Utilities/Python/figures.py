@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 import seismichorizons
 
-from . import ledger, triangles
+from . import heights, ledger, triangles
 from .parts import SURFACE
 from .pipeline import PREPARATIONS, STAGES, chosen_parameters
 from .tables import TWO_SIDED, prepared_number
@@ -87,6 +87,7 @@ def horizon(result):
     before, after = result.number_of_points, mesh.GetNumberOfPoints()
     loops, loop_points = result.loops or (result.simplified[0], None)
     vertical = {key: (_values(data, name) or [None])[0] for name, key in VERTICAL.items()}
+    noise = dict([heights.noise_of(mesh) or (None, None)])
     return {
         "name": result.name, "points_in": before, "points_out": after, "triangles": triangles.count_surface(mesh),
         "fault_triangles": triangles.count_at_faults(mesh),
@@ -101,6 +102,7 @@ def horizon(result):
         "chosen": chosen_parameters(mesh),
         "prepared": {name: prepared_number(data, name) for name in PREPARATIONS if name in result.seconds},
         "vertical_error": None if vertical["largest"] is None else vertical,
+        "automatic_error": {"noise": noise.get("noise"), "rounding": noise.get("rounding")},
         "points_outside": _count(data, "NumberOfOutsidePoints"),
         "ledger": ledger.read(mesh),
         "error": None if result.figures is None else {unit.lower(): _errors(result.figures, row, unit)

@@ -7,7 +7,6 @@ import math
 
 from . import figures, heights, pipeline, reading
 
-ERROR_PER_NOISE = 6.0  # of an automatic error
 MOST_NAMES = 4  # of files that are written
 DIRECTION = "z increases "  # begins what a source says of the direction of z
 
@@ -18,15 +17,16 @@ class Found:
     def __init__(self):
         self._surveys = []
         self._bounds = []
-        self._errors = []  # the largest errors of meshes, in the unit of z and in vertical indices
+        self._errors = []  # automatic ones: (vertical step, error in vertical indices, that of which it is six times, its name)
 
     def add(self, horizon, mesh):
         """Adds a horizon as it was read, or the mesh of a horizon larger than memory, and its mesh."""
         self._surveys.append(figures.survey(horizon))
         self._bounds.append(horizon.GetBounds()[4:6])
-        error = pipeline.chosen_parameters(mesh).get("MaximumError")
-        if error is not None:
-            self._errors.append((error * (heights.step_of(mesh) or 1.0), error))
+        noise = heights.noise_of(mesh)
+        if noise:
+            word, deviation = noise
+            self._errors.append((heights.step_of(mesh) or 1.0, pipeline.chosen_parameters(mesh)["MaximumError"], deviation, word))
 
     def lines(self, origin, settings):
         """Returns the summary; `origin` is the result of reading.describe."""
@@ -60,19 +60,17 @@ class Found:
         steps = sorted({abs(s["lattice"]["vertical_step"]) for s in self._surveys if s["lattice"]})
         error = settings.plain_error()
         because = reason.partition(", ")[2].replace("VerticalDirection", "--vertical-direction")
-        if because.startswith("as --vertical-direction says") and "VerticalDirection" not in settings.reader:
-            because = "as the file says"  # a surface of GOCAD, whose columns were read in its direction
         words = ["z %.7g to %.7g %s, growing %s" % (least + 0.0, most + 0.0, unit, "down" if down else "up")
                  + (" (%s)" % because if because else "")]
         if steps and not is_count:
             words.append("vertical step %s" % _range(steps))
             if error is not None:
                 words.append(" ".join(["error %g = %s" % (error, _range([error * step for step in steps])), known]).strip())
-        if self._errors and settings.is_automatic():
-            errors = sorted(pair[1 if is_count else 0] for pair in self._errors)
-            words.append("%s, six times the noise of %s" % (
+        if self._errors:
+            errors, noises = (sorted(own[place] * (1.0 if is_count else own[0]) for own in self._errors) for place in (1, 2))
+            words.append("%s, six times the %s of %s" % (
                 " ".join(["error", _range(errors, 2), "vertical indices" if is_count else known]).strip(),
-                _range([error / ERROR_PER_NOISE for error in errors], 2)))
+                " or ".join(sorted({own[3] for own in self._errors})), _range(noises, 2)))
         return "; ".join(words)
 
     def _left_out(self):

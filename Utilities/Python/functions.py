@@ -227,15 +227,17 @@ class Distance(types.SimpleNamespace):
     reference, mesh : vtkPolyData
         The two surfaces, with the arrays Distance and VerticalDistance.
     largest, mean, rms, percentile_95, ... : float
-        Distances over both directions, in the requested unit.
+        Distances over both directions, in the unit.
+    unit : {"Lattice", "World"}
+        Unit of the distances.
     figures : dict of str to dict
         All figures by direction: {"both": {"largest": ...}, ...}.
     """
 
     def __repr__(self):
         unit = getattr(self.vertical, "unit", "")
-        return "Distance(vertical=%.6g%s, largest=%.6g, mean=%.6g, rms=%.6g)" % (
-            self.vertical, " " + unit if unit else "", self.largest, self.mean, self.rms)
+        return "Distance(vertical=%.6g%s, largest=%.6g, mean=%.6g, rms=%.6g, unit=%s)" % (
+            self.vertical, " " + unit if unit else "", self.largest, self.mean, self.rms, self.unit)
 
 
 def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str | None = None, **keywords: Any) -> Distance:
@@ -292,7 +294,7 @@ def distance(reference: vtkPolyData, mesh: vtkPolyData, unit: str | None = None,
     vertical = max(map(_largest_vertical, measured))
     if unit == "World" and noted:
         vertical = heights.Height.of(vertical * heights.per_index(mesh, noted) / (heights.step_of(mesh) or 1.0), noted)
-    return Distance(vertical=vertical, reference=calls.wrap(measured[0]), mesh=calls.wrap(measured[1]), figures=figures,
+    return Distance(vertical=vertical, reference=calls.wrap(measured[0]), mesh=calls.wrap(measured[1]), figures=figures, unit=unit,
                     **figures[DISTANCE_LABELS[-1]])
 
 

@@ -14,7 +14,7 @@ UNITS = {"ms": ("time", 0.001), "s": ("time", 1.0), "m": ("length", 1.0), "ft": 
 # The array of a result with the unit of the given heights, and the figures reported in it; all are stored in vertical indices.
 NOTED_UNIT = "HeightUnit"
 FIGURES = ("LargestError", "MeanError", "LargestLoopError", "OutlineHeightDeviation", "ChosenMaximumError",
-           "ChosenDistanceThreshold", "SpikeThreshold", "FaultNoise", "SmallestFaultThrow")
+           "HeightNoise", "HeightRounding", "ChosenDistanceThreshold", "SpikeThreshold", "FaultNoise", "SmallestFaultThrow")
 
 
 class Height(float):
@@ -50,6 +50,13 @@ def step_of(horizon):
     """Returns the absolute change of z per vertical index; None if unknown."""
     matrix = horizon.GetFieldData().GetArray("LatticeToWorld")
     return abs(vtk_to_numpy(matrix).ravel()[10]) or None if matrix is not None and matrix.GetNumberOfValues() == 16 else None
+
+
+def noise_of(mesh):
+    """Returns what the automatic error of a mesh is six times of, as ("noise" or "rounding", in vertical indices), or None if
+    the error was given."""
+    arrays = ((word, mesh.GetFieldData().GetArray("Height" + word.capitalize())) for word in ("noise", "rounding"))
+    return next(((word, array.GetValue(0)) for word, array in arrays if array is not None), None)
 
 
 def note_unit(data, unit):

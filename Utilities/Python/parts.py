@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes a horizon larger than memory in windows of rows that share their edge rows, and joins the meshes."""
 
+from vtkmodules.vtkCommonDataModel import vtkFieldData
+
 from . import memory
 from .stage import HorizonError, make, update
 
@@ -16,6 +18,7 @@ class Windows:
 
     def __init__(self, reader, name, budget):
         self.name = name
+        self.noise = vtkFieldData()  # what an automatic error is six times of, once it is chosen
         self._reader = reader
         row_sizes = [reader.GetNumberOfPointsInRows(name, row, row) for row in range(reader.GetNumberOfRows())]
         self.number_of_points = sum(row_sizes)
@@ -47,7 +50,8 @@ class Windows:
         radius = stage.ChooseRadius(points) if properties.get("AutomaticRadius", True) else properties["Radius"]
         if radius < 1:
             raise HorizonError("%s: no radius can be chosen, expected points on a lattice" % self.name)
-        error = {} if is_error_given else {"MaximumError": stage.ChooseMaximumError(points), "ErrorUnit": "Lattice"}
+        error = {} if is_error_given else {
+            "MaximumError": stage.ChooseMaximumError(points, self.noise), "ErrorUnit": "Lattice"}
         return {**properties, "AutomaticRadius": False, "Radius": radius, **error}
 
     def close(self):
@@ -78,4 +82,6 @@ def mesh(windows, properties, label="", warnings=None):
         join.AddInputDataObject(mesh_window(windows, number, given, label, warnings))
     windows.close()
     update(join, "%s: joining" % label, warnings)
-    return join.GetOutputDataObject(0)
+    joined = join.GetOutputDataObject(0)
+    joined.GetFieldData().PassData(windows.noise)
+    return joined

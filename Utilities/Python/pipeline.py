@@ -99,10 +99,6 @@ class Settings:
         error = self.surface and self.surface.get("MaximumError")
         return None if error is None or getattr(error, "unit", "") else error
 
-    def is_automatic(self):
-        """Whether the largest error is chosen from the noise of each horizon."""
-        return self.surface is not None and not {"MaximumError", "Target"} & self.surface.keys()
-
     def in_unit_of(self, horizon):
         """Returns the settings with heights converted to the unit of z of a horizon. Raises HorizonError."""
         return replace(self, **{name: heights.in_unit_of(getattr(self, name), horizon)
@@ -214,6 +210,7 @@ def run(source, name, points, settings, surface=None):
     """Runs all stages on the points of a horizon. If it was sampled from the triangles of a surface, errors are measured
     from those triangles. Raises HorizonError."""
     result = Result(source, name, points)
+    unit = settings.said_unit()
     try:
         settings = settings.in_unit_of(points)
     except HorizonError as error:
@@ -234,7 +231,7 @@ def run(source, name, points, settings, surface=None):
     result.loops = count_loops(result.data["boundary"])
     result.simplified = count_loops(result.data.get("simplified", result.data["mesh"]))
     if surface is not None:
-        tsurf.account(result, surface)
+        tsurf.account(result, surface, unit)
     result.warn_of_ledger()
     if settings.error is not None:
         _measure(result, settings, surface or result.data["boundary"])

@@ -116,6 +116,8 @@ def describe(source):
     reader = source.GetInputAlgorithm() if cubes.is_extraction(source) else source
     form = getattr(reader, "kind", "") or READERS[reader.GetClassName()]
     lines = reader.GetDescription().splitlines() if hasattr(reader, "GetDescription") else []
+    if hasattr(source, "surfaces"):  # whose file, and not their columns, says where z grows to
+        lines[-1:] = source.direction.splitlines()
     return {"format": form, "description": [form, *lines] if reader.GetClassName() == geotiff.SOURCE else lines,
             "horizons_in_file": source.GetNumberOfHorizons()}
 

@@ -324,6 +324,7 @@ def _horizon_facts(horizon, survey):
         *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
         ("Columns (area)", _ledger_text(horizon["ledger"])),
         ("Vertical error", horizon["vertical_error"] and _vertical_text(horizon, survey)),
+        ("Automatic error", _automatic_text(horizon)),
         ("Chosen", chosen), ("Extent", bounds and "x %.10g to %.10g, y %.10g to %.10g, z %.10g to %.10g" % tuple(bounds)),
         ("Time", seconds), ("Files", ", ".join(horizon["results"]))])
 
@@ -341,6 +342,15 @@ def _vertical_text(horizon, survey):
     text = "at most %.3g %s, %.3g on average; at outlines at most %.3g" % (largest, reported, mean, outlines)
     outside = horizon["points_outside"]
     return text + (", with %s outside" % count(outside, "point") if outside else "")
+
+
+def _automatic_text(horizon):
+    """Returns an automatic error and how it was chosen, or None."""
+    for name, deviation in horizon["automatic_error"].items():
+        if deviation is not None:
+            error, noise = (_in_unit(horizon, value) for value in (horizon["chosen"]["MaximumError"], deviation))
+            return "%.3g %s, six times the %s of %.3g" % (error, error.unit or "vertical indices", name, noise)
+    return None
 
 
 def _error_table(error, units):

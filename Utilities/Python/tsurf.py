@@ -25,7 +25,8 @@ NOTABLE_PART = 0.001  # smallest difference in area that is reported, as a fract
 
 
 def open_file(reader, path, left_out=None, origin=None, column_step=None, row_step=None):
-    """Returns the source of the horizons of a file, given its reader; its `surfaces` are the original triangles by name.
+    """Returns the source of the horizons of a file, given its reader; its `surfaces` are the original triangles by name,
+    and its `direction` says where z increases to.
     Raises HorizonError if no surface has triangles, or if a surface has two heights at one position or covers no column;
     with a list `left_out`, that message is appended to it and the other surfaces are processed."""
     update(reader, "%s: reading" % path.name)
@@ -64,13 +65,14 @@ def open_file(reader, path, left_out=None, origin=None, column_step=None, row_st
         if data.GetAbstractArray(name):
             getattr(source, "Set" + name)(data.GetAbstractArray(name).GetValue(0))
     source.surfaces = {name: mesh for name, mesh in meshes if name in found}
+    source.direction = reader.GetDescription()
     return source
 
 
-def account(result, surface):
+def account(result, surface, unit=""):
     """Measures the vertical distance between a mesh and the original triangles in both directions, which becomes its
     largest error. Warns if it exceeds the error at the columns of the lattice, if the areas differ, or if the number of
-    triangles has increased."""
+    triangles has increased. Errors in warnings have the given unit, or by default that of z."""
     mesh = result.data["mesh"]
     own, other = _corners(surface), _corners(mesh)
     if not len(other):
@@ -91,10 +93,11 @@ def account(result, surface):
         of_columns = step * max(array.GetValue(0) for array in (error, of_loops) if array is not None)
         error.SetValue(0, gap / step)
         if gap > 1.1 * of_columns + SLIVER * np.ptp(own[:, :, 2]):
-            unit = heights.unit_of(mesh)
+            unit = unit or heights.unit_of(mesh) or "in z"
+            told = [heights.per_index(mesh, unit) / step * error for error in (gap, of_columns)]
             result.warnings.append(
-                "%s: error %.4g%s at x %.10g, y %.10g of the file's triangles, and %.4g at the columns of the lattice: shorter "
-                "--column-step and --row-step come closer" % (result.name, gap, " " + unit if unit else "", *place, of_columns))
+                "%s: error %.4g %s at x %.10g, y %.10g of the file's triangles, and %.4g at the columns of the lattice: shorter "
+                "--column-step and --row-step come closer" % (result.name, told[0], unit, *place, told[1]))
     areas = [0.5 * overlay.doubled_areas(corners).sum() for corners in (own, other)]
     result.warnings += ["%s: %.2g %% of the area of the file's triangles %s" % (result.name, 100.0 * part, what)
                         for part, what in zip((np.array(areas) - shared) / areas[0], ("is left out", "is covered beyond them"))

@@ -18,8 +18,8 @@ namespace
 {
 constexpr double OfRounding = 6.0 / 3.4641016151377544; // whole heights
 
-/// The error for heights on a square of columns, `every` apart along both axes.
-double ErrorOf(const std::function<double(int, int)>& height, int side = 300, int every = 1)
+/// That of heights on a square of columns, `every` apart along both axes.
+HeightNoise NoiseOf(const std::function<double(int, int)>& height, int side = 300, int every = 1)
 {
   std::vector<PlanePoint> columns;
   std::vector<double> heights;
@@ -31,7 +31,12 @@ double ErrorOf(const std::function<double(int, int)>& height, int side = 300, in
       heights.push_back(height(x, y));
     }
   }
-  return ChooseMaximumError(columns, heights);
+  return MeasureHeightNoise(columns, heights);
+}
+
+double ErrorOf(const std::function<double(int, int)>& height, int side = 300, int every = 1)
+{
+  return NoiseOf(height, side, every).MaximumError();
 }
 
 bool IsNear(double value, double expected)
@@ -45,6 +50,7 @@ void TestNoise()
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0.0, 2.5);
   CHECK(IsNear(ErrorOf([&](int x, int y) { return 3.0 * x - 5.0 * y + noise(random); }), 15.0));
+  CHECK(!NoiseOf([&](int, int) { return noise(random); }).IsRounding);
   CHECK(IsNear(ErrorOf([&](int x, int) { return (x < 150 ? 0.0 : 400.0) + noise(random); }), 15.0));
   CHECK(IsNear(ErrorOf([&](int x, int y) { return 90.0 * std::sin(0.03 * x + 0.02 * y) + noise(random); }, 800), 15.0));
   CHECK(IsNear(ErrorOf([&](int x, int) { return 2.0 * x + noise(random); }, 300, 2), 15.0));
@@ -80,13 +86,16 @@ void TestRounding()
 void TestWithoutNoise()
 {
   CHECK(std::abs(ErrorOf([](int, int) { return 1234.5; }) - OfRounding) < 1e-12);
+  CHECK(NoiseOf([](int, int) { return 1234.5; }).IsRounding);
+  CHECK(NoiseOf([](int x, int y) { return 0.25 * x + 0.5 * y; }).IsRounding);
+  CHECK(NoiseOf([](int x, int y) { return 0.1 * x - 0.3 * y; }).IsRounding);
   const double tilted = ErrorOf([](int x, int y) { return 0.3 * x + 0.1 * y; });
   CHECK(tilted > 1e-3 && tilted <= OfRounding);
   CHECK(ErrorOf([](int x, int y) { return 40.0 * x + 70.0 * y; }) <= 1.001 * OfRounding);
   CHECK(std::abs(ErrorOf([](int, int) { return 7.0; }, 1) - OfRounding) < 1e-12);
-  CHECK(std::abs(ChooseMaximumError(std::vector<PlanePoint>{ { 0, 0 }, { 100000000, 5 } }, { 1.0, 2.0 }) - OfRounding) <
-    1e-12);
-  CHECK_EQUAL(ChooseMaximumError({}, {}), 0.0);
+  const HeightNoise apart = MeasureHeightNoise(std::vector<PlanePoint>{ { 0, 0 }, { 100000000, 5 } }, { 1.0, 2.0 });
+  CHECK(std::abs(apart.MaximumError() - OfRounding) < 1e-12);
+  CHECK_EQUAL(MeasureHeightNoise({}, {}).MaximumError(), 0.0);
 }
 }
 
