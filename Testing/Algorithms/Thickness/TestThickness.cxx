@@ -7,6 +7,8 @@
 
 #include "Tools/Check.h"
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <functional>
 #include <limits>
