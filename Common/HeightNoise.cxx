@@ -4,6 +4,7 @@
 #include "HeightNoise.h"
 
 #include "ColumnIndex.h"
+#include "Median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,9 +76,7 @@ double NoiseOf(std::vector<double> sizes)
   constexpr double deviationPerMedian = 1.4826;
   const double squares =
     std::accumulate(sizes.begin(), sizes.end(), 0.0, [](double sum, double size) { return sum + size * size; });
-  const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const double deviation = std::min(deviationPerMedian * *middle, std::sqrt(squares / double(sizes.size())));
+  const double deviation = std::min(deviationPerMedian * UpperMedian(sizes), std::sqrt(squares / double(sizes.size())));
   return deviation / std::sqrt(6.0); // Second differences have 1, -2 and 1 times the noise.
 }
 }

@@ -7,6 +7,7 @@
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
 #include "Common/Lattice.h"
+#include "Common/Median.h"
 #include "LineLattice.h"
 #include "PickDoubts.h"
 #include "ShortSteps.h"
@@ -170,8 +171,7 @@ std::size_t FindFarthest(const ColumnFinder& columns, std::size_t picks)
     std::vector<double> along;
     std::transform(indices.begin(), indices.end(), std::back_inserter(along),
       [axis](const Eigen::Vector2d& index) { return index[axis]; });
-    std::nth_element(along.begin(), along.begin() + std::ptrdiff_t(picks / 2), along.end());
-    middle[axis] = along[picks / 2];
+    middle[axis] = UpperMedian(along);
   }
   const auto distance = [&middle](const Eigen::Vector2d& index) { return (index - middle).cwiseAbs().maxCoeff(); };
   return std::size_t(std::max_element(indices.begin(), indices.end(),

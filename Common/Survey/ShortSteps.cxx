@@ -4,6 +4,7 @@
 #include "ShortSteps.h"
 
 #include "Common/Errors.h"
+#include "Common/Median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,8 +108,7 @@ public:
     {
       lengths.push_back(step.norm());
     }
-    std::nth_element(lengths.begin(), lengths.begin() + std::ptrdiff_t(lengths.size() / 2), lengths.end());
-    const double reach = FarthestNeighbour * (lengths[lengths.size() / 2] + unit);
+    const double reach = FarthestNeighbour * (UpperMedian(lengths) + unit);
     const std::size_t stride = points.size() / MostVoters + 1;
     for (std::size_t from = 0; from < points.size(); from += stride)
     {

@@ -4,6 +4,7 @@
 #include "VerticalSampling.h"
 
 #include "Common/Errors.h"
+#include "Common/Median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,9 +56,7 @@ public:
     {
       return 0.0;
     }
-    const auto middle = this->Differences.begin() + std::ptrdiff_t(this->Differences.size() / 2);
-    std::nth_element(this->Differences.begin(), middle, this->Differences.end());
-    return *middle;
+    return UpperMedian(this->Differences);
   }
 
 private:

@@ -63,7 +63,6 @@ std::string_view FirstLine(std::string_view text)
   return text.substr(0, text.find('\n'));
 }
 
-/// IRAP and RMS end a polyline with "999.0 999.0 999.0".
 bool IsEndOfPart(std::string_view line)
 {
   FieldCursor cursor(line, FieldSeparator::Blanks);
@@ -71,8 +70,7 @@ bool IsEndOfPart(std::string_view line)
   int fields = 0;
   for (double value = 0.0; cursor.Next(field); ++fields)
   {
-    constexpr double endOfPart = 999.0;
-    if (ReadNumber(field, value) != NumberKind::Finite || value != endOfPart)
+    if (ReadNumber(field, value) != NumberKind::Finite || value != EndOfPart)
     {
       return false;
     }

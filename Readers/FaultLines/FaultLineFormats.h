@@ -14,6 +14,9 @@
 
 namespace SeismicHorizons
 {
+/// IRAP and RMS end a polyline with "999.0 999.0 999.0".
+constexpr double EndOfPart = 999.0;
+
 struct NumberedLine
 {
   std::string_view Text;

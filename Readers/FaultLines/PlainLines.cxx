@@ -104,7 +104,6 @@ private:
     }
     const SpacePoint place = { ReadFinite(fields[first], line, "x"), ReadFinite(fields[first + 1], line, "y"),
       ReadFinite(fields[first + 2], line, "z") };
-    constexpr double EndOfPart = 999.0;
     if (place.X == EndOfPart && place.Y == EndOfPart && place.Z == EndOfPart)
     {
       this->EndLine();

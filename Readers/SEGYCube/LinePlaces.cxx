@@ -3,6 +3,7 @@
 
 #include "LinePlaces.h"
 
+#include "Common/Median.h"
 #include "TracePlaces.h"
 
 #include <algorithm>
@@ -22,13 +23,6 @@ constexpr double MostStrays = 0.1;
 constexpr double LeastAdvance = 0.7;
 
 using Places = std::vector<Eigen::Vector2d>;
-
-double Median(std::vector<double> values)
-{
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 class TraceLine
 {
@@ -112,7 +106,7 @@ private:
     {
       steps.push_back(this->Step(n - 1, n));
     }
-    return Median(std::move(steps));
+    return UpperMedian(steps);
   }
 
   /// Returns 1 for a straight line, and about 0.5 for random places.
@@ -124,7 +118,7 @@ private:
       const double way = this->Distance(n - 2, n - 1) + this->Distance(n - 1, n);
       parts.push_back(way > 0.0 ? this->Distance(n - 2, n) / way : 1.0);
     }
-    return Median(std::move(parts));
+    return UpperMedian(parts);
   }
 
   const Places All;

@@ -33,9 +33,6 @@ std::vector<double> Powers(FitAim aim)
   }
 }
 
-// Edges weigh less where the mean error is minimized, which counts columns alone.
-constexpr double PartOfSides = 0.1;
-
 // Errors below this fraction of the reach weigh alike, so that no weight is 0.
 constexpr double LeastError = 1e-2;
 
@@ -409,7 +406,7 @@ private:
   void AddSides(
     TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, double power, Element& element) const
   {
-    const double partOfSides = power > 2.0 ? 1.0 : PartOfSides;
+    const double partOfSides = power > 2.0 ? 1.0 : EdgeWeight;
     for (int side = 0; side < 3; ++side)
     {
       if (this->Mesh.Neighbour(triangle, side) > triangle)

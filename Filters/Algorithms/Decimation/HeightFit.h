@@ -20,6 +20,10 @@
 
 namespace SeismicHorizons
 {
+/// Edges weigh less where the mean error is minimized, which counts columns alone: at a cliff any edge is far from the
+/// lines between columns.
+constexpr double EdgeWeight = 0.1;
+
 enum class FitAim
 {
   LargestError,

@@ -62,7 +62,7 @@ struct MeshCost
     {
       return raster.IsSideWithin(from, to, this->LargestError) ? 0.0 : Infinity;
     }
-    return PartOfSides * raster.MeasureCrossings(from, to, this->Power).Sum;
+    return EdgeWeight * raster.MeasureCrossings(from, to, this->Power).Sum;
   }
 
   double OfSide(const HeightMesh& mesh, VertexId from, VertexId to) const
@@ -102,9 +102,6 @@ struct MeshCost
   /// No change makes a smaller angle in plan, unless one was smaller before.
   double SmallestSine;
   double LargestError = Infinity; // No change may exceed it.
-
-private:
-  static constexpr double PartOfSides = 0.1;
 };
 
 /// Returns 0 for a flat or clockwise triangle.

@@ -7,6 +7,7 @@
 #include "Despiking.h"
 
 #include "Common/ColumnIndex.h"
+#include "Common/Median.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 
@@ -120,9 +121,9 @@ std::vector<PointId> FindSpurs(const ColumnIndex& index, int width)
 
 double Median(std::vector<double>& values)
 {
+  const double upper = UpperMedian(values);
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
+  return values.size() % 2 == 1 ? upper : 0.5 * (upper + *std::max_element(values.begin(), middle));
 }
 
 /// Values by place pay off, as each point looks at many places; places without a point are NaN.

@@ -12,6 +12,7 @@
 
 #include "Common/Errors.h"
 #include "Common/FixedChunks.h"
+#include "Common/Median.h"
 #include "Common/Parallel.h"
 #include "Common/Parameters.h"
 #include "Common/RawVector.h"
@@ -207,13 +208,12 @@ double NoiseOfDifferences(const ColumnHeights& heights, std::vector<float> sizes
   {
     return floor;
   }
-  const auto middle = sizes.begin() + sizes.size() / 2;
-  std::nth_element(sizes.begin(), middle, sizes.end());
+  const float median = UpperMedian(sizes);
   if (heights.AreWhole())
   {
-    return std::max(floor, DeviationPerMedian * GroupedMedian(sizes, std::round(*middle)));
+    return std::max(floor, DeviationPerMedian * GroupedMedian(sizes, std::round(median)));
   }
-  const double noise = DeviationPerMedian * double(*middle);
+  const double noise = DeviationPerMedian * double(median);
   return noise >= floor ? noise : std::max(floor, DeviationPerMean * ClippedMean(sizes, 4.0 * floor));
 }
 
@@ -247,9 +247,7 @@ double MeasureRiseNoise(const RawVector<float>& rises, double noise, bool isGive
   {
     return ofWhite;
   }
-  const auto middle = sizes.begin() + sizes.size() / 2;
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(ofWhite, DeviationPerMedian * double(*middle));
+  return std::max(ofWhite, DeviationPerMedian * double(UpperMedian(sizes)));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -439,18 +437,13 @@ std::vector<GapStep> FindGapSteps(const ColumnHeights& heights, int longest, dou
   return all;
 }
 
-bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
-{
-  return a.Link < b.Link;
-}
-
 std::vector<std::int64_t> FindNear(
   const std::vector<FaultCandidate>& candidates, std::int64_t first, std::int64_t last, std::int64_t step)
 {
   std::vector<std::int64_t> near;
   for (std::int64_t link = first; link <= last; link += step)
   {
-    if (std::binary_search(candidates.begin(), candidates.end(), FaultCandidate{ link }, ByLink))
+    if (std::binary_search(candidates.begin(), candidates.end(), FaultCandidate{ link }))
     {
       near.push_back(link);
     }
@@ -499,7 +492,7 @@ std::vector<FaultCandidate> AddGaps(
   {
     candidates.push_back({ gap.Middle, float(std::abs(gap.Throw)), std::abs(gap.Throw) >= high });
   }
-  std::sort(candidates.begin(), candidates.end(), ByLink);
+  std::sort(candidates.begin(), candidates.end());
   std::vector<FaultCandidate> joints;
   for (const GapStep& gap : gaps)
   {
@@ -507,7 +500,7 @@ std::vector<FaultCandidate> AddGaps(
   }
   // A candidate has priority over a joint at the same link.
   candidates.insert(candidates.end(), joints.begin(), joints.end());
-  std::stable_sort(candidates.begin(), candidates.end(), ByLink);
+  std::stable_sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end(),
                      [](const FaultCandidate& a, const FaultCandidate& b) { return a.Link == b.Link; }),
     candidates.end());

@@ -21,6 +21,8 @@ struct FaultCandidate
   std::int64_t Link = 0;
   float Size = 0.0F; // size of the step; 0 for links that only join candidates
   bool IsStrong = false;
+
+  friend bool operator<(const FaultCandidate& a, const FaultCandidate& b) { return a.Link < b.Link; }
 };
 
 /// Edges are candidates, vertices the corners that their cuts connect.

@@ -424,11 +424,6 @@ void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::
 //----------------------------------------------------------------------------------------------------------------------
 // 4. Lines.
 
-bool ByLink(const FaultCandidate& a, const FaultCandidate& b)
-{
-  return a.Link < b.Link;
-}
-
 bool IsSameLink(const FaultCandidate& a, const FaultCandidate& b)
 {
   return a.Link == b.Link;
@@ -648,14 +643,14 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                      [&beside](const FaultCandidate& candidate)
                      {
-                       const auto place = std::lower_bound(beside.begin(), beside.end(), candidate, ByLink);
+                       const auto place = std::lower_bound(beside.begin(), beside.end(), candidate);
                        return place != beside.end() && place->Link == candidate.Link && candidate.Size < place->Size;
                      }),
     candidates.end());
   // Candidates have priority over ramps at the same link.
   const std::vector<FaultCandidate> added = ramps.Candidates();
   candidates.insert(candidates.end(), added.begin(), added.end());
-  std::stable_sort(candidates.begin(), candidates.end(), ByLink);
+  std::stable_sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end(), IsSameLink), candidates.end());
   throws = ramps.Throws();
   return candidates;

@@ -646,8 +646,6 @@ private:
   /// The twist averages four blocks, so that the energy stays a sum of squares.
   static void AddShear(SiteSystem<2>& plate, std::int64_t place, double x, double y, double shear)
   {
-    static constexpr std::array<PlateTerm, 3> alongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
-    static constexpr std::array<PlateTerm, 3> alongY = { { { 0, -1, 1.0 }, { 0, 0, -2.0 }, { 0, 1, 1.0 } } };
     static constexpr std::array<PlateTerm, 4> twist = { { { 1, 1, 0.25 }, { -1, 1, -0.25 }, { 1, -1, -0.25 },
       { -1, -1, 0.25 } } };
     for (int n = 0; n < 9; ++n)
@@ -657,9 +655,9 @@ private:
         return;
       }
     }
-    AddProduct(plate, place, alongX, twist, 4.0 * x * shear);
-    AddProduct(plate, place, alongY, twist, 4.0 * y * shear);
-    AddProduct(plate, place, alongX, alongY, 2.0 * shear * shear);
+    AddProduct(plate, place, PlateAlongX, twist, 4.0 * x * shear);
+    AddProduct(plate, place, PlateAlongY, twist, 4.0 * y * shear);
+    AddProduct(plate, place, PlateAlongX, PlateAlongY, 2.0 * shear * shear);
   }
 
   /// Springs act on bilinear values. Returns the right side.

@@ -22,13 +22,15 @@ struct PlateTerm
   double Coefficient;
 };
 
+/// Second differences along the axes.
+inline constexpr std::array<PlateTerm, 3> PlateAlongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
+inline constexpr std::array<PlateTerm, 3> PlateAlongY = { { { 0, -1, 1.0 }, { 0, 0, -2.0 }, { 0, 1, 1.0 } } };
+
 /// All places of a stencil must satisfy isIn(place); lines must be linked, and blocks of four whole.
 template <typename IsIn, typename IsLinked, typename IsWholeBlock, typename Visitor>
 void ForEachPlateStencil(
   const BoxPlaces& near, IsIn&& isIn, IsLinked&& isLinked, IsWholeBlock&& isWholeBlock, Visitor&& visit)
 {
-  static constexpr std::array<PlateTerm, 3> alongX = { { { -1, 0, 1.0 }, { 0, 0, -2.0 }, { 1, 0, 1.0 } } };
-  static constexpr std::array<PlateTerm, 3> alongY = { { { 0, -1, 1.0 }, { 0, 0, -2.0 }, { 0, 1, 1.0 } } };
   static constexpr std::array<PlateTerm, 4> twist = { { { 0, 0, 1.0 }, { 1, 0, -1.0 }, { 0, 1, -1.0 },
     { 1, 1, 1.0 } } };
   const auto isLine = [&](std::int64_t before, std::int64_t place, std::int64_t beyond)
@@ -42,11 +44,11 @@ void ForEachPlateStencil(
     const std::int64_t above = near.Above(place);
     if (isLine(place - 1, place, place + 1))
     {
-      visit(place, alongX, 1.0);
+      visit(place, PlateAlongX, 1.0);
     }
     if (isLine(near.Below(place), place, above))
     {
-      visit(place, alongY, 1.0);
+      visit(place, PlateAlongY, 1.0);
     }
     if (isIn(place + 1) && isIn(above) && isIn(above + 1) && isWholeBlock(place))
     {
