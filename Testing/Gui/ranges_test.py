@@ -4,7 +4,7 @@
 all of its choices, and back, with Apply each time. Nothing is wrong on the way but what is told with what was expected, and
 at the end all is as it was.
 
-Arguments: ParaView, the source tree, and a folder.
+Arguments: ParaView, the folder of the panels as built, and a folder.
 """
 
 import json
@@ -29,9 +29,9 @@ READER = "VerneySparseMatrixReader"
 BEYOND = 10  # how far a number is moved whose range has no end
 
 
-def load_properties(tree):
+def load_properties(panels):
     """The properties of each proxy."""
-    proxies = {proxy.get("name"): proxy for file in sorted((tree / "ParaViewPlugin").glob("*.xml"))
+    proxies = {proxy.get("name"): proxy for file in sorted(panels.glob("*.xml"))
                for proxy in ElementTree.parse(file).iter("SourceProxy")}
     return {name: [element for element in proxy if element.tag in ("IntVectorProperty", "DoubleVectorProperty")]
             for name, proxy in proxies.items()}
@@ -79,8 +79,8 @@ def wrong_lines(log):
 
 
 def main():
-    paraview, tree, folder = sys.argv[1:4]
-    properties = load_properties(pathlib.Path(tree))
+    paraview, panels, folder = sys.argv[1:4]
+    properties = load_properties(pathlib.Path(panels))
     folder = window.new_folder(folder)
     for number, stages in enumerate(CHAINS):
         work = window.new_folder(folder / str(number))

@@ -10,9 +10,11 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 TREE = pathlib.Path(sys.argv[1])
-FILES = sorted((TREE / "ParaViewPlugin").glob("*.xml"))
-PROXIES = {proxy.get("name"): proxy for file in FILES for kind in ("SourceProxy", "WriterProxy")
-           for proxy in ElementTree.parse(file).iter(kind)}
+sys.path.insert(0, str(TREE / "Utilities" / "CMake"))
+
+import property_texts  # noqa: E402
+
+PROXIES = {name: proxy.element for name, proxy in property_texts.Texts(TREE).proxies.items()}
 
 
 def lineage(proxy):
@@ -54,28 +56,6 @@ class PanelTest(unittest.TestCase):
             self.assertEqual(sorted(sections), sorted(shown), name)
             labels = [group.get("label") for group in groups(proxy)]
             self.assertTrue(all(labels) and len(set(labels)) == len(labels), (name, labels))
-
-    def test_results_are_shown_once(self):
-        for name, proxy in PROXIES.items():
-            told = [prop.get("name") for prop in properties(proxy)
-                    if is_shown(prop) and prop.get("information_only") == "1"]
-            if "Results" in told:
-                self.assertEqual(told, ["Results"], name)
-
-    def test_choices_are_words_switches_or_ranges(self):
-        for name, proxy in PROXIES.items():
-            for prop in properties(proxy):
-                if is_shown(prop) and prop.tag in ("IntVectorProperty", "DoubleVectorProperty") \
-                        and prop.get("information_only") != "1":
-                    domains = [element.tag for element in prop if element.tag.endswith("Domain")]
-                    self.assertEqual(len(domains), 1, (name, prop.get("name")))
-
-    def test_lists_of_horizons_have_sizes(self):
-        for name, proxy in PROXIES.items():
-            names = [prop.get("name") for prop in properties(proxy)]
-            for entry in (hint for prop in properties(proxy) for hint in prop.iter("HorizonList")):
-                self.assertIn(entry.get("sizes"), names, name)
-            self.assertEqual("HorizonStatus" in names, any(True for p in properties(proxy) for _ in p.iter("HorizonList")))
 
     def test_first_sights_name_arrays_and_colours(self):
         arrays = set(re.findall(r'= "(\w+)"', (TREE / "Common" / "DataModel.h").read_text(encoding="utf-8")))

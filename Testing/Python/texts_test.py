@@ -56,37 +56,59 @@ public:
   vtkHorizonFlagMacro(On);
 
   /// How many there were.
-  int GetCount();
+  vtkGetMacro(Count, vtkIdType);
 
 protected:
 """
 XML = """<ServerManagerConfiguration><ProxyGroup name="filters">
 <SourceProxy name="One" class="vtkOne" label="Number One"><Documentation long_help="Long."/>
-<InputProperty name="Input" command="SetInputConnection"><Documentation>The points.</Documentation></InputProperty>
-<DoubleVectorProperty name="RowWidth" command="SetRowWidth" default_values="4.5"/>
-<IntVectorProperty name="Kind" command="SetKind"><EnumerationDomain name="enum">
-<Entry text="By Row" value="0"/><Entry text="Column 2" value="1"/></EnumerationDomain></IntVectorProperty>
-<IntVectorProperty name="On" command="SetOn"><BooleanDomain name="bool"/></IntVectorProperty>
-<IntVectorProperty name="Count" command="GetCount" information_only="1"/>
+<Input types="vtkTable" single="1">The points.</Input>
+<PropertyGroup label="All">
+<Property name="RowWidth" max="20" special="none"/>
+<Property name="Kind" visible_if="On=on" entries="ByRow: By Rows"/>
+<Property name="On" panel_visibility="advanced"/>
+</PropertyGroup>
+<Property name="Count" label="Rows"/>
 </SourceProxy>
 <SourceProxy name="Two" class="vtkTwo" label="Number Two"><Documentation long_help="Long."/>
-<DoubleVectorProperty name="RowWidth" command="SetRowWidth" label="Width" default_values="2"/>
+<Property name="RowWidth" label="Width"/>
 </SourceProxy>
 <SourceProxy name="Three" class="vtkThree" label="Number Three" base_proxygroup="horizon_bases" base_proxyname="Base">
 <Documentation long_help="Long."/>
+<Property name="Kind"/>
 <IntVectorProperty name="On" command="SetOn"><BooleanDomain name="bool"/></IntVectorProperty>
 </SourceProxy></ProxyGroup></ServerManagerConfiguration>
 """
 BASES = """<ServerManagerConfiguration><ProxyGroup name="horizon_bases"><SourceProxy name="Base">
-<DoubleVectorProperty name="RowWidth" command="SetRowWidth" default_values="4.5"/>
+<Property name="RowWidth"/>
 </SourceProxy></ProxyGroup></ServerManagerConfiguration>
 """
+ELEMENTS = """<SourceProxy>
+<InputProperty name="Input" command="SetInputConnection">
+<ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
+<DataTypeDomain name="input_type"><DataType value="vtkTable"/></DataTypeDomain></InputProperty>
+<DoubleVectorProperty name="RowWidth" command="SetRowWidth" number_of_elements="1" default_values="4.5">
+<DoubleRangeDomain name="range" min="0.5" max="20"/>
+<Hints><PropertyWidgetDecorator type="HorizonSpecialValue" text="none" value="4.5"/></Hints></DoubleVectorProperty>
+<IntVectorProperty name="Kind" command="SetKind" number_of_elements="1" default_values="0">
+<EnumerationDomain name="enum"><Entry text="By Rows" value="0"/><Entry text="Column 2" value="1"/></EnumerationDomain>
+<Hints><PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="On" value="1"/></Hints></IntVectorProperty>
+<IntVectorProperty name="On" command="SetOn" number_of_elements="1" default_values="0" panel_visibility="advanced">
+<BooleanDomain name="bool"/></IntVectorProperty>
+<IntVectorProperty name="Count" command="GetCount" number_of_elements="1" information_only="1" default_values="0"
+panel_visibility="never" label="Rows"/>
+<PropertyGroup label="All"><Property name="RowWidth"/><Property name="Kind"/><Property name="On"/></PropertyGroup></SourceProxy>"""
 PAGE = "# A page\n\n| Property | Default | Range | Unit | Meaning |\n| --- | --- | --- | --- | --- |\n| old |\n\nMore.\n"
 ROWS = """| RowWidth | 4.5 | 0.5 to 1e3 | `WidthUnit` | How far, in the array `RowCount`. |
-| Kind | ByRow | ByRow (0, "By Row"), Column2 (1, "Column 2") | - | What is done with `RowWidth`, as in [Number Two](Two.md). ByRow: rows. \
+| Kind | ByRow | ByRow (0, "By Rows"), Column2 (1, "Column 2") | - | What is done with `RowWidth`, as in [Number Two](Two.md). ByRow: rows. \
 Column2: columns. See [Some kinds](#some-kinds). |
 | On | off | off, on | - | Whether it is on. See [Some kinds](Two.md#some-kinds). |
 """
+
+
+def outline(element):
+    """What an element is, without its help."""
+    return element.tag, element.attrib, [outline(child) for child in element if child.tag != "Documentation"]
 
 
 class TextsTest(unittest.TestCase):
@@ -101,7 +123,8 @@ class TextsTest(unittest.TestCase):
             self.write(name, text)
         self.program = FOLDER / "Utilities" / "CMake" / PROGRAM.name
         self.program.parent.mkdir(parents=True)
-        shutil.copy(PROGRAM, self.program)
+        for name in (PROGRAM.name, "property_panels.py"):
+            shutil.copy(PROGRAM.parent / name, self.program.parent)
 
     def write(self, name, text):
         path = FOLDER / name
@@ -121,10 +144,24 @@ class TextsTest(unittest.TestCase):
         self.assertEqual(self.panel()["One"], {
             "Input": "The points.",
             "RowWidth": "How far, in the array RowCount. Unit: WidthUnit. Range: 0.5 to 1e3. Default: 4.5.",
-            "Kind": "What is done with Row Width, as in Number Two. By Row: rows. Column 2: columns. Default: By Row.",
+            "Kind": "What is done with Row Width, as in Number Two. By Rows: rows. Column 2: columns. Default: By Rows.",
             "On": "Whether it is on. Default: off.",
             "Count": "How many there were."})
         self.assertIn("Default: 2.", self.panel()["Two"]["RowWidth"])
+
+    def test_a_name_becomes_an_element(self):
+        self.panel()
+        one = next(ElementTree.parse(FOLDER / "made" / "Both.xml").iter("SourceProxy"))
+        self.assertEqual(outline(one)[2], outline(ElementTree.fromstring(ELEMENTS))[2])
+
+    def test_what_the_class_does_not_have_is_an_error(self):
+        for name, other, message in (
+                ('"RowWidth" max', '"RowWidths" max', "One: RowWidths is no property of its class"),
+                ("On=on", "On=yes", "One: On=yes, expected a choice or a switch of the class"),
+                ("ByRow: By", "ByRows: By", "One: Kind has no choices ByRows"),
+                ('<Property name="On" panel_visibility="advanced"/>', "", "One: no property for SetOn of vtkOne")):
+            self.write("ParaViewPlugin/Both.xml", XML.replace(name, other))
+            self.assertIn(message, self.run_program("panel", FOLDER / "made").stderr)
 
     def test_the_brief_is_the_short_help(self):
         self.panel()
@@ -150,7 +187,7 @@ class TextsTest(unittest.TestCase):
         text = (FOLDER / "Documentation" / "Three.md").read_text(encoding="utf-8")
         self.assertIn("\n| On | off |", text)
         self.assertNotIn("| RowWidth |", text)
-        self.assertEqual(set(self.panel()["Three"]), {"On"})
+        self.assertEqual(set(self.panel()["Three"]), {"Kind", "On"})
 
     def test_a_page_without_a_link_to_the_base_is_an_error(self):
         self.write("Documentation/Three.md", PAGE)
@@ -160,6 +197,7 @@ class TextsTest(unittest.TestCase):
         base = BASE.replace(" *\n */", " *\n * Of rows. Its properties are on\n * Two.md.\n */")
         self.write("Filters/vtkBase.h", base.replace("4.5 in vtkOne, 2 in vtkTwo", "4.5"))
         self.write("Filters/vtkTwo.h", ONE.replace("vtkOne", "vtkTwo"))
+        self.write("ParaViewPlugin/Both.xml", XML.replace('"Width"/>', '"Width"/><Property name="Kind"/><Property name="On"/>'))
         self.write("Documentation/Bases.md", "# A page\n\nAll are in [Two](Two.md#properties).\n")
         self.assertIn("One.md: no link to Two.md, expected one", self.run_program("pages").stderr)
         self.write("Documentation/One.md", PAGE.replace("More", "More in [Two](Two.md#properties)"))
@@ -176,11 +214,10 @@ class TextsTest(unittest.TestCase):
 
     def test_a_setter_without_a_comment_is_an_error(self):
         self.write("Filters/vtkOne.h", ONE.replace("  /// Whether it is on.", "  // Whether it is on."))
-        self.assertIn("One: On has no text, expected a comment of SetOn in vtkOne.h", self.run_program("panel", FOLDER).stderr)
+        self.assertIn("One: On has no default, expected a comment of its setter that ends with one", self.run_program("panel", FOLDER).stderr)
 
     def test_two_texts_are_an_error(self):
-        self.write("ParaViewPlugin/Both.xml", XML.replace('default_values="4.5"/>', "><Documentation>Another.</Documentation>"
-                                                          "</DoubleVectorProperty>"))
+        self.write("ParaViewPlugin/Both.xml", XML.replace('special="none"/>', "><Documentation>Another.</Documentation></Property>"))
         self.assertIn("One: RowWidth has a text in its XML file and one in C++", self.run_program("pages").stderr)
 
 

@@ -37,6 +37,8 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
+from property_panels import Expander, read_methods, with_blanks
+
 TREE = pathlib.Path(__file__).resolve().parents[2]
 COLUMNS = ("Property", "Default", "Range", "Unit", "Meaning")
 NAME = r"(?<!array )(?<!field data )\b[A-Z]\w*\b"
@@ -45,7 +47,8 @@ FIRST = "ByContent"  # prefix of the copy of a reader proxy
 SEE = r'See "([^"]+)" in (\w+\.md)\.'
 
 Text = collections.namedtuple("Text", "meaning unit range default")
-Header = collections.namedtuple("Header", "base brief page texts values")
+Header = collections.namedtuple("Header", "base brief page texts values methods")
+Facts = collections.namedtuple("Facts", "texts values methods")
 
 
 def split_facts(paragraph):
@@ -57,6 +60,13 @@ def split_facts(paragraph):
         if found:
             text, facts[name] = found.groups()
     return Text(text, facts.get("unit"), facts.get("range"), facts.get("default"))
+
+
+def text_of(class_name, paragraph):
+    """A text with the default of a class."""
+    text = split_facts(paragraph)
+    own_default = re.search(r"(\S+) in %s\b" % class_name, text.default or "")
+    return text._replace(default=own_default.group(1)) if own_default else text
 
 
 def read_header(path):
@@ -79,7 +89,7 @@ def read_header(path):
     for name, names in re.findall(r"vtkHorizonChoice\dMacro\((\w+),\s+\w+,\s+(.*?)\)", text, re.S):
         values[name] = [(value, str(number)) for number, value in enumerate(re.split(r",\s+", names))]
     return Header(base and base.group(1), brief and " ".join(brief.group(1).replace("\n *", " ").split()),
-                  page and page.group(1), texts, values)
+                  page and page.group(1), texts, values, read_methods(text))
 
 
 class Proxy:
@@ -112,7 +122,7 @@ def first_asked(element):
 
 def label_of(prop):
     """Returns the label of a property in the panel; ParaView inserts blanks into the name."""
-    return prop.get("label") or re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", prop.get("name"))
+    return prop.get("label") or with_blanks(prop.get("name"))
 
 
 class Texts:
@@ -130,13 +140,28 @@ class Texts:
             self.files[path.name] = document
             for kind in ("SourceProxy", "WriterProxy"):
                 for element in document.iter(kind):
+                    Expander(element, self.facts(element.get("class") or "vtk" + element.get("name"))).expand()
                     self.proxies[element.get("name")] = Proxy(element, self.proxies, path.stem)
+        for proxy in self.proxies.values():
+            reached = {prop.get("command") for prop in proxy.properties}
+            left = [name for name in self.facts(proxy.class_name).methods if name.startswith("Set") and name not in reached]
+            if left and not proxy.is_base:
+                sys.exit("%s: no property for %s of %s" % (proxy.name, ", ".join(left), proxy.class_name))
         self.of_class = {proxy.class_name: proxy for proxy in self.proxies.values() if not proxy.is_base}
 
     def lineage(self, class_name):
         while class_name in self.headers:
             yield self.headers[class_name]
             class_name = self.headers[class_name].base
+
+    def facts(self, class_name):
+        """What the headers of a class and its bases state; an own statement goes before that of a base."""
+        facts = Facts({}, {}, {})
+        for header in reversed([*self.lineage(class_name)]):
+            texts = {name: text_of(class_name, paragraph) for name, paragraph in header.texts.items()}
+            for known, own in zip(facts, (texts, header.values, header.methods)):
+                known.update(own)
+        return facts
 
     def header_of(self, proxy, prop):
         """Returns the header with the text of a property; None if it has none."""
@@ -156,9 +181,7 @@ class Texts:
         if header:
             if own is not None:
                 sys.exit("%s: %s has a text in its XML file and one in C++" % (proxy.name, prop.get("name")))
-            text = split_facts(header.texts[prop.get("command")])
-            own_default = re.search(r"(\S+) in %s\b" % proxy.class_name, text.default or "")
-            return text._replace(default=own_default.group(1)) if own_default else text
+            return text_of(proxy.class_name, header.texts[prop.get("command")])
         return split_facts(own.text) if own is not None and own.text else None
 
     def values(self, proxy, prop):
