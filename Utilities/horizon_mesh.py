@@ -272,10 +272,10 @@ def _add_mesh_options(group):
     group.add_argument("--radius", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="K", help="longest step of an "
                        "outline between two points, in columns; narrower breaks are bridged (default: from the points; 1 with "
                        "--stages)")
-    group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=GROWTH_STRATEGIES[1], help="how an outline "
-                       "with a radius above 1 grows")
-    group.add_argument("--minimum-patch-size", type=_number_at_least(int, 1), default=1, metavar="N", help="leave out patches "
-                       "with fewer points")
+    group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=NOT_GIVEN, help="how an outline "
+                       "with a radius above 1 grows (default: Clockwise)")
+    group.add_argument("--minimum-patch-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="leave out "
+                       "patches with fewer points (default: 1)")
     group.add_argument("--smallest-hole-size", type=_number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="close "
                        "holes of fewer columns (default: automatic; 1 with --stages)")
     group.add_argument("--outline-tolerance", type=_number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
@@ -323,10 +323,10 @@ def _add_error_options(group):
     group.add_argument("--measure-error", action="store_true", help="measure the distance of each mesh from the full horizon "
                        "in both directions: fields of the table (lattice units), arrays of the meshes, and a .csv file for "
                        "each input")
-    group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=DISTANCE_UNITS[0], help="unit of the arrays; the "
-                       ".csv file has both")
-    group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=2.0, metavar="N", help="number of "
-                       "samples on each surface per point of the horizon")
+    group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=NOT_GIVEN, help="unit of the arrays; the "
+                       ".csv file has both (default: Lattice)")
+    group.add_argument("--samples-per-point", type=_number_at_least(float, 0.01), default=NOT_GIVEN, metavar="N", help="number of "
+                       "samples on each surface per point of the horizon (default: 2)")
 
 
 def tell(kind, text):

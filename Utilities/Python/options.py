@@ -3,20 +3,17 @@
 """Converts the options of horizon_mesh.py to properties of the reader and of each stage."""
 
 from . import wording
+from .calls import snake
 from .pipeline import CHOSEN, Settings, fault_settings, surface_properties
 
-# Properties of readers by the names of their options.
-OF_READERS = {
-    "VerticalDirection": "vertical_direction", "VerticalStep": "vertical_step", "VerticalUnit": "vertical_unit", "CoordinateSystem": "coordinate_system",
-    "ZFrom": "z_from", "DuplicatePolicy": "duplicate_policy", "Columns": "columns", "NullValues": "null_values",
-    "HeaderLines": "header_lines", "StrayPicks": "stray_picks", "LatticeTolerance": "lattice_tolerance", "Origin": "origin",
-    "ColumnStep": "column_step", "RowStep": "row_step", "LargestNumber": "surfaces", "SmallestSize": "smallest_surface",
-    "InlineRange": "inlines", "CrosslineRange": "crosslines", "Polarity": "polarity", "Joining": "joining",
-    "AmplitudePercentile": "amplitude_percentile", "Picks": "picks", "Limits": "limits", "LimitSide": "limit_side",
-    "Gridding": "gridding", "GriddingRadius": "gridding_radius",
-    "GriddingSmoothing": "gridding_smoothing"}
+# Properties of readers that are options of the same name, and those of another one.
+SAME = (
+    "VerticalDirection", "VerticalStep", "VerticalUnit", "CoordinateSystem", "ZFrom", "DuplicatePolicy", "Columns", "NullValues",
+    "HeaderLines", "StrayPicks", "LatticeTolerance", "Origin", "ColumnStep", "RowStep", "Polarity", "Joining",
+    "AmplitudePercentile", "Picks", "Limits", "LimitSide", "Gridding", "GriddingRadius", "GriddingSmoothing")
+RENAMED = {"LargestNumber": "surfaces", "SmallestSize": "smallest_surface", "InlineRange": "inlines", "CrosslineRange": "crosslines"}
 # What messages of classes name, in the words of the command.
-NAMES = {**{name: "--" + option.replace("_", "-") for name, option in OF_READERS.items()},
+NAMES = {**{name: "--" + option.replace("_", "-") for name, option in {**{name: snake(name) for name in SAME}, **RENAMED}.items()},
          "LatticeSource OriginAndSteps": "--origin, --column-step and --row-step", "LatticeSource CornerPoints": "--corners",
          "Order AsGiven": "--order AsGiven", "MinimumPatchSize": "--minimum-patch-size"}
 CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
@@ -27,9 +24,10 @@ def with_options(text):
     return wording.rename(text, NAMES, wording.as_option)
 
 
-def given(options, **names):
+def given(options, *same, **renamed):
     """The values of options that were given, by the names of their properties; all others have the defaults of their
     classes."""
+    names = {**{name: snake(name) for name in same}, **renamed}
     return {key: getattr(options, name) for key, name in names.items() if hasattr(options, name)}
 
 
@@ -38,7 +36,7 @@ def _unit(height):
 
 
 def _reader(options):
-    properties = given(options, **OF_READERS)
+    properties = given(options, *SAME, **RENAMED)
     if hasattr(options, "corners"):
         corners = options.corners
         properties.update(LatticeSource="CornerPoints",
@@ -65,7 +63,7 @@ def _layers(options):
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
     error = given(options, MaximumError="largest_error")
     unit = {"HeightUnit": "World"} if getattr(error.get("MaximumError"), "unit", "") else {}
-    return {**error, **unit, **crossings, **given(options, Order="order", Missing="missing")}
+    return {**error, **unit, **crossings, **given(options, "Order", "Missing")}
 
 
 def make_settings(options):
@@ -82,23 +80,19 @@ def make_settings(options):
     settings.torn, settings.fault_lines = fault_settings(
         None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
-    settings.boundary = {
-        "GrowthStrategy": options.growth_strategy, "MinimumPatchSize": options.minimum_patch_size,
-        **given(options, Radius="radius", SmallestHoleSize="smallest_hole_size", HoleBoundaries="hole_boundaries")}
+    settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "HoleBoundaries")
     settings.simplified = {
         **({"Method": "FewestPoints"} if hasattr(options, "fewest_outline_points") else {}),
-        **given(options, BoundDeviation="bound_deviation", OutlineTolerance="outline_tolerance",
-                 DistanceThreshold="distance_threshold")}
-    settings.rough = None if hasattr(options, "skip_rough") else given(
-        options, CellSize="cell_size", Representative="representative")
+        **given(options, "BoundDeviation", "OutlineTolerance", "DistanceThreshold")}
+    settings.rough = None if hasattr(options, "skip_rough") else given(options, "CellSize", "Representative")
     settings.elaborate = None if not hasattr(options, "elaborate") else given(
-        options, CellSize="elaborate_cell_size", FlatnessThreshold="flatness_threshold", Representative="representative")
+        options, "FlatnessThreshold", "Representative", CellSize="elaborate_cell_size")
     settings.surface = _surface(options, settings.boundary, settings.simplified)
     if hasattr(options, "layers"):
         settings.layers = _layers(options)
     if options.close_faults:
         (settings.mesh if settings.surface is None else settings.surface)["CloseFaults"] = True
     settings.error_if_whole = hasattr(options, "report") and not options.measure_error
-    settings.error = None if not options.measure_error and not settings.error_if_whole else {
-        "DistanceUnit": options.distance_unit, "SamplesPerPoint": options.samples_per_point}
+    settings.error = None if not options.measure_error and not settings.error_if_whole else given(
+        options, "DistanceUnit", "SamplesPerPoint")
     return settings
