@@ -1,24 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The elements of ParaView for properties that an XML file of the plugin only names.
+"""Expands the properties that an XML file of the plugin names into elements of ParaView.
 
-`<Property name="Threshold"/>` in a PropertyGroup, or in a proxy where no group has it, becomes an element with the command,
-the number of elements, the default and the domain that the header of the class states. What is for the panel alone are
-attributes:
+`<Property name="Threshold"/>` in a PropertyGroup, or in a proxy outside of groups, becomes an element with the command, the
+number of elements, the default and the domain that the header of the class states. Attributes describe the panel:
 
     label, panel_visibility, ...  as in ParaView
-    min, max            the ends of the slider, where they differ from the range; empty: none
+    min, max            ends of the slider that differ from the range; an empty text removes one
     special             the text of a switch that sets the default, or special_value ("0"), in place of a number
     placeholder         the text of an empty field
-    components          the names of the numbers of one property
-    visible_if          "Method=Plate": shown for this choice, "HoleBoundaries=on" for this switch, "Target!=LargestError" for all
-                        others, "Gridding=Plate|Nearest" for two, "A=on and B=off" for both
-    enabled_if          likewise, but shown in grey otherwise
-    entries             "ZeroCrossing: Crossing; IBMFloat: IBM Float": choices with other names than in C++ with blanks
+    components          labels of the numbers of one property
+    visible_if          when it is shown: "Method=Plate" for a choice, "HoleBoundaries=on" for a switch, "Target!=LargestError"
+                        for other choices, "Gridding=Plate|Nearest" for two choices, "A=on and B=off" for both conditions
+    enabled_if          the same conditions; it is shown in grey otherwise
+    entries             "IbmFloat: IBM Float; IeeeFloat: IEEE Float": labels of choices that differ from their names
 
-A getter without a setter is information: a text is a box of the panel, a number is not in it. FileName and HorizonStatus bring along
-what ParaView needs for files in a series and for lists of horizons. `<Input name="Other" ...>its text</Input>` is an input of
-types="vtkPolyData vtkUnstructuredGrid"; single="1": not of several blocks, several="1": of several connections, optional="1".
+A getter without a setter is information: a text is a box of the panel, a number is not shown. FileName and HorizonStatus
+add the properties that ParaView needs for series of files and lists of horizons. `<Input name="Other">Its text.</Input>` is
+an input of types="vtkPolyData vtkUnstructuredGrid", which may be composite unless single="1". several="1" takes several
+connections; optional="1" needs none.
 """
 
 import re
@@ -26,7 +26,8 @@ import xml.etree.ElementTree as ElementTree
 
 ELEMENTS = {"bool": "Int", "int": "Int", "vtkIdType": "Int", "vtkTypeBool": "Int", "double": "Double", "text": "String"}
 SWITCHES = ("bool", "vtkTypeBool")
-FOR_PANEL = {"name", "min", "max", "special", "special_value", "placeholder", "components", "visible_if", "enabled_if", "entries", "header"}
+FOR_PANEL = {"name", "min", "max", "special", "special_value", "placeholder", "components", "visible_if", "enabled_if",
+             "entries", "header"}
 FILES = """
 <Parts>
   <StringVectorProperty name="FileName" command="AddFileName" clean_command="ClearFileNames" repeat_command="1" animateable="0"
@@ -67,7 +68,8 @@ def in_paraview(entry):
 def read_methods(lines):
     """Setters and getters among the lines of a class, with the type and the number of their values."""
     methods = {}
-    for access, kind, name, of, length in re.findall(r"^  vtk(Set|Get|Horizon)(\w*?)Macro\((\w+)(?:, (\w+))?(?:, (\d))?", lines, re.M):
+    macro = r"^  vtk(Set|Get|Horizon)(\w*?)Macro\((\w+)(?:, (\w+))?(?:, (\d))?"
+    for access, kind, name, of, length in re.findall(macro, lines, re.M):
         of = "text" if kind in ("String", "FilePath", "Text") else "bool" if kind == "Flag" else "int" if "Choice" in kind else of
         for method in ("Set", "Get") if access == "Horizon" else (access,):
             methods[method + name] = (of, length if kind == "Vector" else "1")
