@@ -36,6 +36,7 @@ auto PrefixErrors(const std::string& name, Work&& work)
 class Aborted : public std::exception
 {
 public:
+  /// Says that work was stopped.
   const char* what() const noexcept override { return "stopped on request"; }
 };
 }

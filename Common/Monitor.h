@@ -15,9 +15,12 @@ namespace SeismicHorizons
 class Monitor
 {
 public:
+  /// Takes the progress, from 0 to 1; returns false to stop the work.
   using Callback = std::function<bool(double)>;
 
+  /// Ignores progress.
   Monitor() = default;
+  /// Reports to a callback.
   explicit Monitor(Callback callback)
     : Report(std::move(callback))
   {

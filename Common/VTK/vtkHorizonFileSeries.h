@@ -28,11 +28,13 @@ public:
   /// Replaces all names; null clears the list. Returns true if the list changes.
   bool SetName(const char* name);
 
+  /// Appends a name.
   void AddName(const char* name);
 
   /// Returns true if the list changes.
   bool Clear();
 
+  /// Returns the number of files.
   int GetSize() const { return static_cast<int>(this->Names.size()); }
 
   /// Returns null for an invalid index.

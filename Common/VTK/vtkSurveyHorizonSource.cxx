@@ -36,17 +36,23 @@ void Override(std::string& text, const char* given)
   }
 }
 
-/// Counts z below 0, and all other z.
-std::array<std::int64_t, 2> CountSigns(const std::vector<LatticeHorizon>& horizons)
+/// Counts z below 0 and all z. A single negative value, such as -999, is no elevation and counts as none.
+std::array<std::int64_t, 2> CountNegative(const std::vector<LatticeHorizon>& horizons)
 {
   std::array<std::int64_t, 2> counts = { 0, 0 };
+  double first = 0.0;
+  bool isSingle = true;
   for (const LatticeHorizon& horizon : horizons)
   {
-    const auto negative = std::count_if(horizon.RealZ.begin(), horizon.RealZ.end(), [](double z) { return z < 0.0; });
-    counts[0] += negative;
-    counts[1] += std::int64_t(horizon.RealZ.size()) - negative;
+    counts[1] += std::int64_t(horizon.RealZ.size());
+    for (const double z : horizon.RealZ)
+    {
+      counts[0] += z < 0.0 ? 1 : 0;
+      first = first == 0.0 && z < 0.0 ? z : first;
+      isSingle = isSingle && (z >= 0.0 || z == first);
+    }
   }
-  return counts;
+  return { isSingle ? 0 : counts[0], counts[1] };
 }
 
 void AddConflictFields(const ConflictCount& conflicts, vtkFieldData* data)
@@ -151,10 +157,10 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   using Direction = SeismicHorizons::VerticalDirection;
   const bool isUp = this->IsUpright(survey.Survey);
   frame.Direction = isUp ? Direction::Up : Direction::Down;
-  const auto [negative, others] = CountSigns(survey.Horizons);
+  const auto [negative, all] = CountNegative(survey.Horizons);
   if (this->VerticalDirection == Automatic && !isUp && negative > 0)
   {
-    vtkWarningMacro(<< this->ErrorPrefix() << negative << " of " << negative + others
+    vtkWarningMacro(<< this->ErrorPrefix() << negative << " of " << all
                     << " z are negative, so that these may be elevations or depths; they are taken to increase "
                        "downwards, which VerticalDirection Up turns, and Down confirms");
   }

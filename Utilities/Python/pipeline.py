@@ -96,7 +96,7 @@ class Settings:
 
     def plain_error(self):
         """Returns the largest error in vertical indices; None if it has another unit, is automatic or was not given."""
-        error = self.surface and self.surface.get("MaximumError")
+        error = (self.surface or {}).get("MaximumError")
         return None if error is None or getattr(error, "unit", "") else error
 
     def in_unit_of(self, horizon):
