@@ -46,6 +46,21 @@ class MakingTest(unittest.TestCase):
         z = np.ma.masked_array(dome(), mask=np.arange(ROWS * COLUMNS).reshape(ROWS, COLUMNS) % 2 == 0)
         self.assertEqual(sh.horizon(z).GetNumberOfPoints(), ROWS * COLUMNS // 2)
 
+    def test_nulls(self):
+        """Points that are nan, infinite or `nodata`, also in single precision, are left out and counted."""
+        for null in (np.nan, np.inf, -999.9, -32767.1):
+            for kind in (np.float32, np.float64):
+                z = dome()
+                z[3, 4:9] = np.float32(null)
+                top = sh.horizon(z.astype(kind), nodata=[-999.9, -32767.1])
+                self.assertEqual((top.GetNumberOfPoints(), sh.details(top).dropped_nulls), (z.size - 5, 5))
+        for column in (0, 2):
+            for null in (np.nan, np.inf):
+                xyz = np.column_stack([n.ravel() for n in np.meshgrid(np.arange(12.0), np.arange(10.0))] + [np.full(120, 9.0)])
+                xyz[5:25, column] = null
+                top = sh.horizon_from_points(xyz)
+                self.assertEqual((top.GetNumberOfPoints(), sh.details(top).dropped_nulls), (100, 20))
+
     def test_xtgeo(self):
         """Whose values are by columns."""
         values = np.ma.masked_invalid(dome().T)

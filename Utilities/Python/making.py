@@ -20,6 +20,7 @@ from .reading import list_horizons
 from .stage import make
 
 STEP_TOLERANCE = 1e-4  # fraction of a step by which grid coordinates may deviate, for single precision
+SINGLE_PRECISION = 2.0**-24  # relative rounding; nulls are stored in single precision, as IsNullValue in Common/Survey
 # Names of xarray dimensions and coordinates, in lower case.
 X, Y = ("x", "easting", "eastings", "cdp_x", "lon", "longitude"), ("y", "northing", "northings", "cdp_y", "lat", "latitude")
 INLINE, CROSSLINE = ("inline", "iline", "il"), ("crossline", "xline", "xl")
@@ -43,7 +44,7 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
         Direction of increasing column number, in degrees clockwise from north; 90 by default, along x. The direction of
         increasing row number is 90 degrees anticlockwise from it.
     nodata : float or list of float, optional
-        Values that mean "no data".
+        Values that mean "no data", compared in single precision.
     **keywords
         Properties of HorizonFromPoints, such as `vertical_direction` ("Down" for time and depth, "Up" for elevations; by
         default "Up" if no z is positive, otherwise "Down"), `vertical_unit` ("ms", "s", "m" or "ft"), `vertical_step` or
@@ -80,7 +81,8 @@ def horizon(z: Any, origin: Sequence[float] | None = None, spacing: Sequence[flo
         nodata = z.attrs.get("_FillValue", z.attrs.get("nodata")) if nodata is None else nodata
         dims = _dimensions(z)
         if dims[0] in INLINE:
-            return horizon_from_points(_lines_of(z, dims, nodata), **keywords)
+            lines = _lines_of(z, dims, nodata)
+            return _count_nulls(horizon_from_points(lines, **keywords), np.size(z.values) - lines.GetNumberOfRows())
         return _on_grid(*_of_xarray(z, dims), nodata, keywords)
     origin = (0.0, 0.0) if origin is None else origin
     return _on_grid(np.ma.masked_invalid(z), origin, *_steps(spacing, azimuth), nodata, keywords)
@@ -104,6 +106,7 @@ def _on_lattice(values, origin, column_step, row_step, nodata, keywords):
     lattice = {"lattice_source": "OriginAndSteps", "origin": tuple(origin), "column_step": tuple(column_step),
                "row_step": tuple(row_step)}
     made = horizon_from_points(np.column_stack((places, heights[rows, columns])), **{**lattice, **keywords})
+    _count_nulls(made, heights.size - len(rows))
     if not lattice.keys() & keywords.keys():
         for data in made.values() if isinstance(made, dict) else [made]:
             _widen(data, values.shape, origin)
@@ -127,9 +130,10 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     Parameters
     ----------
     points : array of shape (n, 3), pandas or geopandas DataFrame, vtkPolyData or vtkTable
-        x, y and z; points with nan are left out. z increases downwards, as time and depth do, unless no z is positive or
-        `vertical_direction` is "Up". The columns of a DataFrame or table are named X, Y, Z or Inline, Crossline, Z, in
-        any order; other numeric columns become attributes.
+        x, y and z; points with nan are left out and counted, but X and Y of a table must be finite. z increases
+        downwards, as time and depth do, unless no z is positive or `vertical_direction` is "Up". The columns of a
+        DataFrame or table are named X, Y, Z or Inline, Crossline, Z, in any order; other numeric columns become
+        attributes.
     name : str, optional
         Name of the horizon in error messages.
     **keywords
@@ -157,7 +161,17 @@ def horizon_from_points(points: Any, name: str | None = None, **keywords: Any) -
     """
     data = points if isinstance(points, (vtkPointSet, vtkTable)) else _table_of(points)
     data = _points_of(points) if data is None else data
-    return _run("vtkHorizonFromPoints", data, name, keywords)
+    made = _run("vtkHorizonFromPoints", data, name, keywords)
+    if isinstance(data, vtkPolyData) and data is not points:
+        return _count_nulls(made, len(points) - data.GetNumberOfPoints())
+    return made
+
+
+def _count_nulls(made, number):
+    """Adds dropped points to those of the first horizon."""
+    data = next(iter(made.values())) if isinstance(made, dict) else made
+    vtk_to_numpy(data.GetFieldData().GetArray("DroppedNulls"))[:] += number
+    return made
 
 
 def _run(source_class, data, name, keywords):
@@ -229,7 +243,8 @@ def _of_xtgeo(surface):
 
 
 def _drop(heights, nodata):
-    heights[np.isin(heights, [] if nodata is None else nodata)] = np.nan
+    for null in np.ravel([] if nodata is None else nodata):
+        heights[np.isclose(heights, null, rtol=SINGLE_PRECISION, atol=0.0)] = np.nan
 
 
 def _table_of(frame):
