@@ -26,12 +26,6 @@
 using namespace SeismicHorizons;
 
 //------------------------------------------------------------------------------
-void vtkHorizonAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}
-
-//------------------------------------------------------------------------------
 vtkPolyData* vtkHorizonAlgorithm::GetPolyDataOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));

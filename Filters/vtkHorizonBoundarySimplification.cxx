@@ -22,16 +22,6 @@ using namespace SeismicHorizons;
 vtkStandardNewMacro(vtkHorizonBoundarySimplification);
 
 //------------------------------------------------------------------------------
-void vtkHorizonBoundarySimplification::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << (this->Method == Threshold ? "Threshold" : "FewestPoints") << "\n";
-  os << indent << "DistanceThreshold: " << this->DistanceThreshold << "\n";
-  os << indent << "BoundDeviation: " << (this->BoundDeviation ? "on" : "off") << "\n";
-  os << indent << "OutlineTolerance: " << this->OutlineTolerance << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkHorizonBoundarySimplification::ProcessHorizon(
   vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {

@@ -81,16 +81,6 @@ void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& lattic
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonCellSimplification::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "CellSize: " << this->CellSize << "\n";
-  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
-  os << indent << "Representative: " << (this->Representative == Barycentre ? "Barycentre" : "NearestPoint") << "\n";
-  os << indent << "ShowCells: " << (this->ShowCells ? "On" : "Off") << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkHorizonCellSimplification::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
 {
   CheckAtLeast("maximum number of points", this->MaximumNumberOfPoints, 0, ", which stands for CellSize");

@@ -27,17 +27,6 @@ using namespace SeismicHorizons;
 vtkStandardNewMacro(vtkHorizonDecimation);
 
 //------------------------------------------------------------------------------
-void vtkHorizonDecimation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  const char* const targets[] = { "LargestError", "NumberOfPoints", "Reduction" };
-  os << indent << "Target: " << targets[this->Target] << "\n";
-  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
-  os << indent << "TargetReduction: " << this->TargetReduction << "\n";
-  os << indent << "FitHeights: " << (this->GetFitHeights() ? "On" : "Off") << "\n";
-}
-
-//------------------------------------------------------------------------------
 DecimationOptions vtkHorizonDecimation::MakeOptions(
   const BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const
 {

@@ -44,19 +44,6 @@ void CopyOthers(vtkPolyData* input, const std::vector<SpikeKind>& kinds, vtkPoly
 vtkStandardNewMacro(vtkHorizonDespiking);
 
 //------------------------------------------------------------------------------
-void vtkHorizonDespiking::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Action: " << (this->Action == Remove ? "Remove" : "Flag") << "\n";
-  os << indent << "Threshold: " << this->Threshold << "\n";
-  os << indent << "ThresholdUnit: " << (this->ThresholdUnit == World ? "World" : "Lattice") << "\n";
-  os << indent << "NeighborhoodRadius: " << this->NeighborhoodRadius << "\n";
-  os << indent << "SpurWidth: " << this->SpurWidth << "\n";
-  os << indent << "NumberOfSpikes: " << this->NumberOfSpikes << "\n";
-  os << indent << "NumberOfSpurPoints: " << this->NumberOfSpurPoints << "\n";
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonDespiking::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

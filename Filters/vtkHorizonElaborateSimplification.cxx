@@ -15,19 +15,6 @@
 vtkStandardNewMacro(vtkHorizonElaborateSimplification);
 
 //------------------------------------------------------------------------------
-void vtkHorizonElaborateSimplification::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FlatnessThreshold: " << this->FlatnessThreshold << "\n";
-  os << indent << "BoundaryDensityThreshold: " << this->BoundaryDensityThreshold << "\n";
-  os << indent << "BoundaryExtentThreshold: " << this->BoundaryExtentThreshold << "\n";
-  os << indent << "BoundaryCellSizeThreshold: " << this->BoundaryCellSizeThreshold << "\n";
-  os << indent << "SmallestCellSize: " << this->SmallestCellSize << "\n";
-  os << indent << "NeighbourMean: " << (this->NeighbourMean == OverCubes ? "OverCubes" : "OverPieces") << "\n";
-  os << indent << "GrowthPerRing: " << this->GrowthPerRing << "\n";
-}
-
-//------------------------------------------------------------------------------
 SeismicHorizons::Reduction vtkHorizonElaborateSimplification::Simplify(
   const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen, const SeismicHorizons::Monitor& monitor)
 {

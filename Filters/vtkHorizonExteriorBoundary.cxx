@@ -27,21 +27,6 @@ using namespace SeismicHorizons;
 vtkStandardNewMacro(vtkHorizonExteriorBoundary);
 
 //------------------------------------------------------------------------------
-void vtkHorizonExteriorBoundary::PrintSelf(ostream& os, vtkIndent indent)
-{
-  static const char* const types[] = { "Exterior", "Topological4", "Topological8" };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "BoundaryType: " << types[this->BoundaryType] << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "GrowthStrategy: " << (this->GrowthStrategy == Distance ? "Distance" : "Clockwise") << "\n";
-  os << indent << "HoleBoundaries: " << (this->HoleBoundaries ? "on" : "off") << "\n";
-  os << indent << "SmallestHoleSize: " << this->SmallestHoleSize << "\n";
-  os << indent << "SmallestHoleArea: " << this->SmallestHoleArea << "\n";
-  os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
-  os << indent << "UseCuts: " << (this->UseCuts ? "on" : "off") << "\n";
-}
-
-//------------------------------------------------------------------------------
 std::int64_t vtkHorizonExteriorBoundary::FindSmallestHoleSize(double columnArea) const
 {
   CheckAtLeast("smallest hole size", this->SmallestHoleSize, 1, " column");

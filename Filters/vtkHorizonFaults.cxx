@@ -54,27 +54,6 @@ vtkHorizonFaults::vtkHorizonFaults()
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonFaults::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "LineType: " << (this->LineType == Sticks ? "Sticks" : "Traces") << "\n";
-  os << indent << "ExtendSticks: " << (this->ExtendSticks ? "on" : "off") << "\n";
-  os << indent << "Polygons: " << (this->Polygons == Blank ? "Blank" : this->Polygons == Cut ? "Cut" : "Leave") << "\n";
-  os << indent << "Detect: " << (this->Detect ? "on" : "off") << "\n";
-  os << indent << "SmallestThrow: " << this->SmallestThrow << "\n";
-  os << indent << "Noise: " << this->Noise << "\n";
-  os << indent << "ThrowUnit: " << (this->ThrowUnit == World ? "World" : "Lattice") << "\n";
-  os << indent << "SmallestExtent: " << this->SmallestExtent << "\n";
-  os << indent << "SmallestBranch: " << this->SmallestBranch << "\n";
-  os << indent << "LargestGap: " << this->LargestGap << "\n";
-  os << indent << "LargestRamp: " << this->LargestRamp << "\n";
-  os << indent << "JoinThroughHoles: " << (this->JoinThroughHoles ? "on" : "off") << "\n";
-  os << indent << "MeasuredNoise: " << this->MeasuredNoise << "\n";
-  os << indent << "NumberOfFaultLines: " << this->NumberOfFaultLines << "\n";
-  os << indent << "NumberOfFaultedLinks: " << this->NumberOfFaultedLinks << "\n";
-}
-
-//------------------------------------------------------------------------------
 FaultDetectionOptions vtkHorizonFaults::MakeOptions() const
 {
   FaultDetectionOptions options;

@@ -55,12 +55,3 @@ SurveyHorizons vtkHorizonFromImage::ReadSurvey(const Monitor& monitor)
   const SeismicHorizons::NullValues nulls(this->NullValues ? this->NullValues : "");
   return PlaceGrid(MakeHorizonGrid(image, this->ZArray ? this->ZArray : "", nulls));
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonFromImage::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto text = [](const char* value) { return value ? value : "(none)"; };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ZArray: " << text(this->ZArray) << '\n';
-  os << indent << "NullValues: " << text(this->NullValues) << '\n';
-}

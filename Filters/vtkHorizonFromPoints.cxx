@@ -85,17 +85,3 @@ PickTable vtkHorizonFromPoints::ReadPicks(const Monitor&)
 {
   return std::move(*std::exchange(this->Picks, nullptr));
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonFromPoints::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto text = [](const char* value) { return value ? value : "(none)"; };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "XArray: " << text(this->XArray) << '\n';
-  os << indent << "YArray: " << text(this->YArray) << '\n';
-  os << indent << "ZArray: " << text(this->ZArray) << '\n';
-  os << indent << "InlineArray: " << text(this->InlineArray) << '\n';
-  os << indent << "CrosslineArray: " << text(this->CrosslineArray) << '\n';
-  os << indent << "NameArray: " << text(this->NameArray) << '\n';
-  os << indent << "NullValues: " << text(this->NullValues) << '\n';
-}

@@ -30,26 +30,6 @@ using namespace SeismicHorizons;
 vtkStandardNewMacro(vtkHorizonHoleFilling);
 
 //------------------------------------------------------------------------------
-void vtkHorizonHoleFilling::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "LargestHoleSize: " << this->LargestHoleSize << "\n";
-  os << indent << "LargestHoleArea: " << this->LargestHoleArea << "\n";
-  os << indent << "Method: "
-     << (this->Method == Plate         ? "Plate"
-            : this->Method == Membrane ? "Membrane"
-                                       : "Automatic")
-     << "\n";
-  os << indent << "RimSmoothing: " << this->RimSmoothing << "\n";
-  os << indent << "RimWidth: " << this->RimWidth << "\n";
-  os << indent << "Attributes: " << (this->Attributes == FromRim ? "FromRim" : "NotANumber") << "\n";
-  os << indent << "ExtrapolationDistance: " << this->ExtrapolationDistance << "\n";
-  os << indent << "NumberOfFilledHoles: " << this->NumberOfFilledHoles << "\n";
-  os << indent << "NumberOfFilledPoints: " << this->NumberOfFilledPoints << "\n";
-  os << indent << "NumberOfOpenHoles: " << this->NumberOfOpenHoles << "\n";
-}
-
-//------------------------------------------------------------------------------
 HoleFillingOptions vtkHorizonHoleFilling::MakeOptions(double columnArea) const
 {
   CheckAtLeast<vtkIdType>("largest hole size", this->LargestHoleSize, 1, " column");

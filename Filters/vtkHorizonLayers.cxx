@@ -51,11 +51,6 @@ constexpr std::size_t BodiesPort = 1;
 constexpr std::size_t HorizonsPort = 2;
 constexpr std::size_t TablePort = 3;
 constexpr std::size_t CurvePort = 4;
-
-const char* TellOn(bool isOn)
-{
-  return isOn ? "on" : "off";
-}
 }
 
 vtkStandardNewMacro(vtkHorizonLayers);
@@ -64,28 +59,6 @@ vtkStandardNewMacro(vtkHorizonLayers);
 vtkHorizonLayers::vtkHorizonLayers()
 {
   this->SetNumberOfOutputPorts(5);
-}
-
-//------------------------------------------------------------------------------
-void vtkHorizonLayers::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "BoundThickness: " << TellOn(this->BoundThickness) << "\n";
-  os << indent << "PinchOutLines: " << TellOn(this->PinchOutLines) << "\n";
-  os << indent << "SmallestPinch: " << this->SmallestPinch << "\n";
-  os << indent << "Domain: " << (this->Domain == Common ? "Common" : "EachLayer") << "\n";
-  os << indent << "KeepOutlines: " << TellOn(this->KeepOutlines) << "\n";
-  os << indent << "UseCuts: " << TellOn(this->UseCuts) << "\n";
-  const std::array<const char*, 3> policies = { "Void", "Interpolate", "Follow" };
-  os << indent << "Missing: " << policies[std::size_t(this->Missing)] << "\n";
-  os << indent << "LargestHoleSize: " << this->LargestHoleSize << "\n";
-  os << indent << "LargestGap: " << this->LargestGap << "\n";
-  os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
-  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
-  os << indent << "FitHeights: " << TellOn(this->FitHeights) << "\n";
-  os << indent << "MeasureAboveContact: " << TellOn(this->MeasureAboveContact) << "\n";
-  os << indent << "Contact: " << this->Contact << "\n";
 }
 
 //------------------------------------------------------------------------------

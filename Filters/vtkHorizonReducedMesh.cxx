@@ -11,19 +11,6 @@
 using namespace SeismicHorizons;
 
 //------------------------------------------------------------------------------
-void vtkHorizonReducedMesh::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  const char* const units[] = { "Lattice", "World", "Diagonal" };
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "ErrorUnit: " << units[this->ErrorUnit] << "\n";
-  os << indent << "Effort: " << (this->Effort == Fast ? "Fast" : "Best") << "\n";
-  os << indent << "Priority: " << (this->Priority == LargestErrors ? "LargestErrors" : "SumOfSquares") << "\n";
-  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
-  os << indent << "CloseFaults: " << (this->CloseFaults ? "on" : "off") << "\n";
-}
-
-//------------------------------------------------------------------------------
 DecimationQuality vtkHorizonReducedMesh::MakeQuality() const
 {
   DecimationQuality quality;

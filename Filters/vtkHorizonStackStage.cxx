@@ -59,17 +59,6 @@ vtkHorizonStackStage::~vtkHorizonStackStage()
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonStackStage::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Order: " << (this->Order == AsGiven ? "AsGiven" : "ByHeight") << "\n";
-  os << indent << "Crossings: " << PolicyNames[std::size_t(this->Crossings)] << "\n";
-  os << indent << "CrossingsByLayer: " << (this->CrossingsByLayer ? this->CrossingsByLayer : "(none)") << "\n";
-  os << indent << "MinimumThickness: " << this->MinimumThickness << "\n";
-  os << indent << "HeightUnit: " << (this->HeightUnit == World ? "World" : "Lattice") << "\n";
-}
-
-//------------------------------------------------------------------------------
 HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::string& subject, const Monitor& monitor)
 {
   std::vector<HorizonLeaf> leaves;

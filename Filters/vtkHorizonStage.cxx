@@ -17,14 +17,6 @@ vtkHorizonStage::vtkHorizonStage()
 vtkHorizonStage::~vtkHorizonStage() = default;
 
 //------------------------------------------------------------------------------
-void vtkHorizonStage::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "InvalidHorizons: " << (this->InvalidHorizons == LeaveOut ? "LeaveOut" : "Stop") << "\n";
-  os << indent << "Controller: " << this->Controller << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkHorizonStage::SetController(vtkMultiProcessController* controller)
 {
   if (this->Controller != controller)

@@ -87,29 +87,6 @@ vtkHorizonSurface::vtkHorizonSurface()
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonSurface::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto tell = [](bool isOn) { return isOn ? "on" : "off"; };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Target: " << (this->Target == LargestError ? "LargestError" : "NumberOfTriangles") << "\n";
-  os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
-  os << indent << "AutomaticRadius: " << tell(this->AutomaticRadius) << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "GrowthStrategy: " << (this->GrowthStrategy == Distance ? "Distance" : "Clockwise") << "\n";
-  os << indent << "HoleBoundaries: " << tell(this->HoleBoundaries) << "\n";
-  os << indent << "UseCuts: " << tell(this->UseCuts) << "\n";
-  os << indent << "AutomaticSmallestHoleSize: " << tell(this->AutomaticSmallestHoleSize) << "\n";
-  os << indent << "SmallestHoleSize: " << this->SmallestHoleSize << "\n";
-  os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
-  os << indent << "AutomaticOutlineTolerance: " << tell(this->AutomaticOutlineTolerance) << "\n";
-  os << indent << "OutlineTolerance: " << this->OutlineTolerance << "\n";
-  os << indent << "AutomaticDistanceThreshold: " << tell(this->AutomaticDistanceThreshold) << "\n";
-  os << indent << "DistanceThreshold: " << this->DistanceThreshold << "\n";
-  os << indent << "SeamRows: " << this->SeamRows[0] << ", " << this->SeamRows[1] << "\n";
-  os << indent << "FitHeights: " << tell(this->GetFitHeights()) << "\n";
-}
-
-//------------------------------------------------------------------------------
 SeismicHorizons::SeamRows vtkHorizonSurface::MakeSeams()
 {
   SeismicHorizons::SeamRows seams;

@@ -55,17 +55,6 @@ vtkHorizonSurfaceDistance::vtkHorizonSurfaceDistance()
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "DistanceUnit: " << (this->DistanceUnit == Lattice ? "Lattice" : "World") << "\n";
-  os << indent << "SamplesPerPoint: " << this->SamplesPerPoint << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "IncludeFilledPoints: " << (this->IncludeFilledPoints ? "on" : "off") << "\n";
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= TablePort ? "vtkTable" : "vtkDataObject");

@@ -69,13 +69,6 @@ std::vector<vtkPolyData*> ListParts(vtkInformationVector* inputs)
 vtkStandardNewMacro(vtkHorizonSurfaceJoin);
 
 //------------------------------------------------------------------------------
-void vtkHorizonSurfaceJoin::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "MinimumPatchSize: " << this->MinimumPatchSize << "\n";
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonSurfaceJoin::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);

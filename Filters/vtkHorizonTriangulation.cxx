@@ -98,19 +98,6 @@ vtkHorizonTriangulation::vtkHorizonTriangulation()
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonTriangulation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "SearchStrategy: " << (this->SearchStrategy == Compactness ? "Compactness" : "VoxelTraversal")
-     << "\n";
-  os << indent << "ConvexHull: " << (this->ConvexHull ? "On" : "Off") << "\n";
-  os << indent << "MaximumBoundaryAngle: " << this->MaximumBoundaryAngle << "\n";
-  os << indent << "MaximumBoundaryEdgeLength: " << this->MaximumBoundaryEdgeLength << "\n";
-  os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
-  os << indent << "CloseFaults: " << (this->CloseFaults ? "On" : "Off") << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkHorizonTriangulation::ProcessHorizon(vtkPolyData* given, const Outputs& outputs, const Monitor& monitor)
 {
   const LatticePoints points = ReadPoints(given, outputs, KeptHeights::None);

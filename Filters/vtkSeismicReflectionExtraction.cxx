@@ -352,32 +352,3 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSeismicReflectionExtraction::Make
   }
   return horizons;
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkSeismicReflectionExtraction::PrintSelf(ostream& os, vtkIndent indent)
-{
-  constexpr std::array<const char*, 3> polarities = { "Both", "Positive", "Negative" };
-  constexpr std::array<const char*, 3> positions = { "Middle", "Peak", "ZeroCrossing" };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "PhaseRotation: " << this->PhaseRotation << '\n';
-  os << indent << "Polarity: " << polarities[static_cast<std::size_t>(this->Polarity)] << '\n';
-  os << indent << "Position: " << positions[static_cast<std::size_t>(this->Position)] << '\n';
-  os << indent << "ThresholdType: " << (this->ThresholdType == Amplitude ? "Amplitude" : "Percentile") << '\n';
-  os << indent << "AmplitudeThreshold: " << this->AmplitudeThreshold << '\n';
-  os << indent << "AmplitudePercentile: " << this->AmplitudePercentile << '\n';
-  os << indent << "Joining: " << (this->Joining == Components ? "Components" : "BestFirst") << '\n';
-  os << indent << "Connectivity: " << (this->Connectivity == Four ? "Four" : "Eight") << '\n';
-  os << indent << "LargestStep: " << this->LargestStep << '\n';
-  os << indent << "SmallestCorrelation: " << this->SmallestCorrelation << '\n';
-  os << indent << "SmallestContact: " << this->SmallestContact << '\n';
-  os << indent << "SmallestSize: " << this->SmallestSize << '\n';
-  os << indent << "LargestNumber: " << this->LargestNumber << '\n';
-  os << indent << "Order: " << (this->Order == Strength ? "Strength" : "Size") << '\n';
-  os << indent << "GuideTolerance: " << this->GuideTolerance << '\n';
-  os << indent << "GrowthCorrelation: " << this->GrowthCorrelation << '\n';
-  os << indent << "GrowthReach: " << this->GrowthReach << '\n';
-  os << indent << "KeepOthers: " << (this->KeepOthers ? "on" : "off") << '\n';
-  os << indent << "LimitSide: " << (this->LimitSide == Below ? "Below" : "Above") << '\n';
-  os << indent << "ZFrom: " << (this->ZFrom == RealZ ? "RealZ" : "VerticalIndex") << '\n';
-  os << indent << "Description: " << this->Description << '\n';
-}

@@ -199,11 +199,3 @@ void vtkHorizonWriter::WriteData()
   RunRequest(
     this, {}, file + ": more data than memory, expected fewer or smaller horizons", write, ranks, &this->ErrorCode);
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
-  os << indent << "Gathered: " << (this->Gathered ? "on" : "off") << '\n';
-}

@@ -9,8 +9,6 @@
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
-#include <array>
-
 //----------------------------------------------------------------------------------------------------------------------
 int vtkLatticeHorizonWriter::VerticalSign(vtkPolyData* horizon) const
 {
@@ -20,12 +18,4 @@ int vtkLatticeHorizonWriter::VerticalSign(vtkPolyData* horizon) const
   }
   vtkDataArray* const direction = horizon->GetFieldData()->GetArray(SeismicHorizons::FieldArray::VerticalDirection);
   return direction && direction->GetNumberOfValues() == 1 && direction->GetComponent(0, 0) < 0.0 ? -1 : 1;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkLatticeHorizonWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  constexpr std::array<const char*, 3> senses = { "AsRead", "Elevation", "Depth" };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "VerticalPositive: " << senses[static_cast<std::size_t>(this->VerticalPositive)] << '\n';
 }

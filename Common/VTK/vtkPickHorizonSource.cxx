@@ -15,7 +15,6 @@
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -152,29 +151,4 @@ SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
     vtkWarningMacro(<< this->ErrorPrefix() << doubt);
   }
   return placed;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkPickHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
-{
-  constexpr std::array<const char*, 3> sources = { "FromPoints", "CornerPoints", "OriginAndSteps" };
-  constexpr std::array<const char*, 5> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets", "Mean" };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "LatticeSource: " << sources[this->LatticeSource] << '\n';
-  os << indent << "FirstCorner: " << ToText(Eigen::Vector4d(this->FirstCorner)) << '\n';
-  os << indent << "SecondCorner: " << ToText(Eigen::Vector4d(this->SecondCorner)) << '\n';
-  os << indent << "ThirdCorner: " << ToText(Eigen::Vector4d(this->ThirdCorner)) << '\n';
-  os << indent << "Origin: " << ToText(Eigen::Vector2d(this->Origin)) << '\n';
-  os << indent << "ColumnStep: " << ToText(Eigen::Vector2d(this->ColumnStep)) << '\n';
-  os << indent << "RowStep: " << ToText(Eigen::Vector2d(this->RowStep)) << '\n';
-  os << indent << "LatticeTolerance: " << this->LatticeTolerance << '\n';
-  os << indent << "StrayPicks: " << (this->StrayPicks == LeaveOut ? "LeaveOut" : "Stop") << '\n';
-  os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';
-  os << indent << "Gridding: "
-     << (this->Gridding == Plate        ? "Plate"
-            : this->Gridding == Nearest ? "Nearest"
-                                        : "NoGridding")
-     << '\n';
-  os << indent << "GriddingRadius: " << this->GriddingRadius << '\n';
-  os << indent << "GriddingSmoothing: " << this->GriddingSmoothing << '\n';
 }

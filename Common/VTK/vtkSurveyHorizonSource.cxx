@@ -184,18 +184,3 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
         : ", as VerticalDirection says");
   return horizons;
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkSurveyHorizonSource::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto text = [](const char* value) { return value ? value : "(none)"; };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "VerticalStep: " << this->VerticalStep << '\n';
-  const std::array<const char*, 3> directions = { "Down", "Up", "Automatic" };
-  os << indent << "VerticalDirection: " << directions[std::size_t(this->VerticalDirection)] << '\n';
-  os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
-  os << indent << "VerticalDomain: " << text(this->VerticalDomain) << '\n';
-  os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';
-  os << indent << "CoordinateSystem: " << text(this->CoordinateSystem) << '\n';
-  os << indent << "Description: " << this->Description << '\n';
-}

@@ -20,7 +20,6 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <array>
 #include <istream>
 #include <memory>
 #include <string>
@@ -119,13 +118,4 @@ int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vt
       this->Files.Mark(info);
     },
     Ranks(), &this->ErrorCode);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkFaultLinesReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  this->Files.Print(os, indent);
-  constexpr std::array<const char*, 3> directions = { "Down", "Up", "Automatic" };
-  os << indent << "VerticalDirection: " << directions[this->VerticalDirection] << '\n';
 }

@@ -127,11 +127,3 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkGOCADTSurfReader::MakeHorizons(
   }
   return datasets;
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkGOCADTSurfReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  this->Files.Print(os, indent);
-  os << indent << "Description: " << this->Description << '\n';
-}

@@ -98,10 +98,3 @@ std::string vtkHorizonGridReader::DescribeFormat()
 {
   return this->Content->Format;
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonGridReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  this->Files.Print(os, indent);
-}

@@ -133,14 +133,3 @@ std::string vtkHorizonTextReader::DescribeFormat()
 {
   return this->Content->Layout.Describe();
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonTextReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto text = [](const char* value) { return value ? value : "(none)"; };
-  this->Superclass::PrintSelf(os, indent);
-  this->Files.Print(os, indent);
-  os << indent << "Columns: " << text(this->Columns) << '\n';
-  os << indent << "NullValues: " << text(this->NullValues) << '\n';
-  os << indent << "HeaderLines: " << this->HeaderLines << '\n';
-}

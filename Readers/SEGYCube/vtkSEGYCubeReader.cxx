@@ -258,32 +258,3 @@ int vtkSEGYCubeReader::RequestData(vtkInformation* request, vtkInformationVector
     },
     Ranks(), &this->ErrorCode);
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkSEGYCubeReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto text = [](const char* value) { return value ? value : "(none)"; };
-  this->Superclass::PrintSelf(os, indent);
-  this->Files.Print(os, indent);
-  os << indent << "InlineByte: " << this->InlineByte << '\n';
-  os << indent << "CrosslineByte: " << this->CrosslineByte << '\n';
-  os << indent << "XByte: " << this->XByte << '\n';
-  os << indent << "YByte: " << this->YByte << '\n';
-  os << indent << "InlineRange: " << this->InlineRange[0] << ' ' << this->InlineRange[1] << '\n';
-  os << indent << "CrosslineRange: " << this->CrosslineRange[0] << ' ' << this->CrosslineRange[1] << '\n';
-  os << indent << "SampleRange: " << this->SampleRange[0] << ' ' << this->SampleRange[1] << '\n';
-  os << indent << "SampleFormat: " << this->SampleFormat << '\n';
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << '\n';
-  os << indent << "IgnoreIncompleteTrace: " << (this->IgnoreIncompleteTrace ? "On" : "Off") << '\n';
-  os << indent << "DuplicatePolicy: " << this->DuplicatePolicy << '\n';
-  os << indent << "DelayPolicy: " << this->DelayPolicy << '\n';
-  os << indent << "VerticalStep: " << this->VerticalStep << '\n';
-  os << indent << "VerticalDirection: " << (this->VerticalDirection == Up ? "Up" : "Down") << '\n';
-  os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
-  os << indent << "VerticalDomain: " << text(this->VerticalDomain) << '\n';
-  os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';
-  os << indent << "CoordinateSystem: " << text(this->CoordinateSystem) << '\n';
-  os << indent << "LatticeTolerance: " << this->LatticeTolerance << '\n';
-  os << indent << "ImageTolerance: " << this->ImageTolerance << '\n';
-  os << indent << "Description: " << this->Description << '\n';
-}

@@ -32,7 +32,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -352,35 +351,4 @@ void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& nam
   }
   vtkDataObject::GetData(outputInformation)
     ->ShallowCopy(MakeHorizonVolume(horizons, this->MakeFrame(), extent, options, monitor.Step(0.6, 1.0)));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  constexpr std::array<const char*, 3> types = { "Points", "Images", "Volume" };
-  constexpr std::array<const char*, 2> extents = { "Whole", "BoundingBox" };
-  constexpr std::array<const char*, 3> volumeArrays = { "SurfaceId", "Amplitude", "Thickness" };
-  constexpr std::array<const char*, 2> sources = { "VerticalIndex", "RealZ" };
-  constexpr std::array<const char*, 2> directions = { "Down", "Up" };
-  constexpr std::array<const char*, 5> policies = { "StrongestAmplitude", "Topmost", "Lowest", "Sheets", "Mean" };
-  this->Superclass::PrintSelf(os, indent);
-  this->Files.Print(os, indent);
-  os << indent << "OutputType: " << types[this->OutputType] << '\n';
-  os << indent << "VolumeExtent: " << extents[this->VolumeExtent] << '\n';
-  os << indent << "VolumeArray: " << volumeArrays[this->VolumeArray] << '\n';
-  os << indent << "BackgroundValue: " << this->BackgroundValue << '\n';
-  os << indent << "VolumeMemoryLimit: " << this->VolumeMemoryLimit << '\n';
-  os << indent << "SmallestHorizonSize: " << this->SmallestHorizonSize << '\n';
-  os << indent << "ColumnRange: " << this->ColumnRange[0] << " to " << this->ColumnRange[1] << '\n';
-  os << indent << "LeastMemory: " << (this->LeastMemory ? "on" : "off") << '\n';
-  os << indent << "RowRange: " << this->RowRange[0] << " to " << this->RowRange[1] << '\n';
-  os << indent << "ZFrom: " << sources[this->ZFrom] << '\n';
-  os << indent << "Origin: " << ToText(Eigen::Vector3d(this->Origin)) << '\n';
-  os << indent << "ColumnStep: " << ToText(Eigen::Vector2d(this->ColumnStep)) << '\n';
-  os << indent << "RowStep: " << ToText(Eigen::Vector2d(this->RowStep)) << '\n';
-  os << indent << "VerticalStep: " << this->VerticalStep << '\n';
-  os << indent << "VerticalDirection: " << directions[this->VerticalDirection] << '\n';
-  os << indent << "VerticalUnit: " << TextOf(this->VerticalUnit) << '\n';
-  os << indent << "VerticalDomain: " << TextOf(this->VerticalDomain) << '\n';
-  os << indent << "DuplicatePolicy: " << policies[this->DuplicatePolicy] << '\n';
 }

@@ -78,6 +78,15 @@ def read_methods(lines):
     return methods
 
 
+def read_values(text):
+    """The names of the choices of each property in a header, with their numbers as texts."""
+    enums = re.findall(r"/// Values of (\w+)[^\n]*\n  enum \w+\n  {\n(.*?)  };", text, re.S)
+    values = {name: re.findall(r"(\w+) = (\d+)", body) for name, body in enums}
+    for name, names in re.findall(r"vtkHorizonChoice\dMacro\((\w+),\s+\w+,\s+(.*?)\)", text, re.S):
+        values[name] = [(value, str(number)) for number, value in enumerate(re.split(r",\s+", names))]
+    return values
+
+
 def _ends(text):
     """The ends of a range in words, as texts; None for those it does not have."""
     found = re.search(r"(?:at least |^|, )(-?[\d.e]+)(?: to (-?[\d.e]+)(/\d+)?)?", text or "")

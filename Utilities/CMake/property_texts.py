@@ -37,7 +37,7 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-from property_panels import Expander, read_methods, with_blanks
+from property_panels import Expander, read_methods, read_values, with_blanks
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 COLUMNS = ("Property", "Default", "Range", "Unit", "Meaning")
@@ -84,12 +84,8 @@ def read_header(path):
             texts[method or access.replace("Horizon", "Set") + name] = paragraph
         if "vtkHorizonFileNamesMacro" in lines:
             texts["AddFileName"] = paragraph
-    enums = re.findall(r"/// Values of (\w+)[^\n]*\n  enum \w+\n  {\n(.*?)  };", text, re.S)
-    values = {name: re.findall(r"(\w+) = (\d+)", body) for name, body in enums}
-    for name, names in re.findall(r"vtkHorizonChoice\dMacro\((\w+),\s+\w+,\s+(.*?)\)", text, re.S):
-        values[name] = [(value, str(number)) for number, value in enumerate(re.split(r",\s+", names))]
     return Header(base and base.group(1), brief and " ".join(brief.group(1).replace("\n *", " ").split()),
-                  page and page.group(1), texts, values, read_methods(text))
+                  page and page.group(1), texts, read_values(text), read_methods(text))
 
 
 class Proxy:

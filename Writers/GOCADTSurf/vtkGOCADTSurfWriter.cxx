@@ -13,7 +13,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 using namespace SeismicHorizons;
@@ -70,18 +69,4 @@ void vtkGOCADTSurfWriter::PrintHorizons(
         PrintTSurf(surface, this->WriteBorders, stream, step);
       });
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkGOCADTSurfWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto text = [](const char* parameter) { return parameter ? parameter : "(none)"; };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "VerticalPositive: " << (this->VerticalPositive == Depth ? "Depth" : "Elevation") << '\n';
-  os << indent << "VerticalUnit: " << text(this->VerticalUnit) << '\n';
-  os << indent << "HorizontalUnit: " << text(this->HorizontalUnit) << '\n';
-  os << indent << "CoordinateSystemName: " << text(this->CoordinateSystemName) << '\n';
-  constexpr std::array<const char*, 3> arrays = { "NoArrays", "PickArrays", "AllArrays" };
-  os << indent << "WriteAttributes: " << arrays[static_cast<std::size_t>(this->WriteAttributes)] << '\n';
-  os << indent << "WriteBorders: " << (this->WriteBorders ? "on" : "off") << '\n';
 }

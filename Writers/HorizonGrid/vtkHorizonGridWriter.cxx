@@ -14,7 +14,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string>
 
@@ -79,12 +78,4 @@ vtkHorizonGridWriter::GridKind vtkHorizonGridWriter::ChooseFormat()
     return IrapBinary;
   }
   return extension == ".zmap" || extension == ".zmp" ? Zmap : IrapText;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonGridWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  constexpr std::array<const char*, 4> formats = { "ByExtension", "IrapText", "Zmap", "IrapBinary" };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Format: " << formats[static_cast<std::size_t>(this->Format)] << '\n';
 }

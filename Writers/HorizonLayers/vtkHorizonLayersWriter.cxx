@@ -153,13 +153,6 @@ vtkHorizonLayersWriter::~vtkHorizonLayersWriter()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonLayersWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonLayersWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");

@@ -67,10 +67,3 @@ void vtkHorizonTextWriter::PrintHorizons(
     PrintPicks(stream, sampled[number], columns, part(number, monitor.Step(0.5, 1.0)));
   }
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonTextWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "WriteAttributes: " << (this->WriteAttributes ? "On" : "Off") << '\n';
-}

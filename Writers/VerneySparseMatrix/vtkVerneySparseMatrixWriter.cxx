@@ -83,9 +83,3 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
   }
   PrintSparseMatrix(matrix, stream, monitor.Step(0.5, 1.0));
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkVerneySparseMatrixWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}
