@@ -50,11 +50,14 @@ struct DecimationQuality
   double SmallestAngle = 2.0;
 };
 
+/// Heights rounded to whole voxels are off by half a voxel; this error, in lattice units, comes nearest to the unrounded
+/// heights.
+constexpr double ErrorOfWholeVoxels = 0.75;
+
 struct DecimationOptions : DecimationQuality
 {
-  /// This bounds vertical errors of points, and of edges where they cross grid lines, in lattice units. Heights rounded
-  /// to whole voxels are off by half a voxel; 0.75 comes nearest to the unrounded heights.
-  double MaximumError = 0.75;
+  /// This bounds vertical errors of points, and of edges where they cross grid lines, in lattice units.
+  double MaximumError = ErrorOfWholeVoxels;
   /// If not 0, it is the target instead of MaximumError, which must be 0. Points of loops are kept.
   std::size_t MaximumNumberOfPoints = 0;
 };

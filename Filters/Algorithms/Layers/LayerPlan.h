@@ -43,7 +43,7 @@ struct LayerOptions
   MissingOptions Missing;
   /// The largest vertical distance of a point of any horizon from its surface, and of sides of the plan from lines
   /// between neighbouring columns that they cross, in lattice units: at least 0.
-  double MaximumError = 0.75;
+  double MaximumError = ErrorOfWholeVoxels;
   /// Of the outline, in columns; ToleranceOfOutlines (Surface.h) where it has no value.
   std::optional<double> OutlineTolerance;
   /// As in SurfaceOptions; chosen where they have no value.

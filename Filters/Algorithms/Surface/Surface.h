@@ -36,7 +36,7 @@ namespace SeismicHorizons
 struct SurfaceOptions : DecimationQuality
 {
   /// The error is in lattice units, at least 0.
-  double MaximumError = 0.75;
+  double MaximumError = ErrorOfWholeVoxels;
   /// If not 0, it replaces the error as the target.
   std::size_t MaximumNumberOfTriangles = 0;
   std::optional<int> Radius;
