@@ -280,6 +280,16 @@ class FilesTest(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertRegex(messages[0], "error: .*none.pol")
 
+    def test_names_and_filled_points(self):
+        """Warnings have the name of the file, and distances are those of points that were read."""
+        picks = self.write("top.dat", ["X Y Z Horizon", *("%d %d %.2f Top" % (25 * i, 25 * j, 1000 + i * j % 7)
+                                                          for j in range(20) for i in range(20) if (i, j) != (9, 9))])
+        code, messages, printed = self.run_program(picks, "--largest-error", "0.5", "--fill-holes", "9", "--measure-error", "--json")
+        horizon = json.loads(printed)["files"][0]["horizons"][0]
+        self.assertEqual((code, sum(horizon["distances"]["counts"]), horizon["ledger"]["columns"]["filled"]), (0, 399, 1))
+        messages = self.run_program(picks, "--largest-error", "0.5", "--minimum-patch-size", "1000")[1]
+        self.assertRegex(messages[0], "^warning: top.dat: Top: none of the 399 points")
+
     def test_stack_of_files(self):
         """Files of one horizon each are a stack; one alone is not."""
         depths = {"top": 1000.0, "mid": 1050.0, "base": 1100.0}

@@ -279,6 +279,11 @@ class StagesTest(unittest.TestCase):
         for form in [*functions.writing.MESH_FORMATS, *grids]:
             sh.write(mesh, FOLDER / ("top." + form))
             self.assertGreater((FOLDER / ("top." + form)).stat().st_size, 100)
+        top = sh.horizon(dome(), spacing=(25, 25))
+        for form in grids:
+            sh.write(top, FOLDER / ("points." + form))
+            (points,) = sh.read(FOLDER / ("points." + form)).values()
+            self.assertEqual(points.GetNumberOfPoints(), top.GetNumberOfPoints())
         (name, found), = sh.read(FOLDER / "top.ts").items()
         self.assertEqual((name, found.GetNumberOfPolys()), ("top", mesh.GetNumberOfPolys()))
 

@@ -5,6 +5,8 @@
 Nothing here is shared with what is checked: each column of the lattice is tested against each triangle, in whole numbers.
 """
 
+import re
+
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -14,7 +16,7 @@ PARTS = 1 << 20  # of a column
 
 def is_warning(line):
     """Whether a line warns of the ledger, which most horizons give reason for."""
-    return ": of the covered area " in str(line)
+    return re.search(r": (of the covered area, |[0-9.]+ % of the points are left out)", str(line)) is not None
 
 
 def ledger(data):

@@ -185,7 +185,16 @@ class LedgerTest(unittest.TestCase):
                          {"known": 1191, "filled": 0, "bridged": 0, "extrapolated": 0, "left_out": 20})
         self.assertEqual(sh.details(mesh).ledger_area.left_out, 20 * 250.0)
         self.assertEqual([str(one.message) for one in told],
-                         ["of the covered area points on another 1.7 % are left out"])
+                         ["1.7 % of the points are left out"])
+
+    def test_percentages(self):
+        """Are figures without an exponent, and of the points at most 100."""
+        columns = dict.fromkeys(ledger.ENTRIES, 0)
+        for change, text in (({"known": 10, "left_out": 650}, "98 % of the points are left out"),
+                             ({"known": 1, "left_out": 100000}, "100 % of the points are left out"),
+                             ({"known": 1000, "filled": 2, "extrapolated": 150},
+                              "of the covered area, 0.17 % is filled and 13 % is extrapolated")):
+            self.assertEqual(ledger.warning({"columns": {**columns, **change}}), text)
 
     def test_fraction(self):
         said = re.search(r"LedgerWarningFraction = ([0-9.]+);", HEADER.read_text(encoding="utf-8"))

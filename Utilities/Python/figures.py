@@ -149,13 +149,14 @@ def _smallest_angles(places):
 
 def distances(result):
     """Returns a histogram of the distances of the horizon's points from the mesh, in equal bins up to the largest distance.
-    None if distances were not measured."""
+    Filled points are not counted. None if distances were not measured."""
     measured = result.data.get("measured")
     array = measured.GetPointData().GetArray("Distance") if measured else None
     if array is None or not array.GetNumberOfTuples():
         return None
     values = vtk_to_numpy(array)
-    values = values[np.isfinite(values)]
+    filled = measured.GetPointData().GetArray("Filled")
+    values = values[np.isfinite(values) & (True if filled is None else vtk_to_numpy(filled) == 0)]
     if not len(values):
         return None
     farthest = float(values.max())

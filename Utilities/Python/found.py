@@ -65,7 +65,7 @@ class Found:
         if steps and not is_count:
             words.append("vertical step %s" % _range(steps))
             if error is not None:
-                words.append(" ".join(["error %g = %s" % (error, _range([error * step for step in steps])), known]).strip())
+                words.append(" ".join(["error of %g vertical indices: %s" % (error, _range([error * step for step in steps])), known]).strip())
         if self._errors:
             errors, noises = (sorted(own[place] * (1.0 if is_count else own[0]) for own in self._errors) for place in (1, 2))
             words.append("%s, six times the %s of %s" % (

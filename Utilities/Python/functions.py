@@ -337,7 +337,7 @@ def write(data: vtkPolyData, path: str | os.PathLike, name: str | None = None) -
     forms = (*writing.LAYER_FORMATS, "vtu") if is_of_cells else tuple(writing.WRITERS)
     if form not in forms:
         raise ValueError("%s: the extension %s, expected one of .%s" % (path, path.suffix or "is missing", ", .".join(forms)))
-    if not is_of_cells and form not in writing.POINT_FORMATS and form != "vtp" and not data.GetNumberOfPolys():
+    if not is_of_cells and form in writing.MESH_FORMATS and form != "vtp" and not data.GetNumberOfPolys():
         raise ValueError("%s: a horizon without triangles, expected a mesh: surface(horizon) makes one" % path)
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: folder \"%s\" does not exist" % (path, path.absolute().parent))

@@ -29,12 +29,21 @@ def warning(ledger):
         return None
     if not covered(ledger):
         return "all %d points are left out, as there is no area between them" % ledger["columns"]["left_out"]
-    parts = {entry: 100.0 * number / covered(ledger) for entry, number in ledger["columns"].items()}
-    found = ["%.2g %% is %s" % (parts[entry], HEADS[entry]) for entry in ("filled", "bridged", "extrapolated")
-             if parts[entry] > 100.0 * WARNING_FRACTION]
-    if parts["left_out"] > 100.0 * WARNING_FRACTION:
-        found.append("points on another %.2g %% are left out" % parts["left_out"])
-    return "of the covered area " + ", ".join(found) if found else None
+    columns = ledger["columns"]
+    found = {entry: number / covered(ledger) for entry, number in columns.items() if entry != "known"}
+    found = {entry: part for entry, part in found.items() if part > WARNING_FRACTION}
+    texts = []
+    if found.keys() - {"left_out"}:
+        texts.append("of the covered area, " + " and ".join("%s is %s" % (_percent(part), HEADS[entry])
+                                                            for entry, part in found.items() if entry != "left_out"))
+    if "left_out" in found:
+        texts.append("%s of the points are left out" % _percent(columns["left_out"] / (columns["known"] + columns["left_out"])))
+    return "; ".join(texts) or None
+
+
+def _percent(part):
+    """Returns two digits of a fraction, without an exponent."""
+    return "%.*f %%" % (0 if part > 0.095 else 1 if part > 0.0095 else 2, 100.0 * part)
 
 
 def amount(ledger, entry):

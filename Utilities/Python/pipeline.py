@@ -11,6 +11,7 @@ Or directly from points to a mesh, with the parameters that were chosen:
     mesh, chosen = surface(horizons[0][1], largest_error=1.0)
 """
 
+import re
 import time
 from dataclasses import dataclass, field, replace
 from typing import Optional
@@ -175,11 +176,18 @@ class Result:
             self.warnings.append("%s: %s" % (self.name, found))
 
     def run_stage(self, stage, algorithm):
+        warnings = []
         try:
-            self.seconds[stage] = update(algorithm, "%s: %s: %s" % (self.source, self.name, stage), self.warnings,
+            self.seconds[stage] = update(algorithm, "%s: %s: %s" % (self.source, self.name, stage), warnings,
                                          (self.number_of_points, "points"))
         except HorizonError as error:  # the message names the horizon but not the file
-            raise HorizonError("%s: %s" % (self.source, error)) from None
+            raise HorizonError("%s: %s" % (self.source, self._named(str(error)))) from None
+        finally:
+            self.warnings += map(self._named, warnings)
+
+    def _named(self, text):
+        """Returns a message with the name of the horizon in place of its number."""
+        return re.sub(r"^Horizon -?\d+(?=: )", lambda _: self.name, text)
 
 
 def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=None):

@@ -38,8 +38,8 @@ LAYER_COLUMNS = (
     ("Deepest crossing", "of these", lambda own: own["deepest_crossing"], "{:.4g}"),
     ("Volume at faults", "of the strip between both sides of faults, which layers leave out",
      lambda own: own["volume_at_faults"], "{:.4g}"),
-    ("Volume without", "left out where horizons have no points", lambda own: own["volume_without"], "{:.4g}"),
-    ("Volume computed", "by columns, with heights that were not read", lambda own: sum(
+    ("Volume left out", "where horizons have no points", lambda own: own["volume_without"], "{:.4g}"),
+    ("Volume not known", "in columns that are filled, bridged or extrapolated", lambda own: sum(
         own["volume_" + name] for name in ("filled", "bridged", "extrapolated")), "{:.4g}"))
 ERROR_ROWS = (("Hausdorff distance, at most", "largest"), ("largest found", "largest_found"), ("mean", "mean"),
               ("root mean square", "rms"), ("median", "median"), ("90th percentile", "percentile_90"),
