@@ -237,7 +237,7 @@ void vtkHorizonLayers::WarnOfEmpty(const std::vector<LayerVolume>& volumes, cons
   if (!empty.empty())
   {
     vtkWarningMacro(
-      << empty.front() << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " other layers," : "")
+      << empty.front() << (empty.size() > 1 ? ", and " + std::to_string(empty.size() - 1) + " more," : "")
       << " without a cell, expected horizons that are apart by more than the error over an area that both have");
   }
 }

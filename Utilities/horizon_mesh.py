@@ -199,7 +199,7 @@ def _add_reader_options(group):
                        "column has several, their mean, or one horizon per sheet (default: StrongestAmplitude)")
     group.add_argument("--columns", default=NOT_GIVEN, metavar="LIST", help='contents of the fields of a text file, such as '
                        '"X,Y,-,Z,My attribute" or "Inline,Crossline,Z" (default: from its header or its values)')
-    group.add_argument("--null-values", default=NOT_GIVEN, metavar="LIST", help='values that mean no value in a text file, '
+    group.add_argument("--null-values", default=NOT_GIVEN, metavar="LIST", help='values that mean no value in a text or grid file, '
                        'besides 1e30 and words such as nan (default: "-999.25 -99999 9999900")')
     group.add_argument("--header-lines", type=_number_at_least(int, 0), default=NOT_GIVEN, metavar="N", help="lines to skip "
                        "at the beginning of a text file (default: 0)")

@@ -19,7 +19,7 @@ struct KnownName
   ColumnRole Role;
 };
 
-constexpr std::array<KnownName, 71> KnownNames = { { { "x", ColumnRole::X }, { "easting", ColumnRole::X },
+constexpr std::array<KnownName, 95> KnownNames = { { { "x", ColumnRole::X }, { "easting", ColumnRole::X },
   { "east", ColumnRole::X }, { "eastings", ColumnRole::X }, { "utmx", ColumnRole::X }, { "xutm", ColumnRole::X },
   { "xcoord", ColumnRole::X }, { "xcoordinate", ColumnRole::X }, { "coordx", ColumnRole::X }, { "cdpx", ColumnRole::X },
   { "xworld", ColumnRole::X }, { "worldx", ColumnRole::X }, { "xutme", ColumnRole::X }, { "y", ColumnRole::Y },
@@ -40,7 +40,14 @@ constexpr std::array<KnownName, 71> KnownNames = { { { "x", ColumnRole::X }, { "
   { "hochwert", ColumnRole::Y }, { "ffid", ColumnRole::Inline }, { "cdp", ColumnRole::Crossline },
   { "horizonname", ColumnRole::HorizonName }, { "horizonid", ColumnRole::HorizonName },
   { "horizont", ColumnRole::HorizonName }, { "surfacename", ColumnRole::HorizonName },
-  { "surfaceid", ColumnRole::HorizonName }, { "sline", ColumnRole::Inline }, { "col", ColumnRole::Crossline } } };
+  { "surfaceid", ColumnRole::HorizonName }, { "sline", ColumnRole::Inline }, { "col", ColumnRole::Crossline },
+  { "oost", ColumnRole::X }, { "este", ColumnRole::X }, { "leste", ColumnRole::X }, { "ost", ColumnRole::X },
+  { "est", ColumnRole::X }, { "noord", ColumnRole::Y }, { "norte", ColumnRole::Y }, { "nord", ColumnRole::Y },
+  { "diepte", ColumnRole::Z }, { "profundidad", ColumnRole::Z }, { "profundidade", ColumnRole::Z },
+  { "tiefe", ColumnRole::Z }, { "profondeur", ColumnRole::Z }, { "dyp", ColumnRole::Z }, { "dybde", ColumnRole::Z },
+  { "tijd", ColumnRole::Z }, { "tiempo", ColumnRole::Z }, { "tempo", ColumnRole::Z }, { "zeit", ColumnRole::Z },
+  { "temps", ColumnRole::Z }, { "hoogte", ColumnRole::Z }, { "hoehe", ColumnRole::Z }, { "altitude", ColumnRole::Z },
+  { "cota", ColumnRole::Z } } };
 
 using Words = std::vector<std::string>;
 

@@ -6,9 +6,12 @@
 #include "Common/Errors.h"
 #include "Common/Lattice.h"
 #include "LatticeFrame.h"
+#include "PickDoubts.h"
 #include "VerticalSense.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace SeismicHorizons
@@ -28,8 +31,11 @@ void CheckLattice(const SurveyLattice& lattice)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SurveyHorizons PlaceGrid(HorizonGrid grid)
+SurveyHorizons PlaceGrid(HorizonGrid grid, const NullValues& nulls)
 {
+  constexpr double null = std::numeric_limits<double>::quiet_NaN();
+  std::replace_if(
+    grid.Z.begin(), grid.Z.end(), [&nulls](double z) { return nulls.IsNullNumber(z); }, null);
   CheckLattice(grid.Lattice);
   std::string sense = FindSense(grid.Survey, grid.Z);
   LatticeHorizon horizon;
@@ -55,6 +61,7 @@ SurveyHorizons PlaceGrid(HorizonGrid grid)
       attribute.Name, Gather<HeapArray<double>>(std::exchange(attribute.Values, {}), nodes));
   }
   SurveyHorizons survey;
+  DoubtNulls({ horizon.RealZ.begin(), horizon.RealZ.end() }, survey.Doubts);
   survey.Survey = grid.Survey;
   survey.Sense = std::move(sense);
   survey.Lattice = grid.Lattice;

@@ -5,12 +5,13 @@
 #define SeismicHorizonsGridPlacement_h
 
 #include "HorizonGrid.h"
+#include "NullValues.h"
 #include "SurveyHorizons.h"
 
 namespace SeismicHorizons
 {
-/// Nodes without z are dropped.
-SurveyHorizons PlaceGrid(HorizonGrid grid);
+/// Nodes without z, or with one of `nulls`, are dropped.
+SurveyHorizons PlaceGrid(HorizonGrid grid, const NullValues& nulls = NullValues());
 }
 
 #endif

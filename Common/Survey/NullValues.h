@@ -20,6 +20,8 @@ public:
   /// The list is separated by blanks, commas or semicolons.
   explicit NullValues(const std::string& list);
 
+  bool IsEmpty() const { return this->Numbers.empty() && this->Words.empty(); }
+
   void Add(const NullValues& other);
 
   bool IsNullText(std::string_view field) const;

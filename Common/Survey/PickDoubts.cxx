@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -63,44 +64,74 @@ bool IsOnLine(const std::vector<ColumnConflict>& conflicts, const PlanePoint& at
   const Eigen::Vector2d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues();
   return count >= fewest && axes[0] <= widest * widest * axes[1];
 }
+
+using Heights = std::vector<double>::const_iterator;
+
+bool IsNull(double null, std::ptrdiff_t count, Heights others, Heights end)
+{
+  const bool isUsual = std::find(UsualNulls.begin(), UsualNulls.end(), null) != UsualNulls.end();
+  const auto [least, greatest] = std::minmax_element(others, end);
+  const double range = *greatest - *least;
+  const double gap = std::max(*least - null, null - *greatest);
+  // A flat part of a horizon may be far from the rest, but not by half its distance from 0.
+  const double leastGap = isUsual ? 0.0 : 0.5 * std::max(std::abs(*least), std::abs(*greatest));
+  // Most z of a level horizon with a wrong pick are the same.
+  const bool mayBe = count <= end - others ? count > (isUsual ? 0 : 1) : isUsual && range > 0.0;
+  return mayBe && gap > range && gap > leastGap;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_t>& picks)
+void DoubtNulls(std::vector<double> z, std::vector<std::string>& doubts)
 {
-  const auto ends = std::minmax_element(
-    picks.begin(), picks.end(), [&](std::int32_t a, std::int32_t b) { return z[std::size_t(a)] < z[std::size_t(b)]; });
-  if (ends.first == picks.end())
+  const std::size_t all = z.size();
+  std::ostringstream nulls;
+  nulls.precision(12);
+  for (bool isFound = true; std::exchange(isFound, false) && !z.empty();)
   {
-    return {};
-  }
-  for (const double null : { z[std::size_t(*ends.first)], z[std::size_t(*ends.second)] })
-  {
-    const bool isUsual = std::find(UsualNulls.begin(), UsualNulls.end(), null) != UsualNulls.end();
-    std::int64_t count = 0;
-    double least = std::numeric_limits<double>::infinity();
-    double greatest = -least;
-    for (const std::int32_t pick : picks)
+    const auto ends = std::minmax_element(z.begin(), z.end());
+    for (const double null : { *ends.first, *ends.second })
     {
-      const double value = z[std::size_t(pick)];
-      count += value == null ? 1 : 0;
-      least = value == null ? least : std::min(least, value);
-      greatest = value == null ? greatest : std::max(greatest, value);
-    }
-    const double range = greatest - least;
-    const double gap = std::max(least - null, null - greatest);
-    // A flat part of a horizon may be far from the rest, but not by half its distance from 0.
-    const double leastGap = isUsual ? 0.0 : 0.5 * std::max(std::abs(least), std::abs(greatest));
-    if (count > (isUsual ? 0 : 1) && range >= 0.0 && gap > range && gap > leastGap)
-    {
-      std::ostringstream text;
-      text.precision(12);
-      text << count << " of " << picks.size() << " picks with z " << null << ", far from all others, " << least
-           << " to " << greatest << ": add " << null << " to NullValues if it means that there is no z";
-      return text.str();
+      const auto others = std::partition(z.begin(), z.end(), [null](double value) { return value == null; });
+      if (!isFound && others != z.end() && IsNull(null, others - z.begin(), others, z.end()))
+      {
+        nulls << (z.size() == all ? "" : " or ") << null;
+        z.erase(z.begin(), others);
+        isFound = true;
+      }
     }
   }
-  return {};
+  if (z.size() < all)
+  {
+    const auto ends = std::minmax_element(z.begin(), z.end());
+    const std::string found = nulls.str();
+    nulls << ", far from all others, " << *ends.first << " to " << *ends.second << ": add " << found
+          << " to NullValues if it means that there is no z";
+    doubts.push_back(std::to_string(all - z.size()) + " of " + std::to_string(all) + " points with z " + nulls.str());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void DoubtNulls(const std::vector<double>& nulls, const std::vector<double>& z, std::vector<std::string>& doubts)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const double value : nulls.empty() ? nulls : z)
+  {
+    least = std::fmin(least, value);
+    greatest = std::fmax(greatest, value);
+  }
+  const double margin = 0.1 * (greatest - least);
+  const auto isNear = [&](double null) { return null >= least - margin && null <= greatest + margin; };
+  const auto null = std::find_if(nulls.begin(), nulls.end(), isNear);
+  if (null != nulls.end())
+  {
+    std::ostringstream text;
+    text << *null << " at " << std::count_if(null, nulls.end(), isNear) << " of " << z.size()
+         << " points taken for no z, as is usual, but others have z from " << least << " to " << greatest
+         << ": NullValues without this number keeps it";
+    doubts.push_back(text.str());
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

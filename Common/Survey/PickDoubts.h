@@ -16,9 +16,12 @@
 
 namespace SeismicHorizons
 {
-/// Warns of z such as -999, or of a repeated number, that is farther from all other z than these are from each other;
-/// an unusual number must also be half as far away as 0.
-std::string FindNull(const std::vector<double>& z, const std::vector<std::int32_t>& picks);
+/// Warns of z such as -999, or of a repeated number, that are farther from all other z than these are from each other;
+/// an unusual number must also be half as far away as 0, and of at most half of the picks.
+void DoubtNulls(std::vector<double> z, std::vector<std::string>& doubts);
+
+/// Warns if numbers that were dropped, as they usually mean no z, are among the z, or off by a tenth of their range.
+void DoubtNulls(const std::vector<double>& nulls, const std::vector<double>& z, std::vector<std::string>& doubts);
 
 /// Conflicts on lines are faults, where programs give nodes the z of both sides. Overlapping surveys have conflicts
 /// over areas, and wrong picks scattered conflicts.

@@ -277,8 +277,8 @@ bool CheckFarPicks(
          << SayPicks(picks, off) << "; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut";
     throw InputError(text.str());
   }
-  doubts.push_back(std::to_string(strays.size()) + " picks far from all others, " + SayPicks(picks, strays) +
-    ": StrayPicks leaves them out");
+  doubts.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
+    " far from all others, " + SayPicks(picks, strays) + ": StrayPicks leaves them out");
   return true;
 }
 
@@ -344,7 +344,8 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
     size = std::int64_t(picks.Size());
     if (!strays.empty())
     {
-      placed.Doubts.push_back(std::to_string(strays.size()) + " stray picks left out: " + SayPicks(picks, strays));
+      placed.Doubts.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
+        " left out as strays: " + SayPicks(picks, strays));
     }
   }
   const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
@@ -372,11 +373,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   {
     monitor.Progress(0.7 + 0.3 * double(number) / double(picks.Names.size()));
     ColumnOrder order = std::exchange(orders[number], ColumnOrder());
-    const std::string null = FindNull(picks.Z, order.Picks);
-    if (!null.empty())
-    {
-      placed.Doubts.push_back(null);
-    }
+    DoubtNulls(Gather<std::vector<double>>(picks.Z, order.Picks), placed.Doubts);
     OrderPicks(order, picks, columns, options);
     ConflictCount conflicts = CountConflicts(order);
     const bool isSplit = options.Policy == DuplicatePolicy::Sheets;

@@ -14,7 +14,8 @@ bool IsElevation(std::string_view name)
 {
   const std::string lower = ToLower(name);
   const auto has = [&lower](const char* word) { return lower.find(word) != std::string::npos; };
-  return (has("elev") || has("altitude")) && !has("depth") && !has("tvd") && !has("tw") && !has("time");
+  return (has("elev") || has("altitud") || has("hoogte") || has("hoehe") || has("h\xC3\xB6he") || has("cota")) &&
+    !has("depth") && !has("tvd") && !has("tw") && !has("time");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -146,9 +146,6 @@ SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
   const auto place = [&]() { return this->Place(std::move(picks), monitor.Step(0.6, 1.0)); };
   FileSeries* const files = this->GetFiles();
   SurveyHorizons placed = files ? PrefixFileErrors(files->GetCurrent(), place) : place();
-  for (const std::string& doubt : FindDoubts(placed, SeismicHorizons::DuplicatePolicy(this->DuplicatePolicy)))
-  {
-    vtkWarningMacro(<< this->ErrorPrefix() << doubt);
-  }
+  placed.Doubts = FindDoubts(placed, SeismicHorizons::DuplicatePolicy(this->DuplicatePolicy));
   return placed;
 }

@@ -139,6 +139,10 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const std::vector<int>& numbers, const Monitor& monitor)
 {
   SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
+  for (const std::string& doubt : survey.Doubts)
+  {
+    vtkWarningMacro(<< this->ErrorPrefix() << doubt);
+  }
   RequirePoints(survey.Horizons, this->ErrorPrefix());
   LatticeFrame frame;
   frame.Survey = survey.Survey;

@@ -7,6 +7,7 @@
 #include "Common/InputFile.h"
 #include "Common/Monitor.h"
 #include "Common/Survey/GridPlacement.h"
+#include "Common/Survey/NullValues.h"
 #include "GridReader.h"
 
 #include "vtkObjectFactory.h"
@@ -43,7 +44,10 @@ vtkStandardNewMacro(vtkHorizonGridReader);
 vtkHorizonGridReader::vtkHorizonGridReader() = default;
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkHorizonGridReader::~vtkHorizonGridReader() = default;
+vtkHorizonGridReader::~vtkHorizonGridReader()
+{
+  this->SetNullValues(nullptr);
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonGridReader::CanReadFile(const char* fileName)
@@ -84,12 +88,13 @@ SurveyHorizons vtkHorizonGridReader::ReadSurvey(const Monitor& monitor)
   return PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
+      const SeismicHorizons::NullValues nulls(this->NullValues ? this->NullValues : "");
       if (std::optional<HorizonGrid> grid = std::exchange(this->Content->Grid, std::nullopt))
       {
-        return PlaceGrid(std::move(*grid));
+        return PlaceGrid(std::move(*grid), nulls);
       }
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-      return PlaceGrid(ReadHorizonGrid(*stream, monitor));
+      return PlaceGrid(ReadHorizonGrid(*stream, monitor), nulls);
     });
 }
 

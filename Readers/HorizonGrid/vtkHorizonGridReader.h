@@ -41,6 +41,12 @@ public:
   ///@}
 
   /**
+   * Numbers that mean no value, besides the null value of the format or file. Unit: that of z. Range: numbers,
+   * separated by blanks or commas. Default: empty.
+   */
+  vtkHorizonTextMacro(NullValues);
+
+  /**
    * 1 when the file begins as one of these formats does.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
@@ -59,6 +65,7 @@ private:
   void operator=(const vtkHorizonGridReader&) = delete;
 
   SeismicHorizons::FileSeries Files;
+  char* NullValues = nullptr;
 
   struct FileContent;
   std::unique_ptr<FileContent> Content;

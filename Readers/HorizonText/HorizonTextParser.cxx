@@ -7,6 +7,7 @@
 #include "Common/LineErrors.h"
 #include "Common/OtherFormats.h"
 #include "Common/Parallel.h"
+#include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/VerticalSense.h"
 #include "Common/TextEncoding.h"
 #include "Common/TextWords.h"
@@ -73,6 +74,7 @@ private:
   bool HasComment = false;
   bool IsLatin1 = false; // A name is not UTF-8.
   std::unordered_map<std::string, int> Numbers;
+  std::vector<double> Nulls;
 };
 
 PickCollector::PickCollector(const TextLayout& layout)
@@ -171,6 +173,7 @@ void PickCollector::Add(const PickBlock& block)
       picks = values.size();
     }
   }
+  this->Nulls.insert(this->Nulls.end(), block.Nulls.begin(), block.Nulls.end());
   this->AddNames(block);
   this->AddLines(block);
   this->Picks += picks;
@@ -226,6 +229,7 @@ PickTable PickCollector::Take()
     this->Table.Names = { this->Layout.HorizonName };
   }
   this->CheckNames();
+  DoubtNulls(this->Nulls, this->Table.Z, this->Table.Doubts);
   return std::move(this->Table);
 }
 

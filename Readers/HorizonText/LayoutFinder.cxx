@@ -7,6 +7,7 @@
 #include "ColumnGuess.h"
 #include "ColumnNames.h"
 #include "Common/LineErrors.h"
+#include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
 #include "PickBlock.h"
 
@@ -182,7 +183,8 @@ bool IsLatticeSize(const TextLines& sample, double first = 0.0)
 bool MayBeNames(const TextLayout& layout)
 {
   const int x = layout.Find(ColumnRole::X);
-  const bool isTitle = x >= 0 && ToLower(layout.Columns[std::size_t(x)].Name) == "east";
+  const std::string name = x >= 0 ? ToLower(layout.Columns[std::size_t(x)].Name) : "";
+  const bool isTitle = name.size() <= 5 && name.find("st") != std::string::npos; // east, este, oost
   return layout.Find(ColumnRole::Z) >= 0 || (layout.HasLineOfNames && !isTitle);
 }
 
@@ -238,6 +240,33 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
   }
   return false;
 }
+
+/// Columns whose names say no place are taken in order. Words between blanks may be a title.
+std::string DoubtOfNames(const TextLayout& layout, const std::vector<TextColumn>& names)
+{
+  const auto isZ = [](const TextColumn& name) { return name.Role == ColumnRole::Z; };
+  const bool areNames = layout.Separator != FieldSeparator::Blanks || std::any_of(names.begin(), names.end(), isZ);
+  const std::string doubt = "columns " + ListNames(names) + " taken in order as " + ListNames(layout.Columns) +
+    ", as their names do not say the place: set Columns if this is wrong";
+  return areNames && names.size() == layout.Columns.size() ? doubt : "";
+}
+
+/// z has the unit and domain of its own name; the first field, of names of horizons, may have no name.
+void DescribeZ(TextLayout& layout, const std::vector<TextColumn>& names)
+{
+  const auto z = std::size_t(layout.Find(ColumnRole::Z));
+  const std::size_t unnamed = layout.Columns.size() - names.size();
+  const bool isNamed = unnamed <= std::min<std::size_t>(z, 1);
+  const std::string name = isNamed ? names[z - unnamed].Name : layout.Columns[z].Name;
+  const std::string unit = isNamed && layout.Units.size() == names.size() ? layout.Units[z - unnamed] : "";
+  SurveyDescription& survey = layout.Survey;
+  survey.VerticalDomain = survey.VerticalDomain.empty() ? DomainOfName(name) : survey.VerticalDomain;
+  if (survey.VerticalUnit.empty())
+  {
+    SetVerticalUnit(survey, unit.empty() ? UnitOfName(name) : unit);
+  }
+}
+
 /// Fields come from the user, the header, or their values, in this order.
 void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions& options)
 {
@@ -277,7 +306,11 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   const std::size_t leftOut = std::min(lines.size(), std::size_t(options.HeaderLines));
   TextLayout layout = ReadTextHeader(TextLines(lines.begin() + std::ptrdiff_t(leftOut), lines.end()));
   layout.HeaderLines += options.HeaderLines;
-  layout.Nulls.Add(NullValues(options.NullValues));
+  layout.AreNullsUsual = options.NullValues == DefaultNulls;
+  if (!layout.AreNullsUsual || (layout.Kind != TextKind::OpendTect && layout.Nulls.IsEmpty()))
+  {
+    layout.Nulls.Add(NullValues(options.NullValues)); // OpendTect writes 1e30, and some headers state another.
+  }
   const TextLines sample = SampleLines(lines, layout.HeaderLines);
   if (sample.empty())
   {
@@ -302,16 +335,19 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   {
     RefuseCountLine(lines, layout, sample);
   }
+  const std::vector<TextColumn> names = layout.Columns;
   const bool isFixed = options.Columns.empty() && FindFixedLayout(layout, sample);
   if (!isFixed)
   {
     FindColumns(layout, sample, options);
   }
   CheckRoles(layout.Columns);
+  DescribeZ(layout, names);
   if (layout.IsGuessed)
   {
     RefuseDoubtfulColumns(sample, layout);
     layout.Doubt = DoubtOfColumns(sample, layout);
+    layout.Doubt = layout.Doubt.empty() ? DoubtOfNames(layout, names) : layout.Doubt;
   }
   if (layout.Picks >= 0)
   {

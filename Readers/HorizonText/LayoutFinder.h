@@ -11,6 +11,9 @@
 
 namespace SeismicHorizons
 {
+/// Numbers for no value that several programs write. They do not apply to formats and files with a number of their own.
+constexpr const char* DefaultNulls = "-999.25 -99999 9999900";
+
 struct TextOptions
 {
   std::string Columns; // See ParseColumnList; empty to detect the fields.

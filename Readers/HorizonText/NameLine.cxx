@@ -5,7 +5,6 @@
 
 #include "ColumnGuess.h"
 #include "ColumnNames.h"
-#include "Common/Survey/Units.h"
 #include "Common/TextFields.h"
 
 #include <algorithm>
@@ -75,14 +74,10 @@ private:
         this->Layout.NamesLines.emplace_back(text);
       }
       const Fields units = Split(text, separator);
-      for (std::size_t n = 0; line > first && n < names.size() && units.size() == names.size(); ++n)
+      const auto isUnit = [](std::string_view unit) { return !UnitOfName("_" + std::string(Trim(unit))).empty(); };
+      if (line > first && units.size() == names.size() && std::any_of(units.begin(), units.end(), isUnit))
       {
-        const std::string unit = ShortUnit(Trim(units[n]));
-        const bool isUnit = unit == "ms" || unit == "s" || unit == "m" || unit == "ft";
-        if (isUnit && RoleOfName(Trim(names[n])) == ColumnRole::Z)
-        {
-          SetVerticalUnit(this->Layout.Survey, unit);
-        }
+        this->Layout.Units.assign(units.begin(), units.end());
       }
     }
     this->Layout.HeaderLines = std::int64_t(pick);

@@ -180,6 +180,10 @@ private:
     const bool mayBeNull = role == ColumnRole::Z || role == ColumnRole::Attribute;
     if (!isNumber || (mayBeNull && this->Layout.Nulls.IsNullNumber(value)))
     {
+      if (isNumber && role == ColumnRole::Z && this->Layout.AreNullsUsual)
+      {
+        this->Block.Nulls.push_back(value);
+      }
       value = Null;
     }
     if (!isNumber && !mayBeNull)

@@ -22,6 +22,7 @@ struct PickBlock
   std::vector<std::vector<double>> Values; // Numbers per field of the layout; nan for null values.
   std::vector<std::string> Names;
   std::vector<int> Horizon; // Index of the name per pick; empty without a field of names.
+  std::vector<double> Nulls; // z that usually mean that there is none, of picks.
   std::vector<PickLine> PickLines;
   std::int64_t Lines = 0;
   std::int64_t FirstLine = -1; // The first that is neither empty nor a comment.

@@ -37,6 +37,7 @@ public:
     }
     this->Layout.HeaderLines = std::int64_t(this->Line);
     this->TakeNames();
+    this->TakeDegrees();
     return this->Layout;
   }
 
@@ -171,10 +172,7 @@ private:
     {
       this->Layout.Kind = TextKind::EarthVision;
       this->AddColumn(words[1]);
-      if (words.size() > 2 && this->Layout.Columns.back().Role == ColumnRole::Z)
-      {
-        SetVerticalUnit(this->Layout.Survey, words[2]);
-      }
+      this->Layout.Units.emplace_back(words.size() > 2 ? words[2] : "");
     }
   }
 
@@ -228,20 +226,10 @@ private:
   void AddColumn(std::string_view name)
   {
     this->Layout.Columns.push_back(ColumnOfName(Trim(name)));
-    const ColumnRole role = this->Layout.Columns.back().Role;
-    const std::string_view unit = UnitOfName(name);
-    SurveyDescription& survey = this->Layout.Survey;
-    if (role == ColumnRole::Z && survey.VerticalDomain.empty())
+    std::string& unit = this->Layout.Survey.HorizontalUnit;
+    if (this->Layout.Columns.back().Role == ColumnRole::X && unit.empty())
     {
-      survey.VerticalDomain = DomainOfName(name);
-    }
-    if (role == ColumnRole::Z && !unit.empty() && survey.VerticalUnit.empty())
-    {
-      SetVerticalUnit(survey, unit);
-    }
-    else if (role == ColumnRole::X && !unit.empty() && survey.HorizontalUnit.empty())
-    {
-      survey.HorizontalUnit = ShortUnit(unit);
+      unit = ShortUnit(UnitOfName(name));
     }
   }
 
@@ -255,6 +243,17 @@ private:
     for (const std::string_view field : Split(names, SeparatorOfNames(names)))
     {
       this->AddColumn(field);
+    }
+  }
+
+  /// Longitude and latitude are x and y if no others are named.
+  void TakeDegrees()
+  {
+    for (TextColumn& column : this->Layout.Columns)
+    {
+      const bool mayBe = column.Role == ColumnRole::Attribute && !this->Layout.HasPlaces();
+      const std::string name = mayBe ? ToLower(column.Name).substr(0, 3) : "";
+      column.Role = name == "lon" ? ColumnRole::X : name == "lat" ? ColumnRole::Y : column.Role;
     }
   }
 

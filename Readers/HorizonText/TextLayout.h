@@ -42,6 +42,7 @@ struct TextLayout
   bool HasLineOfNames = false; // A line of words that is not a comment precedes the picks.
   /// Lines from the names to the picks. Concatenated files repeat them, and they are skipped.
   std::vector<std::string> NamesLines;
+  std::vector<std::string> Units; // Stated apart from the names, one for each.
   std::string Doubt; // warning about guessed fields
   bool HasDecimalCommas = false;
   bool IsGuessed = false; // Fields are known by their values alone.
@@ -50,6 +51,7 @@ struct TextLayout
   std::string HorizonName;
   SurveyDescription Survey;
   NullValues Nulls;
+  bool AreNullsUsual = false; // The user did not choose them.
 
   int Find(ColumnRole role) const;
 

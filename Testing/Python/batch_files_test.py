@@ -102,7 +102,7 @@ class FilesTest(unittest.TestCase):
         for words in ("plain text, separated by commas: Crossline, Inline, X, Y, Z", "20 x 16 crosslines and inlines, 25 x 12.5 "
                       "apart, the first axis 60 degrees from north", "z 1200 to 1224.9 ms, growing down (as depth and time do; "
                       "--vertical-direction Up turns it); vertical step 1; error 0.98 ms, six times the noise of 0.16\n",
-                      "\n  1 duplicates left out; 2 without z left out; others up to 94.1 apart\n",
+                      "\n  1 duplicate left out; 2 without z left out; others up to 94.1 apart\n",
                       "1 file in %s: dome.vtp" % self.output):
             self.assertIn(words, told)
         self.assertLess(max(map(len, told.splitlines())), 200)
@@ -202,12 +202,12 @@ class FilesTest(unittest.TestCase):
         self.assertIn("1 of 801 picks far from all others, line 801; expected --stray-picks", messages[0])
         code, messages, told = self.run_program("--gridding", "Plate", "--stray-picks", "LeaveOut", stray)
         self.assertEqual((code, len(messages)), (0, 1))
-        self.assertIn("1 stray picks left out: line 801", messages[0])
+        self.assertIn("1 pick left out as strays: line 801", messages[0])
         self.assertIn("50 x 50 apart", told)
         null = self.write("null.xyz", ("%.2f %.2f %.2f" % pick for pick in [*picks[:-1], (431500, 6348500, -9999)]))
         code, messages, _ = self.run_program("--gridding", "Plate", null)
         self.assertEqual((code, len(messages)), (0, 1))
-        self.assertIn("1 of 800 picks with z -9999, far from all others", messages[0])
+        self.assertIn("1 of 800 points with z -9999, far from all others", messages[0])
 
     def test_back_to_points(self):
         """Grids and picks of a mesh have the places of the picks, to the error; sparse files have their columns."""

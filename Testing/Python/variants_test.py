@@ -131,9 +131,9 @@ REFUSED = [
 
 # Name, text, and what the warning says.
 DOUBTED = [
-    *[("null_%d" % value, with_null(value), "16 of 2000 picks with z %d, far from all others" % value)
+    *[("null_%d" % value, with_null(value), "16 of 2000 points with z %d, far from all others" % value)
       for value in (-999, -9999, -32768, 0, 9999)],
-    ("null_flat", rows("%.2f %.2f %d", X, Y, np.where(CROSSLINE < 2005, 0, 1500)), "200 of 2000 picks with z 0, far from"),
+    ("null_flat", rows("%.2f %.2f %d", X, Y, np.where(CROSSLINE < 2005, 0, 1500)), "200 of 2000 points with z 0, far from"),
     ("twice", XYZ + rows("%.2f %.2f %.2f", X, Y, Z + 100.0),
      "twice.dat: 2000 of 2000 columns with several z, up to 100 apart: DuplicatePolicy says which is kept, as Mean for surveys that "
      "overlap, Sheets for a horizon that overlies itself; for several horizons in one file, name the column that distinguishes "
@@ -202,12 +202,12 @@ class VariantsTest(unittest.TestCase):
             with self.subTest(name):
                 horizons, _, errors, warnings = self.read(name, text, StrayPicks="LeaveOut")
                 self.assertEqual((errors, [h.GetNumberOfPoints() for h in horizons.values()]), ([], [2000]))
-                self.assertIn("1 stray picks left out: line 2001", warnings[0])
+                self.assertIn("1 pick left out as strays: line 2001", warnings[0])
         five = FIVE.splitlines(True)
         five[700] = "1014 2000 99.5 7.5 1500\n"  # one wrong place moves the map of all
         horizons, _, errors, warnings = self.read("wrong_place", "".join(five), StrayPicks="LeaveOut")
         self.assertEqual((errors, horizons["wrong_place"].GetNumberOfPoints()), ([], 1999))
-        self.assertIn("1 stray picks left out: line 701", warnings[0])
+        self.assertIn("1 pick left out as strays: line 701", warnings[0])
         _, _, errors, _ = self.read("noise", dict((n, t) for n, t, _ in REFUSED)["noise"], StrayPicks="LeaveOut")
         self.assertIn("expected at most LatticeTolerance", errors[0])
 

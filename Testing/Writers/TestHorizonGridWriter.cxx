@@ -255,6 +255,25 @@ void TextComesBack()
   CHECK(ReadText(Folder + "/out.dat").find("\"Top Reek\"\t100\t7\t604321.25\t6079543.5\t-1500\n") != std::string::npos);
 }
 
+/// The header says what the reader would not know.
+void DirectionAndUnitsComeBack()
+{
+  const auto picks = ReadPicks("0.5 0 -5\n10.5 0 6\n0.5 20 7\n10.5 20 8\n");
+  picks->SetVerticalDirectionToUp();
+  picks->SetVerticalUnit("ft");
+  picks->SetHorizontalUnit("m");
+  picks->Update();
+  vtkNew<vtkHorizonTextWriter> writer;
+  writer->SetInputConnection(picks->GetOutputPort());
+  writer->SetFileName((Folder + "/up.dat").c_str());
+  CHECK_EQUAL(writer->Write(), 1);
+  CHECK(ReadText(Folder + "/up.dat").find("\"X (m)\"\t\"Y (m)\"\t\"Elevation (ft)\"\n") != std::string::npos);
+  vtkNew<vtkHorizonTextReader> reader;
+  reader->SetFileName((Folder + "/up.dat").c_str());
+  reader->Update();
+  CheckSamePoints(GetHorizon(picks->GetOutput(), 0), GetHorizon(reader->GetOutput(), 0));
+}
+
 /// Without line numbers there are places alone, and values that are missing are 1e30.
 void TextOfOneWithoutLines()
 {
@@ -391,6 +410,7 @@ int TestHorizonGridWriter(int argc, char* argv[])
   GridsHaveFilesOfTheirOwn();
   SeveralFilesAreWrittenAllOrNone();
   TextComesBack();
+  DirectionAndUnitsComeBack();
   TextOfOneWithoutLines();
   WhatCanNotBeIsRefused();
   BrokenHorizonsAreRefused();

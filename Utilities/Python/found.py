@@ -77,7 +77,7 @@ class Found:
         """Returns a line on points that are not in the horizons, if there are any."""
         left_out = [(sum(s[key] or 0 for s in self._surveys), what) for key, what in
                     (("dropped_duplicates", "duplicates"), ("dropped_nulls", "without z"))]
-        words = ["%d %s left out" % pair for pair in left_out if pair[0]]
+        words = [("%d %s left out" % pair).replace("1 duplicates", "1 duplicate") for pair in left_out if pair[0]]
         repeats = sum(s["dropped_repeats"] or 0 for s in self._surveys)
         conflict = max(s["largest_conflict"] or 0.0 for s in self._surveys)
         words += ["%d of the duplicates exact repeats" % repeats] if repeats else []

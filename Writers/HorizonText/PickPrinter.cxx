@@ -5,6 +5,7 @@
 
 #include "Common/Errors.h"
 #include "Common/TextPrinter.h"
+#include "HorizonText/ColumnNames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +123,11 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns)
 {
-  std::vector<std::string> names = { "X", "Y", "Z" };
+  const SurveyDescription& survey = columns.Survey;
+  const auto name = [](const std::string& text, const std::string& unit)
+  { return UnitOfName(text + " (" + unit + ")").empty() ? text : text + " (" + unit + ")"; };
+  std::vector<std::string> names = { name("X", survey.HorizontalUnit), name("Y", survey.HorizontalUnit),
+    name(survey.IsUpright ? "Elevation" : "Z", survey.VerticalUnit) };
   if (columns.HasLines)
   {
     names.insert(names.begin(), { "Inline", "Crossline" });

@@ -18,6 +18,7 @@ struct PrintedColumns
   bool HasNames = false;
   bool HasLines = false;
   std::vector<std::string> Attributes;
+  SurveyDescription Survey; // The names say the units and direction of z.
 };
 
 /// OpendTect's single-line header has no name for the field of horizon names.

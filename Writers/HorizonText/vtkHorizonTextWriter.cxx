@@ -44,16 +44,14 @@ void vtkHorizonTextWriter::PrintHorizons(
     const auto size = static_cast<double>(horizons.size());
     return step.Step(static_cast<double>(number) / size, static_cast<double>(number + 1) / size);
   };
+  const int sign = this->VerticalSign(horizons.front().Data); // The header says one direction.
+  bool isSameUnit = true;
   std::vector<HorizonColumns> sampled;
   for (const NamedHorizon& horizon : horizons)
   {
     const Monitor step = part(sampled.size(), monitor.Step(0.0, 0.5));
-    PrefixErrors(horizon.Name,
-      [&]()
-      {
-        const int sign = this->VerticalSign(horizon.Data);
-        sampled.push_back(SampleHorizon(horizon.Data, sign, step));
-      });
+    PrefixErrors(horizon.Name, [&]() { sampled.push_back(SampleHorizon(horizon.Data, sign, step)); });
+    isSameUnit = isSameUnit && sampled.back().Survey.VerticalUnit == sampled.front().Survey.VerticalUnit;
     sampled.back().Name = horizon.Name;
     columns.HasLines = columns.HasLines && sampled.back().Lattice.Lines;
     if (this->WriteAttributes)
@@ -61,6 +59,8 @@ void vtkHorizonTextWriter::PrintHorizons(
       AddNew(columns.Attributes, sampled.back().Attributes);
     }
   }
+  columns.Survey = isSameUnit ? sampled.front().Survey : SurveyDescription();
+  columns.Survey.IsUpright = sign > 0;
   PrintPickHeader(stream, columns);
   for (std::size_t number = 0; number < sampled.size(); ++number)
   {

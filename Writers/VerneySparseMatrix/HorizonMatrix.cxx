@@ -5,6 +5,7 @@
 
 #include "Common/DataModel.h"
 #include "Common/Errors.h"
+#include "Common/VTK/DataArrays.h"
 #include "Marshalling/HorizonData.h"
 
 #include "vtkDataArray.h"
@@ -90,8 +91,7 @@ HeapArray<double> ReadRealZ(vtkPolyData* horizon)
   {
     return CopyNumbers(array);
   }
-  vtkDataArray* const direction = horizon->GetFieldData()->GetArray(FieldArray::VerticalDirection);
-  const bool isUp = direction && direction->GetNumberOfValues() == 1 && direction->GetComponent(0, 0) > 0.0;
+  const bool isUp = FirstValue(horizon->GetFieldData(), FieldArray::VerticalDirection) > 0.0;
   HeapArray<double> realZ;
   for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
   {

@@ -3,8 +3,10 @@
 
 #include "vtkVerneySparseMatrixWriter.h"
 
+#include "Common/DataModel.h"
 #include "Common/Errors.h"
 #include "Common/Monitor.h"
+#include "Common/VTK/DataArrays.h"
 #include "HorizonMatrix.h"
 #include "HorizonSampling.h"
 #include "SparseMatrixPrinter.h"
@@ -45,6 +47,7 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
   SparseMatrix matrix;
   std::vector<std::optional<int>> given;
   std::set<int> ids;
+  bool isUp = false;
   for (const NamedHorizon& horizon : horizons)
   {
     PrefixErrors(horizon.Name,
@@ -68,6 +71,7 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
           throw InputError("a lattice of " + ToText(size) + " cells, expected " + ToText(matrix.Size) + " as in " +
             horizons.front().Name);
         }
+        isUp = isUp || FirstValue(horizon.Data->GetFieldData(), FieldArray::VerticalDirection) > 0.0;
         given.push_back(ReadSurfaceId(horizon.Data));
         if (given.back())
         {
@@ -80,6 +84,10 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
     monitor.Progress(0.5 * static_cast<double>(n) / static_cast<double>(horizons.size()));
     const int id = given[n] ? *given[n] : TakeFreeId(ids);
     PrefixErrors(horizons[n].Name, [&]() { matrix.Horizons.push_back(ReadVoxels(horizons[n].Data, id)); });
+  }
+  if (isUp)
+  {
+    vtkWarningMacro("elevations, which the format cannot tell from depths: read them with VerticalDirection Up");
   }
   PrintSparseMatrix(matrix, stream, monitor.Step(0.5, 1.0));
 }

@@ -778,19 +778,19 @@ std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::
     return {};
   }
   const std::string said = SayPicks(picks, strays);
-  const std::string number = std::to_string(strays.size());
+  const std::string number = std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks");
   if (options.LeaveOutStrays)
   {
-    doubts.push_back(number + " stray picks left out: " + said);
+    doubts.push_back(number + " left out as strays: " + said);
     picks = WithoutPicks(std::move(picks), strays);
     return {};
   }
   if (options.Source != LatticeSource::OriginAndSteps)
   {
-    throw InputError(number + " of " + std::to_string(picks.Size()) + " picks far from all others, " + said +
-      "; expected StrayPicks LeaveOut, or LatticeSource OriginAndSteps");
+    throw InputError(std::to_string(strays.size()) + " of " + std::to_string(picks.Size()) +
+      " picks far from all others, " + said + "; expected StrayPicks LeaveOut, or LatticeSource OriginAndSteps");
   }
-  doubts.push_back(number + " picks far from all others, " + said + ": StrayPicks leaves them out");
+  doubts.push_back(number + " far from all others, " + said + ": StrayPicks leaves them out");
   return said;
 }
 }
@@ -809,11 +809,7 @@ SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const 
   std::vector<Eigen::Vector2d> used;
   for (ColumnOrder& order : orders)
   {
-    const std::string null = FindNull(picks.Z, order.Picks);
-    if (!null.empty())
-    {
-      gridded.Doubts.push_back(null);
-    }
+    DoubtNulls(Gather<std::vector<double>>(picks.Z, order.Picks), gridded.Doubts);
     OrderPicks(order, picks, numbers, options.Placement);
     gridded.Conflicts.push_back(CountConflicts(order));
     gridded.Conflicts.back().InLines = 0; // places have no lines

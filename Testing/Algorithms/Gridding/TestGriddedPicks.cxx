@@ -130,13 +130,13 @@ void TestStrays()
     options.Placement.LeaveOutStrays = true;
     const SurveyHorizons gridded = GridPicks(stray, options);
     CHECK_EQUAL(gridded.Lattice.ColumnStep.x(), step);
-    CHECK_EQUAL(gridded.Doubts.front(), std::string("1 stray picks left out: line 73"));
+    CHECK_EQUAL(gridded.Doubts.front(), std::string("1 pick left out as strays: line 73"));
     CHECK_THROWS_WITH(GridPicks(stray, Turned(GriddingMethod::Plate)), "far from all others, line 73");
   }
   // Where the lattice is given, only a warning.
   picks.X[70] += 9000.0;
   const SurveyHorizons gridded = GridPicks(picks, Turned(GriddingMethod::Nearest));
-  CHECK_EQUAL(gridded.Doubts.front(), std::string("1 picks far from all others, line 73: StrayPicks leaves them out"));
+  CHECK_EQUAL(gridded.Doubts.front(), std::string("1 pick far from all others, line 73: StrayPicks leaves them out"));
   // Another area is none, and of ten picks one that is far enough.
   picks = Scatter(2000, Plane);
   std::for_each(picks.X.begin(), picks.X.begin() + 400, [](double& x) { x += 20000.0; });

@@ -6,6 +6,7 @@
 #include "TextTables.h"
 #include "Tools/Check.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -220,6 +221,41 @@ void TestNames()
     Table("# X Y Z\nTop 1.5 2.5 3.5\nTop 4.5 2.5 3.75\n"), std::string("x y z\nTop: 1.5 2.5 3.5\nTop: 4.5 2.5 3.75\n"));
 }
 
+/// Northings may come first. Names that are not known say nothing, which is a warning.
+void TestForeignNames()
+{
+  const std::string picks = "\n2000.5;100.5;7\n2010.5;110.5;8\n";
+  for (const char* names : { "Noord;Oost;Diepte", "Norte;Este;Profundidad", "Nord;Ost;Tiefe", "Nord;Est;Profondeur",
+         "Norte;Leste;Profundidade", "Lat;Lon;Depth", "Latitude;Longitude;Elevation" })
+  {
+    CHECK_EQUAL(Table(names + picks), std::string("x y z\n100.5 2000.5 7\n110.5 2010.5 8\n"));
+    CHECK(Read(names + picks).Doubts.empty());
+  }
+  CHECK_EQUAL(Table("Lat;Lon;X;Y;Z\n1;2;3.5;4.5;5\n"), std::string("x y z Lat Lon\n3.5 4.5 5 1 2\n"));
+  const PickTable guessed = Read("Foo;Bar;Depth" + picks);
+  CHECK_EQUAL(guessed.X.front(), 2000.5);
+  CHECK(guessed.Doubts.front().find("columns Foo, Bar, Z taken in order as X, Y, Z") == 0);
+  CHECK(Read("Top of Frigg\n2000.5 100.5 7\n2010.5 110.5 8\n").Doubts.empty());
+}
+
+/// A number that usually means no z may be a depth. Formats with a number of their own have no other.
+void TestUsualNulls()
+{
+  TextOptions usual;
+  usual.NullValues = DefaultNulls;
+  const std::string picks = "1\t1\t-999\n1\t2\t-999.25\n1\t3\t-999.5\n";
+  const PickTable doubtful = Read(picks, usual);
+  CHECK(std::isnan(doubtful.Z[1]));
+  CHECK(doubtful.Doubts.front().find(
+          "-999.25 at 1 of 3 points taken for no z, as is usual, but others have z from -999.5 to -999") == 0);
+  const PickTable own = Read("# \"Inline\"\t\"Crossline\"\t\"Z\"\n# - -\n" + picks, usual);
+  CHECK_EQUAL(own.Z[1], -999.25);
+  CHECK(own.Doubts.empty());
+  CHECK(Read("1 1 500\n1 2 -999.25\n1 3 510\n", usual).Doubts.empty());
+  usual.NullValues += " -999.5";
+  CHECK(Read(picks, usual).Doubts.empty());
+}
+
 void TestGivenColumns()
 {
   const auto given = [](const char* columns)
@@ -247,6 +283,8 @@ int TestTextColumns(int, char*[])
   TestTwoReadings();
   TestGuessedPlaces();
   TestNames();
+  TestForeignNames();
+  TestUsualNulls();
   TestGivenColumns();
   return Check::Result();
 }

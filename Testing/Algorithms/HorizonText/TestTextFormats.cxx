@@ -64,6 +64,21 @@ void TestUnitsOfNames()
   CHECK_EQUAL(Read("X\tY\tZ ()\n1 2 3\n").Survey.VerticalUnit, std::string());
 }
 
+/// Other columns that could be z have units of their own.
+void TestUnitOfOwnColumn()
+{
+  const auto unit = [](const std::string& text)
+  {
+    const SurveyDescription survey = Read(text).Survey;
+    return survey.VerticalUnit + ' ' + survey.VerticalDomain;
+  };
+  CHECK_EQUAL(unit("X,Y,Z,TWT (ms)\n1,2,3,4\n"), std::string(" "));
+  CHECK_EQUAL(unit("X,Y,Z (ft),TWT (ms)\n1,2,3,4\n"), std::string("ft depth"));
+  CHECK_EQUAL(unit("X,Y,Z,TWT\nm,m,ft,ms\n1,2,3,4\n"), std::string("ft depth"));
+  CHECK_EQUAL(unit("# \"X\"\t\"Y\"\t\"Time (ms)\"\n# - -\n\"Top\"\t1\t2\t3\n"), std::string("ms time"));
+  CHECK_EQUAL(unit("# Field: 1 x\n# Field: 2 y\n# Field: 3 z\n# Field: 4 twt ms\n1 2 3 4\n"), std::string(" "));
+}
+
 void TestIesx()
 {
   CHECK_EQUAL(Table(OldIesx),
@@ -175,6 +190,7 @@ int TestTextFormats(int, char*[])
   TestOpendTectParts();
   TestOpendTectHorizons();
   TestUnitsOfNames();
+  TestUnitOfOwnColumn();
   TestIesx();
   TestIesxProfiles();
   TestCharisma();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Common/Survey/GridPlacement.h"
 #include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/PickPlacement.h"
 #include "Common/Survey/ShortSteps.h"
@@ -71,11 +72,11 @@ void TestStrays()
   CHECK_THROWS_WITH(DoubtsOf(picks), "the farthest, line 154, by ");
   PlacementOptions options;
   options.LeaveOutStrays = true;
-  CHECK(IsOne(DoubtsOf(picks, options), "1 stray picks left out: line 154"));
+  CHECK(IsOne(DoubtsOf(picks, options), "1 pick left out as strays: line 154"));
   picks = Dip();
   picks.X[399] = picks.Y[399] = 0.0;
   CHECK_THROWS_WITH(DoubtsOf(picks), "columns a pick; line 403, in column (0, 0), is the farthest from the others");
-  CHECK(IsOne(DoubtsOf(picks, options), "1 stray picks left out: line 403"));
+  CHECK(IsOne(DoubtsOf(picks, options), "1 pick left out as strays: line 403"));
   CHECK_EQUAL(PlacePicks(picks, options).Horizons.front().RealZ.size(), std::size_t(399));
 }
 
@@ -84,7 +85,7 @@ void TestFarPicks()
 {
   PickTable picks = Dip();
   picks.X[250] += 7000.0;
-  CHECK(IsOne(DoubtsOf(picks), "1 picks far from all others, line 254: StrayPicks leaves them out"));
+  CHECK(IsOne(DoubtsOf(picks), "1 pick far from all others, line 254: StrayPicks leaves them out"));
   picks.X[250] += 8.0;
   CHECK_THROWS_WITH(DoubtsOf(picks), "picks off the lattice");
   CHECK_THROWS_WITH(DoubtsOf(picks), "line 254");
@@ -114,7 +115,7 @@ void TestBetweenLines()
       DoubtsOf(wrong), "1 of 400 picks between the lines of the others, line 154; expected line numbers");
     PlacementOptions options;
     options.LeaveOutStrays = true;
-    CHECK(IsOne(DoubtsOf(wrong, options), "1 stray picks left out: line 154"));
+    CHECK(IsOne(DoubtsOf(wrong, options), "1 pick left out as strays: line 154"));
     CHECK_EQUAL(PlacePicks(wrong, options).Lattice.Lines->InlineStep, 2.0);
     wrong.X.clear();
     wrong.Y.clear();
@@ -138,14 +139,14 @@ void TestUsualNulls()
   PickTable picks = Dip();
   picks.Z[7] = picks.Z[8] = -999.0;
   CHECK(
-    IsOne(DoubtsOf(picks), "2 of 400 picks with z -999, far from all others, 1000 to 1019: add -999 to NullValues"));
+    IsOne(DoubtsOf(picks), "2 of 400 points with z -999, far from all others, 1000 to 1019: add -999 to NullValues"));
   picks = Dip();
   picks.Z[7] = -999.25;
-  CHECK(IsOne(DoubtsOf(picks), "1 of 400 picks with z -999.25, far from all others, 1000 to 1019"));
+  CHECK(IsOne(DoubtsOf(picks), "1 of 400 points with z -999.25, far from all others, 1000 to 1019"));
   picks.Z[7] = picks.Z[8] = 999.0;
   CHECK(DoubtsOf(picks).empty()); // one more than the range of all others is not far
   picks.Z[7] = picks.Z[8] = 0.01;
-  CHECK(IsOne(DoubtsOf(picks), "2 of 400 picks with z 0.01, far from all others"));
+  CHECK(IsOne(DoubtsOf(picks), "2 of 400 points with z 0.01, far from all others"));
   picks.Z[7] = 1000.0;
   CHECK(DoubtsOf(picks).empty()); // a spike
 }
@@ -163,7 +164,32 @@ void TestLevelPlatforms()
   {
     picks.Z[n] = -12345.0;
   }
-  CHECK(IsOne(DoubtsOf(picks), "100 of 400 picks with z -12345, far from all others, 1500 to 1500"));
+  CHECK(IsOne(DoubtsOf(picks), "100 of 400 points with z -12345, far from all others, 1500 to 1500"));
+  for (double& z : picks.Z)
+  {
+    z = 1000.0;
+  }
+  picks.Z[7] = -999.9;
+  CHECK(DoubtsOf(picks).empty()); // The level horizon is not the null.
+}
+
+void TestSeveralNulls()
+{
+  PickTable picks = Dip();
+  picks.Z[7] = -9999.0;
+  picks.Z[8] = picks.Z[9] = -999.0;
+  CHECK(IsOne(DoubtsOf(picks),
+    "3 of 400 points with z -9999 or -999, far from all others, 1000 to 1019: add -9999 or -999 to NullValues if it "
+    "means if that "
+    "means"));
+}
+
+void TestNullsOfGrids()
+{
+  HorizonGrid grid;
+  grid.Lattice.Columns = { 3, 2 };
+  grid.Z = { 1500.0, 1501.0, 9999.0, 1502.0, 1503.0, 1504.0 };
+  CHECK(IsOne(PlaceGrid(grid).Doubts, "1 of 6 points with z 9999, far from all others, 1500 to 1504"));
 }
 
 /// Exact repeats lose nothing; other duplicates do, and where these form lines a fault is likely.
@@ -300,6 +326,8 @@ int TestPickDoubts(int, char*[])
   TestBetweenLines();
   TestUsualNulls();
   TestLevelPlatforms();
+  TestSeveralNulls();
+  TestNullsOfGrids();
   TestDuplicates();
   TestMean();
   TestEvidence();
