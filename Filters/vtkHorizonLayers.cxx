@@ -211,13 +211,7 @@ void vtkHorizonLayers::Write(
   this->WarnOfContact(curve);
   this->Results = TellLayers(layers, volumes, stack);
   this->WarnOfEmpty(volumes, stack);
-  this->WarnOfMissing(layers.Ledgers, stack);
-}
-
-//------------------------------------------------------------------------------
-void vtkHorizonLayers::WarnOfMissing(const LayerLedgers& ledgers, const HorizonStack& stack)
-{
-  for (const std::string& text : TellMissing(ledgers, stack))
+  for (const std::string& text : TellMissing(layers.Ledgers, stack))
   {
     vtkWarningMacro(<< text);
   }

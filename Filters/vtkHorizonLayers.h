@@ -48,7 +48,6 @@ namespace SeismicHorizons
 class HorizonStack;
 class Monitor;
 struct CrossingRepair;
-struct LayerLedgers;
 struct LayerOptions;
 struct LayerVolume;
 struct Layers;
@@ -178,7 +177,6 @@ private:
   void WarnOfEmpty(
     const std::vector<SeismicHorizons::LayerVolume>& volumes, const SeismicHorizons::HorizonStack& stack);
   void WarnOfContact(vtkTable* curve);
-  void WarnOfMissing(const SeismicHorizons::LayerLedgers& ledgers, const SeismicHorizons::HorizonStack& stack);
   void WarnOfCrossings(const SeismicHorizons::CrossingRepair& repair,
     const std::vector<SeismicHorizons::CrossingPolicy>& policies, const SeismicHorizons::HorizonStack& stack);
 

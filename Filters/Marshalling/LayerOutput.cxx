@@ -6,6 +6,7 @@
 #include "Common/ColumnIndex.h"
 #include "Common/DataModel.h"
 #include "Common/Parallel.h"
+#include "Common/VTK/ColumnPoints.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/LedgerFields.h"
 #include "HeightUnit.h"
@@ -187,14 +188,11 @@ void CopyArrays(vtkPointData* given, vtkIdList* points, vtkPointData* output)
 
 void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices& own, vtkPointData* output)
 {
-  auto columns = NewArray<vtkIntArray>(PointArray::Column, vtkIdType(own.Vertices.size()), 2);
-  columns->SetComponentName(0, "I");
-  columns->SetComponentName(1, "J");
-  for (std::size_t n = 0; n < own.Vertices.size(); ++n)
+  auto columns = NewColumnArray();
+  for (const PointId vertex : own.Vertices)
   {
-    const PlanePoint& column = plan.Columns[std::size_t(own.Vertices[n])];
-    const std::array<int, 2> tuple = { column.X, column.Y };
-    columns->SetTypedTuple(vtkIdType(n), tuple.data());
+    const PlanePoint& column = plan.Columns[std::size_t(vertex)];
+    columns->InsertNextTuple2(column.X, column.Y);
   }
   output->AddArray(columns);
   AddArray<vtkDoubleArray>(output, PointArray::VerticalIndex, own.Vertices,

@@ -18,7 +18,6 @@ bool IsBefore(const PlanePoint& a, const PlanePoint& b)
   return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
 }
 
-/// The points of a horizon row by row.
 std::vector<PointId> SortByRows(PlanePoints columns)
 {
   std::vector<PointId> points(columns.size());

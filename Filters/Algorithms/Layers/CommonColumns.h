@@ -15,15 +15,15 @@
 
 namespace SeismicHorizons
 {
-/// A horizon in memory that others own: for each point its column, at most one point in each, and its height.
+/// A horizon in memory that others own, at most one point in a column.
 struct HorizonView
 {
   PlanePoints Columns;
   const double* Heights = nullptr;
-  /// Points from this one on were not read: MissingHeights.h put them into holes and gaps.
+  /// Points from this one on were put into holes and gaps (MissingHeights.h).
   std::size_t FirstFilled = std::numeric_limits<std::size_t>::max();
 
-  /// For each point that was read, 1 if an earlier stage filled it, 2 if one extrapolated it. Null if there are none.
+  /// By point, 1 if an earlier stage filled it, 2 if one extrapolated it. May be null.
   const unsigned char* IsFilled = nullptr;
 
   bool Knows(PointId point) const { return point != NoPoint && std::size_t(point) < this->FirstFilled; }

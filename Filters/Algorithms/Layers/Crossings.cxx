@@ -217,20 +217,6 @@ std::string NameOf(std::size_t horizon, const CrossingOptions& options)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CrossedInterface::Add(const CrossedInterface& other)
-{
-  this->Columns += other.Columns;
-  this->Deepest = std::max(this->Deepest, other.Deepest);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MovedHorizon::Add(const MovedHorizon& other)
-{
-  this->Columns += other.Columns;
-  this->Farthest = std::max(this->Farthest, other.Farthest);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void CrossingRepair::Add(const CrossingRepair& other)
 {
   this->Interfaces.resize(other.Interfaces.size());

@@ -16,11 +16,10 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::int32_t Reach = 2; // columns
-constexpr std::size_t FewestColumns = 6; // of a plane
+constexpr std::size_t FewestColumns = 6; // for a plane
 
 constexpr std::array<PlanePoint, 4> Steps = { PlanePoint{ 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
 
-/// Points around a column, on its side of all cuts.
 class Surroundings
 {
 public:
@@ -37,7 +36,7 @@ public:
       [&](const PlanePoint& step) { return this->Cuts.IsCutBeside(this->Columns[std::size_t(point)], step); });
   }
 
-  /// None where a way leads around a cut.
+  /// The points around a point on its side of all cuts. Empty around the end of a cut.
   std::vector<PointId> Find(PointId start) const
   {
     const PlanePoint& middle = this->Columns[std::size_t(start)];
@@ -77,7 +76,7 @@ private:
   const LinkCuts& Cuts;
 };
 
-/// That of a plane at the first of some points.
+/// The height at the first point of a plane through the points.
 std::optional<double> PlaneHeight(
   PlanePoints columns, const std::vector<double>& heights, const std::vector<PointId>& points)
 {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Heights at the cutoffs of faults. Vertices of outlines have the heights of their columns, whose noise the throw would
-// have twice.
+// Heights at the cutoffs of faults, as a throw between two columns has the noise of both.
 
 #ifndef SeismicHorizonsCutoffFit_h
 #define SeismicHorizonsCutoffFit_h
@@ -16,10 +15,8 @@
 
 namespace SeismicHorizons
 {
-/// For each horizon of a mesh the heights of its vertices beside faulted links: of planes through the columns within
-/// two of them that are connected with them there. `index` and `heights` are of what the mesh lies over, by point, and
-/// `known` has 1 where they count, empty where all do. Vertices around the end of a cut, and those with too few
-/// columns, are left out.
+/// Fits heights of vertices beside faulted links by planes through connected columns at most two away. `known` has 1
+/// where heights count, or is empty. Vertices around the end of a cut, or with too few columns, are left out.
 std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const LinkCuts& cuts);
 }

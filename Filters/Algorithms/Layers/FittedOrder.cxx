@@ -34,7 +34,7 @@ void FittedOrder::Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitte
     OrderColumn(heights, isOne, this->GrowDownwards);
     for (std::size_t horizon = 0, next = 0; horizon < this->Horizons; ++horizon)
     {
-      next += next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // others have the height of the one above
+      next += next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // absent ones get the height above
       fitted[first + horizon].Heights[n] = heights[next];
     }
     for (std::size_t layer = 0; this->Horizons + layer < this->Heights.size(); ++layer)
@@ -46,23 +46,14 @@ void FittedOrder::Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitte
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool FittedOrder::IsPinched(std::size_t layer, PointId point) const
-{
-  return this->Heights[layer][std::size_t(point)] == this->Heights[layer + 1][std::size_t(point)];
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool FittedOrder::HasLayer(std::size_t layer, PointId point) const
-{
-  return !std::isnan(this->Heights[layer][std::size_t(point)] - this->Heights[layer + 1][std::size_t(point)]);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 bool FittedOrder::AreOne(std::size_t layer, PointId point) const
 {
-  if (!this->IsPinched(layer, point) || this->IsOnLine[std::size_t(point)] != 0)
+  const auto thickness = [&](PointId at) {
+    return this->Heights[layer][std::size_t(at)] - this->Heights[layer + 1][std::size_t(at)];
+  }; // nan without the layer
+  if (thickness(point) != 0.0 || this->IsOnLine[std::size_t(point)] != 0)
   {
-    return this->IsPinched(layer, point);
+    return thickness(point) == 0.0;
   }
   const std::int64_t place = this->Index.Place(this->Index.Columns()[std::size_t(point)]);
   for (std::int64_t row = place - this->Index.Width(); row <= place + this->Index.Width(); row += this->Index.Width())
@@ -70,7 +61,7 @@ bool FittedOrder::AreOne(std::size_t layer, PointId point) const
     for (std::int64_t neighbour = row - 1; neighbour <= row + 1; ++neighbour)
     {
       const PointId other = this->Index[neighbour];
-      if (other != NoPoint && !this->IsPinched(layer, other) && this->HasLayer(layer, other))
+      if (other != NoPoint && std::abs(thickness(other)) > 0.0)
       {
         return false;
       }

@@ -14,7 +14,7 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-// Of the lines of all horizons between two places of the patch of a vertex: endsOf(horizon).
+// Whether the line between endsOf(horizon), in the patch of a vertex, is too far from any horizon.
 template <typename EndsOf>
 bool KeptLines::IsAnyFar(VertexId vertex, EndsOf&& endsOf) const
 {
@@ -101,7 +101,7 @@ void KeptLines::InsertEnds(const std::vector<Edge>& edges)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Lines that are too far from a horizon where they cross the lines between columns get more points of the border.
+// Splits lines at points of the border if they are too far from a horizon where they cross lines between columns.
 std::vector<Edge> KeptLines::SplitFar(const PinchOutLines& lines) const
 {
   const std::vector<VertexId> vertices = this->Mesh.VerticesByPoint();
@@ -109,7 +109,7 @@ std::vector<Edge> KeptLines::SplitFar(const PinchOutLines& lines) const
   for (const std::vector<PointId>& line : lines.Lines)
   {
     const VertexId vertex = vertices[std::size_t(line.front())];
-    std::vector<std::size_t> ends = { line.size() - 1 }; // of what is left, the next one last
+    std::vector<std::size_t> ends = { line.size() - 1 }; // the next one last
     for (std::size_t from = 0; !ends.empty();)
     {
       const std::size_t to = ends.back();
@@ -148,7 +148,6 @@ bool KeptLines::IsFar(TriangleId triangle, int side) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Columns on lines too, at which vertices may be inserted later.
 void KeptLines::MarkAlong(const std::vector<Edge>& edges)
 {
   for (const Edge& edge : edges)

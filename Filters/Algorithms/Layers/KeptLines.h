@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pinch-out lines as sides of a plan.
+// Pinch-out lines as edges of a plan.
 
 #ifndef SeismicHorizonsKeptLines_h
 #define SeismicHorizonsKeptLines_h
@@ -19,7 +19,7 @@ namespace SeismicHorizons
 class KeptLines
 {
 public:
-  /// `index` and `heights` are of what the mesh lies over, by point. `isOnLine` gets 1 for points on lines.
+  /// `index` and `heights` belong to the points below the mesh. `isOnLine` gets 1 for points on lines.
   KeptLines(HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights, double maximumError,
     std::vector<unsigned char>& isOnLine)
     : Mesh(mesh)
@@ -31,17 +31,14 @@ public:
   {
   }
 
-  /// Inserts the ends, which stay, and keeps what is between them. Lines whose ends are outside, as the outline was
-  /// simplified, and those that cross others, are left out.
+  /// Inserts the ends of lines, and keeps the edges between. Leaves out lines that cross others or end outside.
   void Keep(const PinchOutLines& lines);
 
-  /// Lines whose fitted ends have brought them too far from a horizon need not stay: that cannot be cured by points
-  /// beside them. Whether there were some.
+  /// Releases lines too far from a horizon, which points beside them cannot cure. Returns whether there were any.
   bool DropFar();
 
-  /// How many straight pieces lines have, and how many of these are no sides of the plan.
-  std::size_t Size() const { return this->Pieces; }
-  std::size_t LeftOut() const { return this->Lost; }
+  std::size_t Size() const { return this->Pieces; } // straight pieces of lines
+  std::size_t LeftOut() const { return this->Lost; } // pieces that are not edges of the plan
 
 private:
   void InsertEnds(const std::vector<Edge>& edges);

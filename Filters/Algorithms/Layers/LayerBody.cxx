@@ -3,11 +3,11 @@
 
 #include "LayerBody.h"
 
+#include "Common/DisjointSets.h"
 #include "Decimation/PlaneMesh.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
@@ -47,8 +47,6 @@ public:
   }
 
 private:
-  using CornerId = std::int32_t; // three per triangle
-
   bool IsPinched(PointId vertex) const { return this->Thickness[std::size_t(vertex)] <= 0.0; }
   bool HasCell(TriangleId triangle) const { return triangle != NoTriangle && this->IsKept[std::size_t(triangle)] != 0; }
   PointId Begin(TriangleId triangle, int side) const { return this->Mesh.Corner(triangle, side); }
@@ -68,12 +66,10 @@ private:
     }
   }
 
-  /// The pinched vertices where top and base are one point: those at the border of the cells, and those that edges
-  /// between pinched vertices lead to from there.
   void FindClosed()
   {
     this->IsClosed.assign(this->Plan.Columns.size(), 0);
-    std::vector<std::array<PointId, 2>> edges; // of cells, both ways, between pinched vertices
+    std::vector<std::array<PointId, 2>> edges; // between pinched vertices, both ways
     std::vector<PointId> waiting;
     const auto close = [&](PointId vertex)
     {
@@ -112,19 +108,16 @@ private:
     }
   }
 
-  /// Whether top and base meet along a side.
+  /// Whether top and base meet along a side. Where one end is closed and the other one pinched, both are closed.
   bool IsParted(TriangleId triangle, int side) const
   {
     const auto isClosed = [this](PointId vertex) { return this->IsClosed[std::size_t(vertex)] != 0; };
-    // Where one is closed and the other one pinched, that is closed as well.
     return isClosed(this->Begin(triangle, side)) && isClosed(this->End(triangle, side));
   }
 
-  /// Corners that are in one sector of their vertex have the same root.
   void FindSectors()
   {
-    this->Roots.resize(3 * std::size_t(this->Mesh.Size()));
-    std::iota(this->Roots.begin(), this->Roots.end(), 0);
+    this->Sectors = DisjointSets(3 * std::size_t(this->Mesh.Size()));
     this->ForEachSide(
       [this](TriangleId triangle, int side)
       {
@@ -133,40 +126,23 @@ private:
         {
           for (const int corner : { side, NextCorner(side) })
           {
-            this->Join(
+            this->Sectors.Join(
               3 * triangle + corner, 3 * beyond + this->Mesh.CornerAt(beyond, this->Mesh.Corner(triangle, corner)));
           }
         }
       });
   }
 
-  CornerId RootOf(CornerId corner)
-  {
-    while (this->Roots[std::size_t(corner)] != corner)
-    {
-      CornerId& root = this->Roots[std::size_t(corner)];
-      root = this->Roots[std::size_t(root)];
-      corner = root;
-    }
-    return corner;
-  }
-
-  void Join(CornerId a, CornerId b)
-  {
-    const auto [first, second] = std::minmax({ this->RootOf(a), this->RootOf(b) });
-    this->Roots[std::size_t(second)] = first;
-  }
-
-  /// For each sector, in the order of their first corners, a point of the top and one of the base, or one for both.
+  /// Makes two points for each sector, or one, in the order of first corners.
   void MakePoints()
   {
-    this->Points.resize(this->Roots.size(), { NoPoint, NoPoint });
+    this->Points.resize(3 * std::size_t(this->Mesh.Size()), { NoPoint, NoPoint });
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       for (int corner = 0; corner < 3 && this->HasCell(triangle); ++corner)
       {
-        const CornerId own = 3 * triangle + corner;
-        const CornerId root = this->RootOf(own);
+        const std::int32_t own = 3 * triangle + corner;
+        const std::int32_t root = this->Sectors.Find(own);
         if (root == own)
         {
           const PointId vertex = this->Mesh.Corner(triangle, corner);
@@ -174,7 +150,7 @@ private:
           const bool isOne = this->IsClosed[std::size_t(vertex)] != 0;
           this->Points[std::size_t(own)] = { top, isOne ? top : this->AddPoint(vertex, this->Layer + 1) };
         }
-        this->Points[std::size_t(own)] = this->Points[std::size_t(root)]; // the first one of its sector
+        this->Points[std::size_t(own)] = this->Points[std::size_t(root)];
       }
     }
   }
@@ -195,7 +171,6 @@ private:
     this->AddFace(BodyFace::Base, this->Base(triangle, 0), this->Base(triangle, 2), this->Base(triangle, 1));
   }
 
-  /// The sides of what is left out at faults.
   void FindFaultSides()
   {
     const RawVector<PointId>& corners = this->Plan.FaultTriangles;
@@ -215,7 +190,6 @@ private:
     return std::binary_search(this->FaultSides.begin(), this->FaultSides.end(), other);
   }
 
-  /// Along the outline, where the layer has a thickness at one end at least.
   void AddWalls(TriangleId triangle)
   {
     for (int side = 0; side < 3; ++side)
@@ -248,7 +222,6 @@ private:
     this->Result.Faces.push_back(face);
   }
 
-  /// Calls visit(triangle, side) for the sides of all triangles with a cell.
   template <typename Visitor>
   void ForEachSide(Visitor&& visit) const
   {
@@ -264,12 +237,12 @@ private:
   const LayerPlan& Plan;
   const std::size_t Layer;
   const PlaneMesh Mesh;
-  std::vector<double> Thickness; // by vertex
-  std::vector<unsigned char> IsKept; // by triangle: it has a cell
+  std::vector<double> Thickness;
+  std::vector<unsigned char> IsKept; // by triangle: 1 for those with a cell
   std::vector<unsigned char> IsClosed; // by vertex
-  std::vector<CornerId> Roots; // by corner
-  std::vector<std::array<PointId, 2>> Points; // by corner, of top and base
-  std::vector<std::array<PointId, 2>> FaultSides; // ascending, with what is left out to their left
+  DisjointSets Sectors; // of corners, three per triangle
+  std::vector<std::array<PointId, 2>> Points; // by corner
+  std::vector<std::array<PointId, 2>> FaultSides; // ascending, with the strip to their left
   LayerBody Result;
 };
 }

@@ -20,11 +20,6 @@ Corners CornersOf(const RawVector<PointId>& triangles, std::size_t triangle)
   return { first[0], first[1], first[2] };
 }
 
-Corners CornersOf(const LayerPlan& plan, std::size_t triangle)
-{
-  return CornersOf(plan.Triangles, triangle);
-}
-
 double AreaOf(const LayerPlan& plan, const Corners& corners)
 {
   const auto at = [&](int corner) { return plan.Columns[std::size_t(corners[std::size_t(corner)])]; };
@@ -41,7 +36,6 @@ double MeanOf(const std::array<double, 3>& values)
   return (values[0] + values[1] + values[2]) / 3.0;
 }
 
-/// Of what is left out at faults inside the layer.
 void MeasureFaults(const LayerPlan& plan, std::size_t layer, LayerVolume& result)
 {
   for (std::size_t triangle = 0; triangle < plan.FaultTriangles.size() / 3; ++triangle)
@@ -105,7 +99,6 @@ private:
     }
   }
 
-  /// For each horizon the vertices at which one of its layers is.
   std::vector<std::vector<unsigned char>> FindUsed() const
   {
     std::vector<std::vector<unsigned char>> isUsed(
@@ -118,7 +111,7 @@ private:
         {
           continue;
         }
-        for (const PointId vertex : CornersOf(this->Plan, triangle))
+        for (const PointId vertex : CornersOf(this->Plan.Triangles, triangle))
         {
           isUsed[layer][std::size_t(vertex)] = 1;
           isUsed[layer + 1][std::size_t(vertex)] = 1;
@@ -134,14 +127,13 @@ private:
     {
       return;
     }
-    const Corners corners = CornersOf(this->Plan, triangle);
+    const Corners corners = CornersOf(this->Plan.Triangles, triangle);
     const std::array<double, 3> thickness = ThicknessOf(this->Plan, layer, corners);
     const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
     if (thick == 0)
     {
       return;
     }
-    // From the surface with the greater heights to the other one.
     const bool isTopHigh = !this->Plan.HeightsGrowDownwards;
     const std::vector<PointId>& high = this->Result.PointsOfHorizons[isTopHigh ? layer : layer + 1];
     const std::vector<PointId>& low = this->Result.PointsOfHorizons[isTopHigh ? layer + 1 : layer];
@@ -175,7 +167,7 @@ private:
       std::for_each(corners.begin(), corners.end(), [&](PointId vertex) { add(low, vertex); });
       return;
     }
-    // The corner that is unlike the two others, and these counter-clockwise after it.
+    // The corner unlike the two others comes first, these follow counter-clockwise.
     std::size_t odd = 0;
     while ((thickness[odd] > 0.0) != (thick == 1))
     {
@@ -221,7 +213,7 @@ LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
     {
       continue;
     }
-    const Corners corners = CornersOf(plan, triangle);
+    const Corners corners = CornersOf(plan.Triangles, triangle);
     const std::array<double, 3> thickness = ThicknessOf(plan, layer, corners);
     const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
     ++result.Triangles[std::size_t(thick)];
@@ -253,7 +245,7 @@ double IntegrateAboveZero(double area, std::array<double, 3> values)
   {
     return 0.0;
   }
-  if (middle <= 0.0) // what is left is a tetrahedron beside the largest value
+  if (middle <= 0.0) // a tetrahedron beside the largest value
   {
     return area * most * (most / (most - least)) * (most / (most - middle)) / 3.0;
   }
@@ -278,7 +270,7 @@ double VolumeAbove(const LayerPlan& plan, std::size_t layer, double contact)
     {
       continue;
     }
-    const Corners corners = CornersOf(plan, triangle);
+    const Corners corners = CornersOf(plan.Triangles, triangle);
     const double area = AreaOf(plan, corners);
     const auto part = [&](std::size_t horizon)
     {

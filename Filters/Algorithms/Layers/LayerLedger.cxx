@@ -19,7 +19,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The entry of a covered column.
 LedgerEntry EntryOf(HeightOrigin top, HeightOrigin base)
 {
   const auto isAny = [&](HeightOrigin origin) { return top == origin || base == origin; };
@@ -62,7 +61,7 @@ public:
   }
 
 private:
-  /// A column that the stack does not have, and a triangle over it.
+  /// A column that the stack does not have, below a triangle.
   struct BridgedColumn
   {
     PlanePoint Column;
@@ -76,7 +75,6 @@ private:
 
   using BridgedColumns = std::vector<BridgedColumn>; // in order, each column once
 
-  /// The columns that the cells of a layer cover.
   struct Cover
   {
     std::vector<unsigned char> IsCovered; // by column of the stack
@@ -93,13 +91,6 @@ private:
   /// Layers share one cover where all of them are everywhere.
   const Cover& CoverOf(std::size_t layer) const { return this->Covers[std::min(layer, this->Covers.size() - 1)]; }
 
-  std::array<PlanePoint, 3> CornersOf(std::size_t triangle) const
-  {
-    const auto at = [&](std::size_t corner)
-    { return this->Plan.Columns[std::size_t(this->Plan.Triangles[3 * triangle + corner])]; };
-    return { at(0), at(1), at(2) };
-  }
-
   void CoverAll(const Monitor& monitor)
   {
     constexpr std::size_t StepOfProgress = 1 << 12;
@@ -109,7 +100,7 @@ private:
       {
         monitor.Progress(double(triangle) / double(this->Plan.NumberOfTriangles()));
       }
-      ForEachRow(this->CornersOf(triangle),
+      ForEachRow(this->Plan.CornersOf(triangle),
         [&](std::int32_t y, std::int32_t first, std::int32_t last)
         {
           for (std::int32_t x = first; x <= last; ++x)
@@ -214,10 +205,9 @@ private:
     return std::isnan(thickness) ? std::nullopt : std::optional<double>(thickness);
   }
 
-  /// The thickness of the plan.
   double ThicknessIn(std::size_t layer, const BridgedColumn& column) const
   {
-    const auto [a, b, c] = this->CornersOf(column.Triangle);
+    const auto [a, b, c] = this->Plan.CornersOf(column.Triangle);
     const std::array<std::int64_t, 3> parts = { SignedArea(column.Column, b, c), SignedArea(a, column.Column, c),
       SignedArea(a, b, column.Column) };
     double sum = 0.0;
@@ -228,8 +218,7 @@ private:
     return sum / double(SignedArea(a, b, c));
   }
 
-  /// Adds the block of four columns, or of three (LayerRegions.h), of which a missing column is this corner, unless an
-  /// earlier corner is missing, too.
+  /// Adds the block (LayerRegions.h) of which a missing column is the corner `own`, unless an earlier one is missing.
   void MeasureBlock(std::size_t layer, const LeftOutColumns& missing, const ColumnIndex& index, std::size_t n,
     std::int32_t own, LayerLedger& ledger) const
   {
@@ -312,8 +301,8 @@ private:
   const LayerPlan& Plan;
   const OrderedStack& Stack;
   const std::vector<HorizonView>& Horizons;
-  const std::vector<ColumnIndex>& Indices; // of the columns of the horizons
-  const ColumnIndex Index; // of the columns of the stack
+  const std::vector<ColumnIndex>& Indices; // of the horizons
+  const ColumnIndex Index; // of the stack
   std::vector<Cover> Covers; // by layer, or one for all
 };
 }

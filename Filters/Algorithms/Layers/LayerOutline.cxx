@@ -17,13 +17,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The fewest points for the first horizon; the others make loops keep more: of each edge that one of them is too far
-/// from, the point where it is farthest.
+/// Loops are simplified for the first horizon. Edges too far from another one keep its farthest point, until none is.
 class OutlineMaker
 {
 public:
-  /// The points are those that have a patch. `known` has for each horizon 1 where its height counts; empty where all
-  /// do.
   OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
     const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices, double error, double tolerance)
     : Columns(columns)
@@ -35,13 +32,12 @@ public:
     this->Options.Method = OutlineMethod::FewestPoints;
     this->Options.DistanceThreshold = error;
     this->Options.OutlineTolerance = tolerance;
-    if (tolerance > 0.0) // else outlines pass over no other columns
+    if (tolerance > 0.0) // without a tolerance outlines pass over no other columns
     {
       this->Index.emplace(columns);
     }
   }
 
-  /// `fixed` points stay, and so do the ends of cracks.
   LayerOutline Run(const ExteriorBoundary& boundary, const std::vector<PointId>& fixed, const Monitor& monitor)
   {
     this->Options.Fixed = fixed;
@@ -69,7 +65,6 @@ public:
   }
 
 private:
-  /// Points to be kept, given the loops and a mark for each point that is.
   std::vector<PointId> FindFar(const Loops& loops, const std::vector<unsigned char>& isKept) const
   {
     std::vector<PointId> far;
@@ -99,8 +94,7 @@ private:
     return far;
   }
 
-  /// Of the points of a loop between two that are kept, the one that a horizon but the first is farthest at from the
-  /// edge, where that is too far; else the first one.
+  /// The point between two kept ones at which a horizon is farthest from the edge, if too far, or `from`.
   template <typename PointAt>
   std::size_t FindFarthest(const PointAt& at, std::size_t from, std::size_t to) const
   {
@@ -119,8 +113,7 @@ private:
     return farthest;
   }
 
-  /// The same for points of horizons that the edge passes over and that are none of the stack: the point of the loop
-  /// half-way, as all are kept where edges are as short as hops.
+  /// The point half-way if the edge is too far from points that the stack does not have, or `from`.
   template <typename PointAt>
   std::size_t FindBesidePassed(const PointAt& at, std::size_t from, std::size_t to) const
   {
@@ -145,14 +138,12 @@ private:
     return isFar ? from + (to - from) / 2 : from;
   }
 
-  /// Of a horizon as it was given; nan where it has no point.
   double HeightAt(std::size_t horizon, const PlanePoint& column) const
   {
     const PointId point = this->Indices[horizon].PointAt(column);
     return point == NoPoint ? std::nan("") : this->Horizons[horizon].Heights[point];
   }
 
-  /// Vertically, where the edge is nearest in plan.
   double DistanceFrom(PointId from, PointId to, PointId point, const std::vector<double>& heights) const
   {
     const PlanePoint& a = this->Columns[std::size_t(from)];
@@ -164,7 +155,6 @@ private:
     return std::abs(start + part * (heights[std::size_t(to)] - start) - heights[std::size_t(point)]);
   }
 
-  /// What rounding may make of a distance.
   double Slack() const { return 1e-9 * std::max(1.0, this->Options.DistanceThreshold); }
 
   PlanePoints Columns;
@@ -172,7 +162,7 @@ private:
   const std::vector<std::vector<unsigned char>>& Known;
   const std::vector<HorizonView>& Horizons;
   std::optional<ColumnIndex> Index; // of the columns of the stack
-  const std::vector<ColumnIndex>& Indices; // of those of the horizons
+  const std::vector<ColumnIndex>& Indices; // of the columns of the horizons
   BoundarySimplificationOptions Options;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The outlines of a stack, of the fewest points for which all its horizons are within the error along them.
+// The outlines of a stack with the fewest points for which all horizons are within the error along them.
 
 #ifndef SeismicHorizonsLayerOutline_h
 #define SeismicHorizonsLayerOutline_h
@@ -27,12 +27,10 @@ struct LayerOutlineOptions
 {
   double MaximumError = 0.0; // lattice units
   double Tolerance = 0.0; // columns
-  std::vector<PointId> Fixed; // points that stay, besides the ends of cracks
+  std::vector<PointId> Fixed; // in addition to the ends of cracks
 };
 
-/// Of points that all have a patch, with the heights of each horizon. `known` has for each of these 1 where its height
-/// counts; it is empty where all do. What horizons have in columns without a point counts where outlines pass over it;
-/// `indices` are of their columns.
+/// `known` has 1 where heights count, or is empty. Points of `horizons` in other columns count below outlines.
 LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const std::vector<HorizonView>& horizons,
   const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, const LayerOutlineOptions& options,

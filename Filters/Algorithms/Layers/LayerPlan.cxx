@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// In this order: the stack in order; the outline within the error of all horizons; the plan inside it; and what is told
-// of it.
 
 #include "LayerPlan.h"
 
@@ -56,22 +53,33 @@ struct MeshErrors
   }
 };
 
-// ---- The plan ------------------------------------------------------------------------------------------------------
+RawVector<PointId> CornersOf(const PlaneMesh& triangles)
+{
+  RawVector<PointId> corners;
+  corners.reserve(3 * std::size_t(triangles.Size()));
+  for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      corners.push_back(PointId(triangles.Corner(triangle, corner)));
+    }
+  }
+  return corners;
+}
+
 class LayerMaker
 {
 public:
-  LayerMaker(const std::vector<HorizonView>& horizons, const LayerOptions& options)
-    : Given(horizons)
-    , Options(options)
+  explicit LayerMaker(const LayerOptions& options)
+    : Options(options)
+    , OutlineTolerance(options.OutlineTolerance.value_or(ToleranceOfOutlines(options.MaximumError)))
     , Horizons(this->Result.Stack.Filled.Views)
   {
   }
 
-  Layers Run(const Monitor& monitor)
+  Layers Run(const std::vector<HorizonView>& horizons, const Monitor& monitor)
   {
-    const StackOptions ofStack = { this->Options.Domain, this->Options.Missing, this->Options.Crossings,
-      this->Options.Cuts };
-    this->Result.Stack = MakeStack(this->Given, ofStack, monitor.Step(0.0, 0.1));
+    this->Result.Stack = MakeStack(horizons, this->Options, monitor.Step(0.0, 0.1));
     this->Result.Plan.Heights.resize(this->Horizons.size());
     this->Result.Plan.HeightsGrowDownwards = this->Options.Crossings.HeightsGrowDownwards;
     this->Result.LargestErrors.resize(this->Horizons.size());
@@ -93,7 +101,7 @@ public:
     this->Fill();
     LayerOutline outline =
       SimplifyOutline(this->Columns, this->MeshHeights(), this->Known, this->Horizons, this->OwnColumns, boundary,
-        { this->Options.MaximumError, this->Result.OutlineTolerance, pinchOuts.OnOutline }, monitor.Step(0.25, 0.3));
+        { this->Options.MaximumError, this->OutlineTolerance, pinchOuts.OnOutline }, monitor.Step(0.25, 0.3));
     this->AddColumnsInside(kept, outline);
     this->Index.emplace(this->Columns);
     HeightMesh mesh = this->MakeMesh(std::move(outline), monitor.Step(0.3, 0.4));
@@ -117,7 +125,7 @@ private:
     return std::move(this->Result);
   }
 
-  /// The points that have a patch. Where all have one, these are lent from the result, as they take most of the memory.
+  /// Takes the points that have a patch. If all have one, they are lent from the result to save memory.
   void TakeKept(const KeptPoints& kept)
   {
     if (kept.AreAll())
@@ -156,22 +164,16 @@ private:
       });
   }
 
-  /// Where that passes over gaps, in which some horizons have points, the stack is completed there, so that these count
-  /// as all others do.
+  /// Completes the stack where the boundary passes over points of some horizons, so that these count.
   ExteriorBoundary FindBoundary(const Monitor& monitor)
   {
     OrderedStack& stack = this->Result.Stack;
-    this->Result.OutlineTolerance =
-      this->Options.OutlineTolerance.value_or(ToleranceOfOutlines(this->Options.MaximumError));
-    this->Result.Radius = this->Options.Radius ? *this->Options.Radius : ChooseRadius(stack.Columns);
-    this->Result.SmallestHoleSize = this->Options.SmallestHoleSize
-      ? *this->Options.SmallestHoleSize
-      : ChooseSmallestHoleSize(this->Result.Radius, this->Result.OutlineTolerance);
     BoundaryOptions options;
-    options.Radius = this->Result.Radius;
-    options.HoleBoundaries = this->Options.HoleBoundaries;
-    options.SmallestHoleSize = this->Result.SmallestHoleSize;
-    options.MinimumPatchSize = this->Options.MinimumPatchSize;
+    options.Radius = this->Options.Radius ? *this->Options.Radius : ChooseRadius(stack.Columns);
+    options.HoleBoundaries = true;
+    options.SmallestHoleSize = this->Options.SmallestHoleSize
+      ? *this->Options.SmallestHoleSize
+      : ChooseSmallestHoleSize(options.Radius, this->OutlineTolerance);
     options.Cuts = this->Options.Cuts;
     ExteriorBoundary boundary = FindExteriorBoundary(stack.Columns, options, monitor);
     if (options.Cuts && options.Radius > 1)
@@ -180,7 +182,7 @@ private:
       uncut.Cuts = nullptr;
       this->StripArea = AreaInside(FindExteriorBoundary(stack.Columns, uncut).Boundary) - AreaInside(boundary.Boundary);
     }
-    const bool areWhole = options.Radius == 1 && options.HoleBoundaries && options.SmallestHoleSize <= 1;
+    const bool areWhole = options.Radius == 1 && options.SmallestHoleSize <= 1;
     if (this->Options.Domain == LayerDomain::Common && !areWhole)
     {
       const CompletedColumns inside =
@@ -197,7 +199,7 @@ private:
     return boundary;
   }
 
-  /// In columns of the stack, holes left out.
+  /// The area in columns, without holes.
   double AreaInside(const Loops& loops) const
   {
     std::int64_t twice = 0;
@@ -211,10 +213,9 @@ private:
     return 0.5 * std::abs(double(twice));
   }
 
-  /// Where simplified outlines pass over points of some horizons, these count as well.
   void AddColumnsInside(const KeptPoints& kept, LayerOutline& outline)
   {
-    if (this->HasRegions() || this->Result.OutlineTolerance == 0.0)
+    if (this->HasRegions() || this->OutlineTolerance == 0.0)
     {
       return;
     }
@@ -255,7 +256,6 @@ private:
     this->Regions.emplace(this->Columns, this->IsIn, this->Options.Cuts);
   }
 
-  /// Their ends on the outline have to stay there.
   std::vector<Edge> FindBorders(const ExteriorBoundary& boundary, std::vector<PointId>& onOutline) const
   {
     if (!this->HasRegions())
@@ -277,8 +277,8 @@ private:
     return borders;
   }
 
-  /// What the mesh has heights of: first a level horizon, whose points are those of all. Where a horizon has no point,
-  /// or none of a layer with an area, it has no errors, and at vertices the height of the next one.
+  /// The first horizon of the mesh is level and has the points of all. Where no layer has an area, its horizons have no
+  /// errors, and the heights of the next ones.
   void Fill()
   {
     if (!this->HasRegions())
@@ -321,10 +321,9 @@ private:
   }
 
   const HeightStack& MeshHeights() const { return this->HasRegions() ? this->Filled : this->Heights; }
-  /// The number that a horizon of the stack has in the mesh.
   std::size_t InMesh(std::size_t horizon) const { return this->HasRegions() ? 1 + horizon : horizon; }
 
-  /// No line crosses them, as they are the first ones.
+  /// Keeps borders before any other lines, so that none crosses them.
   void KeepBorders(HeightMesh& mesh, const std::vector<Edge>& borders) const
   {
     if (borders.empty())
@@ -362,15 +361,13 @@ private:
       std::vector<unsigned char> isIn(plan.NumberOfTriangles());
       for (std::size_t triangle = 0; triangle < isIn.size(); ++triangle)
       {
-        const auto at = [&](std::size_t corner)
-        { return plan.Columns[std::size_t(plan.Triangles[3 * triangle + corner])]; };
-        isIn[triangle] = this->Regions->Holds(layer, { at(0), at(1), at(2) }) ? 1 : 0;
+        isIn[triangle] = this->Regions->Holds(layer, plan.CornersOf(triangle)) ? 1 : 0;
       }
       plan.IsIn.push_back(std::move(isIn));
     }
   }
 
-  /// The thickness of a layer is bound as one more horizon is.
+  /// Bounds the thickness of layers as if they were more horizons.
   void AddThickness()
   {
     this->Heights.resize(this->Horizons.size());
@@ -389,7 +386,7 @@ private:
     horizon.Columns = this->Columns;
     horizon.Patch = std::move(outline.Patch);
     horizon.Boundary = std::move(outline.Boundary);
-    horizon.Cuts = { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; // someone else's
+    horizon.Cuts = { std::shared_ptr<const LinkCuts>(), this->Options.Cuts }; // not owned
     HeightMesh mesh(std::move(horizon), monitor, this->MeshHeights().front().data());
     for (std::size_t n = 1; n < this->MeshHeights().size(); ++n)
     {
@@ -406,7 +403,7 @@ private:
     }
     PinchOutOptions options;
     options.SmallestPinch = this->Options.SmallestPinch;
-    options.Tolerance = this->Result.OutlineTolerance;
+    options.Tolerance = this->OutlineTolerance;
     options.MaximumError = this->Options.MaximumError;
     return FindPinchOutLines(
       this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
@@ -424,7 +421,7 @@ private:
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { order.Apply(mesh, heights); };
     lines.DropFar();
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
-    while (lines.DropFar()) // those that fitted heights have moved, or a vertex on them has cut
+    while (lines.DropFar()) // lines with fitted ends, or cut by a vertex
     {
       MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
       refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.3, 0.3));
@@ -437,7 +434,7 @@ private:
     this->FitHeightsAtFaults(mesh, rule);
   }
 
-  /// Where the whole plan is within the error all the same.
+  /// Puts heights back where the plan would not be within the error.
   void FitHeightsAtFaults(HeightMesh& mesh, const HeightRule& rule) const
   {
     if (!this->Options.Cuts || !this->Options.FitHeights)
@@ -462,7 +459,6 @@ private:
     }
   }
 
-  /// By vertex: 1 at the ends of edges of outlines that pass points too far off.
   std::vector<unsigned char> MarkFarEdges(const HeightMesh& mesh) const
   {
     std::vector<unsigned char> isAtFar(std::size_t(mesh.EndOfVertices()), 0);
@@ -477,24 +473,15 @@ private:
     return isAtFar;
   }
 
-  // ---- What is told of it ------------------------------------------------------------------------------------------
+  // ---- The result --------------------------------------------------------------------------------------------------
   void Collect(HeightMesh& mesh, const Cracks& cracks, const Monitor& monitor)
   {
     mesh.SortVertices();
     LayerPlan& plan = this->Result.Plan;
-    const PlaneMesh& triangles = mesh.Triangles();
-    RawVector<PointId> corners;
-    corners.reserve(3 * std::size_t(triangles.Size()));
-    for (TriangleId triangle = 0; triangle < triangles.Size(); ++triangle)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        corners.push_back(PointId(triangles.Corner(triangle, corner)));
-      }
-    }
+    RawVector<PointId> corners = CornersOf(mesh.Triangles());
     RawVector<PointId> ofFaults = this->CloseCracks(mesh, cracks);
     this->MeasureStrips(mesh, ofFaults);
-    std::vector<PointId> numbers(std::size_t(mesh.EndOfVertices()), NoPoint); // of the corners of triangles
+    std::vector<PointId> numbers(std::size_t(mesh.EndOfVertices()), NoPoint);
     for (const RawVector<PointId>* const some : { &corners, &ofFaults })
     {
       std::for_each(some->begin(), some->end(), [&numbers](PointId vertex) { numbers[std::size_t(vertex)] = 0; });
@@ -526,7 +513,6 @@ private:
     this->MeasureErrors(mesh, monitor);
   }
 
-  /// Where cracks are closed: in which layers, and how much of it layers without cuts would fill.
   void MeasureStrips(const HeightMesh& mesh, const RawVector<PointId>& ofFaults)
   {
     const auto point = [&](std::size_t corner) { return std::size_t(mesh.SourceOf(ofFaults[corner])); };
@@ -551,7 +537,6 @@ private:
     }
   }
 
-  /// The triangles that close cracks.
   RawVector<PointId> CloseCracks(const HeightMesh& mesh, Cracks cracks) const
   {
     const std::vector<VertexId> vertices = mesh.VerticesByPoint();
@@ -568,7 +553,6 @@ private:
     return CloseFaults(places, mesh.Boundary().RenumberedBy(vertexOf), cracks);
   }
 
-  /// Of all vertices, those of loops without area as well.
   void RequireMesh(const HeightMesh& mesh) const
   {
     std::vector<PlanePoint> places;
@@ -578,19 +562,11 @@ private:
       numbers[std::size_t(mesh.SourceOf(vertex))] = PointId(vertex);
       places.push_back(mesh.Raised(vertex).Column);
     }
-    RawVector<PointId> corners;
-    for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        corners.push_back(PointId(mesh.Triangles().Corner(triangle, corner)));
-      }
-    }
-    MeshChecker::Require("MakeLayers", places, mesh.Boundary().Renumbered(numbers), corners, MeshChecker::Kind::Any);
+    MeshChecker::Require(
+      "MakeLayers", places, mesh.Boundary().Renumbered(numbers), CornersOf(mesh.Triangles()), MeshChecker::Kind::Any);
   }
 
-  /// Heights that moved a part of their way may be out of order, and those of two horizons that were fitted to the same
-  /// may differ, by what was rounded: these are one.
+  /// Makes heights one that are out of order, or differ, by rounding only.
   void OrderToTheLastDigit(double rounding)
   {
     LayerPlan& plan = this->Result.Plan;
@@ -605,7 +581,7 @@ private:
     }
   }
 
-  /// Of a horizon, or of the thickness of a layer.
+  /// `horizon` may stand for the thickness of a layer, here and below.
   double& LargestErrorOf(std::size_t horizon)
   {
     const std::size_t horizons = this->Horizons.size();
@@ -613,7 +589,6 @@ private:
                               : this->Result.LargestThicknessErrors[horizon - horizons];
   }
 
-  /// Whether a layer of a horizon, or that whose thickness it is, has a triangle.
   bool IsHorizonIn(std::size_t horizon, std::size_t triangle) const
   {
     const LayerPlan& plan = this->Result.Plan;
@@ -652,7 +627,7 @@ private:
       });
   }
 
-  /// Exactly, where it is larger.
+  /// Measures a triangle exactly if its error is larger.
   static void AddErrors(const HeightMesh& mesh, std::size_t horizon, TriangleId triangle, MeshErrors& largest)
   {
     const HeightRaster& raster = mesh.RasterOf(horizon, triangle);
@@ -673,16 +648,14 @@ private:
     }
   }
 
-  /// A point of a horizon, or of the thickness of a layer, that an edge of an outline passes over, where the mesh does
-  /// not count it: a column that was dropped from its loop.
+  /// A point below an edge of an outline that the mesh does not count, as its column was dropped from the loop.
   struct PassedPoint
   {
     std::size_t Horizon;
-    std::array<VertexId, 2> Ends; // of the edge
+    std::array<VertexId, 2> Ends;
     double Error;
   };
 
-  /// Calls visit(passed).
   template <typename Visit>
   void ForEachPassed(const HeightMesh& mesh, Visit&& visit) const
   {
@@ -703,7 +676,6 @@ private:
     }
   }
 
-  /// At a place that is part of the way between two vertices; `point` is that of the stack there, or NoPoint.
   template <typename Visit>
   void VisitPassed(const HeightMesh& mesh, TriangleId triangle, const std::array<VertexId, 2>& ends, double part,
     const PlanePoint& place, PointId point, Visit&& visit) const
@@ -726,20 +698,20 @@ private:
     }
   }
 
-  const std::vector<HorizonView>& Given;
   const LayerOptions& Options;
+  const double OutlineTolerance; // columns
   Layers Result;
-  const std::vector<HorizonView>& Horizons; // with filled points, as far as these are allowed
-  std::vector<PlanePoint> Columns; // that have a patch
-  HeightStack Heights; // there, of horizons, and then of layers whose thickness is bound
-  std::vector<std::vector<unsigned char>> IsIn; // by layer, there: 1 where both its horizons are
-  std::optional<LayerRegions> Regions; // where each layer has a domain of its own
-  HeightStack Filled; // of these: a level horizon, and then the heights above without gaps
-  std::vector<std::vector<unsigned char>> Known; // for each of them 1 where it counts
-  std::optional<ColumnIndex> Index; // of Columns, once all are there
-  std::vector<ColumnIndex> OwnColumns; // of the horizons as they were given
-  std::optional<double> StripArea; // that cuts leave out, where gaps may lie along them
-  std::vector<unsigned char> IsOnLine; // there: 1 on pinch-out lines
+  const std::vector<HorizonView>& Horizons; // with the filled points that the policy allows
+  std::vector<PlanePoint> Columns; // with a patch
+  HeightStack Heights; // of horizons, and of the thickness of layers if it is bound, by Columns
+  std::vector<std::vector<unsigned char>> IsIn; // by layer and Columns: 1 where both horizons are
+  std::optional<LayerRegions> Regions; // if each layer has a domain of its own
+  HeightStack Filled; // with regions: a level horizon, and then Heights without gaps
+  std::vector<std::vector<unsigned char>> Known; // 1 where Filled counts
+  std::optional<ColumnIndex> Index;
+  std::vector<ColumnIndex> OwnColumns; // by horizon
+  std::optional<double> StripArea; // that cuts leave out, if gaps may lie along them
+  std::vector<unsigned char> IsOnLine; // by Columns: 1 on pinch-out lines
 };
 }
 
@@ -752,19 +724,19 @@ Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& 
   if (options.Domain == LayerDomain::EachLayer)
   {
     const bool areLeft = options.Radius.value_or(1) == 1 && options.SmallestHoleSize.value_or(1) == 1 &&
-      options.OutlineTolerance.value_or(0.0) == 0.0 && options.HoleBoundaries;
+      options.OutlineTolerance.value_or(0.0) == 0.0;
     if (!areLeft)
     {
       throw InputError(
         "outlines that are simplified or holes that are closed where each layer has a domain of its own, "
-        "expected a radius and a smallest hole of 1, a tolerance of 0, and the boundaries of holes");
+        "expected a radius and a smallest hole of 1, and a tolerance of 0");
     }
     LayerOptions exact = options;
     exact.Radius = 1;
     exact.SmallestHoleSize = 1;
     exact.OutlineTolerance = 0.0;
-    return LayerMaker(horizons, exact).Run(monitor);
+    return LayerMaker(exact).Run(horizons, monitor);
   }
-  return LayerMaker(horizons, options).Run(monitor);
+  return LayerMaker(options).Run(horizons, monitor);
 }
 }

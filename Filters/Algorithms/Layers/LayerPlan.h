@@ -1,20 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One triangulation in plan for a stack of horizons, with a height of each at every vertex: what lies between two
-// horizons over a triangle is then a wedge with vertical sides, and layers share their points.
+// One triangulation in plan for a stack of horizons, with a height of each at every vertex. Heights at vertices are in
+// order and surfaces linear in between, so that no thickness is negative. Steps:
 //
-//   1. The domain is the columns in which all horizons have heights; or those of all layers together, whose borders the
-//      plan then has (LayerRegions.h). Neighbouring horizons that cross there are put in order (Crossings.h), and where
-//      points are missing, heights may be put in (MissingHeights.h).
-//   2. The outline is that of the domain (ExteriorBoundary.h), with the fewest points for which all horizons are within
-//      the error along it (BoundarySimplification.h).
-//   3. Where two horizons become one over an area, vertices and edges are put on the line around it.
-//   4. Points are inserted where the largest error over all horizons is largest (Decimation.h).
-//   5. With the best effort, and for fitted heights, as Decimation.h does, with the errors of all horizons. At each
-//      vertex heights stay in order, and those of horizons that are one all around the column stay the same.
-//
-// All heights at a vertex are in order, and surfaces are linear in between: so no thickness is negative anywhere.
+//   1. Horizons are put in order (Crossings.h) and missing heights put in (MissingHeights.h).
+//   2. The outline is simplified with all horizons within the error (LayerOutline.h).
+//   3. Pinch-out lines (PinchOuts.h) and borders of layers (LayerRegions.h) become edges.
+//   4. Points are inserted where the error of any horizon is largest, and the plan is improved (Decimation.h).
 
 #ifndef SeismicHorizonsLayerPlan_h
 #define SeismicHorizonsLayerPlan_h
@@ -27,6 +20,7 @@
 #include "LayerLedger.h"
 #include "OrderedStack.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -34,62 +28,43 @@
 
 namespace SeismicHorizons
 {
-struct LayerOptions
+/// With the domain EachLayer, only a radius and a smallest hole of 1 and an outline tolerance of 0 are allowed.
+struct LayerOptions : StackOptions
 {
-  /// Where each layer has a domain of its own, outlines and borders stay as they are in plan: Radius and
-  /// SmallestHoleSize are 1 and the outline tolerance is 0, and other values are refused.
-  LayerDomain Domain = LayerDomain::Common;
-  /// What is done where horizons have no point.
-  MissingOptions Missing;
-  /// The largest vertical distance of a point of any horizon from its surface, and of sides of the plan from lines
-  /// between neighbouring columns that they cross, in lattice units: at least 0.
+  /// In lattice units: at least 0.
   double MaximumError = ErrorOfWholeVoxels;
-  /// Of the outline, in columns; ToleranceOfOutlines (Surface.h) where it has no value.
+  /// In columns; ToleranceOfOutlines by default. The next two are chosen by default as in SurfaceOptions.
   std::optional<double> OutlineTolerance;
-  /// As in SurfaceOptions; chosen where they have no value.
   std::optional<int> Radius;
   std::optional<std::int64_t> SmallestHoleSize;
-  bool HoleBoundaries = true;
-  std::int64_t MinimumPatchSize = 1;
-  /// Where faults cut any of the horizons, or null. Layers end at both cutoffs of a fault, and have a crack between
-  /// them.
-  const LinkCuts* Cuts = nullptr;
-  /// Which horizon is uppermost, and what is done where they cross.
-  CrossingOptions Crossings;
-  /// What the plan is like: as in DecimationQuality. Simulators want larger angles than surfaces do.
+  /// As in DecimationQuality, with the larger angles that simulators want.
   bool FitHeights = true;
   DecimationEffort Effort = DecimationEffort::Best;
   double SmallestAngle = 10.0;
-  /// Whether the thickness of each layer is within the error as well; else its errors are up to twice that.
+  /// Whether the thickness of layers is within the error, too; else within twice the error.
   bool BoundThickness = false;
-  /// Whether the plan has the lines around areas where a layer has no thickness (PinchOuts.h), of so many columns.
+  /// Whether areas of at least SmallestPinch columns without a thickness have lines around them (PinchOuts.h).
   bool PinchOutLines = true;
   std::int64_t SmallestPinch = 25;
 };
 
 struct LayerPlan
 {
-  /// The place of each vertex, all of which are corners of triangles, be it at faults, and for each horizon its height.
-  std::vector<PlanePoint> Columns;
-  HeightStack Heights;
+  std::vector<PlanePoint> Columns; // by vertex
+  HeightStack Heights; // by horizon and vertex; that of its neighbour where no layer has the horizon
   bool HeightsGrowDownwards = false;
   /// Three vertices per triangle, counter-clockwise seen from +z on the lattice.
   RawVector<PointId> Triangles;
-  /// For each layer, by triangle, 1 where it is. Empty where all layers are everywhere. Where no layer at a vertex has
-  /// a horizon, that has the height of its neighbour in the stack.
-  std::vector<std::vector<unsigned char>> IsIn;
-  /// Triangles between the two sides of cracks, alike, in which no layer is: they show what the layers leave out there.
+  std::vector<std::vector<unsigned char>> IsIn; // by layer and triangle; empty if all layers are everywhere
+  /// Between the two sides of cracks, where no layer is.
   RawVector<PointId> FaultTriangles;
-  /// For each layer, by such triangle, 1 where it is on all sides of it. Empty where all layers are everywhere.
-  std::vector<std::vector<unsigned char>> IsAround;
-  /// How much of these triangles layers without cuts would fill: less than 1 where gaps lie along faults.
-  double FaultShare = 1.0;
+  std::vector<std::vector<unsigned char>> IsAround; // the same for fault triangles: 1 with the layer on all sides
+  double FaultShare = 1.0; // of fault triangles that layers without cuts would fill
 
   bool HasLayer(std::size_t layer, std::size_t triangle) const
   {
     return this->IsIn.empty() || this->IsIn[layer][triangle] != 0;
   }
-  /// Whether a layer above or below a horizon has a triangle.
   bool HasHorizon(std::size_t horizon, std::size_t triangle) const
   {
     return (horizon > 0 && this->HasLayer(horizon - 1, triangle)) ||
@@ -98,7 +73,12 @@ struct LayerPlan
   std::size_t NumberOfHorizons() const { return this->Heights.size(); }
   std::size_t NumberOfLayers() const { return this->Heights.empty() ? 0 : this->Heights.size() - 1; }
   std::size_t NumberOfTriangles() const { return this->Triangles.size() / 3; }
-  /// Of the layer below a horizon at a vertex: at least 0, and 0 only where the two heights are the same number.
+  std::array<PlanePoint, 3> CornersOf(std::size_t triangle) const
+  {
+    const auto at = [&](std::size_t corner) { return this->Columns[std::size_t(this->Triangles[corner])]; };
+    return { at(3 * triangle), at(3 * triangle + 1), at(3 * triangle + 2) };
+  }
+  /// At least 0, and 0 only if the two heights are equal.
   double Thickness(std::size_t layer, PointId vertex) const
   {
     const double difference = this->Heights[layer][std::size_t(vertex)] - this->Heights[layer + 1][std::size_t(vertex)];
@@ -108,27 +88,17 @@ struct LayerPlan
 
 struct Layers
 {
-  OrderedStack Stack; // what the plan was made of
+  OrderedStack Stack; // without its filled horizons
   LayerPlan Plan;
-  /// With which the outline was found.
-  int Radius = 1;
-  std::int64_t SmallestHoleSize = 1;
-  double OutlineTolerance = 0.0;
-  /// For each horizon the largest error at columns inside the plan, vertices included, and that of inner sides.
-  std::vector<double> LargestErrors;
-  std::vector<double> LargestSideErrors;
-  /// For each layer that of its thickness, where that is bound; else empty.
-  std::vector<double> LargestThicknessErrors;
+  std::vector<double> LargestErrors; // by horizon, at columns inside the plan
+  std::vector<double> LargestSideErrors; // by horizon, where inner edges cross lines between columns
+  std::vector<double> LargestThicknessErrors; // by layer; empty unless they are bound
   LayerLedgers Ledgers;
-  /// How many edges pinch-out lines have, and how many of them are no sides of the plan, as they cross others or have
-  /// ends outside.
-  std::size_t PinchOutLines = 0;
-  std::size_t LinesLeftOut = 0;
+  std::size_t PinchOutLines = 0; // edges of pinch-out lines
+  std::size_t LinesLeftOut = 0; // of these, those that cross others or have ends outside
 };
 
-/// The uppermost horizon first, all on one lattice; heights are finite and in lattice units. Empty horizons and those
-/// without a column in common are refused, as are those that RepairCrossings refuses (InputError). The result does not
-/// depend on the order of points or the number of threads.
+/// Horizons are on one lattice, the uppermost first, with heights in lattice units. Throws InputError as MakeStack does.
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options = LayerOptions(),
   const Monitor& monitor = Monitor());
 }

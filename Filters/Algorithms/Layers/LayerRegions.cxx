@@ -12,7 +12,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Of a block with three corners, the bits of the two that its diagonal joins: those beside the missing one.
 int DiagonalOf(int corners)
 {
   return (corners & 9) == 9 ? 9 : 6;
@@ -54,7 +53,7 @@ PointId LayerRegions::PointAt(std::int64_t x, std::int64_t y) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Bits of the corners of a block, given its lower left one, that have a layer.
+// The bits of the corners of a block that have a layer.
 int LayerRegions::PresentCorners(std::size_t layer, std::int64_t x, std::int64_t y) const
 {
   int corners = 0;
@@ -67,7 +66,7 @@ int LayerRegions::PresentCorners(std::size_t layer, std::int64_t x, std::int64_t
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// What cuts leave of a block with these corners: its bits, or those of the half where one corner is cut off, or none.
+// The part of a block with these corners that cuts leave: all of it, the half where one corner is cut off, or none.
 int LayerRegions::OpenPartOf(std::int64_t x, std::int64_t y, int corners) const
 {
   if (!this->Cuts)
@@ -92,7 +91,6 @@ int LayerRegions::OpenPartOf(std::int64_t x, std::int64_t y, int corners) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Bits of the corners of the part of a block that a layer has: four, three or none.
 int LayerRegions::PartOf(std::size_t layer, std::int64_t x, std::int64_t y) const
 {
   const int corners = this->PresentCorners(layer, x, y);
@@ -117,7 +115,6 @@ int LayerRegions::PartOf(std::size_t layer, std::int64_t x, std::int64_t y) cons
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// The same of all columns together.
 int LayerRegions::PartOfAll(std::int64_t x, std::int64_t y) const
 {
   int corners = 0;
@@ -144,15 +141,14 @@ bool LayerRegions::HasArea(std::size_t layer, PointId point) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// What holds the middle of the triangle holds all of it. Where that is on a line between columns or on a diagonal, no
-// border is there, and either side has the answer.
+// The part with the centre of the triangle has all of it. If the centre is on a side of the part, no border is there.
 bool LayerRegions::Holds(std::size_t layer, const std::array<PlanePoint, 3>& corners) const
 {
   const std::int64_t sumX = std::int64_t(corners[0].X) + corners[1].X + corners[2].X;
   const std::int64_t sumY = std::int64_t(corners[0].Y) + corners[1].Y + corners[2].Y;
   const std::int64_t x = FloorOfThird(sumX);
   const std::int64_t y = FloorOfThird(sumY);
-  const std::int64_t restX = sumX - 3 * x; // thirds of a column
+  const std::int64_t restX = sumX - 3 * x;
   const std::int64_t restY = sumY - 3 * y;
   switch (this->PartOf(layer, x, y))
   {
@@ -172,8 +168,8 @@ bool LayerRegions::Holds(std::size_t layer, const std::array<PlanePoint, 3>& cor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Calls visit(from, to) for the links from a column to the east, to the north and along the diagonals of the block to
-// the north-east that are borders of a layer, and not of all columns together.
+// Calls visit(from, to) for the borders of layers, not of all columns together, in the block to the north-east of a
+// column and on its first sides.
 template <typename Visitor>
 void LayerRegions::ForEachBorderLink(const PlanePoint& column, Visitor&& visit) const
 {
@@ -228,7 +224,7 @@ std::vector<Edge> LayerRegions::FindBorders(const std::vector<unsigned char>& is
   std::sort(links.begin(), links.end());
   const auto linksOf = [&links](PointId point)
   { return std::lower_bound(links.begin(), links.end(), std::pair<PointId, PointId>(point, 0)); };
-  // Where a line goes on from a point in the same direction and nothing else is there.
+  // The next point where a line continues in the same direction and no other line is, else NoPoint.
   const auto next = [&](PointId before, PointId point)
   {
     const auto first = linksOf(point);

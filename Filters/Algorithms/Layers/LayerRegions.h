@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where each layer of a stack is, where that differs from layer to layer: in blocks of four columns that all have both
-// its horizons, and halves of blocks with three.
+// The domain of each layer: blocks of four columns that have both its horizons, and halves of blocks with three.
 //
 //    o---o    o        o---o    o---o        Two layers may have three columns of a block each, but not the same three.
 //    |   |    | \      |  /     |  \|        Borders must not cross: then only the layers whose halves are cut along
@@ -25,18 +24,16 @@ namespace SeismicHorizons
 class LayerRegions
 {
 public:
-  /// For each layer 1 for the columns that have both its horizons, else 0. Keeps references. Cuts may be null; no layer
-  /// is where these leave a block open (CutBlocks.h).
+  /// `isIn` has 1 for columns with both horizons of a layer. Keeps references. Cuts, which may be null, open blocks.
   LayerRegions(PlanePoints columns, const std::vector<std::vector<unsigned char>>& isIn, const LinkCuts* cuts);
 
-  /// Whether a layer has a part of one of the four blocks around a column that reaches the column.
   bool HasArea(std::size_t layer, PointId point) const;
 
-  /// Whether a triangle that no border crosses lies in a layer.
+  /// Whether a triangle, which no border crosses, lies in a layer.
   bool Holds(std::size_t layer, const std::array<PlanePoint, 3>& corners) const;
 
-  /// The borders of all layers but for what is the border of all columns together, each once, as straight lines along
-  /// rows, columns or diagonals of the lattice. They end at points of loops, which are marked, and do not cross.
+  /// The borders of layers inside the outlines of all columns, as straight lines, which do not cross. Points of loops
+  /// are marked; borders end there.
   std::vector<Edge> FindBorders(const std::vector<unsigned char>& isOnLoop) const;
 
 private:

@@ -11,6 +11,7 @@
 #include "HoleFilling/HoleFilling.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -26,7 +27,7 @@ namespace
 constexpr std::int64_t Grain = 1 << 14; // columns that a thread takes at a time
 
 // ---- Holes and gaps ------------------------------------------------------------------------------------------------
-/// Empty columns between two of a row, or of a column, of the lattice with at most `largest` empty ones between them.
+/// Runs of at most `largest` empty columns between two of a row or column of the lattice.
 std::vector<PlanePoint> FindGaps(PlanePoints columns, int largest)
 {
   const ColumnIndex index(columns);
@@ -64,19 +65,19 @@ public:
   {
   }
 
-  /// Lines with heights at both ends count first, then those with one, and what is between cuts last.
+  /// Lines with heights at both ends count first, then those with one, then those across cuts.
   void Fill(std::vector<double>& heights)
   {
-    while (this->FillOnce(true, heights))
+    const auto fill = [&](bool atBothEnds)
     {
-    }
-    while (this->FillOnce(false, heights))
-    {
-    }
+      while (this->FillOnce(atBothEnds, heights))
+      {
+      }
+    };
+    fill(true);
+    fill(false);
     this->Cuts = nullptr;
-    while (this->FillOnce(false, heights))
-    {
-    }
+    fill(false);
   }
 
 private:
@@ -86,7 +87,6 @@ private:
     double Distance = 0.0; // in steps
   };
 
-  /// Whether it has found heights.
   bool FillOnce(bool atBothEnds, std::vector<double>& heights) const
   {
     std::vector<double> filled = heights;
@@ -135,7 +135,7 @@ private:
         }
       }
     }
-    return sum / weights; // nan where nothing was found
+    return sum / weights; // nan if there is none
   }
 
   LineEnd FindEnd(PlanePoint column, const PlanePoint& step, const std::vector<double>& heights) const
@@ -183,7 +183,7 @@ void FillHorizon(const HorizonView& horizon, const MissingOptions& options, cons
     const FilledColumns filled = FillHoles(horizon.Columns, heights, {}, holes, cuts, monitor);
     add(filled.Column, filled.Height);
   }
-  for (int pass = 0; pass < 2; ++pass) // the second pass closes what is between sparse lines in both directions
+  for (int pass = 0; pass < 2; ++pass) // the second pass is for sparse lines in both directions
   {
     const std::vector<PlanePoint> gaps = FindGaps(columns, options.LargestGap);
     if (!gaps.empty())
@@ -243,14 +243,13 @@ public:
   }
 
 private:
-  /// How far down the horizon is between its neighbours along the border of an area, from 0 to 1 in each column.
+  /// How far down, from 0 to 1, the horizon is between its neighbours along the border of an area.
   struct Shares
   {
     double Sum = 0.0;
     double Count = 0.0;
   };
 
-  /// Calls visit(column, neighbour) for the marked columns and each of their four neighbours that are there.
   template <typename Visit>
   void ForEachNeighbour(const std::vector<unsigned char>& marks, Visit&& visit) const
   {
@@ -269,7 +268,7 @@ private:
     }
   }
 
-  /// The height of the next horizon that has one, upwards (-1) or downwards (1); nan where none has.
+  /// The height of the next horizon upwards (-1) or downwards (1) that has one, or nan.
   double Next(std::size_t horizon, std::size_t column, int step) const
   {
     for (auto n = std::ptrdiff_t(horizon) + step; n >= 0 && n < std::ptrdiff_t(this->Heights.size()); n += step)
@@ -350,7 +349,6 @@ private:
     this->Heights[horizon][column] = this->Upwards * height;
   }
 
-  /// The height of the next horizon downwards for whose origin isOne() is true.
   template <typename IsOne>
   double Below(std::size_t horizon, std::size_t column, IsOne&& isOne) const
   {
@@ -381,10 +379,8 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 HeightOrigin ReadOrigin(const HorizonView& horizon, PointId point)
 {
-  const int filled = horizon.IsFilled ? horizon.IsFilled[point] : 0;
-  return filled == 0 ? HeightOrigin::Known
-    : filled == 1    ? HeightOrigin::FilledBefore
-                     : HeightOrigin::ExtrapolatedBefore;
+  constexpr std::array origins = { HeightOrigin::Known, HeightOrigin::FilledBefore, HeightOrigin::ExtrapolatedBefore };
+  return origins[horizon.IsFilled ? horizon.IsFilled[point] : 0];
 }
 
 //----------------------------------------------------------------------------------------------------------------------

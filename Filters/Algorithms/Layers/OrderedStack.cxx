@@ -50,7 +50,7 @@ void CheckHorizons(const std::vector<HorizonView>& horizons, const CrossingOptio
   }
 }
 
-/// Why horizons have no column in common: for two of them, where there are such.
+/// Names two horizons without a column in common, if there are such.
 InputError NothingInCommon(const std::vector<HorizonView>& horizons, const CrossingOptions& names)
 {
   for (std::size_t a = 0; a < horizons.size(); ++a)
@@ -68,8 +68,8 @@ InputError NothingInCommon(const std::vector<HorizonView>& horizons, const Cross
     " horizons have, expected horizons that lie above each other");
 }
 
-/// By horizon; nan where one has no point, or none that was read.
-HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColumns& columns, bool areFilledLeft)
+/// nan where a horizon has no point, or none that was read, without filled ones.
+HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColumns& columns, bool withFilled)
 {
   HeightStack stack;
   for (std::size_t n = 0; n < horizons.size(); ++n)
@@ -81,7 +81,7 @@ HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColu
         std::transform(columns.Points[n].begin() + first, columns.Points[n].begin() + last, heights.begin() + first,
           [&](PointId point)
           {
-            const bool isOne = areFilledLeft ? point != NoPoint : horizons[n].Knows(point);
+            const bool isOne = withFilled ? point != NoPoint : horizons[n].Knows(point);
             return isOne ? horizons[n].Heights[point] : std::nan("");
           });
       });
@@ -91,7 +91,6 @@ HeightStack HeightsOf(const std::vector<HorizonView>& horizons, const CommonColu
 }
 
 // ---- Gaps ----------------------------------------------------------------------------------------------------------
-/// Which columns are inside loops or on them.
 class LoopRows
 {
 public:
@@ -109,14 +108,13 @@ public:
     std::sort(this->Crossings.begin(), this->Crossings.end());
   }
 
-  /// A point of a loop that a column is on, or NoPoint.
   PointId LoopAt(const PlanePoint& column) const
   {
     const auto found = std::lower_bound(this->On.begin(), this->On.end(), Place{ column, 0 });
     return found != this->On.end() && found->Column == column ? found->Point : NoPoint;
   }
 
-  /// One of the loop to the left of a column inside, or NoPoint for one outside.
+  /// A point of the loop to the left of a column inside, or NoPoint for columns outside.
   PointId LoopAround(const PlanePoint& column) const
   {
     const auto isLeft = [](const Crossing& crossing, const PlanePoint& place)
@@ -186,7 +184,6 @@ struct StackPart
   CommonColumns Columns;
   OriginStack Origins;
 
-  /// The columns for which keep(n) is true.
   template <typename Keep>
   StackPart Select(Keep&& keep) const
   {
@@ -206,7 +203,7 @@ struct StackPart
   }
 };
 
-/// All heights that can be had; the stack has those that the policy allows.
+/// Completes all columns; the stack gets the heights that the policy allows, and the others are left out.
 class StackMaker
 {
 public:
@@ -278,7 +275,7 @@ private:
     return heights;
   }
 
-  /// Notes what layers would have in columns, all of them or those that the policy forbids.
+  /// Notes layers in all columns, or in those that the policy forbids.
   void LeaveOut(const StackPart& part, const HeightStack& heights, MissingPolicy policy, bool areAll)
   {
     for (std::size_t layer = 0; layer + 1 < heights.size(); ++layer)

@@ -15,7 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// The lines of one layer.
 class LineFinder
 {
 public:
@@ -49,7 +48,7 @@ public:
   }
 
 private:
-  // Points of loops are numbers among the pinched ones.
+  // Points of loops are numbered among the pinched ones.
   bool IsOnOutline(PointId point) const { return this->IsOnLoop[std::size_t(this->Pinched[std::size_t(point)])] != 0; }
 
   Loops FindLoops(const Monitor& monitor) const
@@ -61,7 +60,6 @@ private:
     return FindExteriorBoundary(this->Places, options, monitor).Boundary;
   }
 
-  /// Lines keep the points where they reach the outline.
   Loops Simplify(const Loops& loops, const Monitor& monitor)
   {
     BoundarySimplificationOptions options;
@@ -80,15 +78,15 @@ private:
     return SimplifyBoundary(SpacePoints(this->Places, this->Heights, 1), loops, options, monitor).Boundary;
   }
 
-  /// From each point that is kept to the next one, but for those along the outline.
+  /// Adds lines from each kept point to the next one, except along the outline.
   void AddLines(const Loops& loops, const std::vector<unsigned char>& isKept)
   {
     for (std::size_t loop = 0; loop < loops.Size(); ++loop)
     {
-      std::vector<PointId> line; // since the last one that is kept
+      std::vector<PointId> line; // since the last kept point
       bool isAlongOutline = true;
       const std::size_t length = loops.Length(loop);
-      for (std::size_t n = 0; n < 2 * length; ++n) // the second time on from the first one that is kept
+      for (std::size_t n = 0; n < 2 * length; ++n) // the second round begins at the first kept point
       {
         const PointId point = loops.begin(loop)[n % length];
         isAlongOutline = isAlongOutline && this->IsOnOutline(point);
@@ -112,7 +110,7 @@ private:
   const PinchOutOptions& Options;
   PinchOutLines& Lines;
   std::vector<PointId> Pinched; // points without thickness
-  std::vector<PlanePoint> Places; // of these
+  std::vector<PlanePoint> Places;
   std::vector<double> Heights;
 };
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pinch-out lines: around areas where two neighbours of a stack have become one. A plan without them has thin feathers
-// that reach far beyond the line, as a layer that is thinner than the error is within it.
+// Pinch-out lines, around areas where two neighbours of a stack have become one. Without these lines layers end in thin
+// feathers far beyond them, which are within the error.
 
 #ifndef SeismicHorizonsPinchOuts_h
 #define SeismicHorizonsPinchOuts_h
@@ -18,26 +18,19 @@ namespace SeismicHorizons
 {
 struct PinchOutOptions
 {
-  /// Areas of fewer columns have no line, and nor have as small ones inside areas: at least 1.
-  std::int64_t SmallestPinch = 25;
-  /// How far in plan, in columns, the line may be from the columns around the area.
-  double Tolerance = 0.0;
-  /// And how far the upper horizon may be from it there, in lattice units.
-  double MaximumError = 0.0;
+  std::int64_t SmallestPinch = 25; // columns of areas with lines, and of holes in them: at least 1
+  double Tolerance = 0.0; // from the line to the columns around the area in plan, in columns
+  double MaximumError = 0.0; // from the line to the upper horizon, in lattice units
 };
 
 struct PinchOutLines
 {
-  /// Points on the outline at which lines begin or end: they have to stay there.
-  std::vector<PointId> OnOutline;
-  /// Straight lines between points where the layer has no thickness, each with all points of the area's border that it
-  /// stands for, its ends first and last. Lines of one layer do not cross, those of two may. Where an area reaches the
-  /// outline, that is its border, and there is no line.
+  std::vector<PointId> OnOutline; // ends of lines, which have to stay on the outline
+  /// Each with all points of the border that it replaces. Lines of different layers may cross.
   std::vector<std::vector<PointId>> Lines;
 };
 
-/// The lines of all layers of an ordered stack. Columns are those of its points, row by row; `isOnLoop` has 1 for those
-/// that the outline and loops of holes visit.
+/// Columns are row by row; `isOnLoop` has 1 for points of outlines.
 PinchOutLines FindPinchOutLines(PlanePoints columns, const HeightStack& heights,
   const std::vector<unsigned char>& isOnLoop, const PinchOutOptions& options, const Monitor& monitor = Monitor());
 }
