@@ -3,7 +3,7 @@
 
 #include "vtkHorizonStage.h"
 
-#include "Marshalling/HorizonTree.h"
+#include "Filters/Marshalling/HorizonTree.h"
 
 #include "vtkMultiProcessController.h"
 

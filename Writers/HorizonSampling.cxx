@@ -3,13 +3,13 @@
 
 #include "HorizonSampling.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
-#include "Common/Lattice.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
 #include "Common/VTK/SurveyFields.h"
-#include "Marshalling/HorizonData.h"
+#include "Filters/Marshalling/HorizonData.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

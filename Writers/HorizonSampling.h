@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsHorizonSampling_h
 #define SeismicHorizonsHorizonSampling_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
 
 #include <cstddef>

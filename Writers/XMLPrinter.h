@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsXMLPrinter_h
 #define SeismicHorizonsXMLPrinter_h
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"

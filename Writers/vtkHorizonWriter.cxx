@@ -3,13 +3,13 @@
 
 #include "vtkHorizonWriter.h"
 
-#include "Common/FileErrors.h"
-#include "Common/OutputFile.h"
-#include "Common/TextWords.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/OutputFile.h"
+#include "Common/Text/TextWords.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
-#include "Marshalling/RankedHorizons.h"
+#include "Filters/Marshalling/RankedHorizons.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -3,7 +3,7 @@
 
 #include "vtkLatticeHorizonWriter.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

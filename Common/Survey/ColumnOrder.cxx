@@ -3,8 +3,8 @@
 
 #include "ColumnOrder.h"
 
-#include "Common/ColumnSheets.h"
-#include "Common/TextWords.h"
+#include "ColumnSheets.h"
+#include "Common/Text/TextWords.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsColumnOrder_h
 #define SeismicHorizonsColumnOrder_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 #include "PickTable.h"
 #include "PlacementOptions.h"
 

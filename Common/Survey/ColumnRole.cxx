@@ -3,7 +3,7 @@
 
 #include "ColumnRole.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "GridPlacement.h"
 
-#include "Common/Errors.h"
-#include "Common/Lattice.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/Lattice.h"
 #include "LatticeFrame.h"
 #include "PickDoubts.h"
 #include "VerticalSense.h"

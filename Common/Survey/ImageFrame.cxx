@@ -3,7 +3,7 @@
 
 #include "ImageFrame.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <Eigen/LU>
 

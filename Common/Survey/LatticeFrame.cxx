@@ -3,8 +3,8 @@
 
 #include "LatticeFrame.h"
 
-#include "Common/Errors.h"
-#include "Common/Lattice.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/Lattice.h"
 
 #include <cmath>
 #include <sstream>

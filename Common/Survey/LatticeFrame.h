@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsLatticeFrame_h
 #define SeismicHorizonsLatticeFrame_h
 
-#include "Common/LatticeHorizon.h"
+#include "LatticeHorizon.h"
 #include "SurveyDescription.h"
 #include "SurveyLattice.h"
 #include "VerticalSampling.h"

@@ -10,7 +10,7 @@
 #ifndef SeismicHorizonsLatticeSearch_h
 #define SeismicHorizonsLatticeSearch_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "PlaneFit.h"
 
 #include <vector>

@@ -3,8 +3,8 @@
 
 #include "LineLattice.h"
 
-#include "Common/Errors.h"
-#include "Common/FixedChunks.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsLineLattice_h
 #define SeismicHorizonsLineLattice_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "PlaneFit.h"
 #include "SurveyLattice.h"
 

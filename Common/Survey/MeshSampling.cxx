@@ -3,8 +3,8 @@
 
 #include "MeshSampling.h"
 
-#include "Common/Errors.h"
-#include "Common/TextNumbers.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/TextNumbers.h"
 
 #include <algorithm>
 #include <cmath>

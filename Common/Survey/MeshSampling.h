@@ -5,8 +5,8 @@
 #define SeismicHorizonsMeshSampling_h
 
 #include "ColumnTiles.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
 
 #include <array>
 #include <cstddef>

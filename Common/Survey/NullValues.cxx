@@ -3,8 +3,8 @@
 
 #include "NullValues.h"
 
-#include "Common/TextFields.h"
-#include "Common/TextNumbers.h"
+#include "Common/Text/TextFields.h"
+#include "Common/Text/TextNumbers.h"
 
 #include <algorithm>
 #include <array>

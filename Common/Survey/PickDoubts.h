@@ -7,7 +7,7 @@
 #define SeismicHorizonsPickDoubts_h
 
 #include "ColumnOrder.h"
-#include "Common/DuplicatePolicy.h"
+#include "DuplicatePolicy.h"
 #include "SurveyHorizons.h"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsPickPlacement_h
 #define SeismicHorizonsPickPlacement_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "PickTable.h"
 #include "PlacementOptions.h"
 #include "SurveyHorizons.h"

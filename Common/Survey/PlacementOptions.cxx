@@ -3,7 +3,7 @@
 
 #include "PlacementOptions.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <cmath>
 #include <sstream>

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsPlacementOptions_h
 #define SeismicHorizonsPlacementOptions_h
 
-#include "Common/DuplicatePolicy.h"
+#include "DuplicatePolicy.h"
 #include "LatticeFrame.h"
 
 #include <Eigen/Core>

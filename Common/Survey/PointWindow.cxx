@@ -3,7 +3,7 @@
 
 #include "PointWindow.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <Eigen/Geometry>
 

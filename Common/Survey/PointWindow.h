@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsPointWindow_h
 #define SeismicHorizonsPointWindow_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 
 #include <Eigen/Core>
 

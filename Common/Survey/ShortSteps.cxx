@@ -3,8 +3,8 @@
 
 #include "ShortSteps.h"
 
-#include "Common/Errors.h"
-#include "Common/Median.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/Median.h"
 
 #include <algorithm>
 #include <cmath>

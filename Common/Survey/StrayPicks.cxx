@@ -3,7 +3,7 @@
 
 #include "StrayPicks.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsStrayPicks_h
 #define SeismicHorizonsStrayPicks_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "PickTable.h"
 #include "SurveyLattice.h"
 

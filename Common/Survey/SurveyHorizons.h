@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsSurveyHorizons_h
 #define SeismicHorizonsSurveyHorizons_h
 
-#include "Common/LatticeHorizon.h"
+#include "LatticeHorizon.h"
 #include "SurveyDescription.h"
 #include "SurveyLattice.h"
 

@@ -3,9 +3,9 @@
 
 #include "SurveyMap.h"
 
-#include "Common/Errors.h"
-#include "Common/FixedChunks.h"
-#include "Common/Lattice.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/FixedChunks.h"
+#include "Common/Horizon/Lattice.h"
 #include "LatticeSearch.h"
 #include "LineLattice.h"
 

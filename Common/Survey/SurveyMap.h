@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsSurveyMap_h
 #define SeismicHorizonsSurveyMap_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "PickTable.h"
 #include "PlacementOptions.h"
 #include "PlaneFit.h"

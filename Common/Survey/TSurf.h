@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsTSurf_h
 #define SeismicHorizonsTSurf_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 #include "SurveyDescription.h"
 
 #include <array>

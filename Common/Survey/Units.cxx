@@ -3,7 +3,7 @@
 
 #include "Units.h"
 
-#include "Common/TextWords.h"
+#include "Common/Text/TextWords.h"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 #ifndef SeismicHorizonsVerticalSampling_h
 #define SeismicHorizonsVerticalSampling_h
 
-#include "Common/LatticeHorizon.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "LatticeHorizon.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "VerticalSense.h"
 
-#include "Common/TextWords.h"
+#include "Common/Text/TextWords.h"
 
 #include <algorithm>
 

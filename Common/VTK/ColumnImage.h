@@ -4,9 +4,9 @@
 #ifndef SeismicHorizonsColumnImage_h
 #define SeismicHorizonsColumnImage_h
 
-#include "Common/Errors.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 #include "DataArrays.h"
 
 #include "vtkDataSetAttributes.h"

@@ -4,10 +4,10 @@
 #ifndef SeismicHorizonsColumnPoints_h
 #define SeismicHorizonsColumnPoints_h
 
-#include "Common/DataModel.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/Types.h"
 #include "Common/Survey/LatticeFrame.h"
-#include "Common/Types.h"
 #include "DataArrays.h"
 
 #include "vtkDoubleArray.h"

@@ -3,8 +3,8 @@
 
 #include "DataArrays.h"
 
-#include "Common/Errors.h"
-#include "Common/LargePages.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/LargePages.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsDataArrays_h
 #define SeismicHorizonsDataArrays_h
 
-#include "Common/HeapArray.h"
+#include "Common/Base/HeapArray.h"
 
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"

@@ -4,7 +4,7 @@
 #include "HorizonDataSet.h"
 
 #include "ColumnPoints.h"
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 #include "DataArrays.h"
 #include "LedgerFields.h"
 #include "SurveyFields.h"

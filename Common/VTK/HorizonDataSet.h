@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsHorizonDataSet_h
 #define SeismicHorizonsHorizonDataSet_h
 
-#include "Common/LatticeHorizon.h"
 #include "Common/Survey/ImageFrame.h"
 #include "Common/Survey/LatticeFrame.h"
+#include "Common/Survey/LatticeHorizon.h"
 
 #include "vtkSmartPointer.h"
 

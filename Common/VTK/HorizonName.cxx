@@ -3,7 +3,7 @@
 
 #include "HorizonName.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

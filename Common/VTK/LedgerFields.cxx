@@ -3,7 +3,7 @@
 
 #include "LedgerFields.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 #include "DataArrays.h"
 
 #include "vtkDataArray.h"

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsLedgerFields_h
 #define SeismicHorizonsLedgerFields_h
 
-#include "Common/Ledger.h"
+#include "Common/Horizon/Ledger.h"
 
 #include <optional>
 #include <vector>

@@ -3,8 +3,8 @@
 
 #include "PipelineRequest.h"
 
-#include "Common/FileErrors.h"
 #include "Common/Survey/ImageFrame.h"
+#include "Common/Text/FileErrors.h"
 #include "VersionDifferences.h"
 
 #include "vtkAlgorithm.h"

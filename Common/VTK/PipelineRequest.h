@@ -9,7 +9,7 @@
 #ifndef SeismicHorizonsPipelineRequest_h
 #define SeismicHorizonsPipelineRequest_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Ranks.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "Ranks.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"

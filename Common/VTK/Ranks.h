@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsRanks_h
 #define SeismicHorizonsRanks_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 
 #include <exception>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 
 #include <vtkSMPTools.h>
 

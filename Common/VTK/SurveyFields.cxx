@@ -3,7 +3,7 @@
 
 #include "SurveyFields.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"

@@ -3,7 +3,7 @@
 
 #include "VertexCells.h"
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"

@@ -3,15 +3,15 @@
 
 #include "CrackData.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "CutData.h"
-#include "FaultClosing/FaultClosing.h"
+#include "Filters/Algorithms/FaultClosing/FaultClosing.h"
+#include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "LatticePoints.h"
-#include "Triangulation/TriangleQuality.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

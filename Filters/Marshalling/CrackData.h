@@ -4,10 +4,10 @@
 #ifndef SeismicHorizonsCrackData_h
 #define SeismicHorizonsCrackData_h
 
-#include "Common/Cracks.h"
-#include "Common/Lattice.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Cracks.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/Types.h"
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 
 #include "CutData.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "HorizonData.h"
 

@@ -4,8 +4,8 @@
 #ifndef SeismicHorizonsCutData_h
 #define SeismicHorizonsCutData_h
 
-#include "Common/LinkCuts.h"
-#include "Faults/FaultLines.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Filters/Algorithms/Faults/FaultLines.h"
 
 #include <memory>
 #include <optional>

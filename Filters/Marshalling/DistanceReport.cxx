@@ -3,7 +3,7 @@
 
 #include "DistanceReport.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 
 #include "vtkDoubleArray.h"

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsDistanceReport_h
 #define SeismicHorizonsDistanceReport_h
 
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 
 #include <array>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "GridHorizon.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Common/VTK/VersionDifferences.h"
 
 #include "vtkCellArray.h"

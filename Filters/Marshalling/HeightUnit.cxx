@@ -3,8 +3,8 @@
 
 #include "HeightUnit.h"
 
-#include "Common/DataModel.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "Common/VTK/DataArrays.h"
 
 #include "vtkDoubleArray.h"

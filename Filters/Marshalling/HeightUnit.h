@@ -4,9 +4,9 @@
 #ifndef SeismicHorizonsHeightUnit_h
 #define SeismicHorizonsHeightUnit_h
 
-#include "Common/HeightNoise.h"
-#include "Common/Lattice.h"
-#include "Common/Types.h"
+#include "Common/Horizon/HeightNoise.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/Types.h"
 
 #include <vector>
 

@@ -3,9 +3,9 @@
 
 #include "HorizonCells.h"
 
-#include "Common/DataModel.h"
-#include "Common/Parallel.h"
-#include "Triangulation/TriangleQuality.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
+#include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"

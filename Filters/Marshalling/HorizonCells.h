@@ -4,9 +4,9 @@
 #ifndef SeismicHorizonsHorizonCells_h
 #define SeismicHorizonsHorizonCells_h
 
-#include "Common/Lattice.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/Types.h"
 #include "Common/VTK/DataArrays.h"
 
 #include "vtkCellData.h"

@@ -3,10 +3,10 @@
 
 #include "HorizonData.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
-#include "Common/LargePages.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/LargePages.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
 #include "CutData.h"
 #include "HorizonPoints.h"
 

@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsHorizonData_h
 #define SeismicHorizonsHorizonData_h
 
-#include "Common/BoundedHorizon.h"
-#include "Common/Lattice.h"
-#include "Common/Types.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/Types.h"
 #include "LatticePoints.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "HorizonPairs.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Common/VTK/Ranks.h"
 
 #include "vtkNew.h"

@@ -3,9 +3,9 @@
 
 #include "HorizonPoints.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/VertexCells.h"
 #include "HorizonData.h"

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsHorizonPoints_h
 #define SeismicHorizonsHorizonPoints_h
 
-#include "Common/KeptPoints.h"
+#include "Common/Horizon/KeptPoints.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

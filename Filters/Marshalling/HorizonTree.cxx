@@ -3,8 +3,8 @@
 
 #include "HorizonTree.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "GridHorizon.h"

@@ -3,11 +3,11 @@
 
 #include "LatticePoints.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
-#include "Common/FixedChunks.h"
-#include "Common/LargePages.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/LargePages.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/ColumnPoints.h"
 #include "Common/VTK/DataArrays.h"
 #include "HorizonData.h"

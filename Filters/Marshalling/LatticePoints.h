@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsLatticePoints_h
 #define SeismicHorizonsLatticePoints_h
 
-#include "Common/Lattice.h"
-#include "Common/Types.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/Types.h"
 
 #include "vtkSmartPointer.h"
 

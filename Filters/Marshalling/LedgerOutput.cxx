@@ -3,7 +3,7 @@
 
 #include "LedgerOutput.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/LedgerFields.h"
 #include "HorizonPoints.h"
 

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsLedgerOutput_h
 #define SeismicHorizonsLedgerOutput_h
 
-#include "Common/CoveredColumns.h"
+#include "Common/Horizon/CoveredColumns.h"
 #include "LatticePoints.h"
 
 class vtkPolyData;

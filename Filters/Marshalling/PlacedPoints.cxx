@@ -3,11 +3,11 @@
 
 #include "PlacedPoints.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
 #include "Common/Survey/Units.h"
-#include "Common/TextWords.h"
+#include "Common/Text/TextWords.h"
 #include "Common/VTK/SurveyFields.h"
 #include "HorizonPoints.h"
 #include "SurfacePair.h"

@@ -4,10 +4,10 @@
 #ifndef SeismicHorizonsPlacedPoints_h
 #define SeismicHorizonsPlacedPoints_h
 
-#include "Common/Lattice.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/Types.h"
 #include "Common/Survey/SurveyDescription.h"
-#include "Common/Types.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "RankedHorizons.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Common/VTK/Ranks.h"
 
 #include "vtkPolyData.h"

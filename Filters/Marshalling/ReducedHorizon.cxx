@@ -3,9 +3,9 @@
 
 #include "ReducedHorizon.h"
 
-#include "Common/CountingSort.h"
-#include "Common/DataModel.h"
-#include "Common/Parallel.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/VertexCells.h"
 #include "HorizonCells.h"

@@ -4,9 +4,9 @@
 #ifndef SeismicHorizonsReducedHorizon_h
 #define SeismicHorizonsReducedHorizon_h
 
-#include "Common/DroppedPoints.h"
-#include "Common/Lattice.h"
-#include "Common/Types.h"
+#include "Common/Horizon/DroppedPoints.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/Types.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

@@ -3,8 +3,8 @@
 
 #include "StageReport.h"
 
-#include "Common/DataModel.h"
-#include "Common/Ledger.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/Ledger.h"
 #include "Common/VTK/LedgerFields.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/SurveyFields.h"

@@ -3,16 +3,16 @@
 
 #include "SurfacePair.h"
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
 #include "CutData.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPairs.h"
 #include "PlacedPoints.h"
-#include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -4,9 +4,9 @@
 #ifndef SeismicHorizonsSurfacePair_h
 #define SeismicHorizonsSurfacePair_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "DistanceReport.h"
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 
 #include <array>
 #include <vector>

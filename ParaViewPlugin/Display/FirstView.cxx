@@ -8,7 +8,7 @@
 #include "VerticalExaggeration.h"
 #include "ViewContents.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 
 #include "vtkCamera.h"
 #include "vtkNew.h"

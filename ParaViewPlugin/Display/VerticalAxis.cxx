@@ -3,7 +3,7 @@
 
 #include "VerticalAxis.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

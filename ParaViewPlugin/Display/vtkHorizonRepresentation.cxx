@@ -5,7 +5,7 @@
 
 #include "VerticalAxis.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"

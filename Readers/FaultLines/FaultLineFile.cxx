@@ -3,9 +3,9 @@
 
 #include "FaultLineFile.h"
 
-#include "Common/InputFile.h"
-#include "Common/LineBuffer.h"
-#include "Common/OtherFormats.h"
+#include "Common/Text/InputFile.h"
+#include "Common/Text/LineBuffer.h"
+#include "Common/Text/OtherFormats.h"
 #include "FaultLineFormats.h"
 
 #include <algorithm>

@@ -8,8 +8,8 @@
 #ifndef SeismicHorizonsFaultLineFile_h
 #define SeismicHorizonsFaultLineFile_h
 
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstddef>
 #include <istream>

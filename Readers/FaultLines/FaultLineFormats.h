@@ -4,8 +4,8 @@
 #ifndef SeismicHorizonsFaultLineFormats_h
 #define SeismicHorizonsFaultLineFormats_h
 
-#include "Common/LineErrors.h"
-#include "Common/TextFields.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
 #include "FaultLineFile.h"
 
 #include <cstdint>

@@ -6,8 +6,8 @@
 
 #include "FaultLineFormats.h"
 
-#include "Common/Types.h"
-#include "GOCADTSurf/VertexIds.h"
+#include "Common/Horizon/Types.h"
+#include "Readers/GOCADTSurf/VertexIds.h"
 
 #include <array>
 #include <charconv>

@@ -3,9 +3,9 @@
 
 #include "vtkFaultLinesReader.h"
 
-#include "Common/DataModel.h"
-#include "Common/FileErrors.h"
-#include "Common/InputFile.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "FaultLineFile.h"
 

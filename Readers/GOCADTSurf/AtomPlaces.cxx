@@ -3,7 +3,7 @@
 
 #include "AtomPlaces.h"
 
-#include "Common/LineErrors.h"
+#include "Common/Text/LineErrors.h"
 
 #include <algorithm>
 #include <string>

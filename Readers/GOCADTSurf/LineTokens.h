@@ -4,8 +4,8 @@
 #ifndef SeismicHorizonsLineTokens_h
 #define SeismicHorizonsLineTokens_h
 
-#include "Common/TextNumbers.h"
-#include "Common/TextWords.h"
+#include "Common/Text/TextNumbers.h"
+#include "Common/Text/TextWords.h"
 
 #include <string_view>
 

@@ -3,8 +3,8 @@
 
 #include "TSurfBuilder.h"
 
-#include "Common/LineErrors.h"
 #include "Common/Survey/NullValue.h"
+#include "Common/Text/LineErrors.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "TSurfDataSet.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"

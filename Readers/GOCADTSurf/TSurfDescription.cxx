@@ -3,7 +3,7 @@
 
 #include "TSurfDescription.h"
 
-#include "Common/LineErrors.h"
+#include "Common/Text/LineErrors.h"
 
 #include <limits>
 

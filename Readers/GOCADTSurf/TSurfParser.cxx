@@ -5,10 +5,10 @@
 
 #include "TSurfParser.h"
 
-#include "Common/InputFile.h"
-#include "Common/LineBuffer.h"
-#include "Common/LineErrors.h"
-#include "Common/OtherFormats.h"
+#include "Common/Text/InputFile.h"
+#include "Common/Text/LineBuffer.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/OtherFormats.h"
 #include "LineTokens.h"
 #include "TSurfBuilder.h"
 

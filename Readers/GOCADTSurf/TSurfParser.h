@@ -9,7 +9,7 @@
 #ifndef SeismicHorizonsTSurfParser_h
 #define SeismicHorizonsTSurfParser_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/TSurf.h"
 
 #include <cstddef>

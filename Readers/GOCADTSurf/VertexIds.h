@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsVertexIds_h
 #define SeismicHorizonsVertexIds_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstddef>
 #include <cstdint>

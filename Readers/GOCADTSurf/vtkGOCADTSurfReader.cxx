@@ -3,9 +3,9 @@
 
 #include "vtkGOCADTSurfReader.h"
 
-#include "Common/FileErrors.h"
-#include "Common/InputFile.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 #include "TSurfDataSet.h"
 #include "TSurfParser.h"
 

@@ -3,7 +3,7 @@
 
 #include "GridBytes.h"
 
-#include "Common/StreamProgress.h"
+#include "Common/Text/StreamProgress.h"
 
 #include <algorithm>
 

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsGridBytes_h
 #define SeismicHorizonsGridBytes_h
 
-#include "Common/FileErrors.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/FileErrors.h"
 #include "GridLayout.h"
 
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "GridLayout.h"
 
-#include "Common/Errors.h"
-#include "Common/TextNumbers.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/TextNumbers.h"
 
 #include <cstddef>
 #include <string>

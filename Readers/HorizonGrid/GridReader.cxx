@@ -3,7 +3,7 @@
 
 #include "GridReader.h"
 
-#include "Common/LineErrors.h"
+#include "Common/Text/LineErrors.h"
 #include "GridParsers.h"
 
 #include <string>

@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsGridReader_h
 #define SeismicHorizonsGridReader_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
 #include "GridFormat.h"
 

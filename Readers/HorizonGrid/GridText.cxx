@@ -3,8 +3,8 @@
 
 #include "GridText.h"
 
-#include "Common/LineErrors.h"
-#include "Common/StreamProgress.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/StreamProgress.h"
 #include "HeaderFields.h"
 
 #include <algorithm>

@@ -4,10 +4,10 @@
 #ifndef SeismicHorizonsGridText_h
 #define SeismicHorizonsGridText_h
 
-#include "Common/FileErrors.h"
-#include "Common/LineBuffer.h"
-#include "Common/Monitor.h"
-#include "Common/TextNumbers.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/LineBuffer.h"
+#include "Common/Text/TextNumbers.h"
 #include "GridLayout.h"
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 
 #include "HeaderFields.h"
 
-#include "Common/LineErrors.h"
-#include "Common/TextFields.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
 
 #include <algorithm>
 

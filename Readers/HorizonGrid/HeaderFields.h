@@ -4,8 +4,8 @@
 #ifndef SeismicHorizonsHeaderFields_h
 #define SeismicHorizonsHeaderFields_h
 
-#include "Common/TextNumbers.h"
-#include "Common/TextWords.h"
+#include "Common/Text/TextNumbers.h"
+#include "Common/Text/TextWords.h"
 
 #include <cstddef>
 #include <cstdint>

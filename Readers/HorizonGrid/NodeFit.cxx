@@ -3,9 +3,9 @@
 
 #include "NodeFit.h"
 
-#include "Common/LineErrors.h"
 #include "Common/Survey/PlaneFit.h"
-#include "Common/TextNumbers.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextNumbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/LineErrors.h"
-#include "Common/TextNumbers.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextNumbers.h"
 #include "GridParsers.h"
 #include "HeaderFields.h"
 

@@ -3,11 +3,11 @@
 
 #include "vtkHorizonGridReader.h"
 
-#include "Common/FileErrors.h"
-#include "Common/InputFile.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/GridPlacement.h"
 #include "Common/Survey/NullValues.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 #include "GridReader.h"
 
 #include "vtkObjectFactory.h"

@@ -4,9 +4,9 @@
 #include "ColumnDoubts.h"
 
 #include "ColumnGuess.h"
-#include "Common/LineErrors.h"
-#include "Common/TextFields.h"
-#include "Common/TextNumbers.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
+#include "Common/Text/TextNumbers.h"
 #include "PairFit.h"
 
 #include <algorithm>

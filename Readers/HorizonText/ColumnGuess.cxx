@@ -3,9 +3,9 @@
 
 #include "ColumnGuess.h"
 
-#include "Common/LineErrors.h"
 #include "Common/Survey/Units.h"
-#include "Common/TextFields.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
 #include "PairFit.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "ColumnNames.h"
 
-#include "Common/LineErrors.h"
 #include "Common/Survey/Units.h"
-#include "Common/TextFields.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
 
 #include <algorithm>
 #include <set>

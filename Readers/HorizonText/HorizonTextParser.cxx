@@ -3,14 +3,14 @@
 
 #include "HorizonTextParser.h"
 
-#include "Common/LineBuffer.h"
-#include "Common/LineErrors.h"
-#include "Common/OtherFormats.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 #include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/VerticalSense.h"
-#include "Common/TextEncoding.h"
-#include "Common/TextWords.h"
+#include "Common/Text/LineBuffer.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/OtherFormats.h"
+#include "Common/Text/TextEncoding.h"
+#include "Common/Text/TextWords.h"
 #include "IesxParser.h"
 #include "PickBlock.h"
 

@@ -9,7 +9,7 @@
 #ifndef SeismicHorizonsHorizonTextParser_h
 #define SeismicHorizonsHorizonTextParser_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/PickTable.h"
 #include "LayoutFinder.h"
 

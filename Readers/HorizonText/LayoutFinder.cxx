@@ -6,9 +6,9 @@
 #include "ColumnDoubts.h"
 #include "ColumnGuess.h"
 #include "ColumnNames.h"
-#include "Common/LineErrors.h"
 #include "Common/Survey/Units.h"
-#include "Common/TextFields.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
 #include "PickBlock.h"
 
 #include <algorithm>

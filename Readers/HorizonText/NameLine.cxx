@@ -5,7 +5,7 @@
 
 #include "ColumnGuess.h"
 #include "ColumnNames.h"
-#include "Common/TextFields.h"
+#include "Common/Text/TextFields.h"
 
 #include <algorithm>
 #include <array>

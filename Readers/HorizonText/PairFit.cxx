@@ -4,9 +4,9 @@
 #include "PairFit.h"
 
 #include "ColumnGuess.h"
-#include "Common/Lattice.h"
+#include "Common/Horizon/Lattice.h"
 #include "Common/Survey/PlaneFit.h"
-#include "Common/TextFields.h"
+#include "Common/Text/TextFields.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include "PickBlock.h"
 
 #include "ColumnNames.h"
-#include "Common/LineErrors.h"
-#include "Common/TextFields.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
 
 #include <algorithm>
 #include <cctype>

@@ -5,9 +5,9 @@
 
 #include "ColumnGuess.h"
 #include "ColumnNames.h"
-#include "Common/InputFile.h"
 #include "Common/Survey/PickPlacement.h"
-#include "Common/TextFields.h"
+#include "Common/Text/InputFile.h"
+#include "Common/Text/TextFields.h"
 #include "HorizonTextParser.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "ColumnGuess.h"
 #include "ColumnNames.h"
 #include "Common/Survey/Units.h"
-#include "Common/TextFields.h"
+#include "Common/Text/TextFields.h"
 #include "NameLine.h"
 
 #include <algorithm>

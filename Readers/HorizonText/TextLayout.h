@@ -4,10 +4,10 @@
 #ifndef SeismicHorizonsTextLayout_h
 #define SeismicHorizonsTextLayout_h
 
-#include "Common/FieldSeparator.h"
 #include "Common/Survey/ColumnRole.h"
 #include "Common/Survey/NullValues.h"
 #include "Common/Survey/SurveyDescription.h"
+#include "Common/Text/FieldSeparator.h"
 
 #include <cstdint>
 #include <string>

@@ -4,9 +4,9 @@
 #include "vtkHorizonTextReader.h"
 
 #include "ColumnNames.h"
-#include "Common/FileErrors.h"
-#include "Common/InputFile.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 #include "HorizonTextParser.h"
 #include "PickRecognition.h"
 

@@ -3,8 +3,8 @@
 
 #include "CubeImage.h"
 
-#include "Common/DataModel.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsCubeImage_h
 #define SeismicHorizonsCubeImage_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "SEGYWindow.h"
 

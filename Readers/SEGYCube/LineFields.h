@@ -10,7 +10,7 @@
 #ifndef SeismicHorizonsLineFields_h
 #define SeismicHorizonsLineFields_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "TraceTable.h"
 
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "LinePlaces.h"
 
-#include "Common/Median.h"
+#include "Common/Horizon/Median.h"
 #include "TracePlaces.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "PlaceFit.h"
 
-#include "Common/Errors.h"
-#include "Common/Lattice.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LineLattice.h"
 #include "Common/Survey/StrayPicks.h"
 #include "Common/Survey/SurveyMap.h"

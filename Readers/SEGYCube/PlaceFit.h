@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsPlaceFit_h
 #define SeismicHorizonsPlaceFit_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/PickTable.h"
 #include "Common/Survey/PlaneFit.h"
 #include "Common/Survey/SurveyLattice.h"

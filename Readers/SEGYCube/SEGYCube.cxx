@@ -3,12 +3,12 @@
 
 #include "SEGYCube.h"
 
-#include "Common/FileErrors.h"
-#include "Common/InputFile.h"
-#include "Common/Lattice.h"
-#include "Common/Parameters.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LineLattice.h"
 #include "Common/Survey/Units.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 #include "LinePlaces.h"
 #include "TraceColumns.h"
 #include "TracePlaces.h"

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsSEGYCube_h
 #define SeismicHorizonsSEGYCube_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
 #include "Common/Survey/SurveyDescription.h"
 #include "Common/Survey/SurveyLattice.h"
 #include "Common/Survey/VerticalSampling.h"

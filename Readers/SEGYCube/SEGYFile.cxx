@@ -3,7 +3,7 @@
 
 #include "SEGYFile.h"
 
-#include "Common/FileErrors.h"
+#include "Common/Text/FileErrors.h"
 
 #include <filesystem>
 

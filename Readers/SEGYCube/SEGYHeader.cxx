@@ -3,7 +3,7 @@
 
 #include "SEGYHeader.h"
 
-#include "Common/FileErrors.h"
+#include "Common/Text/FileErrors.h"
 #include "SEGYLayout.h"
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 
 #include "SEGYWindow.h"
 
-#include "Common/Parallel.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/RawVector.h"
 #include "SEGYFile.h"
 
 #include <algorithm>

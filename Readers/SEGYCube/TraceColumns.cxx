@@ -3,8 +3,8 @@
 
 #include "TraceColumns.h"
 
-#include "Common/Errors.h"
-#include "Common/Lattice.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LineLattice.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "TracePlaces.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Common/Survey/PickTable.h"
 #include "Common/Survey/SurveyMap.h"
 

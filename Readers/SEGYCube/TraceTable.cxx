@@ -3,7 +3,7 @@
 
 #include "TraceTable.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 #include "SEGYFile.h"
 
 #include <algorithm>

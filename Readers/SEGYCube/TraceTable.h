@@ -4,8 +4,8 @@
 #ifndef SeismicHorizonsTraceTable_h
 #define SeismicHorizonsTraceTable_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
 #include "SEGYHeader.h"
 
 #include <cstdint>

@@ -3,11 +3,11 @@
 
 #include "vtkSEGYCubeReader.h"
 
-#include "Common/Errors.h"
-#include "Common/InputFile.h"
-#include "Common/Monitor.h"
-#include "Common/Parameters.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/Parameters.h"
 #include "Common/Survey/Units.h"
+#include "Common/Text/InputFile.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "CubeImage.h"
 #include "SEGYExtent.h"

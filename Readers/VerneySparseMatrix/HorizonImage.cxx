@@ -3,7 +3,7 @@
 
 #include "HorizonImage.h"
 
-#include "Common/DataModel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/ColumnImage.h"
 #include "Common/VTK/HorizonDataSet.h"
 

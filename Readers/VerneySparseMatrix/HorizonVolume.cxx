@@ -3,10 +3,10 @@
 
 #include "HorizonVolume.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
-#include "Common/HeapArray.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/HeapArray.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonDataSet.h"
 

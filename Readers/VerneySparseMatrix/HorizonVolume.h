@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsHorizonVolume_h
 #define SeismicHorizonsHorizonVolume_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/ImageFrame.h"
 #include "SparseMatrixFile.h"
 

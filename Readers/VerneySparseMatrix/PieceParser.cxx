@@ -3,9 +3,9 @@
 
 #include "PieceParser.h"
 
-#include "Common/LineErrors.h"
-#include "Common/Parallel.h"
-#include "Common/TextNumbers.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextNumbers.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #ifndef SeismicHorizonsPieceParser_h
 #define SeismicHorizonsPieceParser_h
 
-#include "Common/LineBuffer.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/LineBuffer.h"
 #include "HorizonSorter.h"
 #include "SparseMatrixParser.h"
 

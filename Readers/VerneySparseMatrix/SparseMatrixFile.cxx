@@ -3,7 +3,7 @@
 
 #include "SparseMatrixFile.h"
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
 
 #include "SparseMatrixOverview.h"
 

@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsSparseMatrixFile_h
 #define SeismicHorizonsSparseMatrixFile_h
 
-#include "Common/InputFile.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/InputFile.h"
 #include "SparseMatrixParser.h"
 
 #include <array>

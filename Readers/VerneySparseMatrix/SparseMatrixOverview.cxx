@@ -3,8 +3,8 @@
 
 #include "SparseMatrixOverview.h"
 
-#include "Common/Errors.h"
-#include "Common/LineBuffer.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/LineBuffer.h"
 #include "HorizonCollector.h"
 #include "PieceParser.h"
 

@@ -3,12 +3,12 @@
 
 #include "SparseMatrixParser.h"
 
-#include "Common/ColumnSheets.h"
-#include "Common/Lattice.h"
-#include "Common/LineBuffer.h"
-#include "Common/LineErrors.h"
-#include "Common/TextNumbers.h"
-#include "Common/TextWords.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Survey/ColumnSheets.h"
+#include "Common/Text/LineBuffer.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextNumbers.h"
+#include "Common/Text/TextWords.h"
 #include "HorizonCollector.h"
 #include "PieceParser.h"
 #include "VerticalFit.h"

@@ -11,9 +11,9 @@
 #ifndef SeismicHorizonsSparseMatrixParser_h
 #define SeismicHorizonsSparseMatrixParser_h
 
-#include "Common/DuplicatePolicy.h"
-#include "Common/LatticeHorizon.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Survey/DuplicatePolicy.h"
+#include "Common/Survey/LatticeHorizon.h"
 
 #include <array>
 #include <cstddef>

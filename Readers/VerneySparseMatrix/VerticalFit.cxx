@@ -3,7 +3,7 @@
 
 #include "VerticalFit.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <cmath>
 #include <tuple>

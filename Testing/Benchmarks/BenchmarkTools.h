@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsBenchmarkTools_h
 #define SeismicHorizonsBenchmarkTools_h
 
-#include "BoundarySimplification/BoundarySimplification.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 #include "Generator/HorizonGenerator.h"
 #include "Tools/TestHorizons.h"
 

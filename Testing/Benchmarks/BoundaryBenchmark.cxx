@@ -13,8 +13,8 @@
 // beyond input and result, per column of the bounding box; -1 where that is not known. OpenCV starts from an image that
 // is ready, we from the list of columns.
 
-#include "Boundary/ExteriorBoundary.h"
-#include "BoundarySimplification/BoundarySimplification.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 #include "Generator/HorizonGenerator.h"
 #ifdef SEISMICHORIZONS_HAS_OPENCV
 #include "Tools/OpenCvContours.h"

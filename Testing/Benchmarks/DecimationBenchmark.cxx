@@ -15,11 +15,11 @@
 // place of the outline.
 
 #include "BenchmarkTools.h"
-#include "Decimation/Decimation.h"
-#include "Decimation/HeightRaster.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
+#include "Filters/Algorithms/Decimation/HeightRaster.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "InsidePoints.h"
 #include "Tools/RealHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"

@@ -6,11 +6,11 @@
 //
 //   FaultStudy [HORIZONS] > Documentation/FaultTables.md      HORIZONS of each kind; without it 4
 
-#include "Common/LinkCuts.h"
-#include "Faults/FaultDetection.h"
-#include "Faults/FaultSurfaces.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Filters/Algorithms/Faults/FaultDetection.h"
+#include "Filters/Algorithms/Faults/FaultSurfaces.h"
+#include "Filters/Algorithms/HoleFilling/HoleFilling.h"
 #include "Generator/FaultGenerator.h"
-#include "HoleFilling/HoleFilling.h"
 #include "Tools/FaultScore.h"
 
 #include <algorithm>

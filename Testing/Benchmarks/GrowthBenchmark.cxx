@@ -8,15 +8,15 @@
 //   GrowthBenchmark [NAME ...]     (only the cases whose names contain one of these)
 
 #include "BenchmarkTools.h"
-#include "Boundary/ExteriorBoundary.h"
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/Parallel.h"
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <algorithm>
 #include <cmath>

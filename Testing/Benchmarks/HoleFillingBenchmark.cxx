@@ -8,8 +8,8 @@
 //   HoleFillingBenchmark
 
 #include "BenchmarkTools.h"
-#include "Common/Parallel.h"
-#include "HoleFilling/HoleFilling.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/HoleFilling/HoleFilling.h"
 #include "Tools/Patches.h"
 
 #include <cmath>

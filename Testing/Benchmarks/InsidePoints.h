@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsInsidePoints_h
 #define SeismicHorizonsInsidePoints_h
 
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstddef>
 #include <vector>

@@ -9,8 +9,8 @@
 // Prints lines "voxels,what,threads,seconds": by the clock, the least of several runs.
 
 #include "BenchmarkTools.h"
-#include "Common/Parallel.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Common/Base/Parallel.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>

@@ -8,10 +8,10 @@
 //   ReflectionBenchmark [COLUMNS ROWS SAMPLES]     size of the generated cube; without it 400 x 300 x 500
 
 #include "BenchmarkTools.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/Reflections/ReflectionExtraction.h"
+#include "Filters/Algorithms/Reflections/SurfaceJoining.h"
 #include "Generator/CubeGenerator.h"
-#include "Reflections/ReflectionExtraction.h"
-#include "Reflections/SurfaceJoining.h"
 
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"

@@ -6,8 +6,8 @@
 //
 //   ReflectionStudy [CUBES] > Documentation/ReflectionTables.md      CUBES of each kind; without it 12
 
+#include "Filters/Algorithms/Reflections/ReflectionExtraction.h"
 #include "Generator/CubeGenerator.h"
-#include "Reflections/ReflectionExtraction.h"
 #include "Tools/ExtractionScore.h"
 #include "Tools/GuideScore.h"
 

@@ -8,9 +8,9 @@
 // alone, on plain data, and the whole filter with its attributes. VTK's filters take the full triangulation of the same
 // points, which they need, and bins of the same size; they leave the outline unprotected.
 
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
-#include "Marshalling/HorizonData.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Marshalling/HorizonData.h"
 
 #include "vtkBinnedDecimation.h"
 #include "vtkDoubleArray.h"

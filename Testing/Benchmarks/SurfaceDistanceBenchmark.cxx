@@ -9,12 +9,12 @@
 //   SurfaceDistanceBenchmark [--ours] [POINTS ...]      sizes of the horizons; without them 886639; --ours: without VTK
 
 #include "BenchmarkTools.h"
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/Parallel.h"
-#include "SurfaceDistance/DistanceProbe.h"
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/SurfaceDistance/DistanceProbe.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellLocator.h"

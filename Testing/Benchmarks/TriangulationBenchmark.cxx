@@ -10,11 +10,11 @@
 // their points only.
 
 #include "BenchmarkTools.h"
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkDelaunay2D.h"

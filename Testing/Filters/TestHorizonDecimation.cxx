@@ -4,7 +4,7 @@
 // The filter around the decimation: targets and their units, what comes out, errors. Meshes are checked in
 // TestDecimation.
 
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
 #include "HorizonFixtures.h"
 #include "Tools/Check.h"
 

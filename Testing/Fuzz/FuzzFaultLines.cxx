@@ -6,9 +6,9 @@
 
 #include "Require.h"
 
-#include "FaultLines/FaultLineFile.h"
-#include "Faults/FaultLines.h"
-#include "Faults/FaultSurfaces.h"
+#include "Filters/Algorithms/Faults/FaultLines.h"
+#include "Filters/Algorithms/Faults/FaultSurfaces.h"
+#include "Readers/FaultLines/FaultLineFile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "Require.h"
 
-#include "HorizonGrid/GridReader.h"
+#include "Readers/HorizonGrid/GridReader.h"
 #include "Writers/HorizonGrid/GridWriters.h"
 
 #include <cmath>

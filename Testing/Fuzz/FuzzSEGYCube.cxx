@@ -6,9 +6,9 @@
 
 #include "Require.h"
 
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
-#include "SEGYCube/SEGYWindow.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Readers/SEGYCube/SEGYWindow.h"
 
 #include <unistd.h>
 

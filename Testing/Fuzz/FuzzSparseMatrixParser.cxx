@@ -6,7 +6,7 @@
 
 #include "Require.h"
 
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <cmath>
 #include <cstdint>

@@ -7,9 +7,9 @@
 #include "StageInput.h"
 #include "StageProperties.h"
 
-#include "CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/ConvexHull.h"
 #include "Tools/ReductionChecker.h"
-#include "Triangulation/ConvexHull.h"
 
 #include <algorithm>
 #include <cmath>

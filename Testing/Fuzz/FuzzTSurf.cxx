@@ -6,8 +6,8 @@
 
 #include "Require.h"
 
-#include "GOCADTSurf/TSurfParser.h"
-#include "GOCADTSurf/TSurfPrinter.h"
+#include "Readers/GOCADTSurf/TSurfParser.h"
+#include "Writers/GOCADTSurf/TSurfPrinter.h"
 
 #include <cmath>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsRequire_h
 #define SeismicHorizonsRequire_h
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <cstdlib>
 #include <iostream>

@@ -6,14 +6,14 @@
 #ifndef SeismicHorizonsStageInput_h
 #define SeismicHorizonsStageInput_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "BoundarySimplification/BoundarySimplification.h"
-#include "CellSimplification/ElaborateSimplification.h"
-#include "Decimation/Decimation.h"
-#include "Surface/Surface.h"
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
+#include "Filters/Algorithms/Surface/Surface.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
 #include "Tools/Patches.h"
-#include "Triangulation/OutsideTriangles.h"
 
 #include <algorithm>
 #include <cstddef>

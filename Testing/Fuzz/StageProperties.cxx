@@ -3,8 +3,8 @@
 
 #include "StageProperties.h"
 
-#include "Common/MeshChecker.h"
-#include "Common/Predicates.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/Predicates.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/CutChecker.h"
 #include "Tools/ReductionChecker.h"

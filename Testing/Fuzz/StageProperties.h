@@ -6,14 +6,14 @@
 #ifndef SeismicHorizonsStageProperties_h
 #define SeismicHorizonsStageProperties_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "BoundarySimplification/BoundarySimplification.h"
-#include "Common/BoundedHorizon.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Require.h"
-#include "SurfaceDistance/SurfaceDistance.h"
 #include "Tools/Patches.h"
-#include "Triangulation/Triangulation.h"
 
 #include <string>
 

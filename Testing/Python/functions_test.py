@@ -380,8 +380,7 @@ class WatchingTest(unittest.TestCase):
 
     def test_other_thread(self):
         results = []
-        thread = threading.Thread(target=lambda: results.append(sh.surface(sh.horizon(dome())).GetNumberOfPolys()))
-        thread.start()
+        (thread := threading.Thread(target=lambda: results.append(sh.surface(sh.horizon(dome())).GetNumberOfPolys()))).start()
         thread.join()
         self.assertGreater(results[0], 0)
 

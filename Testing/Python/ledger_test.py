@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The ledger of all stages, by ledger_check.py, on random horizons with holes, islands, faults and spikes.
 
-Arguments: how many of each kind, Common/Ledger.h, and the first seed, 0 unless told.
+Arguments: how many of each kind, Common/Horizon/Ledger.h, and the first seed, 0 unless told.
 """
 
 import pathlib

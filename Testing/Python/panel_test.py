@@ -58,7 +58,7 @@ class PanelTest(unittest.TestCase):
             self.assertTrue(all(labels) and len(set(labels)) == len(labels), (name, labels))
 
     def test_first_sights_name_arrays_and_colours(self):
-        arrays = set(re.findall(r'= "(\w+)"', (TREE / "Common" / "DataModel.h").read_text(encoding="utf-8")))
+        arrays = set(re.findall(r'= "(\w+)"', (TREE / "Common" / "Horizon" / "DataModel.h").read_text(encoding="utf-8")))
         maps = colour_maps()
         used = set()
         arrays.add("heights")  # of the representation

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rooms of Documentation/Architecture.md, and what each may include, are those of the code. Argument: source tree.
+"""Rooms use rooms as Documentation/Architecture.md draws them. Argument: source tree.
 
-Every folder with C++ sources of the product is in a row of the table there. A file includes files of its own room by
-their names, and others by paths that lead to rooms its row names; only rooms with VTK in their row include it. Files and
-functions keep within their budgets. What is told in several places, versions, is the same everywhere.
+Every folder with C++ sources of the product is on a floor of the drawing there, uses rooms of its own floor without
+circles and others on lower floors alone, and none that a rule forbids. Files and functions keep within their budgets. What
+is said in several places, versions, is the same everywhere.
 """
 
 import ast
@@ -18,15 +18,24 @@ MOST_LINES_OF_METHOD = 900  # a file of plain C++, which reads from top to botto
 MOST_LINES_OF_FUNCTION = 60
 
 
-def read_table(page):
-    """The rooms and what they may use: {room: set of rooms and "VTK"}."""
-    rooms = {}
-    for line in page.read_text(encoding="utf-8").splitlines():
-        cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if len(cells) == 3 and cells[0].startswith("`"):
-            for room in re.findall(r"`([\w/]+)`", cells[0]):
-                rooms[room] = set(re.findall(r"`([\w/]+)`", cells[2]) + re.findall(r"\bVTK\b", cells[2]))
-    return rooms
+def read_floors(page):
+    """The drawing of the rooms: patterns and their floors, 0 the lowest; and rules (rooms, rooms that they may not use)."""
+    text = page.read_text(encoding="utf-8")
+    drawing = re.search(r"## Rooms\n.*?```\n(.*?)```", text, re.S).group(1).splitlines()
+    floors = {room: floor for floor, line in enumerate(reversed(drawing)) for room in re.findall(r"[A-Z]\w*(?:/[\w*]+)*(?=  |$)", line)}
+    rules = [[re.findall(r"`([\w/*]+)`", side) for side in line.split(" may not use ")]
+             for line in text.splitlines() if " may not use " in line]
+    return floors, [(users, used) for users, used in rules]
+
+
+def matches(room, pattern):
+    return room == pattern or (pattern.endswith("/*") and (room + "/").startswith(pattern[:-1]))
+
+
+def floor_of(room, floors):
+    """The floor of the longest pattern that a room has; None without one."""
+    patterns = [pattern for pattern in floors if matches(room, pattern)]
+    return floors[max(patterns, key=len)] if patterns else None
 
 
 def includes(path):
@@ -37,32 +46,43 @@ def includes(path):
             yield number, found.group(2), found.group(1) == '"'
 
 
-def find_room(tree, path, name):
-    """The room of a file of the project that is included; None for files of others."""
-    roots = ["", "Filters", "Filters/Algorithms", "Readers", "Writers", "Utilities", "Testing/Algorithms"]
-    for candidate in [path.parent / name] + [tree / root / name for root in roots]:
+def find_room(tree, path, name, classes):
+    """The room of a file of the project that is included; None for files of others. Classes are included by their names."""
+    for candidate in (path.parent / name, tree / name):
         if candidate.is_file():
             return candidate.parent.relative_to(tree).as_posix()
-    # VTK's habit: classes, whose headers are installed side by side, are included by their names.
-    classes = list(tree.glob("Filters/" + name)) + [path for folder in ("Readers/*/", "Writers/", "Writers/*/")
-                                                    for path in tree.glob(folder + name)]
-    return classes[0].parent.relative_to(tree).as_posix() if classes else None
+    return classes.get(name)
 
 
-def check_file(tree, path, rooms):
-    """What is wrong with the includes of a file."""
+def check_file(tree, path, floors, rules, classes, arrows):
+    """What is wrong with the includes of a file; adds arrows between rooms of a floor."""
     where = path.relative_to(tree).as_posix()
     room = path.parent.relative_to(tree).as_posix()
-    if room not in rooms:
-        return ["%s: no row for the room %s in the table" % (where, room)]
+    floor = floor_of(room, floors)
+    if floor is None:
+        return ["%s: the room %s is not in the drawing" % (where, room)]
+    forbidden = [pattern for users, used in rules if any(matches(room, user) for user in users) for pattern in used]
     wrong = []
     for number, name, _ in includes(path):
-        other = find_room(tree, path, name)
-        if other and other != room and other not in rooms[room]:
+        other = find_room(tree, path, name, classes) or ("VTK" if name.startswith("vtk") else None)
+        if other in (None, room):
+            continue
+        above = floor_of(other, floors)
+        if above is not None and above > floor:
+            wrong.append("%s:%d: %s is above %s" % (where, number, other, room))
+        if above == floor:
+            arrows.setdefault(room, set()).add(other)
+        if any(matches(other, pattern) for pattern in forbidden):
             wrong.append("%s:%d: %s may not use %s" % (where, number, room, other))
-        if not other and name.startswith("vtk") and "VTK" not in rooms[room]:
-            wrong.append("%s:%d: %s may not use VTK" % (where, number, room))
     return wrong
+
+
+def check_comments(tree, path, names):
+    """Files that comments name exist."""
+    where = path.relative_to(tree).as_posix()
+    return ["%s:%d: there is no file %s" % (where, number, name)
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1) if "//" in line
+            for name in re.findall(r"\b([A-Z]\w*\.(?:h|cxx|md))\b", line.split("//", 1)[1]) if name not in names]
 
 
 def check_length(tree, path):
@@ -114,20 +134,24 @@ def check_versions(tree):
 
 def main():
     tree = pathlib.Path(sys.argv[1])
-    rooms = read_table(tree / "Documentation" / "Architecture.md")
-    folders = ["Common", "Filters", "Readers", "Writers", "ParaViewPlugin", "Utilities", "Testing"]
+    floors, rules = read_floors(tree / "Documentation" / "Architecture.md")
+    folders = ["Common", "Filters", "Sources", "Readers", "Writers", "ParaViewPlugin", "Utilities", "Testing"]
     sources = sorted(path for folder in folders for path in (tree / folder).rglob("*")
                      if path.suffix in (".h", ".cxx") and "Consumer" not in path.parts)
     scripts = sorted(path for folder in folders for path in (tree / folder).rglob("*.py"))
-    assert len(rooms) > 10 and len(sources) > 100 and len(scripts) > 10, (rooms, len(sources), len(scripts))
-    wrong = ["the room %s is not there" % room for room in rooms if not (tree / room).is_dir()]
-    wrong += check_cycles(rooms) + check_versions(tree)
+    assert len(floors) > 8 and rules and len(sources) > 100 and len(scripts) > 10, (floors, rules, len(sources), len(scripts))
+    wrong = ["the room %s is not there" % room for room in floors if not (tree / room.replace("/*", "")).is_dir()]
+    wrong += check_versions(tree)
+    classes = {path.name: path.parent.relative_to(tree).as_posix() for path in sources if path.name.startswith("vtk")}
+    names = {path.name for pattern in ("*.h", "*.cxx", "*.md") for path in tree.rglob(pattern)}
+    arrows = {}
     for path in sources:
         if path.relative_to(tree).parts[0] not in FREE:
-            wrong += check_file(tree, path, rooms)
+            wrong += check_file(tree, path, floors, rules, classes, arrows) + check_comments(tree, path, names)
+    wrong += check_cycles(arrows)
     for path in sources + scripts:
         wrong += check_length(tree, path) + check_functions(tree, path)
-    print("\n".join(wrong) or "%d files in %d rooms" % (len(sources), len(rooms)))
+    print("\n".join(wrong) or "%d files on %d floors" % (len(sources), len(set(floors.values()))))
     sys.exit(1 if wrong else 0)
 
 

@@ -14,7 +14,7 @@ import sys
 
 SKIPPED = 77
 PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "Documentation/*.md")
-OTHERS = ("ParaViewPlugin/*.xml", *("%s/**/*.h" % folder for folder in ("Common", "Filters", "ParaViewPlugin", "Readers", "Writers")))
+OTHERS = ("ParaViewPlugin/*.xml", *("%s/**/*.h" % folder for folder in ("Common", "Filters", "ParaViewPlugin", "Readers", "Sources", "Writers")))
 WORDS = pathlib.Path(__file__).with_name("spelling_words.txt")
 # Not in tables, whose rows are made of headers and of messages, and not in code.
 PHRASES = ("hang together", "hangs together", "can not", "cannot be had", "for itself", "is told", "are told", "goes on",

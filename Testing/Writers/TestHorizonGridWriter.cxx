@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The writers of grids and of text: what is written is read again as the same horizon, also from a mesh.
+// The writer of grids: what is written is read again as the same horizon, also from a mesh.
 
 #include "Filters/HorizonFixtures.h"
 #include "Readers/FileFixtures.h"
 #include "Tools/Check.h"
+#include "WriterFixtures.h"
 
 #include "vtkHorizonExteriorBoundary.h"
 #include "vtkHorizonGridReader.h"
@@ -19,63 +20,11 @@
 
 #include <cmath>
 
-using namespace FileFixtures;
+using namespace WriterFixtures;
 using HorizonFixtures::Errors;
 
 namespace
 {
-/// The folder for files of this test.
-std::string Folder;
-
-/// Picks of a turned survey, inlines 100 to 110 in steps of 2 and crosslines 7 to 12, on a plane; of `missing` inside
-/// there is none.
-std::string MakePicks(const std::string& name, bool isComplete)
-{
-  std::string text;
-  for (int j = 0; j < 6; ++j)
-  {
-    for (int i = 0; i < 6; ++i)
-    {
-      if (isComplete || i != 3 || j != 2)
-      {
-        const double x = 604321.25 + 12.0 * i - 9.0 * j;
-        const double y = 6079543.5 + 9.0 * i + 12.0 * j;
-        const double z = 1500.0 + 2.0 * i + 0.5 * j;
-        text += name + '\t' + std::to_string(100 + 2 * j) + '\t' + std::to_string(7 + i) + '\t' + std::to_string(x) +
-          '\t' + std::to_string(y) + '\t' + std::to_string(z) + '\t' + std::to_string(i * j) + '\n';
-      }
-    }
-  }
-  return text;
-}
-
-vtkSmartPointer<vtkHorizonTextReader> ReadPicks(const std::string& text)
-{
-  auto reader = vtkSmartPointer<vtkHorizonTextReader>::New();
-  reader->SetFileName(WriteText(Folder + "/picks.dat", text).c_str());
-  reader->Update();
-  return reader;
-}
-
-/// The points of two horizons are at the same places, in the same order.
-void CheckSamePlaces(vtkPolyData* a, vtkPolyData* b, double nearness)
-{
-  CHECK_EQUAL(a->GetNumberOfPoints(), b->GetNumberOfPoints());
-  for (vtkIdType point = 0; point < std::min(a->GetNumberOfPoints(), b->GetNumberOfPoints()); ++point)
-  {
-    const double* const place = a->GetPoint(point);
-    double other[3];
-    b->GetPoint(point, other);
-    CHECK(std::hypot(place[0] - other[0], place[1] - other[1]) < nearness);
-    CHECK(std::abs(place[2] - other[2]) < 1e-9);
-  }
-}
-
-void CheckSamePoints(vtkPolyData* a, vtkPolyData* b)
-{
-  CheckSamePlaces(a, b, 1e-6);
-}
-
 vtkSmartPointer<vtkPolyData> Mesh(vtkPolyData* points)
 {
   vtkNew<vtkHorizonExteriorBoundary> boundary;
@@ -224,72 +173,6 @@ void SeveralFilesAreWrittenAllOrNone()
   CHECK(std::filesystem::is_empty(folder));
 }
 
-void TextComesBack()
-{
-  const auto picks = ReadPicks(MakePicks("\"Top Reek\"", true) + MakePicks("Base", false));
-  vtkNew<vtkHorizonTextWriter> writer;
-  writer->SetInputDataObject(picks->GetOutput());
-  writer->SetFileName((Folder + "/out.dat").c_str());
-  CHECK_EQUAL(writer->Write(), 1);
-  const std::string text = ReadText(Folder + "/out.dat");
-  CHECK_EQUAL(
-    text.substr(0, text.find('\n')), std::string("# \"Inline\"\t\"Crossline\"\t\"X\"\t\"Y\"\t\"Z\"\t\"Attribute 1\""));
-  vtkNew<vtkHorizonTextReader> reader;
-  reader->SetFileName((Folder + "/out.dat").c_str());
-  reader->Update();
-  for (unsigned int horizon = 0; horizon < 2; ++horizon)
-  {
-    vtkPolyData* const before = GetHorizon(picks->GetOutput(), horizon);
-    vtkPolyData* const after = GetHorizon(reader->GetOutput(), horizon);
-    CHECK_EQUAL(GetName(reader->GetOutput(), horizon), GetName(picks->GetOutput(), horizon));
-    CheckSamePoints(before, after);
-    for (vtkIdType point = 0; point < before->GetNumberOfPoints(); ++point)
-    {
-      CHECK_EQUAL(before->GetPointData()->GetArray("Attribute 1")->GetTuple1(point),
-        after->GetPointData()->GetArray("Attribute 1")->GetTuple1(point));
-    }
-  }
-  writer->WriteAttributesOff();
-  writer->SetVerticalPositiveToElevation();
-  CHECK_EQUAL(writer->Write(), 1);
-  CHECK(ReadText(Folder + "/out.dat").find("\"Top Reek\"\t100\t7\t604321.25\t6079543.5\t-1500\n") != std::string::npos);
-}
-
-/// The header says what the reader would not know.
-void DirectionAndUnitsComeBack()
-{
-  const auto picks = ReadPicks("0.5 0 -5\n10.5 0 6\n0.5 20 7\n10.5 20 8\n");
-  picks->SetVerticalDirectionToUp();
-  picks->SetVerticalUnit("ft");
-  picks->SetHorizontalUnit("m");
-  picks->Update();
-  vtkNew<vtkHorizonTextWriter> writer;
-  writer->SetInputConnection(picks->GetOutputPort());
-  writer->SetFileName((Folder + "/up.dat").c_str());
-  CHECK_EQUAL(writer->Write(), 1);
-  CHECK(ReadText(Folder + "/up.dat").find("\"X (m)\"\t\"Y (m)\"\t\"Elevation (ft)\"\n") != std::string::npos);
-  vtkNew<vtkHorizonTextReader> reader;
-  reader->SetFileName((Folder + "/up.dat").c_str());
-  reader->Update();
-  CheckSamePoints(GetHorizon(picks->GetOutput(), 0), GetHorizon(reader->GetOutput(), 0));
-}
-
-/// Without line numbers there are places alone, and values that are missing are 1e30.
-void TextOfOneWithoutLines()
-{
-  const auto picks = ReadPicks("0.5 0 5 7\n10.5 0 6 1e30\n0.5 20 7 9\n10.5 20 8 11\n");
-  CHECK_EQUAL(GetHorizon(picks->GetOutput(), 0)->GetNumberOfPoints(), 4);
-  vtkPolyData* const horizon = GetHorizon(picks->GetOutput(), 0);
-  horizon->GetFieldData()->RemoveArray("LineNumbers");
-  vtkNew<vtkHorizonTextWriter> writer;
-  writer->SetInputDataObject(horizon);
-  writer->SetFileName((Folder + "/one.dat").c_str());
-  CHECK_EQUAL(writer->Write(), 1);
-  const std::string text = ReadText(Folder + "/one.dat");
-  CHECK(text.find("# \"X\"\t\"Y\"\t\"Z\"\t") == 0);
-  CHECK(text.find("\t6\t1e30\n") != std::string::npos);
-}
-
 /// One error that has the text, and no file.
 void CheckRefused(vtkHorizonWriter* writer, vtkDataObject* input, const std::string& message)
 {
@@ -409,9 +292,6 @@ int TestHorizonGridWriter(int argc, char* argv[])
   MeshesAreSampled();
   GridsHaveFilesOfTheirOwn();
   SeveralFilesAreWrittenAllOrNone();
-  TextComesBack();
-  DirectionAndUnitsComeBack();
-  TextOfOneWithoutLines();
   WhatCanNotBeIsRefused();
   BrokenHorizonsAreRefused();
   FarColumnsAreOnlyListed();

@@ -126,7 +126,7 @@ class Texts:
 
     def __init__(self, tree=TREE):
         self.documentation = tree / "Documentation"
-        folders = ("Common", "Filters", "Readers", "Writers")
+        folders = ("Filters", "Sources", "Readers", "Writers")
         self.headers = {path.stem: read_header(path) for folder in folders for path in (tree / folder).rglob("vtk*.h")}
         self.files = {}
         self.proxies = {}

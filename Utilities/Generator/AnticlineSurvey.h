@@ -16,7 +16,7 @@
 #ifndef SeismicHorizonsAnticlineSurvey_h
 #define SeismicHorizonsAnticlineSurvey_h
 
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <cstdint>
 #include <map>

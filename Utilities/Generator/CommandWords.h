@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsCommandWords_h
 #define SeismicHorizonsCommandWords_h
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <charconv>
 #include <filesystem>

@@ -3,7 +3,7 @@
 
 #include "CubeReflectors.h"
 
-#include "Common/Parameters.h"
+#include "Common/Base/Parameters.h"
 #include "SmoothNoise.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsFaultGenerator_h
 #define SeismicHorizonsFaultGenerator_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstdint>
 #include <vector>

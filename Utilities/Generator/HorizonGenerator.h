@@ -15,11 +15,11 @@
 #ifndef SeismicHorizonsHorizonGenerator_h
 #define SeismicHorizonsHorizonGenerator_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "HorizonGeneratorOptions.h"
 #include "HorizonShape.h"
 #include "RandomFields.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <cstdint>
 #include <map>

@@ -3,7 +3,7 @@
 
 #include "HorizonGeneratorOptions.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <limits>
 

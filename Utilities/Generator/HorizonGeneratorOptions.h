@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsHorizonGeneratorOptions_h
 #define SeismicHorizonsHorizonGeneratorOptions_h
 
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <cstdint>
 #include <string>

@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsRandomFields_h
 #define SeismicHorizonsRandomFields_h
 
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "SmoothNoise.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsVoxelText_h
 #define SeismicHorizonsVoxelText_h
 
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <array>
 #include <charconv>

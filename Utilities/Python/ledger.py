@@ -4,7 +4,7 @@
 
 ENTRIES = ("known", "filled", "bridged", "extrapolated", "left_out")  # the components of the arrays
 HEADS = dict(zip(ENTRIES, ("known", "filled", "bridged", "extrapolated", "left out")))
-WARNING_FRACTION = 0.001  # fraction of the covered area, as LedgerWarningFraction in Common/Ledger.h
+WARNING_FRACTION = 0.001  # fraction of the covered area, as LedgerWarningFraction in Common/Horizon/Ledger.h
 
 
 def read(dataset):

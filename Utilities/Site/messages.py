@@ -75,14 +75,14 @@ def tidy(text):
 
 
 def cpp_paths():
-    paths = itertools.chain(*((TREE / folder).rglob("*") for folder in ("Common", "Filters", "Readers", "Writers")))
+    paths = itertools.chain(*((TREE / folder).rglob("*") for folder in ("Common", "Filters", "Sources", "Readers", "Writers")))
     # Users never see the messages of MeshChecker.
     return [path for path in sorted(paths) if path.suffix in (".h", ".cxx") and path.stem != "MeshChecker"]
 
 
 def collect():
     """Returns the messages of each page: {page, or "" for shared messages: texts}."""
-    model = (TREE / "Common" / "DataModel.h").read_text("utf-8")
+    model = (TREE / "Common" / "Horizon" / "DataModel.h").read_text("utf-8")
     constants = cpp_messages.named_texts(cpp_messages.tokens_of(model), {})
     found = {}
     for path in cpp_paths():

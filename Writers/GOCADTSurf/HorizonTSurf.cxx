@@ -3,11 +3,11 @@
 
 #include "HorizonTSurf.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/SurveyFields.h"
-#include "HorizonSampling.h"
+#include "Writers/HorizonSampling.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

@@ -3,7 +3,7 @@
 
 #include "PartMesh.h"
 
-#include "Common/CountingSort.h"
+#include "Common/Base/CountingSort.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,10 +3,10 @@
 
 #include "TSurfPrinter.h"
 
-#include "Common/Errors.h"
-#include "Common/LineErrors.h"
+#include "Common/Base/Errors.h"
 #include "Common/Survey/NullValue.h"
-#include "Common/TextPrinter.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextPrinter.h"
 #include "PartMesh.h"
 
 #include <algorithm>

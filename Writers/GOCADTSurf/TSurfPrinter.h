@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsTSurfPrinter_h
 #define SeismicHorizonsTSurfPrinter_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/TSurf.h"
 
 #include <ostream>

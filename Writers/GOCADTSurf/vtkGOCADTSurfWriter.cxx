@@ -3,8 +3,8 @@
 
 #include "vtkGOCADTSurfWriter.h"
 
-#include "Common/Errors.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Monitor.h"
 #include "Common/VTK/HorizonName.h"
 #include "HorizonTSurf.h"
 #include "TSurfPrinter.h"

@@ -3,8 +3,8 @@
 
 #include "DXFPrinter.h"
 
-#include "Common/Errors.h"
-#include "Common/TextWords.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/TextWords.h"
 
 #include <array>
 #include <cmath>

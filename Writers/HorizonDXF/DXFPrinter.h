@@ -7,9 +7,9 @@
 #ifndef SeismicHorizonsDXFPrinter_h
 #define SeismicHorizonsDXFPrinter_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/TSurf.h"
-#include "Common/TextPrinter.h"
+#include "Common/Text/TextPrinter.h"
 
 #include <string>
 #include <vector>

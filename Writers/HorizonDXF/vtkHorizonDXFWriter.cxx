@@ -3,10 +3,10 @@
 
 #include "vtkHorizonDXFWriter.h"
 
-#include "Common/Errors.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Monitor.h"
 #include "DXFPrinter.h"
-#include "GOCADTSurf/HorizonTSurf.h"
+#include "Writers/GOCADTSurf/HorizonTSurf.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

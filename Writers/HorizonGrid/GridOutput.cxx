@@ -3,9 +3,9 @@
 
 #include "GridOutput.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Common/Survey/LatticeFrame.h"
-#include "Common/TextNumbers.h"
+#include "Common/Text/TextNumbers.h"
 
 #include <charconv>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsGridOutput_h
 #define SeismicHorizonsGridOutput_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
 
 #include <array>

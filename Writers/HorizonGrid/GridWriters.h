@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsGridWriters_h
 #define SeismicHorizonsGridWriters_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
 
 #include <ostream>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/Errors.h"
-#include "Common/TextNumbers.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/TextNumbers.h"
 #include "GridOutput.h"
 #include "GridWriters.h"
 

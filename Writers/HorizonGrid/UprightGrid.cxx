@@ -3,7 +3,7 @@
 
 #include "UprightGrid.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <Eigen/LU>
 

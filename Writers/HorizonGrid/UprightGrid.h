@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsUprightGrid_h
 #define SeismicHorizonsUprightGrid_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
 
 namespace SeismicHorizons

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "GridOutput.h"
 #include "GridWriters.h"
 

@@ -3,12 +3,12 @@
 
 #include "vtkHorizonGridWriter.h"
 
-#include "Common/Monitor.h"
-#include "Common/TextNumbers.h"
-#include "Common/TextWords.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/TextNumbers.h"
+#include "Common/Text/TextWords.h"
 #include "GridWriters.h"
-#include "HorizonSampling.h"
 #include "UprightGrid.h"
+#include "Writers/HorizonSampling.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

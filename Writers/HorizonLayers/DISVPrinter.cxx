@@ -5,7 +5,7 @@
 
 #include "LayersPrinter.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "LinePrinter.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsLayersPrinter_h
 #define SeismicHorizonsLayersPrinter_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 
 #include <array>
 #include <cstddef>

@@ -4,8 +4,8 @@
 #ifndef SeismicHorizonsLinePrinter_h
 #define SeismicHorizonsLinePrinter_h
 
-#include "Common/Monitor.h"
-#include "Common/TextPrinter.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/TextPrinter.h"
 
 #include <algorithm>
 #include <cctype>

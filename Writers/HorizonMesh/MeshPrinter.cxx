@@ -3,8 +3,8 @@
 
 #include "MeshPrinter.h"
 
-#include "Common/Errors.h"
-#include "Common/TextPrinter.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/TextPrinter.h"
 
 #include <array>
 #include <cmath>

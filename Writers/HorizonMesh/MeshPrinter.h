@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsMeshPrinter_h
 #define SeismicHorizonsMeshPrinter_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/TSurf.h"
 
 #include <ostream>

@@ -3,12 +3,12 @@
 
 #include "vtkHorizonMeshWriter.h"
 
-#include "Common/Errors.h"
-#include "Common/InputFile.h"
-#include "Common/Monitor.h"
-#include "GOCADTSurf/HorizonTSurf.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Text/InputFile.h"
 #include "MeshPrinter.h"
-#include "XMLPrinter.h"
+#include "Writers/GOCADTSurf/HorizonTSurf.h"
+#include "Writers/XMLPrinter.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

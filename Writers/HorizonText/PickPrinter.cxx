@@ -3,9 +3,9 @@
 
 #include "PickPrinter.h"
 
-#include "Common/Errors.h"
-#include "Common/TextPrinter.h"
-#include "HorizonText/ColumnNames.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/TextPrinter.h"
+#include "Readers/HorizonText/ColumnNames.h"
 
 #include <algorithm>
 #include <cmath>

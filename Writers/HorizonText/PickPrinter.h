@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsPickPrinter_h
 #define SeismicHorizonsPickPrinter_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
 
 #include <ostream>

@@ -3,10 +3,10 @@
 
 #include "vtkHorizonTextWriter.h"
 
-#include "Common/Errors.h"
-#include "Common/Monitor.h"
-#include "HorizonSampling.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Monitor.h"
 #include "PickPrinter.h"
+#include "Writers/HorizonSampling.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

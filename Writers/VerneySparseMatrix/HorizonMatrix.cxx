@@ -3,10 +3,10 @@
 
 #include "HorizonMatrix.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Marshalling/HorizonData.h"
+#include "Filters/Marshalling/HorizonData.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

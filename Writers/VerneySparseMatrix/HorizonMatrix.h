@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsHorizonMatrix_h
 #define SeismicHorizonsHorizonMatrix_h
 
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <array>
 #include <optional>

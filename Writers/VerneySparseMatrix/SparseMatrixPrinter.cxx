@@ -3,8 +3,8 @@
 
 #include "SparseMatrixPrinter.h"
 
-#include "Common/Errors.h"
-#include "Common/TextPrinter.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/TextPrinter.h"
 
 #include <algorithm>
 #include <cmath>

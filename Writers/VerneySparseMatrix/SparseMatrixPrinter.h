@@ -8,8 +8,8 @@
 #ifndef SeismicHorizonsSparseMatrixPrinter_h
 #define SeismicHorizonsSparseMatrixPrinter_h
 
-#include "Common/Monitor.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Common/Base/Monitor.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <ostream>
 

@@ -3,13 +3,13 @@
 
 #include "vtkVerneySparseMatrixWriter.h"
 
-#include "Common/DataModel.h"
-#include "Common/Errors.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "HorizonMatrix.h"
-#include "HorizonSampling.h"
 #include "SparseMatrixPrinter.h"
+#include "Writers/HorizonSampling.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

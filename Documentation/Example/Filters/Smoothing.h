@@ -6,7 +6,7 @@
 #ifndef Smoothing_h
 #define Smoothing_h
 
-#include <Common/Monitor.h>
+#include <Common/Base/Monitor.h>
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "ClockwiseBoundary.h"
 
-#include "Common/ColumnIndex.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "CutFaces.h"
 #include "Hops.h"
 #include "PatchComponents.h"

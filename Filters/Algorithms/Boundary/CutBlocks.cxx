@@ -3,7 +3,7 @@
 
 #include "CutBlocks.h"
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
 
 #include <algorithm>
 

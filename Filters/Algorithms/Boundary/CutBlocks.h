@@ -14,9 +14,9 @@
 #ifndef SeismicHorizonsCutBlocks_h
 #define SeismicHorizonsCutBlocks_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/LinkCuts.h"
-#include "Common/Types.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "CutFaces.h"
 
-#include "Common/DisjointSets.h"
+#include "Common/Base/DisjointSets.h"
 #include "ExteriorBoundary.h"
 #include "Hops.h"
 #include "PatchComponents.h"

@@ -18,9 +18,9 @@
 #ifndef SeismicHorizonsCutFaces_h
 #define SeismicHorizonsCutFaces_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/Cracks.h"
-#include "Common/Types.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Cracks.h"
+#include "Common/Horizon/Types.h"
 #include "CutBlocks.h"
 #include "Hops.h"
 #include "PatchComponents.h"

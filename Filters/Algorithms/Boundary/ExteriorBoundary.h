@@ -21,13 +21,13 @@
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/Cracks.h"
-#include "Common/DataModel.h"
-#include "Common/KeptPoints.h"
-#include "Common/LinkCuts.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Cracks.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstdint>
 #include <optional>

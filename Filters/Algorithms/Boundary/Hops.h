@@ -12,9 +12,9 @@
 #ifndef SeismicHorizonsHops_h
 #define SeismicHorizonsHops_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <array>

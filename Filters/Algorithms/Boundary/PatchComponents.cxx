@@ -10,7 +10,7 @@
 
 #include "PatchComponents.h"
 
-#include "Common/DisjointSets.h"
+#include "Common/Base/DisjointSets.h"
 
 #include <algorithm>
 #include <numeric>

@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsPatchComponents_h
 #define SeismicHorizonsPatchComponents_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/Types.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstddef>
 #include <functional>

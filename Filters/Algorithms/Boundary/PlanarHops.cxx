@@ -7,9 +7,9 @@
 
 #include "PlanarHops.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/Errors.h"
-#include "Common/Predicates.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Predicates.h"
 #include "ExteriorBoundary.h"
 #include "Hops.h"
 

@@ -35,9 +35,9 @@
 #ifndef SeismicHorizonsPlanarHops_h
 #define SeismicHorizonsPlanarHops_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/CountingSort.h"
-#include "Common/Monitor.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "CutBlocks.h"
 #include "Hops.h"
 #include "SeamGaps.h"

@@ -3,8 +3,8 @@
 
 #include "SeamGaps.h"
 
-#include "Common/DisjointSets.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Base/DisjointSets.h"
+#include "Common/Horizon/PlaneGeometry.h"
 
 #include <algorithm>
 #include <string>

@@ -12,7 +12,7 @@
 #ifndef SeismicHorizonsSeamGaps_h
 #define SeismicHorizonsSeamGaps_h
 
-#include "Common/ColumnIndex.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "ExteriorBoundary.h"
 #include "PatchComponents.h"
 

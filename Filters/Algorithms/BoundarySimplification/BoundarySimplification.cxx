@@ -6,11 +6,11 @@
 
 #include "BoundarySimplification.h"
 
-#include "Common/CellGrid.h"
-#include "Common/Parameters.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
-#include "Common/SpacePoints.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/CellGrid.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
+#include "Common/Horizon/SpacePoints.h"
 #include "FewestPoints.h"
 
 #include <Eigen/Geometry>

@@ -21,11 +21,11 @@
 #ifndef SeismicHorizonsBoundarySimplification_h
 #define SeismicHorizonsBoundarySimplification_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/DroppedPoints.h"
-#include "Common/Monitor.h"
-#include "Common/SpacePoints.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/DroppedPoints.h"
+#include "Common/Horizon/SpacePoints.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstdint>
 #include <vector>

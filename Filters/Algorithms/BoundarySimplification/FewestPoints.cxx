@@ -6,7 +6,7 @@
 
 #include "FewestPoints.h"
 
-#include "Common/Predicates.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <Eigen/Core>
 

@@ -17,9 +17,9 @@
 #ifndef SeismicHorizonsFewestPoints_h
 #define SeismicHorizonsFewestPoints_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/SpacePoints.h"
-#include "Common/Types.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/SpacePoints.h"
+#include "Common/Horizon/Types.h"
 
 #include <Eigen/Core>
 

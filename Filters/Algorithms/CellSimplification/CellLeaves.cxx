@@ -21,9 +21,9 @@
 
 #include "CellLeaves.h"
 
-#include "Common/Errors.h"
-#include "Common/Parameters.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/PlaneGeometry.h"
 
 #include <algorithm>
 #include <array>

@@ -22,11 +22,11 @@
 #ifndef SeismicHorizonsCellLeaves_h
 #define SeismicHorizonsCellLeaves_h
 
-#include "Common/BoundedHorizon.h"
-#include "Common/CellGrid.h"
-#include "Common/Monitor.h"
-#include "Common/Parallel.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/CellGrid.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <cstdint>

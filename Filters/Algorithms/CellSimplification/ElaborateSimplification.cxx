@@ -17,8 +17,8 @@
 #include "ElaborateSimplification.h"
 
 #include "CellLeaves.h"
-#include "Common/CountingSort.h"
-#include "Common/Parameters.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Parameters.h"
 #include "Flatness.h"
 #include "LeafWriter.h"
 

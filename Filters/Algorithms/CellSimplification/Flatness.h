@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsFlatness_h
 #define SeismicHorizonsFlatness_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

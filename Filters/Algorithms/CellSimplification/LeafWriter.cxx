@@ -10,10 +10,10 @@
 
 #include "LeafWriter.h"
 
-#include "Common/LargePages.h"
-#include "Common/Parallel.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
+#include "Common/Base/LargePages.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <cassert>

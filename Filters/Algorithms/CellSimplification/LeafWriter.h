@@ -8,8 +8,8 @@
 
 #include "CellLeaves.h"
 #include "CellOptions.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
 
 #include <functional>
 

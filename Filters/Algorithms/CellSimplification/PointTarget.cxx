@@ -3,8 +3,8 @@
 
 #include "PointTarget.h"
 
-#include "Common/Errors.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "RoughSimplification.h"
 
 #include <algorithm>

@@ -13,9 +13,9 @@
 #define SeismicHorizonsRoughSimplification_h
 
 #include "CellOptions.h"
-#include "Common/BoundedHorizon.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/Types.h"
 
 namespace SeismicHorizons
 {

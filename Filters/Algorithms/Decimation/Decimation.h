@@ -14,10 +14,10 @@
 #ifndef SeismicHorizonsDecimation_h
 #define SeismicHorizonsDecimation_h
 
-#include "Common/BoundedHorizon.h"
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstddef>
 #include <vector>

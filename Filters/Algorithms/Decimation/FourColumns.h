@@ -8,8 +8,8 @@
 #ifndef SeismicHorizonsFourColumns_h
 #define SeismicHorizonsFourColumns_h
 
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
 #include "TriangleRows.h"
 
 #include <Eigen/Core>

@@ -3,8 +3,8 @@
 
 #include "HeightFit.h"
 
-#include "Common/CountingSort.h"
-#include "Common/Parallel.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@
 #ifndef SeismicHorizonsHeightFit_h
 #define SeismicHorizonsHeightFit_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "HeightMesh.h"
 
 #include <cstddef>

@@ -3,11 +3,11 @@
 
 #include "HeightMesh.h"
 
-#include "Common/CountingSort.h"
-#include "Common/HeapArray.h"
-#include "Common/LargePages.h"
-#include "Common/Parallel.h"
-#include "Triangulation/Triangulation.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/HeapArray.h"
+#include "Common/Base/LargePages.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>

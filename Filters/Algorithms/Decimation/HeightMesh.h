@@ -6,10 +6,10 @@
 #ifndef SeismicHorizonsHeightMesh_h
 #define SeismicHorizonsHeightMesh_h
 
-#include "Common/BoundedHorizon.h"
-#include "Common/Monitor.h"
-#include "Common/Parallel.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/Types.h"
 #include "HeightRaster.h"
 #include "PlaneMesh.h"
 

@@ -3,9 +3,9 @@
 
 #include "HeightRaster.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/FixedChunks.h"
-#include "Common/Parallel.h"
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/ColumnIndex.h"
 
 #include <algorithm>
 #include <limits>

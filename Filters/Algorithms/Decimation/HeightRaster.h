@@ -6,11 +6,11 @@
 #ifndef SeismicHorizonsHeightRaster_h
 #define SeismicHorizonsHeightRaster_h
 
-#include "Common/LinkCuts.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
+#include "Common/Horizon/Types.h"
 #include "FourColumns.h"
 #include "TriangleRows.h"
 

@@ -3,8 +3,8 @@
 
 #include "KeptSides.h"
 
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
 
 namespace SeismicHorizons
 {

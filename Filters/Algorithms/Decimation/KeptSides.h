@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsKeptSides_h
 #define SeismicHorizonsKeptSides_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 #include "PlaneMesh.h"
 
 #include <cstddef>

@@ -5,8 +5,8 @@
 
 #include "MeshImprover.h"
 
-#include "Common/Parallel.h"
-#include "Common/Predicates.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/Predicates.h"
 #include "Decimation.h"
 #include "HeightMesh.h"
 #include "MeshRefiner.h"

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsMeshImprover_h
 #define SeismicHorizonsMeshImprover_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Decimation.h"
 #include "HeightFit.h"
 #include "HeightMesh.h"

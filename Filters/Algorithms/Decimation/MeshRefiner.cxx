@@ -3,8 +3,8 @@
 
 #include "MeshRefiner.h"
 
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsMeshRefiner_h
 #define SeismicHorizonsMeshRefiner_h
 
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
 #include "Decimation.h"
 #include "HeightMesh.h"
 

@@ -3,8 +3,8 @@
 
 #include "PlaneMesh.h"
 
-#include "Common/HeapArray.h"
-#include "Common/Predicates.h"
+#include "Common/Base/HeapArray.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <iterator>

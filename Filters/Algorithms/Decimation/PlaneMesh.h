@@ -16,8 +16,8 @@
 #ifndef SeismicHorizonsPlaneMesh_h
 #define SeismicHorizonsPlaneMesh_h
 
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsTriangleRows_h
 #define SeismicHorizonsTriangleRows_h
 
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <array>

@@ -6,10 +6,10 @@
 
 #include "Despiking.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/Median.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Median.h"
 
 #include <algorithm>
 #include <cassert>

@@ -11,8 +11,8 @@
 #ifndef SeismicHorizonsDespiking_h
 #define SeismicHorizonsDespiking_h
 
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Loops and open ends of cracks (Common/Cracks.h) form a plane graph. Walks from open ends, along the first edges
+// 1. Loops and open ends of cracks (Common/Horizon/Cracks.h) form a plane graph. Walks from open ends, along the first edges
 // that a clockwise sweep meets, surround the cracks to their left.
 // 2. Loops of cutoffs without a walk bound cracks of their own.
 // 3. The enclosed regions are triangulated together.
@@ -16,9 +16,9 @@
 
 #include "FaultClosing.h"
 
-#include "Common/BoundedHorizon.h"
-#include "Common/Predicates.h"
-#include "Triangulation/Triangulation.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/Predicates.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cassert>

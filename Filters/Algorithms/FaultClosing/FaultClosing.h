@@ -6,10 +6,10 @@
 #ifndef SeismicHorizonsFaultClosing_h
 #define SeismicHorizonsFaultClosing_h
 
-#include "Common/Cracks.h"
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Cracks.h"
+#include "Common/Horizon/Types.h"
 
 #include <vector>
 

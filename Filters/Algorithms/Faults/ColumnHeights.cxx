@@ -3,8 +3,8 @@
 
 #include "ColumnHeights.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/ColumnIndex.h"
 
 #include <algorithm>
 #include <cassert>

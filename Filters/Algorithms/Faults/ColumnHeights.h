@@ -13,7 +13,7 @@
 #ifndef SeismicHorizonsColumnHeights_h
 #define SeismicHorizonsColumnHeights_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 #include "LinkGrid.h"
 
 #include <cmath>

@@ -10,12 +10,12 @@
 
 #include "FaultDetection.h"
 
-#include "Common/Errors.h"
-#include "Common/FixedChunks.h"
-#include "Common/Median.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Median.h"
 #include "FaultForest.h"
 #include "FaultJoins.h"
 #include "FaultRamps.h"

@@ -18,7 +18,7 @@
 #define SeismicHorizonsFaultDetection_h
 
 #include "ColumnHeights.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "FaultLines.h"
 
 namespace SeismicHorizons

@@ -11,8 +11,8 @@
 
 #include "FaultForest.h"
 
-#include "Common/DisjointSets.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Base/DisjointSets.h"
+#include "Common/Horizon/PlaneGeometry.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsFaultForest_h
 #define SeismicHorizonsFaultForest_h
 
-#include "Common/CountingSort.h"
+#include "Common/Base/CountingSort.h"
 #include "LinkGrid.h"
 
 #include <array>

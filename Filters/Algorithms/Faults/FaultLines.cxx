@@ -9,7 +9,7 @@
 
 #include "FaultLines.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <algorithm>
 #include <cassert>

@@ -11,7 +11,7 @@
 #define SeismicHorizonsFaultLines_h
 
 #include "ColumnHeights.h"
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 #include "LinkGrid.h"
 
 #include <cstddef>

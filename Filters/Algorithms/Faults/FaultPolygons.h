@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsFaultPolygons_h
 #define SeismicHorizonsFaultPolygons_h
 
-#include "Common/KeptPoints.h"
-#include "Common/Types.h"
+#include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/Types.h"
 #include "FaultLines.h"
 
 #include <vector>

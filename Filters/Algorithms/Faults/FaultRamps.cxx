@@ -9,7 +9,7 @@
 
 #include "FaultRamps.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <algorithm>
 #include <array>

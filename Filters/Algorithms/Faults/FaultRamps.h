@@ -12,8 +12,8 @@
 #define SeismicHorizonsFaultRamps_h
 
 #include "ColumnHeights.h"
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
 #include "FaultForest.h"
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 #define SeismicHorizonsFaultSurfaces_h
 
 #include "ColumnHeights.h"
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 #include "FaultLines.h"
 
 #include <array>

@@ -12,8 +12,8 @@
 #ifndef SeismicHorizonsLinkGrid_h
 #define SeismicHorizonsLinkGrid_h
 
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 
 #include <array>
 #include <cstdint>

@@ -5,14 +5,14 @@
 
 #include "Gridding.h"
 
-#include "Common/DisjointSets.h"
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
+#include "Common/Base/DisjointSets.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
 #include "Common/Survey/ColumnOrder.h"
 #include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/StrayPicks.h"
-#include "HoleFilling/PlateEnergy.h"
+#include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 
 #include <Eigen/Dense>
 

@@ -12,7 +12,7 @@
 #ifndef SeismicHorizonsGridding_h
 #define SeismicHorizonsGridding_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/PickTable.h"
 #include "Common/Survey/PlacementOptions.h"
 #include "Common/Survey/SurveyHorizons.h"

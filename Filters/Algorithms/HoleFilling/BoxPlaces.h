@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsBoxPlaces_h
 #define SeismicHorizonsBoxPlaces_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstddef>
 #include <cstdint>

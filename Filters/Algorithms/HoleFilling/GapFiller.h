@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsGapFiller_h
 #define SeismicHorizonsGapFiller_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "GapRegion.h"
 #include "HoleFilling.h"
 #include "SiteSolver.h"

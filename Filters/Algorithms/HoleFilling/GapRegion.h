@@ -7,8 +7,8 @@
 #define SeismicHorizonsGapRegion_h
 
 #include "BoxPlaces.h"
-#include "Common/ColumnIndex.h"
-#include "Common/LinkCuts.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/LinkCuts.h"
 #include "SiteSolver.h"
 
 #include <cstdint>

@@ -7,12 +7,12 @@
 
 #include "HoleFilling.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/CountingSort.h"
-#include "Common/DisjointSets.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/DisjointSets.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "GapFiller.h"
 #include "GapRegion.h"
 #include "PlateChoice.h"

@@ -16,10 +16,10 @@
 #ifndef SeismicHorizonsHoleFilling_h
 #define SeismicHorizonsHoleFilling_h
 
-#include "Common/LinkCuts.h"
-#include "Common/Monitor.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstdint>
 #include <functional>

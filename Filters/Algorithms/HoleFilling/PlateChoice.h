@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsPlateChoice_h
 #define SeismicHorizonsPlateChoice_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/LinkCuts.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/LinkCuts.h"
 #include "GapRegion.h"
 
 #include <vector>

@@ -13,7 +13,7 @@
 
 #include "SiteSolver.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "StencilTable.h"
 
 #include <algorithm>

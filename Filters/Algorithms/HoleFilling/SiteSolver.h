@@ -7,7 +7,7 @@
 #define SeismicHorizonsSiteSolver_h
 
 #include "BoxPlaces.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 
 #include <array>
 #include <cstddef>

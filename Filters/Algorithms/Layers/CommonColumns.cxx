@@ -3,7 +3,7 @@
 
 #include "CommonColumns.h"
 
-#include "Common/ColumnIndex.h"
+#include "Common/Horizon/ColumnIndex.h"
 
 #include <algorithm>
 #include <numeric>

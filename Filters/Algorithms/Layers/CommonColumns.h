@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsCommonColumns_h
 #define SeismicHorizonsCommonColumns_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,9 +3,9 @@
 
 #include "Crossings.h"
 
-#include "Common/Errors.h"
-#include "Common/FixedChunks.h"
-#include "Common/Parameters.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parameters.h"
 
 #include <algorithm>
 #include <cmath>

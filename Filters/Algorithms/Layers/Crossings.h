@@ -17,7 +17,7 @@
 #ifndef SeismicHorizonsCrossings_h
 #define SeismicHorizonsCrossings_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 
 #include <algorithm>
 #include <cstddef>

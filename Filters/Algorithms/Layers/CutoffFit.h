@@ -6,10 +6,10 @@
 #ifndef SeismicHorizonsCutoffFit_h
 #define SeismicHorizonsCutoffFit_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/LinkCuts.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/LinkCuts.h"
 #include "Crossings.h"
-#include "Decimation/HeightMesh.h"
+#include "Filters/Algorithms/Decimation/HeightMesh.h"
 
 #include <vector>
 

@@ -6,10 +6,10 @@
 #ifndef SeismicHorizonsFittedOrder_h
 #define SeismicHorizonsFittedOrder_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/Types.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Types.h"
 #include "Crossings.h"
-#include "Decimation/HeightMesh.h"
+#include "Filters/Algorithms/Decimation/HeightMesh.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,9 +3,9 @@
 
 #include "KeptLines.h"
 
-#include "Common/PlaneGeometry.h"
-#include "Decimation/KeptSides.h"
-#include "Decimation/MeshRefiner.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/Decimation/KeptSides.h"
+#include "Filters/Algorithms/Decimation/MeshRefiner.h"
 
 #include <algorithm>
 #include <iterator>

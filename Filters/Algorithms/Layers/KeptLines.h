@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsKeptLines_h
 #define SeismicHorizonsKeptLines_h
 
-#include "Common/ColumnIndex.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "Crossings.h"
-#include "Decimation/HeightMesh.h"
+#include "Filters/Algorithms/Decimation/HeightMesh.h"
 #include "PinchOuts.h"
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 
 #include "LayerBody.h"
 
-#include "Common/DisjointSets.h"
-#include "Decimation/PlaneMesh.h"
+#include "Common/Base/DisjointSets.h"
+#include "Filters/Algorithms/Decimation/PlaneMesh.h"
 
 #include <algorithm>
 #include <array>

@@ -12,9 +12,9 @@
 #ifndef SeismicHorizonsLayerBody_h
 #define SeismicHorizonsLayerBody_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
 #include "LayerPlan.h"
 
 #include <cstddef>

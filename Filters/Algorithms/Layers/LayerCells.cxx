@@ -3,7 +3,7 @@
 
 #include "LayerCells.h"
 
-#include "Common/Predicates.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <limits>

@@ -8,9 +8,9 @@
 #ifndef SeismicHorizonsLayerCells_h
 #define SeismicHorizonsLayerCells_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
 #include "LayerPlan.h"
 
 #include <array>

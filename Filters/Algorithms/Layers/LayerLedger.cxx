@@ -3,9 +3,9 @@
 
 #include "LayerLedger.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/Predicates.h"
-#include "Decimation/TriangleRows.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Predicates.h"
+#include "Filters/Algorithms/Decimation/TriangleRows.h"
 #include "LayerPlan.h"
 
 #include <algorithm>

@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsLayerLedger_h
 #define SeismicHorizonsLayerLedger_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/Ledger.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Ledger.h"
 #include "OrderedStack.h"
 
 #include <array>

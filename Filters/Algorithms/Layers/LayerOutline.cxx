@@ -3,9 +3,9 @@
 
 #include "LayerOutline.h"
 
-#include "BoundarySimplification/BoundarySimplification.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/SpacePoints.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/SpacePoints.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #ifndef SeismicHorizonsLayerOutline_h
 #define SeismicHorizonsLayerOutline_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/ColumnIndex.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "OrderedStack.h"
 
 #include <cstdint>

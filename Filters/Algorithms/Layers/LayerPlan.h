@@ -12,11 +12,11 @@
 #ifndef SeismicHorizonsLayerPlan_h
 #define SeismicHorizonsLayerPlan_h
 
-#include "Common/LinkCuts.h"
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
-#include "Decimation/Decimation.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
 #include "LayerLedger.h"
 #include "OrderedStack.h"
 

@@ -10,9 +10,9 @@
 #ifndef SeismicHorizonsLayerRegions_h
 #define SeismicHorizonsLayerRegions_h
 
-#include "Common/ColumnIndex.h"
-#include "Common/LinkCuts.h"
-#include "Common/Types.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/Types.h"
 
 #include <array>
 #include <cstddef>

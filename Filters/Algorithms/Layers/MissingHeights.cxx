@@ -3,12 +3,12 @@
 
 #include "MissingHeights.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/DisjointSets.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
-#include "Common/PlaneGeometry.h"
-#include "HoleFilling/HoleFilling.h"
+#include "Common/Base/DisjointSets.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/HoleFilling/HoleFilling.h"
 
 #include <algorithm>
 #include <array>

@@ -11,9 +11,9 @@
 #ifndef SeismicHorizonsMissingHeights_h
 #define SeismicHorizonsMissingHeights_h
 
-#include "Common/LinkCuts.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/Types.h"
 #include "CommonColumns.h"
 #include "Crossings.h"
 

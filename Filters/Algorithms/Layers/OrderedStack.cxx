@@ -3,11 +3,11 @@
 
 #include "OrderedStack.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/Errors.h"
-#include "Common/KeptPoints.h"
-#include "Common/Parallel.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/PlaneGeometry.h"
 
 #include <algorithm>
 #include <array>

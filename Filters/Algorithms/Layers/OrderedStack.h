@@ -4,9 +4,9 @@
 #ifndef SeismicHorizonsOrderedStack_h
 #define SeismicHorizonsOrderedStack_h
 
-#include "Common/LinkCuts.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/Types.h"
 #include "CommonColumns.h"
 #include "Crossings.h"
 #include "MissingHeights.h"

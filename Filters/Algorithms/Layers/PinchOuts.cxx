@@ -3,11 +3,11 @@
 
 #include "PinchOuts.h"
 
-#include "Boundary/ExteriorBoundary.h"
-#include "BoundarySimplification/BoundarySimplification.h"
-#include "Common/KeptPoints.h"
-#include "Common/Parameters.h"
-#include "Common/SpacePoints.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/SpacePoints.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 
 #include <cstddef>
 

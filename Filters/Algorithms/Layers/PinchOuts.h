@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsPinchOuts_h
 #define SeismicHorizonsPinchOuts_h
 
-#include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
 #include "Crossings.h"
 
 #include <cstdint>

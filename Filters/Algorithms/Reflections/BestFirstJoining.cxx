@@ -16,8 +16,8 @@
 
 #include "SurfaceJoining.h"
 
-#include "Common/CountingSort.h"
-#include "Common/Parallel.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <array>

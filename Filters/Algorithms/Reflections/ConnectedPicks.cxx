@@ -6,7 +6,7 @@
 
 #include "SurfaceJoining.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <cassert>
 #include <numeric>

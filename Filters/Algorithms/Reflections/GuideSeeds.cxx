@@ -3,7 +3,7 @@
 
 #include "GuideSeeds.h"
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include "GuidedJoining.h"
 
-#include "Common/CountingSort.h"
+#include "Common/Base/CountingSort.h"
 
 #include <algorithm>
 #include <cmath>

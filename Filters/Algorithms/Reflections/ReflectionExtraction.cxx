@@ -10,9 +10,9 @@
 
 #include "ReflectionExtraction.h"
 
-#include "Common/DataModel.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/DataModel.h"
 #include "GuideSeeds.h"
 #include "SurfaceJoining.h"
 

@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsReflectionExtraction_h
 #define SeismicHorizonsReflectionExtraction_h
 
-#include "Common/LatticeHorizon.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Survey/LatticeHorizon.h"
 #include "GuidedJoining.h"
 #include "ReflectionFinder.h"
 #include "ReflectionLinks.h"

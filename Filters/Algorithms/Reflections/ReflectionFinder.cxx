@@ -9,9 +9,9 @@
 
 #include "ReflectionFinder.h"
 
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
 
 #include <cassert>
 #include <functional>

@@ -7,9 +7,9 @@
 #ifndef SeismicHorizonsReflectionFinder_h
 #define SeismicHorizonsReflectionFinder_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
 #include "TraceCube.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 
 #include "ReflectionLinks.h"
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsReflectionLinks_h
 #define SeismicHorizonsReflectionLinks_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
 #include "ReflectionFinder.h"
 #include "TraceCube.h"
 

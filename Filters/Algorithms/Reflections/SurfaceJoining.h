@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsSurfaceJoining_h
 #define SeismicHorizonsSurfaceJoining_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
 #include "ReflectionLinks.h"
 
 #include <cstdint>

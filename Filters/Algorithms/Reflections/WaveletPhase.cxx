@@ -6,7 +6,7 @@
 
 #include "WaveletPhase.h"
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <array>

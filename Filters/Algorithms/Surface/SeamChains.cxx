@@ -3,8 +3,8 @@
 
 #include "SeamChains.h"
 
-#include "BoundarySimplification/FewestPoints.h"
-#include "Common/SpacePoints.h"
+#include "Common/Horizon/SpacePoints.h"
+#include "Filters/Algorithms/BoundarySimplification/FewestPoints.h"
 
 #include <algorithm>
 #include <cmath>

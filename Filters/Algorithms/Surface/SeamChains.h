@@ -12,9 +12,9 @@
 #ifndef SeismicHorizonsSeamChains_h
 #define SeismicHorizonsSeamChains_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/DroppedPoints.h"
-#include "Common/Types.h"
+#include "Common/Horizon/DroppedPoints.h"
+#include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 
 #include <vector>
 

@@ -5,13 +5,13 @@
 
 #include "Surface.h"
 
-#include "BoundarySimplification/BoundarySimplification.h"
-#include "Common/BoundedHorizon.h"
-#include "Common/CountingSort.h"
-#include "Common/Parallel.h"
-#include "Common/Parameters.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,12 +14,12 @@
 #ifndef SeismicHorizonsSurface_h
 #define SeismicHorizonsSurface_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/Errors.h"
-#include "Common/KeptPoints.h"
-#include "Common/Monitor.h"
-#include "Common/Types.h"
-#include "Decimation/Decimation.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
 #include "SeamChains.h"
 
 #include <algorithm>

@@ -5,12 +5,12 @@
 
 #include "SurfaceJoin.h"
 
-#include "Common/DisjointSets.h"
-#include "Common/Errors.h"
-#include "Common/MeshChecker.h"
-#include "Common/Predicates.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/DisjointSets.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/Predicates.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <array>

@@ -10,9 +10,9 @@
 #ifndef SeismicHorizonsSurfaceJoin_h
 #define SeismicHorizonsSurfaceJoin_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 
 #include <cstddef>
 #include <cstdint>

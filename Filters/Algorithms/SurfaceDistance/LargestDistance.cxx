@@ -14,7 +14,7 @@
 
 #include "LargestDistance.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <algorithm>
 #include <cmath>

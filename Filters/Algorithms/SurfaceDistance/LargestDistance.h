@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsLargestDistance_h
 #define SeismicHorizonsLargestDistance_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "DistanceProbe.h"
 #include "PlanOverlay.h"
 

@@ -3,7 +3,7 @@
 
 #include "PlanOverlay.h"
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <atomic>

@@ -15,7 +15,7 @@
 
 #include "SurfaceDistance.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 #include "DistanceProbe.h"
 #include "LargestDistance.h"
 

@@ -10,7 +10,7 @@
 #ifndef SeismicHorizonsSurfaceDistance_h
 #define SeismicHorizonsSurfaceDistance_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Metric.h"
 
 #include <array>

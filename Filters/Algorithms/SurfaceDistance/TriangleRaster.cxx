@@ -16,7 +16,7 @@
 
 #include "TriangleRaster.h"
 
-#include "Common/FixedChunks.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <algorithm>
 #include <array>

@@ -12,8 +12,8 @@
 #ifndef SeismicHorizonsTriangleRaster_h
 #define SeismicHorizonsTriangleRaster_h
 
-#include "Common/CountingSort.h"
-#include "Common/Monitor.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Monitor.h"
 #include "Metric.h"
 #include "PlanTriangle.h"
 

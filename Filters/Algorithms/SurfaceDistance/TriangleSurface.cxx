@@ -3,8 +3,8 @@
 
 #include "TriangleSurface.h"
 
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
 
 #include <atomic>
 #include <cassert>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsTriangleSurface_h
 #define SeismicHorizonsTriangleSurface_h
 
-#include "Common/CountingSort.h"
-#include "Common/Types.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Horizon/Types.h"
 
 #include <Eigen/Geometry>
 

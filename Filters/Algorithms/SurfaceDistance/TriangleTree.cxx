@@ -13,7 +13,7 @@
 
 #include "TriangleTree.h"
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <cassert>

@@ -10,7 +10,7 @@
 #ifndef SeismicHorizonsTriangleTree_h
 #define SeismicHorizonsTriangleTree_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 #include "Metric.h"
 
 #include <Eigen/Core>

@@ -3,9 +3,9 @@
 
 #include "Thickness.h"
 
-#include "Common/ColumnIndex.h"
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/ColumnIndex.h"
 
 #include <Eigen/LU>
 

@@ -14,8 +14,8 @@
 #ifndef SeismicHorizonsThickness_h
 #define SeismicHorizonsThickness_h
 
-#include "Common/Monitor.h"
-#include "Layers/CommonColumns.h"
+#include "Common/Base/Monitor.h"
+#include "Filters/Algorithms/Layers/CommonColumns.h"
 
 #include <Eigen/Core>
 

@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsConvexHull_h
 #define SeismicHorizonsConvexHull_h
 
-#include "Common/Predicates.h"
-#include "Common/Types.h"
+#include "Common/Horizon/Predicates.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <cassert>

@@ -12,11 +12,11 @@
 
 #include "OutsideTriangles.h"
 
-#include "Common/CountingSort.h"
-#include "Common/MeshChecker.h"
-#include "Common/Parameters.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsOutsideTriangles_h
 #define SeismicHorizonsOutsideTriangles_h
 
-#include "Common/BoundedHorizon.h"
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/BoundedHorizon.h"
 #include "Triangulation.h"
 
 namespace SeismicHorizons

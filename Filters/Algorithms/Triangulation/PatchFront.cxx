@@ -22,8 +22,8 @@
 
 #include "PatchFront.h"
 
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <string>

@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsPatchFront_h
 #define SeismicHorizonsPatchFront_h
 
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
 #include "SearchGrid.h"
 #include "ThirdPointSearch.h"
 

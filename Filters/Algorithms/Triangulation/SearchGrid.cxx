@@ -10,9 +10,9 @@
 
 #include "SearchGrid.h"
 
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
-#include "Common/Predicates.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <cassert>
 #include <cmath>

@@ -7,10 +7,10 @@
 #ifndef SeismicHorizonsSearchGrid_h
 #define SeismicHorizonsSearchGrid_h
 
-#include "Common/CellGrid.h"
-#include "Common/CountingSort.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Horizon/CellGrid.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <array>

@@ -39,8 +39,8 @@
 
 #include "ThirdPointSearch.h"
 
-#include "Common/Portable.h"
-#include "Common/Predicates.h"
+#include "Common/Base/Portable.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <cassert>

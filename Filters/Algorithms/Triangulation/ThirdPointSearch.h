@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsThirdPointSearch_h
 #define SeismicHorizonsThirdPointSearch_h
 
-#include "Common/PlaneGeometry.h"
-#include "Common/Types.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
 #include "SearchGrid.h"
 #include "Triangulation.h"
 

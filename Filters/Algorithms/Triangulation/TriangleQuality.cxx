@@ -3,9 +3,9 @@
 
 #include "TriangleQuality.h"
 
-#include "Common/Parallel.h"
-#include "Common/PlaneGeometry.h"
-#include "Common/Predicates.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <array>

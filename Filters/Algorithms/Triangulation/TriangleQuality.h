@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsTriangleQuality_h
 #define SeismicHorizonsTriangleQuality_h
 
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
 
 #include <vector>
 

@@ -21,14 +21,14 @@
 
 #include "Triangulation.h"
 
-#include "Common/CellGrid.h"
-#include "Common/CountingSort.h"
-#include "Common/Errors.h"
-#include "Common/MeshChecker.h"
-#include "Common/Parallel.h"
-#include "Common/PlaneFrame.h"
-#include "Common/Predicates.h"
+#include "Common/Base/CountingSort.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/CellGrid.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/Predicates.h"
 #include "PatchFront.h"
+#include "PlaneFrame.h"
 
 #include <algorithm>
 #include <array>

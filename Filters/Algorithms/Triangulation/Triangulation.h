@@ -12,9 +12,9 @@
 #ifndef SeismicHorizonsTriangulation_h
 #define SeismicHorizonsTriangulation_h
 
-#include "Common/BoundedHorizon.h"
-#include "Common/Monitor.h"
-#include "Common/RawVector.h"
+#include "Common/Base/Monitor.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/BoundedHorizon.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 //
 // Boundaries of horizons that are cut along links.
 
-#include "Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
 #include "Tools/CrackedPatches.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"

@@ -3,7 +3,7 @@
 //
 // With a radius of 1, loops are what OpenCV finds: the same points in the same order, up to start and direction.
 
-#include "Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Tools/Check.h"
 #include "Tools/OpenCvContours.h"
 #include "Tools/Patches.h"

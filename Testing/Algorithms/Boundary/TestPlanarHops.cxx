@@ -3,8 +3,8 @@
 //
 // Clockwise growth beside a graph that is built by the definition, from all pairs of points, and walked face by face.
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"

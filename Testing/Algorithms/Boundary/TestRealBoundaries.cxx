@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/RealHorizons.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 using namespace TestHorizons;
 

@@ -3,7 +3,7 @@
 
 #include "ShortcutSearch.h"
 
-#include "Common/Predicates.h"
+#include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <cmath>

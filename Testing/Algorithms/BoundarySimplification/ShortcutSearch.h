@@ -7,7 +7,7 @@
 #ifndef SeismicHorizonsShortcutSearch_h
 #define SeismicHorizonsShortcutSearch_h
 
-#include "Common/BoundedHorizon.h"
+#include "Common/Horizon/BoundedHorizon.h"
 
 #include <map>
 #include <string>

@@ -3,13 +3,13 @@
 
 #include "ShortcutSearch.h"
 
-#include "BoundarySimplification/BoundarySimplification.h"
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>

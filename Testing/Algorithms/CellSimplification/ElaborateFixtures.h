@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsElaborateFixtures_h
 #define SeismicHorizonsElaborateFixtures_h
 
-#include "CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
 #include "Tools/ReductionChecker.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //
 // Cells of horizons that are cut.
 
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/ReductionChecker.h"
 

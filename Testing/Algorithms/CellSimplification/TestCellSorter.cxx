@@ -4,9 +4,9 @@
 // Which points are in which cell, and their order: without a boundary each cell becomes one point, whose height is a
 // sum over them in their order.
 
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/CellGrid.h"
+#include "Common/Horizon/CellGrid.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"

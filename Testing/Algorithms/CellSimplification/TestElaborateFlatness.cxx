@@ -3,8 +3,8 @@
 //
 // The elaborate simplification: how flat cells are, and those that are cut as they are not flat enough.
 
-#include "CellSimplification/Flatness.h"
 #include "ElaborateFixtures.h"
+#include "Filters/Algorithms/CellSimplification/Flatness.h"
 #include "Tools/Check.h"
 
 #include <cmath>

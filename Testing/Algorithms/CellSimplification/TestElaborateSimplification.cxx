@@ -3,14 +3,14 @@
 //
 // The elaborate simplification: the points that stand for cells, whole horizons, and errors.
 
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/MeshChecker.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/MeshChecker.h"
 #include "ElaborateFixtures.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Generator/HorizonGenerator.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 //
 // The nearest of some boundary points beside a search through all of them.
 
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

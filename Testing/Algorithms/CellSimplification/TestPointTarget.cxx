@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "CellSimplification/PointTarget.h"
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Filters/Algorithms/CellSimplification/PointTarget.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/ReductionChecker.h"
 

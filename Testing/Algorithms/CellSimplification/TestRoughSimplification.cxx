@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/ReductionChecker.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/CellGrid.h"
-#include "Common/PlaneFrame.h"
+#include "Common/Horizon/CellGrid.h"
+#include "Filters/Algorithms/Triangulation/PlaneFrame.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

@@ -3,7 +3,7 @@
 //
 // Sheets by heights in any unit. What becomes of horizons of voxels is in TestHorizonSheets.
 
-#include "Common/ColumnSheets.h"
+#include "Common/Survey/ColumnSheets.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //
 // Which columns loops and triangles cover, and the ledger of points.
 
-#include "Common/CoveredColumns.h"
-#include "Common/Predicates.h"
+#include "Common/Horizon/CoveredColumns.h"
+#include "Common/Horizon/Predicates.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

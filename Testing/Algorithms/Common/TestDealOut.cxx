@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/DealOut.h"
+#include "Common/Base/DealOut.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

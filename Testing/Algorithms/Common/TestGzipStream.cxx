@@ -4,9 +4,9 @@
 // Streams of compressed data: what they give, how they go back, and what they refuse. Texts are longer than the blocks
 // that are decoded at a time, where that matters.
 
-#include "Common/Errors.h"
-#include "Common/InputFile.h"
-#include "Common/StreamProgress.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/InputFile.h"
+#include "Common/Text/StreamProgress.h"
 #include "Tools/Check.h"
 #include "Tools/Gzip.h"
 

@@ -3,7 +3,7 @@
 //
 // The error that a mesh has where none is given.
 
-#include "Common/HeightNoise.h"
+#include "Common/Horizon/HeightNoise.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

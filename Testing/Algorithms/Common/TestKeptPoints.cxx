@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/DroppedPoints.h"
-#include "Common/KeptPoints.h"
-#include "Common/SpacePoints.h"
+#include "Common/Horizon/DroppedPoints.h"
+#include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/SpacePoints.h"
 #include "Tools/Check.h"
 
 #include <cstddef>

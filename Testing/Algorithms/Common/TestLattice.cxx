@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/Errors.h"
-#include "Common/Lattice.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/Lattice.h"
 #include "Tools/Check.h"
 
 #include <cmath>

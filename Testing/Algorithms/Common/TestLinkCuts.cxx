@@ -3,7 +3,7 @@
 //
 // Faulted links are those that were cut, wherever they lie.
 
-#include "Common/LinkCuts.h"
+#include "Common/Horizon/LinkCuts.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

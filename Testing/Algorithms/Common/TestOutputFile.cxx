@@ -3,8 +3,8 @@
 //
 // Files are written as a whole or not at all.
 
-#include "Common/Errors.h"
-#include "Common/OutputFile.h"
+#include "Common/Base/Errors.h"
+#include "Common/Text/OutputFile.h"
 #include "Tools/Check.h"
 
 #include <filesystem>

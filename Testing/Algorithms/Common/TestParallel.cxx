@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/FixedChunks.h"
-#include "Common/Parallel.h"
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parallel.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 

@@ -3,7 +3,7 @@
 //
 // Bits and four numbers at a time, beside one after the other.
 
-#include "Common/Portable.h"
+#include "Common/Base/Portable.h"
 #include "Tools/Check.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/Predicates.h"
+#include "Common/Horizon/Predicates.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

@@ -3,7 +3,7 @@
 //
 // Numbers as text: which there are, and their values.
 
-#include "Common/TextNumbers.h"
+#include "Common/Text/TextNumbers.h"
 #include "Tools/Check.h"
 
 #include <cmath>

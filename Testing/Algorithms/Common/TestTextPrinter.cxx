@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/TextNumbers.h"
-#include "Common/TextPrinter.h"
+#include "Common/Text/TextNumbers.h"
+#include "Common/Text/TextPrinter.h"
 #include "Tools/Check.h"
 
 #include <cmath>

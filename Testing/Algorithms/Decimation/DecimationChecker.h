@@ -6,13 +6,13 @@
 #ifndef SeismicHorizonsDecimationChecker_h
 #define SeismicHorizonsDecimationChecker_h
 
-#include "Common/MeshChecker.h"
-#include "Decimation/Decimation.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 //
 // Random lattices with cracks, through all simplifications and both ways to mesh.
 
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
 #include "DecimationChecker.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
 #include "Tools/CrackedPatches.h"

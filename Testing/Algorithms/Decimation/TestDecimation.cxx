@@ -3,7 +3,7 @@
 //
 // Meshes within an error or of so many points: small cases, what each option does, errors.
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 #include "DecimationChecker.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"

@@ -4,14 +4,14 @@
 // How much nearer meshes are to a faulted surface that is cut along its fault, with no more vertices: a dipping fold,
 // and a bent fault across the lattice with tips inside, whose throw falls from 15 in the middle to less than 1.
 
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/PlaneGeometry.h"
-#include "Decimation/Decimation.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>

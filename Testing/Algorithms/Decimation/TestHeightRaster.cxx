@@ -3,7 +3,7 @@
 //
 // The columns of triangles, and their largest distances, beside a look at every column of the box.
 
-#include "Decimation/HeightRaster.h"
+#include "Filters/Algorithms/Decimation/HeightRaster.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"

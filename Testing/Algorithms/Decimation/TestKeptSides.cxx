@@ -3,11 +3,11 @@
 //
 // Lines that become sides of a mesh and stay: random ones, beside the same question by trying all sides.
 
-#include "Common/MeshChecker.h"
-#include "Decimation/HeightMesh.h"
-#include "Decimation/KeptSides.h"
-#include "Decimation/MeshRefiner.h"
+#include "Common/Horizon/MeshChecker.h"
 #include "DecimationChecker.h"
+#include "Filters/Algorithms/Decimation/HeightMesh.h"
+#include "Filters/Algorithms/Decimation/KeptSides.h"
+#include "Filters/Algorithms/Decimation/MeshRefiner.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //
 // The insertion of points into meshes whose heights were changed.
 
-#include "Decimation/MeshRefiner.h"
 #include "DecimationChecker.h"
+#include "Filters/Algorithms/Decimation/MeshRefiner.h"
 #include "Tools/Check.h"
 
 #include <cmath>

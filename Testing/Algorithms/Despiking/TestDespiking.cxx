@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Despiking/Despiking.h"
+#include "Filters/Algorithms/Despiking/Despiking.h"
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/Patches.h"

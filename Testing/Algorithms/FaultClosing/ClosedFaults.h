@@ -6,10 +6,10 @@
 #ifndef SeismicHorizonsClosedFaults_h
 #define SeismicHorizonsClosedFaults_h
 
-#include "FaultClosing/FaultClosing.h"
+#include "Filters/Algorithms/FaultClosing/FaultClosing.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/ClosingChecker.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 #include <map>
 #include <memory>

@@ -3,10 +3,10 @@
 //
 // Random lattices with cracks that are closed, through all simplifications and both ways to mesh.
 
-#include "CellSimplification/ElaborateSimplification.h"
-#include "CellSimplification/RoughSimplification.h"
 #include "ClosedFaults.h"
-#include "Decimation/Decimation.h"
+#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
 #include "Tools/Check.h"
 #include "Tools/CrackedPatches.h"
 

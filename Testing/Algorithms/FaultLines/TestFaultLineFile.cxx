@@ -3,8 +3,8 @@
 //
 // Fault lines in each of the formats, and what is wrong with files.
 
-#include "Common/Errors.h"
-#include "FaultLines/FaultLineFile.h"
+#include "Common/Base/Errors.h"
+#include "Readers/FaultLines/FaultLineFile.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

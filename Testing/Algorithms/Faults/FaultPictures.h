@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsFaultPictures_h
 #define SeismicHorizonsFaultPictures_h
 
-#include "Faults/ColumnHeights.h"
-#include "Faults/FaultLines.h"
+#include "Filters/Algorithms/Faults/ColumnHeights.h"
+#include "Filters/Algorithms/Faults/FaultLines.h"
 
 #include <cmath>
 #include <set>

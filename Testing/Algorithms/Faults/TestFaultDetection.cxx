@@ -3,9 +3,9 @@
 //
 // Faults are found where they are: exactly without noise, nearly all with some, none where there is none.
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 #include "FaultPictures.h"
-#include "Faults/FaultDetection.h"
+#include "Filters/Algorithms/Faults/FaultDetection.h"
 #include "Generator/FaultGenerator.h"
 #include "Tools/Check.h"
 #include "Tools/FaultScore.h"

@@ -4,7 +4,7 @@
 // From candidates to lines: trees, branches, bridges.
 
 #include "FaultPictures.h"
-#include "Faults/FaultForest.h"
+#include "Filters/Algorithms/Faults/FaultForest.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // Sheets between sticks, and where they pass through a horizon.
 
 #include "FaultPictures.h"
-#include "Faults/FaultSurfaces.h"
+#include "Filters/Algorithms/Faults/FaultSurfaces.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

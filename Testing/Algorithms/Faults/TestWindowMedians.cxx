@@ -3,7 +3,7 @@
 //
 // Medians of windows, beside sorting the numbers of each: in long rows, short ones, and with numbers missing.
 
-#include "Faults/WindowMedians.h"
+#include "Filters/Algorithms/Faults/WindowMedians.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

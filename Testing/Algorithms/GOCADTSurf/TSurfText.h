@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsTSurfText_h
 #define SeismicHorizonsTSurfText_h
 
-#include "GOCADTSurf/TSurfParser.h"
+#include "Readers/GOCADTSurf/TSurfParser.h"
 #include "Tools/Check.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 //
 // Faults and horizons as programs wrote them, in formats/tsurf of the folder of real data.
 
-#include "GOCADTSurf/TSurfParser.h"
+#include "Readers/GOCADTSurf/TSurfParser.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //
 // What is written beside CGAL's reader of GOCAD files, which takes surfaces of one part. Built where CGAL is installed.
 
-#include "GOCADTSurf/TSurfPrinter.h"
 #include "Tools/Check.h"
+#include "Writers/GOCADTSurf/TSurfPrinter.h"
 
 #include <CGAL/IO/GOCAD.h>
 #include <CGAL/Simple_cartesian.h>

@@ -3,11 +3,11 @@
 //
 // What is printed of surfaces, and that it is read back the same.
 
-#include "GOCADTSurf/PartMesh.h"
-#include "GOCADTSurf/TSurfPrinter.h"
 #include "TSurfText.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/Patches.h"
+#include "Writers/GOCADTSurf/PartMesh.h"
+#include "Writers/GOCADTSurf/TSurfPrinter.h"
 
 #include <cmath>
 #include <cstring>

@@ -7,7 +7,7 @@
 #define GriddingFixtures_h
 
 #include "Common/Survey/PickDoubts.h"
-#include "Gridding/Gridding.h"
+#include "Filters/Algorithms/Gridding/Gridding.h"
 
 #include <algorithm>
 #include <random>

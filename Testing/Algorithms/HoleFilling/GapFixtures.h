@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsGapFixtures_h
 #define SeismicHorizonsGapFixtures_h
 
-#include "HoleFilling/HoleFilling.h"
+#include "Filters/Algorithms/HoleFilling/HoleFilling.h"
 #include "Tools/Patches.h"
 
 #include <algorithm>

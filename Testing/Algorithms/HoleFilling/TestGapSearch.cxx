@@ -5,7 +5,7 @@
 
 #include "GapFixtures.h"
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "Tools/Check.h"
 
 #include <array>

@@ -5,9 +5,9 @@
 
 #include "GapFixtures.h"
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/Parallel.h"
-#include "HoleFilling/GapRegion.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/HoleFilling/GapRegion.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 

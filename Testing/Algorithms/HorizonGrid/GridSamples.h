@@ -8,7 +8,7 @@
 #ifndef SeismicHorizonsGridSamples_h
 #define SeismicHorizonsGridSamples_h
 
-#include "HorizonGrid/GridReader.h"
+#include "Readers/HorizonGrid/GridReader.h"
 #include "Tools/Check.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 //
 // Every message, and files that are cut off or hold rubbish: an error, or the picks that are complete.
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "TextTables.h"
 #include "Tools/Check.h"
 

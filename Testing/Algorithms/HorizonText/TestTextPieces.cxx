@@ -3,8 +3,8 @@
 //
 // How a file is cut into buffers and blocks, and the number of threads, do not matter; progress and stop.
 
-#include "Common/Errors.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parallel.h"
 #include "Common/Survey/StrayPicks.h"
 #include "TextTables.h"
 #include "Tools/Check.h"

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsFaultWallChecker_h
 #define SeismicHorizonsFaultWallChecker_h
 
-#include "Layers/LayerBody.h"
-#include "Layers/LayerCells.h"
+#include "Filters/Algorithms/Layers/LayerBody.h"
+#include "Filters/Algorithms/Layers/LayerCells.h"
 #include "PlanChecker.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 #include "ClosedBodies.h"
 #include "FaultWallChecker.h"
-#include "Layers/LayerCells.h"
+#include "Filters/Algorithms/Layers/LayerCells.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsLayerLattice_h
 #define SeismicHorizonsLayerLattice_h
 
-#include "Layers/LayerPlan.h"
+#include "Filters/Algorithms/Layers/LayerPlan.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -4,8 +4,8 @@
 // Horizons that cross: small stacks with the heights they must get, and random ones beside the max-min formula of
 // isotonic regression, which pools nothing.
 
-#include "Common/Parallel.h"
-#include "Layers/Crossings.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/Layers/Crossings.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 // Cells and bodies of plans that are given as pictures of thicknesses, with the parts and points they must have.
 
 #include "ClosedBodies.h"
-#include "Layers/LayerBody.h"
-#include "Layers/LayerCells.h"
+#include "Filters/Algorithms/Layers/LayerBody.h"
+#include "Filters/Algorithms/Layers/LayerCells.h"
 #include "Tools/Check.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 //
 // Stacks with known layers, what must not matter to them, and every message.
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 #include "DomainChecker.h"
 #include "LayerChecker.h"
 #include "RandomStacks.h"

@@ -4,8 +4,8 @@
 // Random stacks, and all that must be true of their layers. Arguments beyond those of all tests are the first seed and
 // how many there are.
 
-#include "Common/ColumnIndex.h"
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "DomainChecker.h"
 #include "LayerChecker.h"
 #include "RandomStacks.h"

@@ -4,8 +4,8 @@
 // The layer between the two horizons of Penobscot, where these are at hand: one plan for both against a mesh of each,
 // and its volume against that over blocks of columns.
 
+#include "Filters/Algorithms/Surface/Surface.h"
 #include "LayerChecker.h"
-#include "Surface/Surface.h"
 #include "Tools/Check.h"
 #include "Tools/RealHorizons.h"
 

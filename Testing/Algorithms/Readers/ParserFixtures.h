@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsParserFixtures_h
 #define SeismicHorizonsParserFixtures_h
 
-#include "VerneySparseMatrix/SparseMatrixParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <array>
 #include <cstddef>

@@ -4,12 +4,12 @@
 // The parser of sparse-matrix files on compressed ones: the same voxels, the same errors with the same lines, and one
 // error for whatever is wrong with the compression.
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "ParserFixtures.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "Tools/Check.h"
 #include "Tools/Gzip.h"
 #include "Tools/MonitorChecker.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <array>
 #include <random>

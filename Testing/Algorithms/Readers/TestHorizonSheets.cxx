@@ -3,8 +3,8 @@
 //
 // Horizons that lie above themselves: which voxels are on which sheet.
 
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "Tools/Check.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <algorithm>
 #include <set>

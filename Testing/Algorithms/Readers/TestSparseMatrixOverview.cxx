@@ -4,10 +4,10 @@
 // What a file has without its voxels, and rows of it read with that: the same as of the whole file, whatever the
 // buffer.
 
+#include "Readers/VerneySparseMatrix/SparseMatrixOverview.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/Patches.h"
-#include "VerneySparseMatrix/SparseMatrixOverview.h"
 
 #include <algorithm>
 #include <array>

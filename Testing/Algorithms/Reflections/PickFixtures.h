@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsPickFixtures_h
 #define SeismicHorizonsPickFixtures_h
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/Reflections/ReflectionExtraction.h"
 #include "Generator/CubeGenerator.h"
-#include "Reflections/ReflectionExtraction.h"
 
 #include <algorithm>
 #include <numeric>

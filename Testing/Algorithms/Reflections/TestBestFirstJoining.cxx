@@ -3,8 +3,8 @@
 //
 // Surfaces joined best first, beside an implementation of the same rules that keeps each part as a map.
 
+#include "Filters/Algorithms/Reflections/SurfaceJoining.h"
 #include "PickFixtures.h"
-#include "Reflections/SurfaceJoining.h"
 #include "Tools/Check.h"
 
 #include <map>

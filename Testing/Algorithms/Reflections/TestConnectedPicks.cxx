@@ -3,8 +3,8 @@
 //
 // Components of picks, beside a search that looks at all pairs.
 
+#include "Filters/Algorithms/Reflections/SurfaceJoining.h"
 #include "PickFixtures.h"
-#include "Reflections/SurfaceJoining.h"
 #include "Tools/Check.h"
 
 #include <cmath>

@@ -3,8 +3,8 @@
 //
 // Mean waveforms on both sides of a contact, in cubes of noise.
 
+#include "Filters/Algorithms/Reflections/ReflectionLinks.h"
 #include "PickFixtures.h"
-#include "Reflections/ReflectionLinks.h"
 #include "Tools/Check.h"
 
 using namespace PickFixtures;

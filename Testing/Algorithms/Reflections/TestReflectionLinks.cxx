@@ -3,8 +3,8 @@
 //
 // Links between picks, beside correlations in double precision and a search of all pairs.
 
+#include "Filters/Algorithms/Reflections/ReflectionLinks.h"
 #include "PickFixtures.h"
-#include "Reflections/ReflectionLinks.h"
 #include "Tools/Check.h"
 
 #include <cmath>

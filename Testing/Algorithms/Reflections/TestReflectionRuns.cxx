@@ -3,7 +3,7 @@
 //
 // Runs of one sign on a trace, and their picks: small traces by hand.
 
-#include "Reflections/ReflectionFinder.h"
+#include "Filters/Algorithms/Reflections/ReflectionFinder.h"
 #include "Tools/Check.h"
 
 #include <cmath>

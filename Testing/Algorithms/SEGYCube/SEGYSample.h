@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsSEGYSample_h
 #define SeismicHorizonsSEGYSample_h
 
-#include "SEGYCube/SEGYSamples.h"
+#include "Readers/SEGYCube/SEGYSamples.h"
 
 #include <cmath>
 #include <cstdint>

@@ -4,8 +4,8 @@
 // Files that are none, cut off or damaged, and options that cannot be: each gives one error that says what was
 // expected.
 
-#include "Common/Errors.h"
-#include "SEGYCube/SEGYExtent.h"
+#include "Common/Base/Errors.h"
+#include "Readers/SEGYCube/SEGYExtent.h"
 #include "Tools/Check.h"
 #include "WindowSample.h"
 

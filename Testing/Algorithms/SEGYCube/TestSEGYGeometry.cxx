@@ -3,8 +3,8 @@
 //
 // Where traces belong: line numbers and places at any bytes, in any order, with gaps, turned and with delays.
 
-#include "Common/InputFile.h"
 #include "Common/Survey/ImageFrame.h"
+#include "Common/Text/InputFile.h"
 #include "Tools/Check.h"
 #include "WindowSample.h"
 

@@ -4,7 +4,7 @@
 // Headers and traces that contradict each other: they are read by what makes sense of them, with a warning, or by what
 // the user says.
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Tools/Check.h"
 #include "WindowSample.h"
 

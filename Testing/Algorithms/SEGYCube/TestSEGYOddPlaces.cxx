@@ -3,7 +3,7 @@
 //
 // x and y that are none, contradict each other, or are wrong for a few traces; and those of lines that are bent.
 
-#include "Common/Errors.h"
+#include "Common/Base/Errors.h"
 #include "Tools/Check.h"
 #include "WindowSample.h"
 

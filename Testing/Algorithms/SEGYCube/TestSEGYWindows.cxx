@@ -3,7 +3,7 @@
 //
 // Windows of a cube of many tiles: any of them, in any order of the file, on any number of threads.
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "WindowSample.h"

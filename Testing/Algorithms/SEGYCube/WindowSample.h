@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsWindowSample_h
 #define SeismicHorizonsWindowSample_h
 
-#include "SEGYCube/SEGYWindow.h"
+#include "Readers/SEGYCube/SEGYWindow.h"
 #include "SEGYSample.h"
 
 #include <fstream>

@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsSurfaceParts_h
 #define SeismicHorizonsSurfaceParts_h
 
-#include "Common/MeshChecker.h"
-#include "Surface/Surface.h"
-#include "Surface/SurfaceJoin.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/Surface/Surface.h"
+#include "Filters/Algorithms/Surface/SurfaceJoin.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/ExactPlane.h"
 

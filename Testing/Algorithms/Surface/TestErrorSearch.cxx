@@ -3,7 +3,7 @@
 //
 // The search for an error, on numbers of triangles that are formulas.
 
-#include "Surface/Surface.h"
+#include "Filters/Algorithms/Surface/Surface.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

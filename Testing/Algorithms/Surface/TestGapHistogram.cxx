@@ -3,7 +3,7 @@
 //
 // Steps between points, and the radius that spans them.
 
-#include "Surface/Surface.h"
+#include "Filters/Algorithms/Surface/Surface.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

@@ -3,8 +3,8 @@
 //
 // Outlines of a mesh stay on their side of the middle of narrow slots, whatever the vertical error.
 
-#include "Common/Predicates.h"
-#include "Surface/Surface.h"
+#include "Common/Horizon/Predicates.h"
+#include "Filters/Algorithms/Surface/Surface.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

@@ -4,8 +4,8 @@
 // From points to mesh: the same as the three methods one after the other, with parameters that are chosen or given, and
 // no more triangles than there may be.
 
-#include "Common/Parallel.h"
-#include "Common/Predicates.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/Predicates.h"
 #include "SurfaceParts.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"

@@ -3,7 +3,7 @@
 //
 // Horizons in parts, joined: one mesh that is as good as that of the whole.
 
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
 #include "Generator/HorizonGenerator.h"
 #include "SurfaceParts.h"
 #include "Tools/Check.h"

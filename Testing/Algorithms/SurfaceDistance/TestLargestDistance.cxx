@@ -3,9 +3,9 @@
 //
 // Bounds of the largest distance: beside places everywhere on surfaces of all kinds, and where it is known.
 
-#include "Common/Parallel.h"
-#include "SurfaceDistance/LargestDistance.h"
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/SurfaceDistance/LargestDistance.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 #include "Tools/Check.h"
 #include "Tools/RandomSurfaces.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "SurfaceDistance/DistanceProbe.h"
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Filters/Algorithms/SurfaceDistance/DistanceProbe.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 #include "Tools/Check.h"
 #include "Tools/RandomSurfaces.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/Parallel.h"
-#include "SurfaceDistance/SurfaceDistance.h"
+#include "Common/Base/Parallel.h"
+#include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/RandomSurfaces.h"

@@ -3,7 +3,7 @@
 //
 // The thickness between two horizons: exact on planes, turned and sheared; gaps, crossings, faults, errors.
 
-#include "Thickness/Thickness.h"
+#include "Filters/Algorithms/Thickness/Thickness.h"
 
 #include "Tools/Check.h"
 

@@ -3,7 +3,7 @@
 
 #include "BoundaryChecker.h"
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "ExactPlane.h"
 
 #include <algorithm>

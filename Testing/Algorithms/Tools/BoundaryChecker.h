@@ -7,8 +7,8 @@
 #ifndef SeismicHorizonsBoundaryChecker_h
 #define SeismicHorizonsBoundaryChecker_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "Common/BoundedHorizon.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 
 #include <string>
 #include <vector>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsClosingChecker_h
 #define SeismicHorizonsClosingChecker_h
 
-#include "Common/BoundedHorizon.h"
-#include "Common/RawVector.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/BoundedHorizon.h"
 #include "CrackedPatches.h"
 
 #include <set>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsCrackedPatches_h
 #define SeismicHorizonsCrackedPatches_h
 
-#include "Common/LinkCuts.h"
+#include "Common/Horizon/LinkCuts.h"
 #include "Patches.h"
 
 namespace CrackedPatches

@@ -3,7 +3,7 @@
 
 #include "CutChecker.h"
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "CutLattice.h"
 #include "ExactPlane.h"
 

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsCutChecker_h
 #define SeismicHorizonsCutChecker_h
 
-#include "Boundary/ExteriorBoundary.h"
 #include "CrackedPatches.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsCutLattice_h
 #define SeismicHorizonsCutLattice_h
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "CrackedPatches.h"
 
 #include <algorithm>

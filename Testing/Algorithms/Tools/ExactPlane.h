@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsExactPlane_h
 #define SeismicHorizonsExactPlane_h
 
-#include "Common/MeshChecker.h"
-#include "Common/Portable.h"
-#include "Common/Types.h"
+#include "Common/Base/Portable.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsExtractionScore_h
 #define SeismicHorizonsExtractionScore_h
 
+#include "Filters/Algorithms/Reflections/ReflectionExtraction.h"
 #include "Generator/CubeGenerator.h"
-#include "Reflections/ReflectionExtraction.h"
 
 #include <array>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsFaultScore_h
 #define SeismicHorizonsFaultScore_h
 
-#include "Faults/FaultLines.h"
+#include "Filters/Algorithms/Faults/FaultLines.h"
 #include "Generator/FaultGenerator.h"
 
 #include <array>

@@ -9,8 +9,8 @@
 #ifndef SeismicHorizonsGuideScore_h
 #define SeismicHorizonsGuideScore_h
 
+#include "Filters/Algorithms/Reflections/ReflectionExtraction.h"
 #include "Generator/CubeGenerator.h"
-#include "Reflections/ReflectionExtraction.h"
 
 #include <cstdint>
 #include <vector>

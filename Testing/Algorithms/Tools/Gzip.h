@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsGzip_h
 #define SeismicHorizonsGzip_h
 
-#include "Common/GzipStream.h"
+#include "Common/Text/GzipStream.h"
 
 #include <zlib.h>
 

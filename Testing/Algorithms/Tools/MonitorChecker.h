@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsMonitorChecker_h
 #define SeismicHorizonsMonitorChecker_h
 
-#include "Common/Monitor.h"
+#include "Common/Base/Monitor.h"
 
 #include <algorithm>
 #include <string>

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsOpenCvContours_h
 #define SeismicHorizonsOpenCvContours_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>

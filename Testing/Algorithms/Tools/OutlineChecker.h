@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsOutlineChecker_h
 #define SeismicHorizonsOutlineChecker_h
 
-#include "Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 
 #include <string>
 #include <vector>

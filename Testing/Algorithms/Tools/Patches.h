@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsPatches_h
 #define SeismicHorizonsPatches_h
 
-#include "Common/Types.h"
+#include "Common/Horizon/Types.h"
 
 #include <cstdint>
 #include <string>

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsRandomSurfaces_h
 #define SeismicHorizonsRandomSurfaces_h
 
+#include "Filters/Algorithms/SurfaceDistance/TriangleSurface.h"
 #include "Patches.h"
-#include "SurfaceDistance/TriangleSurface.h"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsReductionChecker_h
 #define SeismicHorizonsReductionChecker_h
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "ExactPlane.h"
 #include "TestHorizons.h"
 

@@ -6,11 +6,11 @@
 #ifndef SeismicHorizonsTestHorizons_h
 #define SeismicHorizonsTestHorizons_h
 
-#include "Boundary/ExteriorBoundary.h"
-#include "BoundarySimplification/BoundarySimplification.h"
-#include "Common/BoundedHorizon.h"
-#include "Common/DroppedPoints.h"
-#include "Common/SpacePoints.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/DroppedPoints.h"
+#include "Common/Horizon/SpacePoints.h"
+#include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 #include "Patches.h"
 
 #include <cmath>

@@ -4,11 +4,11 @@
 // The checker of meshes must find each kind of damage.
 
 #include "Check.h"
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/Triangulation/ConvexHull.h"
+#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "TestHorizons.h"
-#include "Triangulation/ConvexHull.h"
-#include "Triangulation/OutsideTriangles.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 

@@ -6,8 +6,8 @@
 #ifndef SeismicHorizonsTriangleSets_h
 #define SeismicHorizonsTriangleSets_h
 
-#include "Common/RawVector.h"
-#include "Common/Types.h"
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <array>

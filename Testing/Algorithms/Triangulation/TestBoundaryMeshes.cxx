@@ -3,11 +3,11 @@
 //
 // Every boundary, whatever its radius, rule and holes, is one that the stages after it can work with.
 
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 using namespace TestHorizons;
 

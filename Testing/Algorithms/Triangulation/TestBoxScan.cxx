@@ -3,9 +3,9 @@
 //
 // Looks at four points at a time beside looks at one after the other.
 
+#include "Filters/Algorithms/Triangulation/ThirdPointSearch.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
-#include "Triangulation/ThirdPointSearch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,11 @@
 //
 // Meshes beside those of CGAL's constrained Delaunay triangulation. Built where CGAL is installed.
 
-#include "CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

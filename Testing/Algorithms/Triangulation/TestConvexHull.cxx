@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/Triangulation/ConvexHull.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"
-#include "Triangulation/ConvexHull.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 

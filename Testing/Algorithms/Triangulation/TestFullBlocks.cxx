@@ -3,12 +3,12 @@
 //
 // Meshes of horizons that are full in large parts: there triangles are made without a search.
 
-#include "Common/MeshChecker.h"
-#include "Common/Parallel.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/Triangulation/ConvexHull.h"
+#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
-#include "Triangulation/ConvexHull.h"
-#include "Triangulation/OutsideTriangles.h"
 
 #include <algorithm>
 #include <array>

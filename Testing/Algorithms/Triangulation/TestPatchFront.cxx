@@ -3,15 +3,15 @@
 //
 // Meshes made in strips beside those of a single front.
 
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/MeshChecker.h"
-#include "Common/Parallel.h"
-#include "Common/PlaneGeometry.h"
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/PatchFront.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
-#include "Triangulation/PatchFront.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <numeric>

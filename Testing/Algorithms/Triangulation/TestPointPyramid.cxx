@@ -4,10 +4,10 @@
 // Searches in the boxes of points: they find what a look at all points finds, and look at few of them. What is counted
 // is work, not time.
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/Triangulation/SearchGrid.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
-#include "Triangulation/SearchGrid.h"
 
 #include <algorithm>
 #include <limits>

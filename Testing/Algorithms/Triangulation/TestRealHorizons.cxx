@@ -5,12 +5,12 @@
 // folder of the project's data, and that of the real horizons with files `<survey>/*.vsm` and `<survey>/*.ijz` (lattice
 // points as text: comments with #, a line `nX nY n`, then a line `i j z` for each point).
 
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/MeshChecker.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "Tools/Check.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/Triangulation.h"
-#include "VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <filesystem>
 #include <fstream>

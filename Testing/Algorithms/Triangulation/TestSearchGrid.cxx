@@ -3,11 +3,11 @@
 //
 // The grid that third points are searched in, beside looks at all voxels and points.
 
-#include "Common/PlaneGeometry.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Filters/Algorithms/Triangulation/SearchGrid.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"
-#include "Triangulation/SearchGrid.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 #include "Tools/Check.h"
-#include "Triangulation/TriangleQuality.h"
 
 #include <cmath>
 

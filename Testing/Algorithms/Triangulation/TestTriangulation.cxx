@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "CellSimplification/RoughSimplification.h"
-#include "Common/MeshChecker.h"
-#include "Common/Predicates.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/Predicates.h"
+#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/TestHorizons.h"
 #include "Tools/TriangleSets.h"
-#include "Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <set>

@@ -3,9 +3,9 @@
 //
 // Layers for simulators and meshers: small ones byte by byte, and their volumes in the order of corners of each format.
 
-#include "HorizonLayers/LayersPrinter.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
+#include "Writers/HorizonLayers/LayersPrinter.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
-#include "VerneySparseMatrix/SparseMatrixPrinter.h"
+#include "Writers/VerneySparseMatrix/SparseMatrixPrinter.h"
 
 #include <cmath>
 #include <fstream>

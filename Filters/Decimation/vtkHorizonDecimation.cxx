@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkHorizonDecimation.h"
+
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/VTK/DataArrays.h"
+#include "DecimationOutput.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
+#include "Filters/Marshalling/CrackData.h"
+#include "Filters/Marshalling/CutData.h"
+#include "Filters/Marshalling/HorizonData.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace SeismicHorizons;
+
+vtkStandardNewMacro(vtkHorizonDecimation);
+
+//------------------------------------------------------------------------------
+DecimationOptions vtkHorizonDecimation::MakeOptions(
+  const BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const
+{
+  DecimationOptions options;
+  options.MaximumError = 0.0;
+  static_cast<DecimationQuality&>(options) = this->MakeQuality();
+  if (this->Target == LargestError)
+  {
+    options.MaximumError = this->FindMaximumError(horizon.Columns, horizon.Height, lattice, figures);
+  }
+  else if (this->Target == NumberOfPoints)
+  {
+    CheckAtLeast("maximum number of points", this->MaximumNumberOfPoints, 1, "");
+    options.MaximumNumberOfPoints = std::size_t(this->MaximumNumberOfPoints);
+  }
+  else
+  {
+    CheckWithin("target reduction", this->TargetReduction, 0.0, 1.0, " of the points");
+    const double points = std::ceil((1.0 - this->TargetReduction) * double(horizon.Columns.size()));
+    options.MaximumNumberOfPoints =
+      std::max({ std::size_t(points), std::size_t(1), horizon.Boundary.CountPoints(horizon.Columns.size()) });
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& outputs, const Monitor& monitor)
+{
+  RequireAllPoints(horizon);
+  LatticePoints points = ReadColumns(horizon, outputs);
+  const SeismicHorizons::Lattice& lattice = points.Lattice;
+  BoundedHorizon bounded;
+  bounded.Columns = points.Column;
+  bounded.Patch = ReadPatches(points.Horizon);
+  bounded.Boundary = ReadBoundary(points.Horizon);
+  bounded.Height = std::move(points.Height);
+  bounded.Cuts = ShareCuts(points.Horizon, PlaneBox(points.Column));
+  ReadCounts(points.Horizon); // Invalid counts are refused before the work.
+  monitor.Progress(0.1);
+  vtkNew<vtkFieldData> noise;
+  const DecimationOptions options = this->MakeOptions(bounded, lattice, noise);
+  Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));
+  WriteDecimation(points.Horizon, lattice, decimation, outputs.front());
+  if (this->Target == LargestError && this->IsErrorAutomatic())
+  {
+    AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::ChosenMaximumError, options.MaximumError);
+    outputs.front()->GetFieldData()->PassData(noise);
+  }
+  if (this->GetCloseFaults())
+  {
+    const auto& vertices = decimation.Points;
+    CloseMesh(vertices.Plane, lattice, vertices.Boundary, outputs.front(), monitor.Step(0.95, 1.0));
+  }
+}

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LayerFigures.h"
+
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/LedgerFields.h"
+#include "Filters/Marshalling/HeightUnit.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr int ContactsOfCurve = 101;
+
+class TableWriter
+{
+public:
+  TableWriter(vtkTable* table, std::size_t rows)
+    : Table(table)
+    , Rows(vtkIdType(rows))
+  {
+  }
+
+  void StartRow(std::size_t row) { this->Row = vtkIdType(row); }
+
+  template <typename Array>
+  void Set(const char* name, double value)
+  {
+    if (!this->Table->GetColumnByName(name))
+    {
+      this->Table->AddColumn(NewArray<Array>(name, this->Rows));
+    }
+    Array::SafeDownCast(this->Table->GetColumnByName(name))->SetValue(this->Row, typename Array::ValueType(value));
+  }
+
+private:
+  vtkTable* Table;
+  vtkIdType Rows;
+  vtkIdType Row = 0;
+};
+
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double VolumeOfUnit(const HorizonStack& stack)
+{
+  return stack.CommonLattice().ColumnArea() * WorldPerIndex(stack.CommonLattice());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  return array;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> NamesOfLayers(const HorizonStack& stack)
+{
+  std::vector<std::string> names;
+  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
+  {
+    names.push_back(stack[layer].Name + " to " + stack[layer + 1].Name);
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack,
+  std::optional<double> contact, vtkTable* table)
+{
+  const double height = WorldPerIndex(stack.CommonLattice());
+  const double area = stack.CommonLattice().ColumnArea();
+  const double volume = VolumeOfUnit(stack);
+  table->AddColumn(MakeTexts("Name", NamesOfLayers(stack)));
+  TableWriter writer(table, stack.Size() - 1);
+  for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
+  {
+    writer.StartRow(layer);
+    const LayerVolume& own = volumes[layer];
+    const CrossingRepair& repair = layers.Stack.Repair;
+    writer.Set<vtkDoubleArray>("Volume", volume * own.Volume);
+    writer.Set<vtkDoubleArray>("Area", area * own.Area);
+    writer.Set<vtkDoubleArray>("ThicknessLeast", height * own.LeastThickness);
+    writer.Set<vtkDoubleArray>("ThicknessMean", height * own.MeanThickness);
+    writer.Set<vtkDoubleArray>("ThicknessLargest", height * own.LargestThickness);
+    if (contact)
+    {
+      const double level = stack.CommonLattice().ToLattice({ 0.0, 0.0, *contact }).z();
+      writer.Set<vtkDoubleArray>("VolumeAboveContact", volume * VolumeAbove(layers.Plan, layer, level));
+    }
+    writer.Set<vtkIdTypeArray>("Crossings", double(repair.Interfaces[layer].Columns));
+    writer.Set<vtkDoubleArray>("DeepestCrossing", height * repair.Interfaces[layer].Deepest);
+    writer.Set<vtkIdTypeArray>("TopMoved", double(repair.Horizons[layer].Columns));
+    writer.Set<vtkIdTypeArray>("BaseMoved", double(repair.Horizons[layer + 1].Columns));
+    writer.Set<vtkDoubleArray>(
+      "FarthestMove", height * std::max(repair.Horizons[layer].Farthest, repair.Horizons[layer + 1].Farthest));
+    const char* const kinds[] = { "PinchedTriangles", "Tetrahedra", "Pyramids", "Wedges" };
+    for (std::size_t kind = own.Triangles.size(); kind-- > 0;)
+    {
+      writer.Set<vtkIdTypeArray>(kinds[kind], double(own.Triangles[kind]));
+    }
+    writer.Set<vtkDoubleArray>("AreaAtFaults", area * own.FaultArea);
+    writer.Set<vtkDoubleArray>("VolumeAtFaults", volume * own.FaultVolume);
+    const LayerLedger& ledger = layers.Ledgers.OfLayers[layer];
+    writer.Set<vtkDoubleArray>("AreaWithout", area * ledger.AreaWithout);
+    writer.Set<vtkDoubleArray>("VolumeWithout", volume * ledger.VolumeWithout);
+    for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+    {
+      const std::string name = LedgerNames[entry];
+      writer.Set<vtkDoubleArray>(("Area" + name).c_str(), area * double(ledger.Columns.Columns[entry]));
+      writer.Set<vtkDoubleArray>(("Volume" + name).c_str(), volume * ledger.Volumes[entry]);
+    }
+  }
+  table->AddColumn(
+    MakeTexts("VolumeUnit", std::vector<std::string>(layers.Plan.NumberOfLayers(), UnitOfVolumes(stack))));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data)
+{
+  WriteLedger(ledger.Columns, data);
+  auto volumes = NewArray<vtkDoubleArray>(FieldArray::LedgerVolume, 1, int(LedgerEntries));
+  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+  {
+    volumes->SetComponentName(vtkIdType(entry), LedgerNames[entry]);
+    volumes->SetValue(vtkIdType(entry), ledger.Volumes[entry] * VolumeOfUnit(stack));
+  }
+  data->AddArray(volumes);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table, const Monitor& monitor)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -least;
+  for (const std::vector<double>& heights : plan.Heights)
+  {
+    for (const double height : heights)
+    {
+      least = std::min(least, height);
+      largest = std::max(largest, height);
+    }
+  }
+  if (!(least <= largest))
+  {
+    return;
+  }
+  const double top = plan.HeightsGrowDownwards ? least : largest;
+  const double base = plan.HeightsGrowDownwards ? largest : least;
+  const double volume = VolumeOfUnit(stack);
+  auto contacts = NewArray<vtkDoubleArray>("Contact", ContactsOfCurve);
+  table->AddColumn(contacts);
+  std::vector<double> levels;
+  for (int n = 0; n < ContactsOfCurve; ++n)
+  {
+    levels.push_back(n + 1 == ContactsOfCurve ? base : top + (base - top) * n / (ContactsOfCurve - 1));
+    contacts->SetValue(n, stack.CommonLattice().ToWorld({ 0.0, 0.0, levels.back() }).z());
+  }
+  const std::vector<std::string> names = NamesOfLayers(stack);
+  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  {
+    auto volumes = NewArray<vtkDoubleArray>(names[layer].c_str(), ContactsOfCurve);
+    const auto part = [&](std::size_t n) { return double(n) / double(names.size()); };
+    ParallelFor(ContactsOfCurve, 1, monitor.Step(part(layer), part(layer + 1)),
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          volumes->SetValue(n, volume * VolumeAbove(plan, layer, levels[std::size_t(n)]));
+        }
+      });
+    table->AddColumn(volumes);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string UnitOfVolumes(const HorizonStack& stack)
+{
+  const SurveyDescription& survey = stack.GetSurvey();
+  if (survey.HorizontalUnit.empty() || survey.VerticalUnit.empty())
+  {
+    return "";
+  }
+  return survey.HorizontalUnit == survey.VerticalUnit ? survey.HorizontalUnit + "3"
+                                                      : survey.HorizontalUnit + "2 " + survey.VerticalUnit;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack)
+{
+  const std::vector<std::string> names = NamesOfLayers(stack);
+  std::vector<std::string> lines;
+  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  {
+    const LayerLedger& ledger = ledgers.OfLayers[layer];
+    std::string notRead;
+    std::ostringstream leftOut;
+    for (const LedgerWarning& warning : FindWarnings(ledger.Columns))
+    {
+      if (warning.Entry != LedgerEntry::LeftOut)
+      {
+        notRead += (notRead.empty() ? "" : ", ") + warning.Text;
+        continue;
+      }
+      const auto columns = double(ledger.Columns[LedgerEntry::LeftOut]);
+      leftOut << names[layer] << " without " << std::setprecision(2)
+              << 100.0 * columns / (columns + double(ledger.Columns.Covered())) << " % of its area (volume "
+              << std::setprecision(6) << ledger.VolumeWithout * VolumeOfUnit(stack)
+              << "), expected all between its horizons: Missing Follow, and the domain EachLayer, leave out least";
+    }
+    if (!notRead.empty())
+    {
+      lines.push_back(names[layer] + " with heights that were not read over a part of its area (" + notRead +
+        "), expected points of both horizons");
+    }
+    if (!leftOut.str().empty())
+    {
+      lines.push_back(leftOut.str());
+    }
+  }
+  return lines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack)
+{
+  std::ostringstream text;
+  const double height = WorldPerIndex(stack.CommonLattice());
+  const std::vector<std::string> names = NamesOfLayers(stack);
+  const std::string unit = UnitOfVolumes(stack);
+  text << names.size() << (names.size() == 1 ? " layer" : " layers") << " over " << layers.Plan.NumberOfTriangles()
+       << " triangles\n";
+  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  {
+    const LayerVolume& own = volumes[layer];
+    text << names[layer] << "\n  volume " << own.Volume * VolumeOfUnit(stack) << (unit.empty() ? "" : " ") << unit
+         << "\n  thickness " << height * own.LeastThickness << " to " << height * own.LargestThickness << ", mean "
+         << height * own.MeanThickness << '\n';
+    const CrossedInterface& crossed = layers.Stack.Repair.Interfaces[layer];
+    if (crossed.Columns > 0)
+    {
+      text << "  crossed in " << crossed.Columns << " columns, by up to " << height * crossed.Deepest << '\n';
+    }
+    if (own.FaultArea > 0.0)
+    {
+      text << "  left out at faults: volume " << own.FaultVolume * VolumeOfUnit(stack) << '\n';
+    }
+  }
+  for (const std::string& line : TellMissing(layers.Ledgers, stack))
+  {
+    text << line << '\n';
+  }
+  for (std::size_t horizon = 0; horizon < stack.Size(); ++horizon)
+  {
+    text << stack[horizon].Name << ": " << layers.Ledgers.PointsOutside[horizon] << " of "
+         << stack[horizon].Placed.Columns.size() << " points outside\n";
+  }
+  return text.str();
+}
+}
