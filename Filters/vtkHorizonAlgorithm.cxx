@@ -5,7 +5,6 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
-#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/VersionDifferences.h"
@@ -38,6 +37,12 @@ void vtkHorizonAlgorithm::ProcessOutputs(const std::vector<vtkDataObject*>&) {}
 void vtkHorizonAlgorithm::ShareHorizons(
   const std::vector<HorizonLeaf>&, const std::vector<RankedHorizon>&, const Ranks&)
 {
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::Warn(const std::string& text)
+{
+  vtkWarningMacro(<< this->HorizonName << (this->HorizonName.empty() ? "" : ": ") << text);
 }
 
 //------------------------------------------------------------------------------
@@ -95,7 +100,7 @@ int vtkHorizonAlgorithm::RequestData(
         for (std::size_t n = 0; n < horizons.size(); ++n)
         {
           const HorizonLeaf& horizon = horizons[n];
-          subject = NameBySurfaceId(horizon.Input);
+          subject = this->HorizonName = horizon.Name;
           if (horizon.Input->GetNumberOfPoints() > 0)
           {
             const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
@@ -112,9 +117,8 @@ int vtkHorizonAlgorithm::RequestData(
                 }
                 if (CountVisiblePoints(horizon.Input) == 0)
                 {
-                  vtkWarningMacro(<< (subject.empty() ? "" : subject + ": ") << "all "
-                                  << horizon.Input->GetNumberOfPoints()
-                                  << " points are hidden by the array vtkGhostType, so that nothing is left");
+                  this->Warn("all " + std::to_string(horizon.Input->GetNumberOfPoints()) +
+                    " points are hidden by the array vtkGhostType, so that nothing is left");
                   return;
                 }
                 this->ProcessHorizon(horizon.Input, horizon.Outputs, step);

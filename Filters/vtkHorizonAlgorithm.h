@@ -82,6 +82,9 @@ protected:
   /// Fills the remaining outputs once all horizons are processed.
   virtual void ProcessOutputs(const std::vector<vtkDataObject*>& outputs);
 
+  /// Warns of the horizon that is processed.
+  void Warn(const std::string& text);
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -92,6 +95,7 @@ private:
   void operator=(const vtkHorizonAlgorithm&) = delete;
 
   std::string Results;
+  std::string HorizonName; // of the horizon that is processed, or empty
 };
 
 #endif

@@ -20,7 +20,7 @@ std::vector<LedgerWarning> FindWarnings(const Ledger& ledger)
     {
       std::ostringstream text;
       text.imbue(std::locale::classic());
-      text << std::setprecision(4) << 100.0 * fraction << " % " << LedgerWords[entry];
+      text << std::setprecision(fraction < 100.0 ? 4 : 12) << 100.0 * fraction << " % " << LedgerWords[entry];
       warnings.push_back({ LedgerEntry(entry), text.str() });
     }
   }

@@ -39,17 +39,20 @@ constexpr std::size_t FewestPlaces = 64;
 constexpr double LargestSpread = 0.2;
 // If a window has points on few lines its steps may be multiples of the lattice steps.
 constexpr int MostPartsOfStep = 4;
+constexpr double FewestUnits = 2.5; // Steps have this many rounding units, unless points follow each other.
 
 struct Numbered
 {
   PlaneFit Fit;
   double Squares = 0.0; // sum of squared distances from columns, in columns
+  double Largest = 0.0; // distance, in columns
   std::int64_t Beyond = 0; // points farther away
 
   void Add(const Numbered& other)
   {
     this->Fit.Add(other.Fit);
     this->Squares += other.Squares;
+    this->Largest = std::max(this->Largest, other.Largest);
     this->Beyond += other.Beyond;
   }
 
@@ -74,6 +77,7 @@ Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reac
         const Eigen::Vector2d index = column.array().round();
         part.Fit.Add(index, place);
         part.Squares += (column - index).squaredNorm();
+        part.Largest = std::max(part.Largest, (column - index).norm());
       }
     });
 }
@@ -215,16 +219,14 @@ double PartFollowed(const PlaneCloud& points, const Eigen::Vector2d& step, doubl
 /// Requires an exact lattice. Otherwise the places may be rounded, and are on a rather full lattice of the rounding
 /// unit.
 template <typename Find>
-std::optional<PlaneMap> FindExactly(const PlaneCloud& points, double unit, Find&& find)
+std::optional<PlaneMap> FindExactly(const PlaneCloud& points, double unit, double exact, Find&& find)
 {
-  constexpr double exact = 0.02; // columns
-  constexpr double fewestUnits = 2.5; // Steps must have this many units.
   constexpr double rather = 0.5;
   try
   {
     const PlaneMap map = find();
     const double spread = NumberPoints(points, map, LastReach, Monitor()).Spread();
-    const bool isFull = ShortestStep(map.Steps) >= fewestUnits * unit ||
+    const bool isFull = ShortestStep(map.Steps) >= FewestUnits * unit ||
       std::max(PartFollowed(points, map.Steps.col(0), unit), PartFollowed(points, map.Steps.col(1), unit)) >= rather;
     return spread <= exact && isFull ? std::optional<PlaneMap>(map) : std::nullopt;
   }
@@ -232,6 +234,46 @@ std::optional<PlaneMap> FindExactly(const PlaneCloud& points, double unit, Find&
   {
     return std::nullopt;
   }
+}
+
+/// Lines of points at unequal distances, such as 350 and 375, fit their mean roughly, and a common divisor exactly.
+template <typename Grow>
+std::optional<PlaneMap> FindDivisor(const PlaneCloud& points, const std::vector<Eigen::Vector2d>& window,
+  const Eigen::Vector2d& middle, const PlaneMap& rough, const Eigen::Vector2d& along, double unit, Grow&& grow)
+{
+  constexpr int mostParts = 256;
+  constexpr double exact = 0.002; // columns
+  constexpr double better = 0.1; // The distances are a tenth of the rough ones, in the smaller columns.
+  constexpr double fewestOff = 0.25; // The largest distance is not of a few points.
+  const Numbered found = NumberPoints(points, rough, LastReach, Monitor());
+  const double longest = rough.Steps.colwise().norm().maxCoeff();
+  if (found.Spread() <= exact || found.Spread() * longest <= std::min(unit, 1.0) ||
+    found.Spread() < fewestOff * found.Largest)
+  {
+    return std::nullopt;
+  }
+  Eigen::Vector2d line = Eigen::Vector2d::Constant(longest); // to the next line
+  for (const Eigen::Vector2d& place : window)
+  {
+    const Eigen::Vector2d step = place - middle;
+    const double across = std::abs(step.x() * along.y() - step.y() * along.x());
+    line = 2.0 * across > along.squaredNorm() && step.norm() < line.norm() ? step : line;
+  }
+  line -= std::round(line.dot(along) / along.squaredNorm()) * along;
+  const double shortest = std::max(along.norm() / MostPartsOfStep, FewestUnits * std::min(unit, 1.0));
+  for (int parts = 2; parts <= mostParts && line.norm() / parts >= shortest; ++parts)
+  {
+    PlaneMap map;
+    map.Steps << along, line / parts;
+    const bool isNear = NumberPoints(points, map, 2.0 * parts, Monitor()).Spread() < found.Spread();
+    const auto fit =
+      isNear ? FindExactly(points, unit, better * found.Spread(), [&]() { return grow(map.Steps); }) : std::nullopt;
+    if (fit)
+    {
+      return fit;
+    }
+  }
+  return std::nullopt;
 }
 
 Eigen::Vector2d MiddlePoint(const std::vector<Eigen::Vector2d>& window)
@@ -258,7 +300,8 @@ PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y,
   const Eigen::Matrix2d shortSteps = FindShortSteps(window);
   const double unit = FindRounding(x, y);
   // Sums are relative to a point of the window.
-  points.Middle += MiddlePoint(window);
+  const Eigen::Vector2d middle = MiddlePoint(window);
+  points.Middle += middle;
   const auto grow = [&](const Eigen::Matrix2d& steps)
   {
     PlaneMap first;
@@ -272,10 +315,11 @@ PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y,
   }
   else
   {
-    found = FindExactly(points, unit, [&]() { return grow(shortSteps); });
+    constexpr double exact = 0.02; // columns
+    found = FindExactly(points, unit, exact, [&]() { return grow(shortSteps); });
     found = found ? found : grow(FindRoundedSteps(window, unit));
   }
-  PlaneMap map = *found;
+  PlaneMap map = FindDivisor(points, window, middle, *found, shortSteps.col(0), unit, grow).value_or(*found);
   map.Origin += points.Middle;
   return map;
 }

@@ -4,6 +4,8 @@
 #include "PickDoubts.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/Lattice.h"
+#include "ShortSteps.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -131,6 +133,28 @@ void DoubtNulls(const std::vector<double>& nulls, const std::vector<double>& z, 
          << " points taken for no z, as is usual, but others have z from " << least << " to " << greatest
          << ": NullValues without this number keeps it";
     doubts.push_back(text.str());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FindMoves(const PickTable& picks, const std::vector<PlanePoint>& columns, SurveyHorizons& placed)
+{
+  constexpr double fewColumns = 0.02;
+  double farthest = 0.0;
+  for (std::size_t pick = 0; picks.HasPlaces() && placed.LargestDistance > fewColumns && pick < columns.size(); ++pick)
+  {
+    const Eigen::Vector2d column = placed.Lattice.Steps() * Eigen::Vector2d(columns[pick].X, columns[pick].Y);
+    farthest =
+      std::max(farthest, (placed.Lattice.Origin + column - Eigen::Vector2d(picks.X[pick], picks.Y[pick])).norm());
+  }
+  if (farthest > std::min(FindRounding(picks.X, picks.Y), 1.0))
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << "picks are moved by up to " << farthest << ", in the unit of x and y, onto the lattice with the steps "
+         << ToText(placed.Lattice.ColumnStep) << " and " << ToText(placed.Lattice.RowStep)
+         << ": LatticeSource OriginAndSteps sets another lattice, Gridding needs none";
+    placed.Doubts.push_back(text.str());
   }
 }
 

@@ -31,6 +31,10 @@ ConflictCount CountConflicts(const ColumnOrder& order);
 /// lattice found from places, or guessed line numbers, or if picks are fewer than its six numbers and do not fill it.
 void RequireEvidence(std::vector<PlanePoint> columns, const SurveyLattice& lattice, const PickTable& picks);
 
+/// Adds a warning if picks are moved by more than a fiftieth of a step, and more than by coordinates rounded to a unit of
+/// 1 or less. `columns` are those of the picks.
+void FindMoves(const PickTable& picks, const std::vector<PlanePoint>& columns, SurveyHorizons& placed);
+
 /// Adds warnings if more than a thousandth of the columns have several z, and the policy was not chosen: faults,
 /// overlapping surveys, several unnamed horizons.
 std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePolicy policy);

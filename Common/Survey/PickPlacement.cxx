@@ -320,9 +320,10 @@ LatticeHorizon MakeHorizon(const PickTable& picks, const std::vector<PlanePoint>
   return horizon;
 }
 
-void Free(std::vector<double>& values)
+template <typename... Vectors>
+void Free(Vectors&... vectors)
 {
-  values = std::vector<double>();
+  ((vectors = Vectors()), ...);
 }
 }
 
@@ -360,14 +361,12 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;
   const std::vector<PlanePoint> columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
+  FindMoves(picks, columns, placed);
   if (options.Source == LatticeSource::Picks && !hasFarPicks)
   {
     RequireEvidence(columns, placed.Lattice, picks);
   }
-  Free(picks.X);
-  Free(picks.Y);
-  Free(picks.Inline);
-  Free(picks.Crossline);
+  Free(picks.X, picks.Y, picks.Inline, picks.Crossline);
   std::vector<ColumnOrder> orders = ListPicks(picks);
   for (std::size_t number = 0; number < picks.Names.size(); ++number)
   {

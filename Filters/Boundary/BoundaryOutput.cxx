@@ -5,7 +5,6 @@
 
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/HorizonName.h"
 #include "Filters/Marshalling/CrackData.h"
 #include "Filters/Marshalling/CutData.h"
 #include "Filters/Marshalling/HorizonCells.h"
@@ -59,8 +58,7 @@ void RemoveCuts(vtkPolyData* output)
 //----------------------------------------------------------------------------------------------------------------------
 std::string NothingLeft(vtkPolyData* input, int minimumPatchSize)
 {
-  const std::string name = NameBySurfaceId(input);
-  return name + (name.empty() ? "" : ": ") + "none of the " + std::to_string(input->GetNumberOfPoints()) +
-    " points is in a patch of MinimumPatchSize, " + std::to_string(minimumPatchSize) + " points, or more";
+  return "none of the " + std::to_string(input->GetNumberOfPoints()) + " points is in a patch of MinimumPatchSize, " +
+    std::to_string(minimumPatchSize) + " points, or more";
 }
 }

@@ -57,7 +57,7 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(vtkPolyData* horizon, const Outp
   auto found = FindExteriorBoundary(points.Column, OptionsFor(type, options), monitor.Step(0.3, 0.9));
   if (found.NumberOfPatches == 0)
   {
-    vtkWarningMacro(<< NothingLeft(input, this->MinimumPatchSize));
+    this->Warn(NothingLeft(input, this->MinimumPatchSize));
   }
   const std::vector<BoundaryKind> marks = MarkBoundary(type, points.Column, found);
   const KeptPoints kept = DropPointsWithoutPatch(found);

@@ -7,7 +7,6 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"
 #include "Common/VTK/VertexCells.h"
 #include "Filters/Algorithms/Despiking/Despiking.h"
@@ -24,6 +23,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,12 +87,18 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const double percent = 100.0 * double(spikes) / double(kinds.size());
   if (percent > FewPercent)
   {
-    const std::string name = NameBySurfaceId(input);
     const std::string unit = ReadSurveyFields(input->GetFieldData()).VerticalUnit;
-    vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << spikes << " of " << kinds.size()
-                    << " points are spikes, expected at most " << FewPercent << " %: threshold " << found.Threshold
-                    << " vertical indices, " << found.Threshold * WorldPerIndex(points.Lattice) << ' '
-                    << (unit.empty() ? "in z" : unit) << "; terrain and faults may be mistaken for spikes");
+    std::ostringstream text;
+    text << spikes << " of " << kinds.size() << " points are spikes, expected at most " << FewPercent
+         << " %: threshold " << found.Threshold << " vertical indices, "
+         << found.Threshold * WorldPerIndex(points.Lattice) << ' ' << (unit.empty() ? "in z" : unit)
+         << "; terrain and faults may be mistaken for spikes";
+    this->Warn(text.str());
+  }
+  if (2 * spurs > vtkIdType(kinds.size()))
+  {
+    this->Warn(std::to_string(spurs) + " of " + std::to_string(kinds.size()) +
+      " points are on spurs, expected less than half: picks of every second line, or with many holes, look like spurs");
   }
   this->NumberOfSpikes += spikes;
   this->NumberOfSpurPoints += spurs;

@@ -207,7 +207,7 @@ std::string UnitOfVolumes(const HorizonStack& stack)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack)
+std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack, const std::string& advice)
 {
   const std::vector<std::string> names = NamesOfLayers(stack);
   std::vector<std::string> lines;
@@ -224,10 +224,10 @@ std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonS
         continue;
       }
       const auto columns = double(ledger.Columns[LedgerEntry::LeftOut]);
-      leftOut << names[layer] << " without " << std::setprecision(2)
+      leftOut << names[layer] << " without " << std::setprecision(3)
               << 100.0 * columns / (columns + double(ledger.Columns.Covered())) << " % of its area (volume "
               << std::setprecision(6) << ledger.VolumeWithout * VolumeOfUnit(stack)
-              << "), expected all between its horizons: Missing Follow, and the domain EachLayer, leave out least";
+              << "), expected all between its horizons" << advice;
     }
     if (!notRead.empty())
     {
@@ -267,7 +267,7 @@ std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& vol
       text << "  left out at faults: volume " << own.FaultVolume * VolumeOfUnit(stack) << '\n';
     }
   }
-  for (const std::string& line : TellMissing(layers.Ledgers, stack))
+  for (const std::string& line : TellMissing(layers.Ledgers, stack, ""))
   {
     text << line << '\n';
   }

@@ -211,7 +211,9 @@ void vtkHorizonLayers::Write(
   this->WarnOfContact(curve);
   this->Results = TellLayers(layers, volumes, stack);
   this->WarnOfEmpty(volumes, stack);
-  for (const std::string& text : TellMissing(layers.Ledgers, stack))
+  const char* const ofDomain = this->Domain == EachLayer ? "" : ": Domain EachLayer leaves out less";
+  const char* const advice = this->Missing == Follow ? ofDomain : ": Missing Follow leaves out less";
+  for (const std::string& text : TellMissing(layers.Ledgers, stack, advice))
   {
     vtkWarningMacro(<< text);
   }

@@ -194,7 +194,7 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   mesh->GetFieldData()->PassData(outlines->GetFieldData());
   if (surface.Kept.empty())
   {
-    vtkWarningMacro(<< NothingLeft(input, this->MinimumPatchSize));
+    this->Warn(NothingLeft(input, this->MinimumPatchSize));
   }
   else
   {

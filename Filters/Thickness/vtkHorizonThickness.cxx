@@ -10,7 +10,6 @@
 #include "Common/VTK/ColumnImage.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonDataSet.h"
-#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/LedgerFields.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
@@ -286,8 +285,7 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const std::string warning = TellDoubts(found);
   if (!warning.empty())
   {
-    const std::string name = NameBySurfaceId(horizon);
-    vtkWarningMacro(<< name << (name.empty() ? "" : ": ") << warning);
+    this->Warn(warning);
   }
 }
 

@@ -322,7 +322,7 @@ std::string DoubtOfColumns(const TextLines& sample, const TextLayout& layout)
       numbers.begin(), numbers.end(), [&](double number) { return number >= least && number < greatest; });
   };
   return isWithin(x, 1e6, 1e7) && isWithin(y, 1e5, 1e6)
-    ? "x in millions and y below one, as if y came first, in columns without names: set Columns if so"
+    ? "x is above 1,000,000 and y below, as if y came first, and the columns have no names: set Columns if so"
     : "";
 }
 }

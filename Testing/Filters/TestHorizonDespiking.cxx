@@ -98,11 +98,13 @@ void TestSpurs()
   despiking->Update();
   CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 24);
   CHECK_EQUAL(despiking->GetNumberOfSpurPoints(), 1);
+  const HorizonFixtures::Errors warnings(despiking, vtkCommand::WarningEvent);
   despiking->SetThreadWidth(3); // the name before
   CHECK_EQUAL(despiking->GetSpurWidth(), 3);
   despiking->Update(); // nothing is left
   CHECK_EQUAL(despiking->GetPolyDataOutput()->GetNumberOfPoints(), 0);
   CHECK_EQUAL(despiking->GetNumberOfSpurPoints(), 25);
+  CHECK(warnings.FirstContains("Horizon 3: 25 of 25 points are on spurs, expected less than half"));
 }
 
 /// In the world, where a vertical index is 4 long, and by the noise: the field data tell the threshold in both.

@@ -366,6 +366,12 @@ void TestNoPatchIsLargeEnough()
   CHECK(warning.find("Horizon 1: none of the 9 points is in a patch of MinimumPatchSize, 10 points, or more") !=
     std::string::npos);
   CHECK_EQUAL(boundary->GetPolyDataOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkPartitionedDataSetCollection> named;
+  named->SetPartition(0, 0, Square(3));
+  named->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "Top");
+  boundary->SetInputDataObject(named);
+  boundary->Update();
+  CHECK(warning.find("Top: none of the 9 points") != std::string::npos);
 }
 
 /// Points that were filled in count for no voxel. Among themselves their attributes are averaged all the same.

@@ -473,11 +473,10 @@ private:
 
   void ChooseColumns()
   {
-    const std::vector<Eigen::Vector2d> hull =
-      this->Options.Radius > 0.0 ? std::vector<Eigen::Vector2d>() : FindHull(this->Given.Place);
+    const std::vector<Eigen::Vector2d> hull = FindHull(this->Given.Place);
     for (int j = 0; j < this->Height; ++j)
     {
-      const std::array<int, 2> span = SpanOf(hull, j);
+      const std::array<int, 2>& span = this->Spans.emplace_back(SpanOf(hull, j));
       for (int i = 0; i < this->Width; ++i)
       {
         const std::size_t column = this->CellOf(i, j);
@@ -695,9 +694,11 @@ private:
     HeapArray<double> distances;
     for (const std::size_t column : this->Kept)
     {
-      horizon.Column.push_back({ int(column % std::size_t(this->Width)), int(column / std::size_t(this->Width)) });
+      const PlanePoint at = { int(column % std::size_t(this->Width)), int(column / std::size_t(this->Width)) };
+      horizon.Column.push_back(at);
       horizon.RealZ.push_back(this->Result[column]);
-      filled.push_back(this->Count[column] == 0 ? 1.0 : 0.0);
+      const std::array<int, 2>& span = this->Spans[std::size_t(at.Y)];
+      filled.push_back(this->Count[column] > 0 ? 0.0 : at.X >= span[0] && at.X <= span[1] ? 1.0 : 2.0);
       counts.push_back(this->Count[column]);
       distances.push_back(this->Nearest[column].Distance);
     }
@@ -714,6 +715,7 @@ private:
   const int Height;
   std::vector<PickSearch::Found> Nearest; // by column
   std::vector<std::int32_t> Count; // picks by column
+  std::vector<std::array<int, 2>> Spans; // first and last column in the hull, by row
   std::vector<std::size_t> Kept;
   std::vector<double> Result;
 };

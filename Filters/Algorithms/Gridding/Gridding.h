@@ -7,7 +7,8 @@
 // so that picks of a plane give that plane; across picks on a line it is level.
 // - Nearest: the z of the nearest pick; of equally near picks, of least x, then y.
 //
-// Attributes are Filled (1 in columns without a pick), PickCount, and PickDistance to the nearest pick, in world units.
+// Attributes are Filled (1 in columns without a pick, 2 outside the convex hull of picks), PickCount, and
+// PickDistance to the nearest pick, in world units.
 
 #ifndef SeismicHorizonsGridding_h
 #define SeismicHorizonsGridding_h

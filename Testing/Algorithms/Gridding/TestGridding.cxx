@@ -37,6 +37,24 @@ void TestPlane()
   }
 }
 
+/// Picks lie in all directions, without a gap of 180 degrees.
+bool IsBetween(const PickTable& picks, const Eigen::Vector2d& place)
+{
+  std::vector<double> directions;
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+  {
+    directions.push_back(std::atan2(picks.Y[pick] - place.y(), picks.X[pick] - place.x()));
+  }
+  std::sort(directions.begin(), directions.end());
+  constexpr double halfTurn = 3.14159265358979323846;
+  double widest = directions.front() + 2.0 * halfTurn - directions.back();
+  for (std::size_t n = 1; n < directions.size(); ++n)
+  {
+    widest = std::max(widest, directions[n] - directions[n - 1]);
+  }
+  return widest < halfTurn;
+}
+
 /// Every column is looked at, and every pick.
 void TestNearest()
 {
@@ -50,6 +68,7 @@ void TestNearest()
     found[{ horizon.Column[n].X, horizon.Column[n].Y }] = n;
   }
   double pickCount = 0.0;
+  int outside = 0;
   for (int j = 0; j < gridded.Lattice.Columns[1]; ++j)
   {
     for (int i = 0; i < gridded.Lattice.Columns[0]; ++i)
@@ -70,12 +89,16 @@ void TestNearest()
         CHECK_EQUAL(horizon.RealZ[column->second], z);
         CHECK(std::abs(AttributeOf(horizon, "PickDistance")[column->second] - least) < 1e-6);
         const double count = AttributeOf(horizon, "PickCount")[column->second];
-        CHECK_EQUAL(AttributeOf(horizon, "Filled")[column->second], count == 0.0 ? 1.0 : 0.0);
+        const double filled = AttributeOf(horizon, "Filled")[column->second];
+        CHECK_EQUAL(filled == 0.0, count > 0.0);
+        CHECK_EQUAL(filled == 2.0, count == 0.0 && !IsBetween(picks, place));
+        outside += filled == 2.0 ? 1 : 0;
         pickCount += count;
       }
     }
   }
   CHECK_EQUAL(pickCount, 200.0);
+  CHECK(outside > 100);
 }
 
 /// Near to picks, and no further than these from a smooth surface.

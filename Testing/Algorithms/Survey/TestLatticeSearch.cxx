@@ -161,6 +161,41 @@ void TestLinesBetween()
   CheckFound(cloud, survey, 1e-6);
 }
 
+/// Lines at unequal distances fit their mean to within a tenth, which would move them, and a common divisor exactly.
+void TestUnequalDistances()
+{
+  Patches::Random random(7);
+  for (const double degrees : { 0.0, 17.0 })
+  {
+    for (const double ratio : { 0.5, 1.0, 3.0 })
+    {
+      const PlaneMap survey = MakeSurvey(25.0, ratio, degrees, 0.0);
+      Cloud cloud;
+      for (const int j : { 0, 15, 29 })
+      {
+        for (int i = 0; i < 40; ++i)
+        {
+          cloud.Add(survey.Origin + survey.Steps * Eigen::Vector2d(i, j));
+        }
+      }
+      cloud.Shuffle(random);
+      CheckFound(cloud, survey, 1e-6);
+    }
+  }
+}
+
+/// A row that is off, and noise, do not make the lattice finer.
+void TestNoDivisor()
+{
+  Patches::Random random(8);
+  const PlaneMap survey = MakeSurvey(25.0, 4.0, 17.0, 0.0);
+  Cloud cloud = MakeCloud(survey, 60, 60, 0.2, 1.0, random);
+  CheckFound(cloud, survey, 0.05);
+  cloud = MakeCloud(survey, 60, 60, 0.0, 0.0, random);
+  cloud.Add(survey.Origin + survey.Steps * Eigen::Vector2d(7.0, 30.5));
+  CHECK(LargestDistance(cloud, FindLattice(cloud.X, cloud.Y)) > 0.4);
+}
+
 /// Columns that are hit many times, and few of them.
 void TestRepeated()
 {
@@ -234,6 +269,8 @@ int TestLatticeSearch(int, char*[])
   TestSinglePrecision();
   TestLongSurvey();
   TestLinesBetween();
+  TestUnequalDistances();
+  TestNoDivisor();
   TestRepeated();
   TestSmallest();
   TestStacked();

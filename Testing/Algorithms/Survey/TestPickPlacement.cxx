@@ -267,7 +267,12 @@ void TestOffLattice()
   CHECK_THROWS_WITH(PlacePicks(picks, {}), "1 of 15 picks off the lattice with the steps (");
   PlacementOptions options;
   options.Tolerance = 0.3;
-  CHECK(PlacePicks(picks, options).LargestDistance > 0.15);
+  const SurveyHorizons moved = PlacePicks(picks, options);
+  CHECK(moved.LargestDistance > 0.15);
+  CHECK_EQUAL(moved.Doubts.size(), std::size_t(1));
+  CHECK_EQUAL(moved.Doubts.front(),
+    "picks are moved by up to 9.333, in the unit of x and y, onto the lattice with the steps (0, 50) and (50, 0): "
+    "LatticeSource OriginAndSteps sets another lattice, Gridding needs none");
   options.Tolerance = 0.5;
   CHECK_THROWS_WITH(PlacePicks(picks, options), "LatticeTolerance 0.5, expected more than 0 and less than 0.5 columns");
   options.Tolerance = Null;
