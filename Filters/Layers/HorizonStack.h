@@ -46,6 +46,8 @@ public:
   std::size_t Size() const { return this->Horizons.size(); }
   const StackedHorizon& operator[](std::size_t n) const { return this->Horizons[n]; }
   const Lattice& CommonLattice() const { return this->Together; }
+  /// Empty unless vertical directions of the files differ.
+  const std::string& GetDoubt() const { return this->Doubt; }
   /// Joined from all horizons.
   const SurveyDescription& GetSurvey() const { return this->Survey; }
   /// True if the uppermost horizon has the least heights in lattice units.
@@ -71,6 +73,7 @@ private:
   std::vector<StackedHorizon> Horizons;
   vtkSmartPointer<vtkPolyData> Frame; // horizon whose lattice is used
   SurveyDescription Survey;
+  std::string Doubt;
   PlanePoint Shift; // columns by which CoverAll moved the origin
   std::array<int, 3> Dimensions = {};
   Eigen::Matrix4d Map;

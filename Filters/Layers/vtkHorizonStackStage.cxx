@@ -98,6 +98,10 @@ HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::
       (stack.Size() == 0 ? "no horizon" : "one horizon") + std::string(" with points, expected at least 2"));
   }
   stack.PlaceTogether();
+  if (!stack.GetDoubt().empty())
+  {
+    vtkWarningMacro(<< stack.GetDoubt());
+  }
   monitor.Progress(0.8);
   const CrossingOptions crossings = this->MakeCrossings(stack);
   if (this->Order == ByHeight)

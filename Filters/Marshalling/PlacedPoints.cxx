@@ -4,6 +4,7 @@
 #include "PlacedPoints.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
 #include "Common/Survey/Units.h"
@@ -12,6 +13,7 @@
 #include "HorizonPoints.h"
 #include "SurfacePair.h"
 
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
@@ -185,5 +187,22 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other
   join("HorizontalUnit", joined.HorizontalUnit, own.HorizontalUnit);
   join("CoordinateSystem", joined.CoordinateSystem, own.CoordinateSystem);
   return joined;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string DoubtDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names)
+{
+  const auto isUp = [](vtkPolyData* horizon) -> std::optional<bool>
+  {
+    vtkDataArray* const direction = horizon->GetFieldData()->GetArray(FieldArray::VerticalDirection);
+    const bool isKnown = direction && direction->GetNumberOfTuples() == 1;
+    return isKnown ? std::optional<bool>(direction->GetTuple1(0) > 0.0) : std::nullopt;
+  };
+  const std::optional<bool> one = isUp(first);
+  const std::optional<bool> two = isUp(other);
+  return !one || !two || *one == *two
+    ? ""
+    : "z of the file increases " + std::string(*two ? "upwards" : "downwards") + " in " + names.Placed + " and " +
+      (*one ? "upwards" : "downwards") + " in " + names.First + "; VerticalDirection sets it if one was misread";
 }
 }

@@ -44,6 +44,9 @@ PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNa
 /// The first description takes precedence. Units are shortened, and imply the domain. Throws InputError if domains,
 /// units or coordinate systems differ.
 SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other, const HorizonNames& names);
+
+/// Returns a warning if z of the files increases in different directions, which readers often infer from signs.
+std::string DoubtDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names);
 }
 
 #endif

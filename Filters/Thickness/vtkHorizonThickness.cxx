@@ -282,10 +282,12 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   }
   data->SetActiveScalars(PointArray::Isochore);
   WriteFigures(found, ReadLattice(output).ColumnArea(), output->GetFieldData());
-  const std::string warning = TellDoubts(found);
-  if (!warning.empty())
+  for (const std::string& warning : { TellDoubts(found), DoubtDirections(horizon, other, OfOther) })
   {
-    this->Warn(warning);
+    if (!warning.empty())
+    {
+      this->Warn(warning);
+    }
   }
 }
 

@@ -270,6 +270,16 @@ class MissingTest(unittest.TestCase):
         self.assertAlmostEqual(total, expected, delta=4.0 * ERROR * whole[0].size + (0.001 * expected if is_bridged else 0.0))
         return True
 
+    def test_directions(self):
+        """Elevations of two files, one of which crosses sea level: signs alone would make it a depth."""
+        x = np.arange(12.0) * np.ones((10, 1))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            top, base = (sh.horizon(z, spacing=(25.0, 25.0), vertical_unit="m") for z in (-100.0 + 20.0 * x, -400.0 - x))
+        for run in (lambda: sh.layers({"Top": top, "Base": base}), lambda: sh.thickness(top, base)):
+            with self.assertWarnsRegex(UserWarning, "z of the file increases (up|down)wards in .*VerticalDirection"):
+                run()
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
