@@ -179,9 +179,7 @@ void TestSeveralNulls()
   picks.Z[7] = -9999.0;
   picks.Z[8] = picks.Z[9] = -999.0;
   CHECK(IsOne(DoubtsOf(picks),
-    "3 of 400 points with z -9999 or -999, far from all others, 1000 to 1019: add -9999 or -999 to NullValues if it "
-    "means if that "
-    "means"));
+    "3 of 400 points with z -9999 or -999, far from all others, 1000 to 1019: add -9999 or -999 to NullValues"));
 }
 
 void TestNullsOfGrids()
