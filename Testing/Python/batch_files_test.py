@@ -206,8 +206,9 @@ class FilesTest(unittest.TestCase):
         self.assertIn("50 x 50 apart", told)
         null = self.write("null.xyz", ("%.2f %.2f %.2f" % pick for pick in [*picks[:-1], (431500, 6348500, -9999)]))
         code, messages, _ = self.run_program("--gridding", "Plate", null)
-        self.assertEqual((code, len(messages)), (0, 1))
+        self.assertEqual((code, len(messages)), (0, 2))
         self.assertIn("1 of 800 points with z -9999, far from all others", messages[0])
+        self.assertIn("z are negative", messages[1])  # of the plate around it
 
     def test_back_to_points(self):
         """Grids and picks of a mesh have the places of the picks, to the error; sparse files have their columns."""

@@ -234,7 +234,7 @@ def refused_layouts():
                                                     refused="decimal commas or thousands separators")
     yield "decimal commas between commas", Layout("il xl z", separator=",", points=LINES, formats={"z": comma},
                                                   refused="decimal commas")
-    yield "several unknown names", Layout("il xl x y z", head="Ligne;Trace;X;Y;Profondeur", separator=";",
+    yield "several unknown names", Layout("il xl x y z", head="Ligne;Trace;X;Y;Valeur", separator=";",
                                           refused="could both be Z")
     yield "a counter first", Layout("id il xl x y z", refused="look like line numbers")
     yield "a counter first, lines alone", Layout("id il xl z", points=LINES, refused="counts lines")
