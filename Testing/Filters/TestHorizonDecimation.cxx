@@ -272,7 +272,7 @@ void TestPrint()
   std::ostringstream text;
   mesh->Print(text);
   for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Lattice",
-         "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: On", "Effort: Best",
+         "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: on", "Effort: Best",
          "Priority: SumOfSquares", "SmallestAngle: 2", "InvalidHorizons: Stop" })
   {
     CHECK(text.str().find(line) != std::string::npos);

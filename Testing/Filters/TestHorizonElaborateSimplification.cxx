@@ -265,7 +265,7 @@ void TestPrint()
   elaborate->Print(text);
   for (const char* line : { "CellSize: 17", "FlatnessThreshold: 0.5", "BoundaryDensityThreshold: 1.5",
          "BoundaryExtentThreshold: 2.5", "BoundaryCellSizeThreshold: 3.5", "GrowthPerRing: 4.5",
-         "SmallestCellSize: 5.5", "NeighbourMean: OverPieces", "Representative: NearestPoint", "ShowCells: Off" })
+         "SmallestCellSize: 5.5", "NeighbourMean: OverPieces", "Representative: NearestPoint", "ShowCells: off" })
   {
     CHECK(text.str().find(line) != std::string::npos);
   }

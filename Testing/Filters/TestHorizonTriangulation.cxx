@@ -234,7 +234,7 @@ void TestPrint()
   mesh->SetMaximumNumberOfTriangles(12);
   std::ostringstream text;
   mesh->Print(text);
-  for (const char* line : { "SearchStrategy: Compactness", "ConvexHull: On", "MaximumBoundaryAngle: 95.5",
+  for (const char* line : { "SearchStrategy: Compactness", "ConvexHull: on", "MaximumBoundaryAngle: 95.5",
          "MaximumBoundaryEdgeLength: 2.5", "MaximumNumberOfTriangles: 12" })
   {
     CHECK(text.str().find(line) != std::string::npos);

@@ -253,8 +253,8 @@ void PrintListsEveryProperty()
   reader->Print(stream);
   for (const char* text : { "FileName: some.dat", "Columns: X,Y,Z", "NullValues: -999.25 -99999 9999900",
          "HeaderLines: 0", "VerticalStep: 8.5", "VerticalDirection: Up", "VerticalUnit: ft", "VerticalDomain: (none)",
-         "LatticeSource: CornerPoints", "ThirdCorner: (1.5, 2.5, 3.5, 4.5)", "Origin: (1.5, 2.5)",
-         "LatticeTolerance: 0.25", "DuplicatePolicy: Sheets", "Description: ", "Top" })
+         "LatticeSource: CornerPoints", "ThirdCorner: 1.5 2.5 3.5 4.5", "Origin: 1.5 2.5", "LatticeTolerance: 0.25",
+         "DuplicatePolicy: Sheets", "Description: ", "Top" })
   {
     CHECK(stream.str().find(text) != std::string::npos);
   }

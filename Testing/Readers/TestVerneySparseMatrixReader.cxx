@@ -336,9 +336,9 @@ void PrintListsEveryProperty()
   reader->Print(stream);
   for (const char* text : { "FileName: some.vsm", "OutputType: Images", "VolumeExtent: BoundingBox",
          "VolumeArray: Thickness", "BackgroundValue: 0", "VolumeMemoryLimit: 2048", "ZFrom: RealZ",
-         "Origin: (1.5, 2.5, 3.5)", "ColumnStep: (4.5, 5.5)", "RowStep: (6.5, 7.5)", "VerticalStep: 8.5",
-         "VerticalDirection: Up", "VerticalUnit: ms", "VerticalDomain: time", "DuplicatePolicy: Lowest",
-         "SmallestHorizonSize: 1", "ColumnRange: 0 to -1", "RowRange: 0 to -1", "HorizonSelection:", "Horizon 12" })
+         "Origin: 1.5 2.5 3.5", "ColumnStep: 4.5 5.5", "RowStep: 6.5 7.5", "VerticalStep: 8.5", "VerticalDirection: Up",
+         "VerticalUnit: ms", "VerticalDomain: time", "DuplicatePolicy: Lowest", "SmallestHorizonSize: 1",
+         "ColumnRange: 0 -1", "RowRange: 0 -1", "HorizonSelection:", "Horizon 12" })
   {
     Check::True(stream.str().find(text) != std::string::npos, text, __FILE__, __LINE__);
   }

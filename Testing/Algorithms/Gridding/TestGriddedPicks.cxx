@@ -159,7 +159,7 @@ void TestNulls()
       const std::vector<std::string> doubts =
         FindDoubts(GridPicks(picks, Turned(method)), DuplicatePolicy::StrongestAmplitude);
       CHECK_EQUAL(doubts.size(), std::size_t(1));
-      CHECK(!doubts.empty() && doubts.front().find("1 of 500 picks with z " + said) == 0);
+      CHECK(!doubts.empty() && doubts.front().find("1 of 500 points with z " + said) == 0);
     }
   }
 }
