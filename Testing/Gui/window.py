@@ -18,7 +18,7 @@ MACROS = pathlib.Path(__file__).resolve().parent / "Macros"
 WINDOW = "pqClientMainWindow"
 PANEL = WINDOW + "/propertiesDock/propertiesPanel"
 FIELDS = PANEL + "/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
-LONGEST = 200  # seconds; a dialog that nobody answers would keep the window open for good
+LONGEST = 300  # seconds; a dialog that nobody answers would keep the window open for good
 WRONG = ("critical:", "ERR|", "Traceback")
 
 
