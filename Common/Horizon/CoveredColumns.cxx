@@ -148,23 +148,15 @@ const CoveredColumns::Run* CoveredColumns::FindRun(const PlanePoint& column) con
 Ledger CoveredColumns::Account(
   PlanePoints columns, const std::vector<unsigned char>& filled, const KeptPoints& kept) const
 {
-  const std::vector<PointId> numbers = kept.AreAll() ? std::vector<PointId>() : kept.Numbers();
+  const auto entryOf = [&](std::size_t point) { return filled.empty() ? LedgerEntry::Known : EntryOf(filled[point]); };
   const auto count = [&](Ledger& ledger, std::int64_t first, std::int64_t last)
   {
-    const auto entryOf = [&](std::size_t point)
-    {
-      const LedgerEntry entry = filled.empty() ? LedgerEntry::Known : EntryOf(filled[point]);
-      const bool isDropped = entry == LedgerEntry::Known && !numbers.empty() && numbers[point] == NoPoint;
-      return isDropped ? LedgerEntry::LeftOut : entry;
-    };
     for (auto point = std::size_t(first); point < std::size_t(last);)
     {
       const Run* const run = this->FindRun(columns[point]);
       if (!run)
       {
-        const LedgerEntry entry = entryOf(point);
-        const bool isRead = entry == LedgerEntry::Known || entry == LedgerEntry::LeftOut;
-        const bool isLeftOut = isRead && columns[point].Y != this->Rows.Left;
+        const bool isLeftOut = entryOf(point) == LedgerEntry::Known && columns[point].Y != this->Rows.Left;
         ledger[LedgerEntry::LeftOut] += isLeftOut ? 1 : 0;
         ++point;
         continue;
@@ -176,6 +168,13 @@ Ledger CoveredColumns::Account(
     }
   };
   Ledger ledger = AddUpChunks<Ledger>(std::int64_t(columns.size()), ChunkSize, Monitor(), count);
+  const auto correct = [&](PointId point) // A dropped point under the mesh was counted as Known.
+  {
+    const bool isMoved = entryOf(point) == LedgerEntry::Known && this->FindRun(columns[point]);
+    ledger[LedgerEntry::Known] -= isMoved ? 1 : 0;
+    ledger[LedgerEntry::LeftOut] += isMoved ? 1 : 0;
+  };
+  kept.ForEachDropped(correct);
   ledger[LedgerEntry::Bridged] = this->Count() - ledger.Covered();
   return ledger;
 }

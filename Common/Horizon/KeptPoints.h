@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -94,6 +95,28 @@ public:
       [&](std::size_t, PointId point, std::size_t length)
       { selected.insert(selected.end(), values.begin() + point, values.begin() + point + std::ptrdiff_t(length)); });
     return selected;
+  }
+
+  /// Calls visit(point) for the points that are not kept, in their order.
+  template <typename Visitor>
+  void ForEachDropped(Visitor&& visit) const
+  {
+    std::vector<std::pair<PointId, PointId>> kept; // first, and behind the last
+    this->ForEachRun(0, this->Count,
+      [&](std::size_t, PointId point, std::size_t length) {
+        kept.push_back({ point, point + PointId(length) });
+      });
+    std::sort(kept.begin(), kept.end());
+    kept.push_back({ PointId(this->Total), PointId(this->Total) });
+    PointId point = 0;
+    for (const auto& [first, end] : kept)
+    {
+      for (; point < first; ++point)
+      {
+        visit(point);
+      }
+      point = end;
+    }
   }
 
   std::vector<PointId> Numbers() const

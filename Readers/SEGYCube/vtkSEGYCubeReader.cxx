@@ -21,7 +21,6 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>

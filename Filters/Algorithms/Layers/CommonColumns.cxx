@@ -47,6 +47,18 @@ CommonColumns FindStackColumns(const std::vector<HorizonView>& horizons, std::si
     sorted.push_back(SortByRows(horizon.Columns));
   }
   CommonColumns result;
+  const PlanePoints first = horizons.empty() ? PlanePoints() : horizons.front().Columns;
+  const auto isSame = [&](const HorizonView& horizon)
+  { return horizon.Columns.size() == first.size() && std::equal(first.begin(), first.end(), horizon.Columns.begin()); };
+  if (together <= horizons.size() && std::all_of(horizons.begin(), horizons.end(), isSame))
+  {
+    for (const PointId point : sorted.empty() ? std::vector<PointId>() : sorted.front())
+    {
+      result.Columns.push_back(first[point]);
+    }
+    result.Points = std::move(sorted);
+    return result;
+  }
   result.Points.resize(horizons.size());
   std::vector<std::size_t> next(horizons.size(), 0);
   std::vector<PointId> points(horizons.size());

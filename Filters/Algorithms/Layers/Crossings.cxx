@@ -219,8 +219,8 @@ std::string NameOf(std::size_t horizon, const CrossingOptions& options)
 //----------------------------------------------------------------------------------------------------------------------
 void CrossingRepair::Add(const CrossingRepair& other)
 {
-  this->Interfaces.resize(other.Interfaces.size());
-  this->Horizons.resize(other.Horizons.size());
+  this->Interfaces.resize(std::max(this->Interfaces.size(), other.Interfaces.size()));
+  this->Horizons.resize(std::max(this->Horizons.size(), other.Horizons.size()));
   for (std::size_t n = 0; n < other.Interfaces.size(); ++n)
   {
     this->Interfaces[n].Add(other.Interfaces[n]);

@@ -327,6 +327,11 @@ OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const StackOpti
 CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, PlanePoints columns, const Loops& loops,
   bool withLoops, const LinkCuts* cuts, const CrossingOptions& options)
 {
+  const auto isComplete = [&](const HorizonView& horizon) { return horizon.Columns.size() == columns.size(); };
+  if (std::all_of(horizons.begin(), horizons.end(), isComplete))
+  {
+    return {}; // All columns of the horizons are those of the stack.
+  }
   const CommonColumns all = FindStackColumns(horizons, 1);
   const LoopRows rows(columns, loops);
   const ColumnIndex index(columns);
@@ -343,9 +348,9 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
   {
     FillGaps(horizons[n], cuts, others.Columns, given[n]);
   }
-  const auto isComplete = [&given](std::size_t n)
+  const auto isGiven = [&given](std::size_t n)
   { return std::none_of(given.begin(), given.end(), [n](const auto& heights) { return std::isnan(heights[n]); }); };
-  const auto complete = KeptPoints::If(others.Columns.size(), isComplete);
+  const auto complete = KeptPoints::If(others.Columns.size(), isGiven);
   others = SelectColumns(others, complete);
   for (std::vector<double>& heights : given)
   {
@@ -396,7 +401,7 @@ Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first)
 void CompletedColumns::AppendTo(std::vector<PlanePoint>& columns, HeightStack& heights) const
 {
   columns.insert(columns.end(), this->Columns.begin(), this->Columns.end());
-  for (std::size_t n = 0; n < heights.size(); ++n)
+  for (std::size_t n = 0; n < this->Heights.size(); ++n)
   {
     heights[n].insert(heights[n].end(), this->Heights[n].begin(), this->Heights[n].end());
   }
@@ -407,7 +412,7 @@ void CompletedColumns::CountIn(OrderedStack& stack) const
 {
   stack.Completed += this->Columns.size();
   stack.Repair.Add(this->Repair);
-  for (std::size_t n = 0; n < stack.Origins.size(); ++n)
+  for (std::size_t n = 0; n < this->Origins.size(); ++n)
   {
     stack.Origins[n].insert(stack.Origins[n].end(), this->Origins[n].begin(), this->Origins[n].end());
   }
