@@ -155,7 +155,7 @@ class LedgerTest(unittest.TestCase):
             mesh = join.GetOutputDataObject(0)
             own, expected = ledger_check.ledger(mesh), ledger_check.expected_of_mesh(read, points, mesh)
             self.assertEqual(sums(own), sums(expected), seed)
-            self.assertLessEqual(abs(own["Known"] - expected["Known"]), 2, seed)  # columns of the seam
+            self.assertLessEqual(abs(own["Known"] - expected["Known"]), 9, seed)  # a few columns of the seam (DataModel.md)
 
     def test_part_of_a_mesh(self):
         """Of a mesh that is not finished, and of the convex hull, the covered columns are right, and none is lost."""
