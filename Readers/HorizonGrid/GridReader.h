@@ -9,14 +9,37 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
-#include "GridFormat.h"
 
 #include <cstddef>
 #include <istream>
 #include <optional>
+#include <string_view>
 
 namespace SeismicHorizons
 {
+/// Documentation/HorizonGridFormats.md describes each format.
+enum class GridFormat
+{
+  IrapText,
+  IrapBinary,
+  Storm,
+  Zmap,
+  Cps3,
+  EarthVision,
+  SurferText,
+  SurferBinary,
+  Surfer7,
+  Gxf,
+  EsriGrid
+};
+
+const char* FormatName(GridFormat format);
+
+constexpr std::size_t RecognitionBytes = 16 * 1024;
+
+/// Recognises content, as formats share file extensions. Points without column and row are no EarthVision grid.
+std::optional<GridFormat> RecogniseGrid(std::string_view firstBytes);
+
 /// A longer line enlarges the buffer.
 constexpr std::size_t GridBufferSize = 4 * 1024 * 1024;
 

@@ -1,17 +1,254 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Common/Survey/HorizonGrid.h"
+#include "Common/Survey/Units.h"
 #include "Common/Text/LineErrors.h"
+#include "GridLayout.h"
 #include "GridParsers.h"
-#include "GxfHeader.h"
+#include "GridText.h"
 #include "HeaderFields.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
+struct GxfHeader
+{
+  std::string Name;
+  SurveyDescription Survey;
+  SurveyLattice Lattice;
+  StorageOrder Order;
+  NullRule IsNull;
+  int GroupSize = 0; // Characters of a compressed value; 0 for plain numbers.
+  double Scale = 1.0;
+  double Offset = 0.0;
+};
+
+constexpr int LargestGroup = 9; // Digits in base 90 that fit a 64-bit integer.
+
+struct GxfEntry
+{
+  std::string Place;
+  std::string Text;
+};
+
+using GxfEntries = std::map<std::string, GxfEntry>;
+
+/// A backslash at the end continues an entry on the next line.
+GxfEntry ReadEntry(GridText& text)
+{
+  GxfEntry entry = { text.Place(), {} };
+  bool goesOn = true;
+  while (goesOn && text.PeekLine())
+  {
+    const std::string_view line = Trim(*text.PeekLine());
+    goesOn = !line.empty() && line.back() == '\\';
+    entry.Text += std::string(line.substr(0, line.size() - goesOn)) + ' ';
+    text.NextLine();
+  }
+  return entry;
+}
+
+/// The value is on the line after its label; other lines are comments.
+GxfEntries ReadEntries(GridText& text)
+{
+  GxfEntries entries;
+  std::string label;
+  while (text.PeekLine())
+  {
+    const std::string_view line = Trim(*text.PeekLine());
+    if (!line.empty() && line.front() == '#')
+    {
+      label = ToLower(line.substr(1));
+      text.NextLine();
+      if (label == "grid")
+      {
+        return entries;
+      }
+    }
+    else if (!label.empty() && (line.empty() || line.front() != '!'))
+    {
+      entries.insert_or_assign(label, ReadEntry(text));
+      label.clear();
+    }
+    else
+    {
+      text.NextLine();
+    }
+  }
+  throw text.EndError("#GRID");
+}
+
+class GxfFields
+{
+public:
+  GxfFields(const GxfEntries& entries, const GridText& text)
+    : Entries(entries)
+    , Text(text)
+  {
+  }
+
+  /// Labels are matched by their first letters, because some programs truncate them.
+  std::optional<HeaderFields> Find(const std::string& label) const
+  {
+    const GxfEntry* const entry = this->FindEntry(label);
+    return entry ? std::optional(HeaderFields(entry->Place, SplitAtBlanksAndCommas(entry->Text))) : std::nullopt;
+  }
+
+  double Number(const std::string& label, double usual) const
+  {
+    const std::optional<HeaderFields> fields = this->Find(label);
+    return fields ? fields->Number(0, '#' + label) : usual;
+  }
+
+  int Count(const std::string& label) const
+  {
+    const std::optional<HeaderFields> fields = this->Find(label);
+    if (!fields)
+    {
+      throw this->Text.Error("no #" + label + ", expected it before the values");
+    }
+    return fields->Count(0, '#' + label);
+  }
+
+  std::string Phrase(const std::string& label) const
+  {
+    const GxfEntry* const entry = this->FindEntry(label);
+    const std::string_view text = entry ? Trim(entry->Text) : std::string_view();
+    return !text.empty() && text.front() == '"' ? SplitAtBlanks(text)[0] : std::string(text);
+  }
+
+  std::string Word(const std::string& label) const
+  {
+    const std::optional<HeaderFields> fields = this->Find(label);
+    return fields ? fields->Text(0, label) : std::string();
+  }
+
+  SurveyLattice Lattice(const std::array<int, 2>& columns, const std::array<double, 2>& steps, double degrees) const
+  {
+    const Eigen::Vector2d origin(this->Number("XORIGIN", 0.0), this->Number("YORIGIN", 0.0));
+    return PrefixErrors(this->Text.Place(), [&] { return TurnedLattice(columns, origin, steps, degrees); });
+  }
+
+private:
+  const GxfEntry* FindEntry(const std::string& name) const
+  {
+    const std::string label = ToLower(name);
+    constexpr std::size_t lettersToTell = 5; // Five letters distinguish MAP_PROJECTION from MAP_DATUM.
+    for (const auto& [found, entry] : this->Entries)
+    {
+      if (found.substr(0, lettersToTell) == label.substr(0, lettersToTell) || found == label.substr(0, 4))
+      {
+        return &entry;
+      }
+    }
+    return nullptr;
+  }
+
+  const GxfEntries& Entries;
+  const GridText& Text;
+};
+
+/// The sense gives the first node and the direction from it: 1 lower left, to the right; 2 upper left, down; 3 upper
+/// right, to the left; 4 lower right, up. A negative sense goes from the same corner along the other axis.
+StorageOrder ReadOrder(const GxfFields& fields, const GridText& text)
+{
+  const double sense = fields.Number("SENSE", 1.0);
+  const double corner = std::fabs(sense);
+  if (corner != 1.0 && corner != 2.0 && corner != 3.0 && corner != 4.0)
+  {
+    throw text.Error("#SENSE " + ShortestText(sense) + ", expected 1 to 4 or -4 to -1");
+  }
+  const bool isOddCorner = corner == 1.0 || corner == 3.0;
+  StorageOrder order;
+  order.AlongY = (sense < 0.0) == isOddCorner;
+  order.FromTop = corner == 2.0 || corner == 3.0;
+  order.FromRight = corner >= 3.0;
+  return order;
+}
+
+struct Extent
+{
+  Eigen::Vector2d First = Eigen::Vector2d::Zero();
+  Eigen::Vector2d Last = Eigen::Vector2d::Zero();
+};
+
+Extent FindExtent(const SurveyLattice& lattice)
+{
+  const Eigen::Vector2d x = (lattice.Columns[0] - 1) * lattice.ColumnStep;
+  const Eigen::Vector2d y = (lattice.Columns[1] - 1) * lattice.RowStep;
+  Extent extent;
+  extent.First = lattice.Origin + x.cwiseMin(0.0) + y.cwiseMin(0.0);
+  extent.Last = lattice.Origin + x.cwiseMax(0.0) + y.cwiseMax(0.0);
+  return extent;
+}
+
+/// By the standard the origin is the first node, and the rotation is counterclockwise from x. OpenWorks writes the
+/// corner of the bounding box and adds 90 degrees, which applies if only that fits ##XMAX and ##YMAX.
+SurveyLattice ReadLattice(const GxfFields& fields, const StorageOrder& order)
+{
+  std::array<int, 2> columns = { fields.Count("POINTS"), fields.Count("ROWS") };
+  std::array<double, 2> steps = { fields.Number("PTSEPARATION", 1.0), fields.Number("RWSEPARATION", 1.0) };
+  if (order.AlongY)
+  {
+    std::swap(columns[0], columns[1]);
+    std::swap(steps[0], steps[1]);
+  }
+  const double rotation = fields.Number("ROTATION", 0.0);
+  const SurveyLattice standard = fields.Lattice(columns, steps, rotation);
+  if (!fields.Find("#XMAX") || !fields.Find("#YMAX"))
+  {
+    return standard;
+  }
+  SurveyLattice other = fields.Lattice(columns, steps, rotation - 90.0);
+  other.Origin += other.Origin - FindExtent(other).First;
+  const Eigen::Vector2d corner(fields.Number("#XMAX", 0.0), fields.Number("#YMAX", 0.0));
+  const double halfStep = 0.5 * std::min(std::fabs(steps[0]), std::fabs(steps[1]));
+  const auto fits = [&](const SurveyLattice& lattice)
+  { return (FindExtent(lattice).Last - corner).cwiseAbs().maxCoeff() < halfStep; };
+  return fits(other) && !fits(standard) ? other : standard;
+}
+
+int ReadGroupSize(const GxfFields& fields, const GridText& text)
+{
+  const double size = fields.Number("GTYPE", 0.0);
+  if (size != std::floor(size) || size < 0.0 || size > LargestGroup)
+  {
+    throw text.Error("#GTYPE " + ShortestText(size) + ", expected 0 to " + std::to_string(LargestGroup));
+  }
+  return static_cast<int>(size);
+}
+
+GxfHeader ReadGxfHeader(GridText& text)
+{
+  GxfHeader header;
+  const GxfEntries entries = ReadEntries(text);
+  const GxfFields fields(entries, text);
+  header.Name = fields.Phrase("TITLE");
+  header.Survey.HorizontalUnit = ShortUnit(fields.Word("UNIT_LENGTH"));
+  header.Survey.CoordinateSystem = fields.Phrase("MAP_PROJECTION");
+  header.Order = ReadOrder(fields, text);
+  header.Lattice = ReadLattice(fields, header.Order);
+  header.GroupSize = ReadGroupSize(fields, text);
+  if (fields.Find("DUMMY"))
+  {
+    header.IsNull = NullAt(fields.Number("DUMMY", 0.0));
+  }
+  if (const std::optional<HeaderFields> transform = fields.Find("TRANSFORM"))
+  {
+    header.Scale = transform->Number(0, "#TRANSFORM");
+    header.Offset = transform->Number(1, "the offset of #TRANSFORM");
+  }
+  return header;
+}
+
 constexpr int Base = 90;
 constexpr char Zero = '%'; // The other digits follow in ASCII.
 constexpr char NoValue = '!'; // starts a group without value

@@ -12,6 +12,8 @@
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
+#include "Crossings.h"
 #include "CutoffFit.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/Decimation/HeightFit.h"
@@ -21,7 +23,6 @@
 #include "Filters/Algorithms/Decimation/MeshRefiner.h"
 #include "Filters/Algorithms/FaultClosing/FaultClosing.h"
 #include "Filters/Algorithms/Surface/Surface.h"
-#include "FittedOrder.h"
 #include "KeptLines.h"
 #include "LayerOutline.h"
 #include "LayerRegions.h"
@@ -30,15 +31,109 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// Puts heights that were fitted to horizons of a stack in order.
+
+/// Fitted heights out of order get their mean, which does not increase the largest error. Horizons stay one if they are
+/// one at the neighbours, too, or on a pinch-out line: else noise would pinch thin layers everywhere.
+class FittedOrder
+{
+public:
+  /// `heights` has the thickness of layers behind the horizons.
+  FittedOrder(const ColumnIndex& index, const HeightStack& heights, std::size_t horizons,
+    const std::vector<unsigned char>& isOnLine, bool downwards)
+    : Heights(heights)
+    , Horizons(horizons)
+    , Index(index)
+    , IsOnLine(isOnLine)
+    , GrowDownwards(downwards)
+  {
+  }
+
+  /// The mesh may have a level horizon before the stack.
+  void Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const;
+
+private:
+  bool AreOne(std::size_t layer, PointId point) const;
+
+  const HeightStack& Heights;
+  const std::size_t Horizons;
+  const ColumnIndex& Index; // with an empty rim
+  const std::vector<unsigned char>& IsOnLine;
+  const bool GrowDownwards;
+};
+
+void FittedOrder::Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const
+{
+  const std::size_t first = mesh.NumberOfHorizons() - this->Heights.size(); // 1 with a level one before the stack
+  std::vector<double> heights;
+  std::vector<unsigned char> isOne;
+  std::vector<std::size_t> known;
+  const std::vector<VertexId>& vertices = fitted.front().Vertices;
+  for (std::size_t n = 0; n < vertices.size(); ++n)
+  {
+    const PointId point = mesh.SourceOf(vertices[n]);
+    heights.clear();
+    isOne.clear();
+    known.clear();
+    for (std::size_t horizon = 0; horizon < this->Horizons; ++horizon)
+    {
+      if (!std::isnan(this->Heights[horizon][std::size_t(point)]))
+      {
+        heights.push_back(fitted[first + horizon].Heights[n]);
+        isOne.push_back(horizon + 1 < this->Horizons && this->AreOne(horizon, point) ? 1 : 0);
+        known.push_back(horizon);
+      }
+    }
+    OrderColumn(heights, isOne, this->GrowDownwards);
+    for (std::size_t horizon = 0, next = 0; horizon < this->Horizons; ++horizon)
+    {
+      next += next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // absent ones get the height above
+      fitted[first + horizon].Heights[n] = heights[next];
+    }
+    for (std::size_t layer = 0; this->Horizons + layer < this->Heights.size(); ++layer)
+    {
+      fitted[first + this->Horizons + layer].Heights[n] =
+        fitted[first + layer].Heights[n] - fitted[first + layer + 1].Heights[n];
+    }
+  }
+}
+
+bool FittedOrder::AreOne(std::size_t layer, PointId point) const
+{
+  const auto thickness = [&](PointId at) {
+    return this->Heights[layer][std::size_t(at)] - this->Heights[layer + 1][std::size_t(at)];
+  }; // nan without the layer
+  if (thickness(point) != 0.0 || this->IsOnLine[std::size_t(point)] != 0)
+  {
+    return thickness(point) == 0.0;
+  }
+  const std::int64_t place = this->Index.Place(this->Index.Columns()[std::size_t(point)]);
+  for (std::int64_t row = place - this->Index.Width(); row <= place + this->Index.Width(); row += this->Index.Width())
+  {
+    for (std::int64_t neighbour = row - 1; neighbour <= row + 1; ++neighbour)
+    {
+      const PointId other = this->Index[neighbour];
+      if (other != NoPoint && std::abs(thickness(other)) > 0.0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 constexpr std::int64_t TriangleGrain = 256; // that a thread takes at a time
 
 struct MeshErrors

@@ -10,24 +10,322 @@
 
 #include "ReflectionExtraction.h"
 
+#include "Common/Base/Errors.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
-#include "GuideSeeds.h"
+#include "GuidedJoining.h"
 #include "SurfaceJoining.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <tuple>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
+// A wavelet of phase 0 has its peak, and its pick, on the interface; at 90 degrees a zero crossing between two picks.
+// A turn by an angle a makes x cos a + h sin a of a trace x with Hilbert transform h. Fourth moments of x and h give
+// the kurtosis at any angle without turning traces.
+constexpr double Pi = 3.14159265358979323846;
+constexpr std::int64_t MostTraces = 2000;
+
+// The kernel reaches this number of samples to each side, which limits the wavelength.
+constexpr int Reach = 63;
+
+/// The kernel is 2 / (pi n) at odd n, tapered against ripples.
+std::array<float, Reach + 1> MakeKernel()
+{
+  std::array<float, Reach + 1> kernel = {};
+  for (int n = 1; n <= Reach; n += 2)
+  {
+    const double taper = 0.5 * (1.0 + std::cos(Pi * n / (Reach + 1)));
+    kernel[std::size_t(n)] = float(2.0 / (Pi * n) * taper);
+  }
+  return kernel;
+}
+
+class HilbertTransform
+{
+public:
+  void Run(const float* trace, int samples)
+  {
+    this->Padded.assign(std::size_t(samples + 2 * Reach), 0.0F);
+    for (int k = 0; k < samples; ++k)
+    {
+      this->Padded[std::size_t(k + Reach)] = std::isnan(trace[k]) ? 0.0F : trace[k];
+    }
+    this->Turned.assign(std::size_t(samples), 0.0F);
+    for (int n = 1; n <= Reach; n += 2)
+    {
+      const float weight = this->Kernel[std::size_t(n)];
+      const float* const before = this->Padded.data() + Reach - n;
+      const float* const after = this->Padded.data() + Reach + n;
+      for (int k = 0; k < samples; ++k)
+      {
+        this->Turned[std::size_t(k)] += weight * (before[k] - after[k]);
+      }
+    }
+  }
+
+  float At(int k) const { return this->Padded[std::size_t(k + Reach)]; }
+  float TurnedAt(int k) const { return this->Turned[std::size_t(k)]; }
+
+private:
+  const std::array<float, Reach + 1> Kernel = MakeKernel();
+  std::vector<float> Padded;
+  std::vector<float> Turned;
+};
+
+/// Sums of products are in the order x^2, xh, h^2 and x^4, x^3 h, x^2 h^2, x h^3, h^4.
+struct Moments
+{
+  std::array<double, 3> Second = { 0.0, 0.0, 0.0 };
+  std::array<double, 5> Fourth = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+  void Add(double x, double h)
+  {
+    this->Second[0] += x * x;
+    this->Second[1] += x * h;
+    this->Second[2] += h * h;
+    this->Fourth[0] += x * x * x * x;
+    this->Fourth[1] += x * x * x * h;
+    this->Fourth[2] += x * x * h * h;
+    this->Fourth[3] += x * h * h * h;
+    this->Fourth[4] += h * h * h * h;
+  }
+
+  void Add(const Moments& other)
+  {
+    std::transform(this->Second.begin(), this->Second.end(), other.Second.begin(), this->Second.begin(), std::plus<>());
+    std::transform(this->Fourth.begin(), this->Fourth.end(), other.Fourth.begin(), this->Fourth.begin(), std::plus<>());
+  }
+
+  double Kurtosis(double angle) const
+  {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const double second = c * c * this->Second[0] + 2.0 * c * s * this->Second[1] + s * s * this->Second[2];
+    const double fourth = c * c * c * c * this->Fourth[0] + 4.0 * c * c * c * s * this->Fourth[1] +
+      6.0 * c * c * s * s * this->Fourth[2] + 4.0 * c * s * s * s * this->Fourth[3] + s * s * s * s * this->Fourth[4];
+    return second > 0.0 ? fourth / (second * second) : 0.0;
+  }
+};
+
+constexpr std::size_t Parts = 8;
+
+/// Traces are dealt out to the parts in turn.
+std::array<Moments, Parts> SumMoments(const TraceCube& cube)
+{
+  const std::int64_t traces = std::int64_t(cube.Size[0]) * cube.Size[1];
+  const std::int64_t step = std::max<std::int64_t>(1, traces / MostTraces);
+  std::vector<Moments> ofTraces(std::size_t((traces + step - 1) / step));
+  ParallelFor(std::int64_t(ofTraces.size()), 16,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      HilbertTransform transform;
+      std::vector<float> trace(std::size_t(cube.Size[2]));
+      for (std::int64_t n = begin; n < end; ++n)
+      {
+        const std::int64_t column = n * step;
+        cube.Read(int(column / cube.Size[0]), int(column % cube.Size[0]), 1, trace.data());
+        transform.Run(trace.data(), cube.Size[2]);
+        for (int k = 0; k < cube.Size[2]; ++k)
+        {
+          ofTraces[std::size_t(n)].Add(transform.At(k), transform.TurnedAt(k));
+        }
+      }
+    });
+  std::array<Moments, Parts> sums;
+  for (std::size_t n = 0; n < ofTraces.size(); ++n)
+  {
+    sums[n % Parts].Add(ofTraces[n]);
+  }
+  return sums;
+}
+
+/// A turn by minus the phase gives the largest kurtosis.
+int FindPhase(const Moments& moments)
+{
+  int phase = 0;
+  double most = moments.Kurtosis(0.0);
+  for (int degrees = -90; degrees < 90; ++degrees)
+  {
+    const double kurtosis = moments.Kurtosis(-degrees / 180.0 * Pi);
+    phase = kurtosis > most ? degrees : phase;
+    most = std::max(most, kurtosis);
+  }
+  return phase;
+}
+
+/// Phases have a period of 180 degrees.
+int Difference(int a, int b)
+{
+  const int difference = std::abs(a - b);
+  return std::min(difference, 180 - difference);
+}
+
+// Finds the reflections that picks of an interpreter mean.
+struct GuideSeeds
+{
+  int Sign = 0; // 0 positive, 1 negative
+  std::vector<GuideSeed> Seeds; // in different columns
+  std::int64_t OtherSign = 0;
+  /// These picks are near no reflection of the sign, or another pick of their column is nearer.
+  std::vector<std::size_t> Unused;
+};
+
+std::string PlaceText(const GuidePick& pick)
+{
+  std::ostringstream text;
+  text << "at column " << pick.I << ", row " << pick.J << ", sample " << pick.Place;
+  return text.str();
+}
+
+class SeedFinder
+{
+public:
+  SeedFinder(const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, double tolerance)
+    : Given(guide)
+    , BySign(bySign)
+    , Tolerance(tolerance)
+    , Order(guide.Picks.size())
+  {
+    std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
+    std::sort(this->Order.begin(), this->Order.end(),
+      [&picks = guide.Picks](std::size_t a, std::size_t b) {
+        return std::tie(picks[a].J, picks[a].I, picks[a].Place, a) <
+          std::tie(picks[b].J, picks[b].I, picks[b].Place, b);
+      });
+  }
+
+  void Check(int samples, double quarter) const
+  {
+    if (this->Given.Picks.empty())
+    {
+      throw InputError(this->Name() + "no picks, expected one or more");
+    }
+    const GuidePick* previous = nullptr;
+    for (const std::size_t number : this->Order)
+    {
+      const GuidePick& pick = this->Given.Picks[number];
+      const std::array<int, 2>& columns = this->BySign[0].Columns;
+      if (pick.I < 0 || pick.I >= columns[0] || pick.J < 0 || pick.J >= columns[1] ||
+        !(pick.Place >= 0.0 && pick.Place <= samples - 1))
+      {
+        throw InputError(this->Name() + "pick " + std::to_string(number + 1) + ' ' + PlaceText(pick) +
+          ", is outside of the cube, which has " + std::to_string(columns[0]) + " columns, " +
+          std::to_string(columns[1]) + " rows and " + std::to_string(samples) + " samples");
+      }
+      if (previous && previous->I == pick.I && previous->J == pick.J && pick.Place - previous->Place > quarter)
+      {
+        std::ostringstream text;
+        text << this->Name() << "two picks in one column, " << PlaceText(*previous) << " and " << pick.Place
+             << ", expected one, or both within a quarter of the dominant period, " << quarter << " samples";
+        throw InputError(text.str());
+      }
+      previous = &pick;
+    }
+  }
+
+  GuideSeeds Find() const
+  {
+    std::array<double, 2> votes = { 0.0, 0.0 };
+    for (const GuidePick& pick : this->Given.Picks)
+    {
+      for (const int sign : { 0, 1 })
+      {
+        votes[sign] += this->NearestTo(pick, sign).Weight;
+      }
+    }
+    GuideSeeds result;
+    result.Sign = votes[1] > votes[0] ? 1 : 0;
+    for (const std::size_t number : this->Order)
+    {
+      this->AddSeed(number, result);
+    }
+    std::sort(result.Unused.begin(), result.Unused.end());
+    if (result.Seeds.empty())
+    {
+      std::ostringstream text;
+      text << this->Name() << "none of " << this->Given.Picks.size() << " picks is within " << this->Tolerance
+           << " samples of a strong reflection, expected one at least: a larger GuideTolerance, or a lower threshold";
+      throw InputError(text.str());
+    }
+    return result;
+  }
+
+private:
+  struct Candidate
+  {
+    PointId Pick = NoPoint;
+    double Weight = 0.0;
+  };
+
+  std::string Name() const { return "guide \"" + this->Given.Name + "\": "; }
+
+  Candidate NearestTo(const GuidePick& pick, int sign) const
+  {
+    const ReflectionPicks& picks = this->BySign[sign];
+    const std::int64_t column = picks.ColumnAt(pick.I, pick.J);
+    Candidate best;
+    for (PointId candidate = picks.Begin(column); candidate < picks.End(column); ++candidate)
+    {
+      // A little weight is left at the tolerance itself.
+      const double distance = std::abs(InSamples(picks.PlaceOf(candidate)) - pick.Place);
+      const double weight = (1.01 - distance / this->Tolerance) * StrengthOf(picks.CoarseStrengthOf(candidate));
+      if (distance <= this->Tolerance && weight > best.Weight)
+      {
+        best = { candidate, weight };
+      }
+    }
+    return best;
+  }
+
+  void AddSeed(std::size_t number, GuideSeeds& result) const
+  {
+    const GuidePick& pick = this->Given.Picks[number];
+    const Candidate found = this->NearestTo(pick, result.Sign);
+    const Candidate other = this->NearestTo(pick, 1 - result.Sign);
+    result.OtherSign += other.Weight > found.Weight ? 1 : 0;
+    const auto column = std::int32_t(this->BySign[result.Sign].ColumnAt(pick.I, pick.J));
+    if (found.Pick == NoPoint || (!result.Seeds.empty() && result.Seeds.back().Column == column))
+    {
+      result.Unused.push_back(number);
+      return;
+    }
+    result.Seeds.push_back({ found.Pick, column, number });
+  }
+
+  const Guide& Given;
+  const std::array<ReflectionPicks, 2>& BySign;
+  const double Tolerance;
+  std::vector<std::size_t> Order;
+};
+
+/// A guide has the sign whose stronger reflections are nearer to its picks. Throws InputError if picks are missing,
+/// outside of the cube, farther apart in a column than `quarter`, or all beyond `tolerance`.
+GuideSeeds FindGuideSeeds(
+  const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, int samples, double tolerance, double quarter)
+{
+  const SeedFinder finder(guide, bySign, tolerance);
+  finder.Check(samples, quarter);
+  return finder.Find();
+}
+
 // ---- Joining -------------------------------------------------------------------------------------------------------
 
 // Half widths are in dominant periods. Long waveforms distinguish layers; short waveforms fill gaps where only one
@@ -450,6 +748,49 @@ private:
   const TraceLimits& Limits;
   const std::array<RawVector<PointId>, 2>& Positions;
 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+WaveletPhase EstimatePhase(const TraceCube& cube)
+{
+  const std::array<Moments, Parts> parts = SumMoments(cube);
+  Moments sum;
+  for (const Moments& part : parts)
+  {
+    sum.Add(part);
+  }
+  const int phase = FindPhase(sum);
+  double squares = 0.0;
+  for (const Moments& part : parts)
+  {
+    const double difference = Difference(FindPhase(part), phase);
+    squares += difference * difference;
+  }
+  return { double(phase), std::sqrt(squares / double(Parts)) };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TraceCube TurnPhase(const TraceCube& cube, double degrees)
+{
+  const auto cosine = float(std::cos(degrees / 180.0 * Pi));
+  const auto sine = float(std::sin(degrees / 180.0 * Pi));
+  TraceCube turned = cube;
+  turned.Read = [cube, cosine, sine](int j, int first, int count, float* traces)
+  {
+    cube.Read(j, first, count, traces);
+    const int samples = cube.Size[2];
+    HilbertTransform transform;
+    for (int n = 0; n < count; ++n)
+    {
+      float* const trace = traces + std::ptrdiff_t(n) * samples;
+      transform.Run(trace, samples);
+      for (int k = 0; k < samples; ++k)
+      {
+        trace[k] = std::isnan(trace[k]) ? trace[k] : cosine * transform.At(k) + sine * transform.TurnedAt(k);
+      }
+    }
+  };
+  return turned;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -13,13 +13,25 @@
 #include "ReflectionFinder.h"
 #include "ReflectionLinks.h"
 #include "TraceCube.h"
-#include "WaveletPhase.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
 {
+struct WaveletPhase
+{
+  double Degrees = 0.0; // -90 to below 90, as the sign is unknown
+  double Deviation = 0.0; // root mean square over eighths of the traces, 0 to 90 degrees
+};
+
+/// Returns the phase whose removal gives the largest kurtosis, a few strong peaks among weak samples (Levy and
+/// Oldenburg 1987). At most 2000 traces are read.
+WaveletPhase EstimatePhase(const TraceCube& cube);
+
+/// Missing samples stay missing, and count as 0 for their neighbours.
+TraceCube TurnPhase(const TraceCube& cube, double degrees);
+
 enum class SurfaceJoining
 {
   BestFirst, // best links first, if parts fit
@@ -81,8 +93,8 @@ struct Extraction
 
 void CheckOptions(const ExtractionOptions& options);
 
-/// With guides, all percentiles count. Throws InputError on options out of range, and on guides that do not fit
-/// (GuideSeeds.h). Takes about 30 bytes per pick beside the result, 90 with guides.
+/// With guides, all percentiles count. Throws InputError on options out of range, and on guides that do not fit.
+/// Takes about 30 bytes per pick beside the result, 90 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
   const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits());
 }

@@ -4,7 +4,7 @@
 // Files that are cut off, damaged or cannot be read on, and work that is stopped, in all formats.
 
 #include "GridSamples.h"
-#include "Readers/HorizonGrid/GridFormat.h"
+#include "Readers/HorizonGrid/GridReader.h"
 #include "Tools/MonitorChecker.h"
 
 #include <algorithm>
