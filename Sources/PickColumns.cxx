@@ -28,8 +28,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double Null = std::numeric_limits<double>::quiet_NaN();
-
 class Rows
 {
 public:
@@ -202,7 +200,7 @@ private:
   {
     for (double& value : values)
     {
-      value = std::isfinite(value) && !this->Nulls.IsNullNumber(value) ? value : Null;
+      value = std::isfinite(value) && !this->Nulls.IsNullNumber(value) ? value : NoValue;
     }
   }
 

@@ -31,8 +31,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double Null = std::numeric_limits<double>::quiet_NaN();
-
 struct Elevation
 {
   vtkDataSetAttributes* Data = nullptr;
@@ -117,7 +115,7 @@ std::vector<double> Values(vtkDataArray* array, int component, const NullValues&
   for (std::size_t node = 0; node < values.size(); ++node)
   {
     const double value = array->GetComponent(static_cast<vtkIdType>(node), component);
-    values[node] = std::isfinite(value) && !nulls.IsNullNumber(value) ? value : Null;
+    values[node] = std::isfinite(value) && !nulls.IsNullNumber(value) ? value : NoValue;
   }
   return values;
 }
@@ -126,7 +124,7 @@ void Blank(std::vector<double>& values, vtkUnsignedCharArray* ghosts, int mask)
 {
   for (std::size_t node = 0; ghosts && node < values.size(); ++node)
   {
-    values[node] = ghosts->GetValue(static_cast<vtkIdType>(node)) & mask ? Null : values[node];
+    values[node] = ghosts->GetValue(static_cast<vtkIdType>(node)) & mask ? NoValue : values[node];
   }
 }
 

@@ -28,14 +28,6 @@ namespace
 {
 using namespace SeismicHorizons;
 
-void Override(std::string& text, const char* given)
-{
-  if (given && *given)
-  {
-    text = given;
-  }
-}
-
 /// Counts z below 0 and all z. A single negative value, such as -999, is no elevation and counts as none.
 std::array<std::int64_t, 2> CountNegative(const std::vector<LatticeHorizon>& horizons)
 {
@@ -146,14 +138,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   RequirePoints(survey.Horizons, this->ErrorPrefix());
   LatticeFrame frame;
   frame.Survey = survey.Survey;
-  if (this->VerticalUnit && *this->VerticalUnit)
-  {
-    frame.Survey.VerticalDomain.clear(); // The domain follows from the unit.
-    SeismicHorizons::SetVerticalUnit(frame.Survey, this->VerticalUnit);
-  }
-  Override(frame.Survey.VerticalDomain, this->VerticalDomain);
-  Override(frame.Survey.HorizontalUnit, this->HorizontalUnit);
-  Override(frame.Survey.CoordinateSystem, this->CoordinateSystem);
+  OverrideSurvey(frame.Survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
   frame.Lattice = survey.Lattice;
   frame.LatticeDeviation = survey.LargestDistance;
   const std::vector<VerticalSampling> samplings =

@@ -29,7 +29,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double Null = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 15> OwnArrays = { PointArray::SurfaceId, PointArray::Column, PointArray::Elevation,
   PointArray::VerticalIndex, PointArray::RealZ, PointArray::PatchId, PointArray::Boundary, PointArray::PointCount,
   PointArray::SeamGap, PointArray::CellOrigin, PointArray::Flatness, PointArray::Distance, PointArray::VerticalDistance,
@@ -78,7 +77,7 @@ public:
     for (const PlanePoint& column : points.Column)
     {
       const std::size_t place = this->Columns.Tiles.Place(column.X, column.Y);
-      this->Columns.Z.resize(this->Columns.Tiles.Size(), Null);
+      this->Columns.Z.resize(this->Columns.Tiles.Size(), NoValue);
       this->Columns.Z[place] = this->WorldZ(places.size());
       places.push_back(place);
     }
@@ -126,7 +125,7 @@ private:
   /// `places` has an index for each point.
   void AddAttribute(vtkDataArray* array, const std::vector<std::size_t>& places)
   {
-    PickAttribute attribute = { array->GetName(), std::vector<double>(this->Columns.Z.size(), Null) };
+    PickAttribute attribute = { array->GetName(), std::vector<double>(this->Columns.Z.size(), NoValue) };
     for (std::size_t point = 0; point < places.size(); ++point)
     {
       attribute.Values[places[point]] = array->GetComponent(vtkIdType(point), 0);
@@ -203,7 +202,7 @@ HorizonGrid SampleWholeLattice(vtkPolyData* horizon, int sign, const Monitor& mo
   HorizonGrid grid;
   grid.Survey = sampled.Survey;
   grid.Lattice = sampled.Lattice;
-  grid.Z.assign(nodes, Null);
+  grid.Z.assign(nodes, NoValue);
   sampled.Tiles.ForEachPlace(
     [&](int i, int j, std::size_t place)
     {

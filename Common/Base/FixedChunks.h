@@ -15,6 +15,8 @@
 
 namespace SeismicHorizons
 {
+constexpr std::int64_t ChunkSize = 1 << 16; // items per chunk in loops with little work per item
+
 inline std::size_t CountChunks(std::int64_t size, std::int64_t chunkSize)
 {
   return std::size_t((size + chunkSize - 1) / chunkSize);

@@ -21,6 +21,9 @@
 
 namespace SeismicHorizons
 {
+/// Items per task in loops with little work per item.
+constexpr std::int64_t Grain = 16384;
+
 namespace Detail
 {
 /// Keeps the exception of the lowest range, since one that leaves a thread ends the program.

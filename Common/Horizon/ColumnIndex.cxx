@@ -17,7 +17,7 @@ namespace
 {
 // Above both limits empty bands are narrowed.
 constexpr std::int64_t EnoughColumnsPerPoint = 16;
-constexpr std::int64_t EnoughColumns = 1 << 20;
+constexpr std::int64_t EnoughDenseColumns = 1 << 20;
 
 /// Throws InputError if two points share a column.
 void CheckColumns(PlanePoints columns)
@@ -79,7 +79,7 @@ bool AreScattered(PlanePoints columns)
   const PlaneBox box(columns);
   const double width = double(box.Greatest.X) - box.Least.X + 1.0;
   const double height = double(box.Greatest.Y) - box.Least.Y + 1.0;
-  return width * height > double(std::max(EnoughColumns, EnoughColumnsPerPoint * std::int64_t(columns.size())));
+  return width * height > double(std::max(EnoughDenseColumns, EnoughColumnsPerPoint * std::int64_t(columns.size())));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

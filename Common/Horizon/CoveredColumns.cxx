@@ -16,8 +16,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16; // points
-
 std::int64_t FloorQuotient(std::int64_t value, std::int64_t divisor)
 {
   return value / divisor - (value % divisor < 0 ? 1 : 0);

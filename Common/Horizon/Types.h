@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -16,6 +17,8 @@ namespace SeismicHorizons
 using PointId = std::int32_t;
 
 constexpr PointId NoPoint = -1;
+
+constexpr double NoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Coordinates are columns or sub-voxels (Lattice.h), with absolute values below 2^29, so that products of differences
 /// fit 64 bits.
@@ -29,6 +32,12 @@ struct PlanePoint
   /// By x, then y. Outlines start at their least point, as in the thesis.
   friend bool operator<(const PlanePoint& a, const PlanePoint& b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
 };
+
+/// Order by rows.
+inline bool PrecedesByRow(const PlanePoint& a, const PlanePoint& b)
+{
+  return a.Y != b.Y ? a.Y < b.Y : a.X < b.X;
+}
 
 /// The column of merged points, which are on none.
 constexpr PlanePoint NoColumn = { -1, -1 };

@@ -24,7 +24,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16;
 constexpr std::int64_t WindowSize = 1 << 14; // points
 constexpr double FirstReach = 2.0; // columns
 // Within this reach correct steps only become more accurate, and few points cannot disprove wrong steps.

@@ -17,10 +17,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16;
 constexpr double Decimals = 1000.0; // Line numbers are multiples of 1 / Decimals.
 // Deviation from such a multiple, as a fraction of it.
-constexpr double Rounding = 1e-3;
+constexpr double LineRounding = 1e-3;
 constexpr double LargestLine = 1e12;
 
 /// Units are 1 / Decimals; Step is the greatest common divisor of all differences.
@@ -52,7 +51,7 @@ struct LineRange
 std::int64_t ToParts(const char* name, double line)
 {
   const double parts = line * Decimals;
-  if (!(std::abs(line) <= LargestLine) || std::abs(parts - std::round(parts)) > Rounding)
+  if (!(std::abs(line) <= LargestLine) || std::abs(parts - std::round(parts)) > LineRounding)
   {
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);

@@ -38,7 +38,7 @@ double PartWithNeighbours(const std::vector<PlanePoint>& columns)
     { return has(at.X - 1, at.Y) || has(at.X + 1, at.Y) || has(at.X, at.Y - 1) || has(at.X, at.Y + 1); });
   return double(number) / double(columns.size());
 }
-constexpr int Reach = 4; // columns
+constexpr int ConflictReach = 4; // columns
 constexpr std::size_t MostLookedAt = 10000;
 
 /// The conflicts around a column are narrow in some direction.
@@ -49,12 +49,12 @@ bool IsOnLine(const std::vector<ColumnConflict>& conflicts, const PlanePoint& at
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   double count = 0.0;
-  for (int j = at.Y - Reach; j <= at.Y + Reach; ++j)
+  for (int j = at.Y - ConflictReach; j <= at.Y + ConflictReach; ++j)
   {
     const auto isBefore = [j](const ColumnConflict& conflict, int i)
     { return conflict.Column.Y < j || (conflict.Column.Y == j && conflict.Column.X < i); };
-    auto near = std::lower_bound(conflicts.begin(), conflicts.end(), at.X - Reach, isBefore);
-    for (; near != conflicts.end() && near->Column.Y == j && near->Column.X <= at.X + Reach; ++near)
+    auto near = std::lower_bound(conflicts.begin(), conflicts.end(), at.X - ConflictReach, isBefore);
+    for (; near != conflicts.end() && near->Column.Y == j && near->Column.X <= at.X + ConflictReach; ++near)
     {
       const Eigen::Vector2d off(near->Column.X - at.X, j - at.Y);
       sum += off;

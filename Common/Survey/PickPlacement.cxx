@@ -28,11 +28,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16;
 // A dataset takes 25 kB. As many names as picks mostly come from the wrong field.
 constexpr std::size_t MostHorizons = 1 << 15;
-// Picks of a horizon fill more of their lattice, unless it is small.
-constexpr double MostColumnsPerPick = 1000.0;
 constexpr double EnoughColumns = 1 << 20;
 constexpr double FewColumnsPerPick = 5.0; // In a sparser lattice some picks may be far from the rest.
 

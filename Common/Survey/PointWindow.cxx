@@ -14,13 +14,12 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16;
 // After more halvings the rectangle is below the precision of doubles.
-constexpr int MostHalvings = 2 * 64;
+constexpr int MostWindowHalvings = 2 * 64;
 
-struct Box : Eigen::AlignedBox2d
+struct WindowBox : Eigen::AlignedBox2d
 {
-  void Add(const Box& other) { this->extend(other); }
+  void Add(const WindowBox& other) { this->extend(other); }
 };
 
 struct PointCount
@@ -30,10 +29,10 @@ struct PointCount
   void Add(const PointCount& other) { this->Points += other.Points; }
 };
 
-Box BoxAround(const PlaneCloud& points, const Monitor& monitor)
+WindowBox BoxAround(const PlaneCloud& points, const Monitor& monitor)
 {
-  return AddUpChunks<Box>(points.Size(), ChunkSize, monitor,
-    [&](Box& box, std::int64_t first, std::int64_t last)
+  return AddUpChunks<WindowBox>(points.Size(), ChunkSize, monitor,
+    [&](WindowBox& box, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t point = first; point < last; ++point)
       {
@@ -42,7 +41,7 @@ Box BoxAround(const PlaneCloud& points, const Monitor& monitor)
     });
 }
 
-std::int64_t CountInside(const PlaneCloud& points, const Box& box, const Monitor& monitor)
+std::int64_t CountInside(const PlaneCloud& points, const WindowBox& box, const Monitor& monitor)
 {
   const auto count = AddUpChunks<PointCount>(points.Size(), ChunkSize, monitor,
     [&](PointCount& inside, std::int64_t first, std::int64_t last)
@@ -56,9 +55,9 @@ std::int64_t CountInside(const PlaneCloud& points, const Box& box, const Monitor
 }
 
 /// Cuts across the longer side. Points on the cut belong to both halves.
-std::pair<Box, Box> Halve(const Box& box)
+std::pair<WindowBox, WindowBox> Halve(const WindowBox& box)
 {
-  std::pair<Box, Box> halves = { box, box };
+  std::pair<WindowBox, WindowBox> halves = { box, box };
   const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
   const double middle = 0.5 * (box.min()[axis] + box.max()[axis]);
   halves.first.max()[axis] = middle;
@@ -70,9 +69,9 @@ std::pair<Box, Box> Halve(const Box& box)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<Eigen::Vector2d> CrowdedWindow(const PlaneCloud& points, std::int64_t mostPoints, const Monitor& monitor)
 {
-  Box box = BoxAround(points, monitor);
+  WindowBox box = BoxAround(points, monitor);
   std::int64_t inside = points.Size();
-  for (int halvings = 0; inside > mostPoints && halvings < MostHalvings; ++halvings)
+  for (int halvings = 0; inside > mostPoints && halvings < MostWindowHalvings; ++halvings)
   {
     const auto [lower, upper] = Halve(box);
     const std::int64_t insideLower = CountInside(points, lower, monitor);

@@ -17,6 +17,9 @@
 
 namespace SeismicHorizons
 {
+/// Picks of a horizon fill more of their lattice, unless it is small.
+constexpr double MostColumnsPerPick = 1000.0;
+
 struct PickPlace
 {
   Eigen::Vector2d Column;

@@ -15,8 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16;
-
 [[noreturn]] void RefuseLine(const char* what)
 {
   throw InputError(std::string(what) + " on one line, expected some that span a lattice");

@@ -35,4 +35,19 @@ void SetVerticalUnit(SurveyDescription& survey, std::string_view unit)
     survey.VerticalDomain = survey.VerticalUnit == "ms" || survey.VerticalUnit == "s" ? "time" : "depth";
   }
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+void OverrideSurvey(SurveyDescription& survey, const char* verticalUnit, const char* verticalDomain,
+  const char* horizontalUnit, const char* coordinateSystem)
+{
+  const auto isGiven = [](const char* text) { return text && *text; };
+  if (isGiven(verticalUnit))
+  {
+    survey.VerticalDomain.clear();
+    SetVerticalUnit(survey, verticalUnit);
+  }
+  survey.VerticalDomain = isGiven(verticalDomain) ? verticalDomain : survey.VerticalDomain;
+  survey.HorizontalUnit = isGiven(horizontalUnit) ? horizontalUnit : survey.HorizontalUnit;
+  survey.CoordinateSystem = isGiven(coordinateSystem) ? coordinateSystem : survey.CoordinateSystem;
+}
 }

@@ -15,6 +15,10 @@ std::string ShortUnit(std::string_view unit);
 
 /// Sets an empty domain according to the unit.
 void SetVerticalUnit(SurveyDescription& survey, std::string_view unit);
+
+/// Texts that are given, neither null nor empty, replace those of the survey. Without a domain it follows from the unit.
+void OverrideSurvey(SurveyDescription& survey, const char* verticalUnit, const char* verticalDomain,
+  const char* horizontalUnit, const char* coordinateSystem);
 }
 
 #endif

@@ -33,7 +33,7 @@ constexpr std::size_t InputSize = 64 * 1024;
 // Readers recognise a file by this size, without a thread.
 constexpr std::size_t FirstBlockSize = 256 * 1024;
 // Readers parse this size at a time.
-constexpr std::size_t BlockSize = 4 * 1024 * 1024;
+constexpr std::size_t GzipBlockSize = 4 * 1024 * 1024;
 
 class GzipDecoder
 {
@@ -259,14 +259,14 @@ private:
     this->setg(nullptr, nullptr, nullptr);
     std::vector<char> memory = std::move(this->Current.Bytes);
     this->Current =
-      this->Next.valid() ? this->Next.get() : this->Decode(std::move(memory), isFirst ? FirstBlockSize : BlockSize);
+      this->Next.valid() ? this->Next.get() : this->Decode(std::move(memory), isFirst ? FirstBlockSize : GzipBlockSize);
     char* const first = this->Current.Bytes.data();
     this->setg(first, first, first + this->Current.Count);
     if (!isFirst && this->Current.Count > 0)
     {
       // Without a free thread the block is decoded on demand.
       this->Next = std::async(std::launch::async | std::launch::deferred,
-        [this, memory = std::move(memory)]() mutable { return this->Decode(std::move(memory), BlockSize); });
+        [this, memory = std::move(memory)]() mutable { return this->Decode(std::move(memory), GzipBlockSize); });
     }
   }
 

@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t BufferSize = 1 << 20;
+constexpr std::size_t TextBufferSize = 1 << 20;
 constexpr std::size_t LongestNumber = 32;
 
 // Other numbers have an exponent.
@@ -25,7 +25,7 @@ constexpr double GreatestPlain = 1e15;
 //----------------------------------------------------------------------------------------------------------------------
 TextPrinter::TextPrinter(std::ostream& stream)
   : Stream(stream)
-  , Buffer(BufferSize)
+  , Buffer(TextBufferSize)
 {
 }
 

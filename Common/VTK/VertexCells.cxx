@@ -25,8 +25,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 65536;
-
 template <typename Number>
 bool Counts(const Number* numbers, vtkIdType size)
 {

@@ -53,7 +53,7 @@ struct FilledArray
   double Slope = 0.0;
 };
 
-constexpr std::int64_t Grain = 1 << 20; // bytes per chunk
+constexpr std::int64_t BytesPerTask = 1 << 20; // bytes per chunk
 
 bool IsFloating(vtkAbstractArray* array)
 {
@@ -120,7 +120,7 @@ void CopyTuples(vtkAbstractArray* from, vtkAbstractArray* to)
   {
     const auto* const source = static_cast<const char*>(from->GetVoidPointer(0));
     auto* const target = static_cast<char*>(to->GetVoidPointer(0));
-    ParallelFor(from->GetNumberOfValues() * from->GetDataTypeSize(), Grain,
+    ParallelFor(from->GetNumberOfValues() * from->GetDataTypeSize(), BytesPerTask,
       [&](std::int64_t first, std::int64_t last)
       { std::memcpy(target + first, source + first, std::size_t(last - first)); });
     return;

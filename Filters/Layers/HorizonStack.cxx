@@ -27,7 +27,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double Rounding = 1e-6; // fraction of a step
+constexpr double StackRounding = 1e-6; // fraction of a step
 
 PlanePoint ColumnAt(const Lattice& lattice, const Eigen::Vector3d& world)
 {
@@ -63,7 +63,7 @@ void HorizonStack::PlaceTogether()
 {
   const auto frame = std::min_element(this->Horizons.begin(), this->Horizons.end(),
     [](const StackedHorizon& a, const StackedHorizon& b)
-    { return a.Points.Lattice.ColumnArea() < (1.0 - Rounding) * b.Points.Lattice.ColumnArea(); });
+    { return a.Points.Lattice.ColumnArea() < (1.0 - StackRounding) * b.Points.Lattice.ColumnArea(); });
   this->Frame = frame->Points.Horizon;
   this->Dimensions = ReadLatticeDimensions(this->Frame);
   this->Map = ReadLatticeMap(this->Frame);
@@ -94,7 +94,7 @@ void HorizonStack::RefineHeights()
   {
     smallest = std::min(smallest, WorldPerIndex(horizon.Points.Lattice));
   }
-  if (smallest < (1.0 - Rounding) * step)
+  if (smallest < (1.0 - StackRounding) * step)
   {
     this->Dimensions[2] = int(std::min(std::ceil(this->Dimensions[2] * step / smallest), double(INT_MAX)));
     this->Map(2, 2) *= smallest / step;

@@ -42,8 +42,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 4096; // points per chunk
-
 template <typename Place>
 vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& lattice, Place&& place)
 {

@@ -36,11 +36,11 @@ constexpr const char* Samples = "Samples";
 constexpr const char* BinFrom = "bin_extents"; // ParaView's charts expect this name for their x axis.
 constexpr const char* BinShare = "Area (%)";
 
-using Figure = std::pair<std::string, double>;
+using DistanceFigure = std::pair<std::string, double>;
 
-std::vector<Figure> ListFigures(const DistanceFigures& figures)
+std::vector<DistanceFigure> ListFigures(const DistanceFigures& figures)
 {
-  std::vector<Figure> list = { { FieldArray::LargestDistance, figures.Largest },
+  std::vector<DistanceFigure> list = { { FieldArray::LargestDistance, figures.Largest },
     { FieldArray::LargestDistanceFound, figures.LargestFound }, { FieldArray::MeanDistance, figures.Mean },
     { FieldArray::RmsDistance, figures.Rms } };
   for (std::size_t n = 0; n < Percentiles.size(); ++n)
@@ -52,10 +52,11 @@ std::vector<Figure> ListFigures(const DistanceFigures& figures)
 }
 
 /// The diagonal is in lattice units.
-std::vector<Figure> ListFigures(const DistanceReport& report, std::size_t direction, std::size_t unit)
+std::vector<DistanceFigure> ListFigures(const DistanceReport& report, std::size_t direction, std::size_t unit)
 {
-  std::vector<Figure> list = ListFigures(unit == WorldUnit ? report.World[direction] : report.Lattice[direction]);
-  for (Figure& figure : list)
+  std::vector<DistanceFigure> list =
+    ListFigures(unit == WorldUnit ? report.World[direction] : report.Lattice[direction]);
+  for (DistanceFigure& figure : list)
   {
     figure.second = unit == DiagonalUnit ? figure.second / report.Diagonal : figure.second;
   }
@@ -74,7 +75,7 @@ void AddColumn(const std::string& name, vtkTable* table)
 //----------------------------------------------------------------------------------------------------------------------
 void WriteFieldData(const DistanceReport& report, const Grading& grading, vtkPolyData* output)
 {
-  const std::vector<Figure> names = ListFigures(DistanceFigures());
+  const std::vector<DistanceFigure> names = ListFigures(DistanceFigures());
   for (std::size_t n = 0; n < names.size(); ++n)
   {
     auto array = NewArray<vtkDoubleArray>(names[n].first.c_str(), vtkIdType(Directions), int(UnitNames.size()));
@@ -102,7 +103,7 @@ void MakeColumns(vtkTable* table)
   {
     AddColumn<vtkStringArray>(name, table);
   }
-  for (const Figure& figure : ListFigures(DistanceFigures()))
+  for (const DistanceFigure& figure : ListFigures(DistanceFigures()))
   {
     AddColumn<vtkDoubleArray>(figure.first, table);
   }
@@ -126,7 +127,7 @@ void AppendRows(const DistanceReport& report, const std::string& horizon, vtkTab
       text("Horizon")->InsertNextValue(horizon);
       text("Direction")->InsertNextValue(DirectionNames[direction]);
       text("Unit")->InsertNextValue(UnitNames[unit]);
-      for (const Figure& figure : ListFigures(report, direction, unit))
+      for (const DistanceFigure& figure : ListFigures(report, direction, unit))
       {
         number(figure.first)->InsertNextValue(figure.second);
       }

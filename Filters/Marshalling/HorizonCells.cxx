@@ -21,8 +21,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // triangles per chunk
-
 template <typename Array>
 vtkSmartPointer<vtkCellArray> MakeCells(Array* offsets, Array* points)
 {

@@ -36,8 +36,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points per chunk
-
 // Exceeds any horizon. Sums of this many sub-voxel coordinates, below 2^29 each, fit 64 bits.
 constexpr std::int64_t MostVoxels = std::int64_t(1) << 32;
 

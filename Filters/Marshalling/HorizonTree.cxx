@@ -7,8 +7,8 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
-
 #include "Common/VTK/VersionDifferences.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"

@@ -34,8 +34,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points per chunk
-
 void CheckPoints(vtkPolyData* horizon)
 {
   const vtkIdType size = horizon->GetNumberOfPoints();

@@ -36,8 +36,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384; // points per chunk
-
 /// Input points of an output point are ascending. Counts are voxels per input point.
 class MergedPoints
 {

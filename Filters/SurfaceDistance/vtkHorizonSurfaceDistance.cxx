@@ -31,8 +31,8 @@ namespace
 using namespace SeismicHorizons;
 
 constexpr int ReferencePort = 0;
-constexpr int MeshPort = 1;
-constexpr int TablePort = 2;
+constexpr int MeasuredPort = 1;
+constexpr int FiguresPort = 2;
 constexpr int HistogramPort = 3;
 
 void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
@@ -57,7 +57,7 @@ vtkHorizonSurfaceDistance::vtkHorizonSurfaceDistance()
 //------------------------------------------------------------------------------
 int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= TablePort ? "vtkTable" : "vtkDataObject");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= FiguresPort ? "vtkTable" : "vtkDataObject");
   return 1;
 }
 
@@ -65,7 +65,7 @@ int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformatio
 int vtkHorizonSurfaceDistance::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (const int port : { ReferencePort, MeshPort }) // The executive makes the tables.
+  for (const int port : { ReferencePort, MeasuredPort }) // The executive makes the tables.
   {
     MakeOutputLike(vtkDataObject::GetData(inputVector[port], 0), outputVector->GetInformationObject(port));
   }
@@ -77,16 +77,16 @@ int vtkHorizonSurfaceDistance::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* const reference = vtkDataObject::GetData(inputVector[ReferencePort], 0);
-  vtkDataObject* const mesh = vtkDataObject::GetData(inputVector[MeshPort], 0);
+  vtkDataObject* const mesh = vtkDataObject::GetData(inputVector[MeasuredPort], 0);
   const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
   const Ranks ranks(this->GetController(), request, outputVector);
   const auto work = [&](std::string& subject, const Monitor& monitor)
   {
-    auto* const figures = vtkTable::SafeDownCast(outputs[TablePort]);
+    auto* const figures = vtkTable::SafeDownCast(outputs[FiguresPort]);
     auto* const histogram = vtkTable::SafeDownCast(outputs[HistogramPort]);
     MakeColumns(figures);
     MakeBinColumns(histogram);
-    HorizonPairs pairs(reference, mesh, outputs[ReferencePort], outputs[MeshPort], ranks);
+    HorizonPairs pairs(reference, mesh, outputs[ReferencePort], outputs[MeasuredPort], ranks);
     const std::vector<HorizonPair>& own = pairs.OwnPairs();
     const auto measure = [&]()
     {

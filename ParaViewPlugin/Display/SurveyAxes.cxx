@@ -26,7 +26,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr const char* Annotation = "SeismicHorizons.SurveyAxes";
+constexpr const char* AxesAnnotation = "SeismicHorizons.SurveyAxes";
 
 struct Lines
 {
@@ -167,7 +167,7 @@ bool FindSurvey(vtkSMProxy* view, Survey& survey, vtkBoundingBox& box)
 bool HasSurveyAxes(vtkSMProxy* view)
 {
   // Undo may have hidden the axes.
-  vtkSMProxy* const axes = view->HasAnnotation(Annotation) ? FindAxes(view) : nullptr;
+  vtkSMProxy* const axes = view->HasAnnotation(AxesAnnotation) ? FindAxes(view) : nullptr;
   return axes && vtkSMPropertyHelper(axes, "Visibility").GetAsInt() == 1 &&
     vtkSMPropertyHelper(axes, "UseModelTransform").GetAsInt() == 1;
 }
@@ -188,7 +188,7 @@ std::string ShowSurveyAxes(vtkSMProxy* view)
   settings.Matrix = ToWorld(survey, GetVerticalExaggeration(view));
   settings.Bounds = FindBounds(survey, box);
   settings.Apply(FindAxes(view));
-  view->SetAnnotation(Annotation, "1");
+  view->SetAnnotation(AxesAnnotation, "1");
   return std::string();
 }
 
@@ -203,6 +203,6 @@ void RefreshSurveyAxes(vtkSMProxy* view)
 void HideSurveyAxes(vtkSMProxy* view)
 {
   AxesSettings().Apply(FindAxes(view));
-  view->RemoveAnnotation(Annotation);
+  view->RemoveAnnotation(AxesAnnotation);
 }
 }

@@ -19,7 +19,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr const char* Annotation = "SeismicHorizons.VerticalExaggeration";
+constexpr const char* ExaggerationAnnotation = "SeismicHorizons.VerticalExaggeration";
 constexpr double FlatShare = 0.1; // Fractions of the width.
 constexpr double GoodShare = 0.25;
 
@@ -54,13 +54,13 @@ double RoundDown(double number)
 double GetVerticalExaggeration(vtkSMProxy* view)
 {
   // Without the annotation the user may have scaled the axes for a unit.
-  vtkSMProxy* const axes = view->HasAnnotation(Annotation) ? FindAxes(view) : nullptr;
+  vtkSMProxy* const axes = view->HasAnnotation(ExaggerationAnnotation) ? FindAxes(view) : nullptr;
   return axes ? vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) : 1.0;
 }
 
 void SetVerticalExaggeration(vtkSMProxy* view, double factor)
 {
-  view->SetAnnotation(Annotation, "1");
+  view->SetAnnotation(ExaggerationAnnotation, "1");
   for (vtkSMProxy* const representation : ListRepresentations(view))
   {
     SetScale(representation, "Scale", factor);
@@ -73,7 +73,7 @@ void SetVerticalExaggeration(vtkSMProxy* view, double factor)
 
 void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view)
 {
-  if (view->HasAnnotation(Annotation))
+  if (view->HasAnnotation(ExaggerationAnnotation))
   {
     SetScale(representation, "Scale", GetVerticalExaggeration(view));
   }

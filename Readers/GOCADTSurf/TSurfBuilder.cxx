@@ -88,7 +88,6 @@ private:
   std::vector<std::size_t> AtomOfVertex; // None for vertices that have a place.
 };
 
-constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 3> CoordinateNames = { "x", "y", "z" };
 constexpr auto MostVertices = static_cast<std::size_t>(std::numeric_limits<PointId>::max());
 
@@ -285,11 +284,11 @@ void TSurfBuilder::ReadValues(LineTokens& line)
   for (std::size_t n = 0; n < this->Description.Properties.size(); ++n)
   {
     TSurfProperty& property = this->Description.Properties[n];
-    property.Values.resize(vertex * property.Size, NoNumber);
+    property.Values.resize(vertex * property.Size, NoValue);
     for (std::size_t component = 0; component < property.Size; ++component)
     {
       const double value = this->ReadNumber(property.Name, line, true);
-      property.Values.push_back(IsNullValue(value, this->Description.Nulls[n]) ? NoNumber : value);
+      property.Values.push_back(IsNullValue(value, this->Description.Nulls[n]) ? NoValue : value);
     }
   }
 }
@@ -339,7 +338,7 @@ void TSurfBuilder::CompleteValues()
     properties.end());
   for (TSurfProperty& property : properties)
   {
-    property.Values.resize(this->Surface.Vertices.size() * property.Size, NoNumber);
+    property.Values.resize(this->Surface.Vertices.size() * property.Size, NoValue);
   }
 }
 

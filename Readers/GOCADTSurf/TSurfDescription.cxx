@@ -11,7 +11,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 
 // No program writes more numbers per vertex; limits the memory of a short file.
 constexpr int LargestSize = 1024;
@@ -177,7 +176,7 @@ void TSurfDescription::TakeNames(LineTokens& line)
   {
     this->Properties.emplace_back().Name = std::move(name);
   }
-  this->Nulls.assign(this->Properties.size(), NoNumber);
+  this->Nulls.assign(this->Properties.size(), NoValue);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -4,15 +4,15 @@
 #include "vtkGOCADTSurfReader.h"
 
 #include "Common/Base/Monitor.h"
-#include "Common/Text/FileErrors.h"
-#include "Common/Text/InputFile.h"
-#include "TSurfParser.h"
-
 #include "Common/Horizon/DataModel.h"
 #include "Common/Survey/TSurf.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"
+#include "TSurfParser.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

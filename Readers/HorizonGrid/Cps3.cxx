@@ -21,7 +21,7 @@ struct Cps3Header
   std::string Name;
 };
 
-Cps3Header ReadHeader(GridText& text)
+Cps3Header ReadCps3Header(GridText& text)
 {
   Cps3Header header;
   for (; text.PeekLine(); text.NextLine())
@@ -61,7 +61,7 @@ const HeaderFields& RequireLine(const Cps3Header& header, const char* keyword, c
 HorizonGrid ReadCps3(GridText& text)
 {
   HorizonGrid grid;
-  const Cps3Header header = ReadHeader(text);
+  const Cps3Header header = ReadCps3Header(text);
   grid.Name = header.Name;
   const HeaderFields& format = RequireLine(header, "FSASCI", text);
   const double null = format.Number(std::min(NullWord, format.Size() - 1), "null value");

@@ -33,14 +33,14 @@ struct GridPoint
   std::int64_t Line = 0;
 };
 
-constexpr double SmallestSine = 0.01; // Sine of the smallest angle between the steps; surveys are nearly rectangular.
-constexpr double LargestShift = 0.1; // Fraction of a step, since coordinates are written with few digits.
+constexpr double SmallestStepSine =
+  0.01; // Sine of the smallest angle between the steps; surveys are nearly rectangular.
 
 void RequireArea(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;
   const Eigen::Vector2d& j = lattice.RowStep;
-  if (!(std::fabs(i.x() * j.y() - i.y() * j.x()) > SmallestSine * i.norm() * j.norm()))
+  if (!(std::fabs(i.x() * j.y() - i.y() * j.x()) > SmallestStepSine * i.norm() * j.norm()))
   {
     throw InputError("columns and rows of nodes along the same line of x and y, expected a lattice in the plane");
   }
@@ -53,11 +53,11 @@ void RequireOnNodes(const std::vector<GridPoint>& points, const SurveyLattice& l
   {
     const Eigen::Vector2d node = lattice.Origin + point.I * lattice.ColumnStep + point.J * lattice.RowStep;
     const double shift = (point.Place - node).norm();
-    if (!(shift <= LargestShift * step))
+    if (!(shift <= LargestNodeShift * step))
     {
       throw ErrorAt(point.Line,
         "a point " + ShortestText(shift) + " from its node, expected a regular lattice with points within " +
-          ShortestText(LargestShift * step));
+          ShortestText(LargestNodeShift * step));
     }
   }
 }

@@ -20,7 +20,7 @@ bool IsSmallLetter(char c)
 }
 
 /// Stops at the first line of values, which may start with the word nan.
-EsriHeader ReadHeader(GridText& text)
+EsriHeader ReadEsriHeader(GridText& text)
 {
   EsriHeader header;
   for (; text.PeekLine(); text.NextLine())
@@ -93,7 +93,7 @@ HorizonGrid ReadEsriGrid(GridText& text)
 {
   HorizonGrid grid;
   grid.Survey.IsUpright = true;
-  const EsriHeader header = ReadHeader(text);
+  const EsriHeader header = ReadEsriHeader(text);
   const EsriFields fields(header, text);
   const std::array<int, 2> columns = { fields.Count("ncols"), fields.Count("nrows") };
   const std::array<double, 2> steps = { fields.Step("dx"), fields.Step("dy") };

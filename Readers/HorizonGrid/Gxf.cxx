@@ -174,17 +174,17 @@ StorageOrder ReadOrder(const GxfFields& fields, const GridText& text)
   return order;
 }
 
-struct Extent
+struct GxfExtent
 {
   Eigen::Vector2d First = Eigen::Vector2d::Zero();
   Eigen::Vector2d Last = Eigen::Vector2d::Zero();
 };
 
-Extent FindExtent(const SurveyLattice& lattice)
+GxfExtent FindExtent(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d x = (lattice.Columns[0] - 1) * lattice.ColumnStep;
   const Eigen::Vector2d y = (lattice.Columns[1] - 1) * lattice.RowStep;
-  Extent extent;
+  GxfExtent extent;
   extent.First = lattice.Origin + x.cwiseMin(0.0) + y.cwiseMin(0.0);
   extent.Last = lattice.Origin + x.cwiseMax(0.0) + y.cwiseMax(0.0);
   return extent;
@@ -251,7 +251,7 @@ GxfHeader ReadGxfHeader(GridText& text)
 
 constexpr int Base = 90;
 constexpr char Zero = '%'; // The other digits follow in ASCII.
-constexpr char NoValue = '!'; // starts a group without value
+constexpr char ValuelessGroup = '!'; // starts a group without value
 constexpr char Repeat = '"'; // Groups with a count and with the repeated value follow.
 
 /// Values in base 90 have no separators.
@@ -341,7 +341,7 @@ private:
 
   void Append(std::int64_t times, std::string_view group)
   {
-    const double z = group.front() == NoValue
+    const double z = group.front() == ValuelessGroup
       ? std::numeric_limits<double>::quiet_NaN()
       : static_cast<double>(this->Decode(group)) * this->Header.Scale + this->Header.Offset;
     if (std::isinf(z))

@@ -15,6 +15,8 @@
 
 namespace SeismicHorizons
 {
+constexpr double LargestNodeShift = 0.1; // Fraction of a step, since coordinates are written with few digits.
+
 bool IsSameWord(std::string_view a, std::string_view b);
 
 /// A quoted text is one word. An empty line has one empty word.

@@ -8,7 +8,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr float FirstNull = 1e30f;
+constexpr float LeastBinaryNull = 1e30f;
 constexpr std::int32_t UnusedBytes = 28;
 
 /// Fortran records have their length before and after them.
@@ -23,7 +23,7 @@ void ReadLength(GridBytes& bytes, std::int32_t expected)
   }
 }
 
-IrapHeader ReadHeader(GridBytes& bytes)
+IrapHeader ReadBinaryHeader(GridBytes& bytes)
 {
   IrapHeader header;
   ReadLength(bytes, 32);
@@ -64,7 +64,7 @@ std::vector<double> ReadRecords(GridBytes& bytes, std::int64_t count)
       throw InputError(place + ": a record of " + std::to_string(length) + " bytes, expected one of 1 to " +
         std::to_string(count) + " values of 4 bytes");
     }
-    bytes.ReadValues<float>(valuesInRecord, NullFrom(FirstNull), values);
+    bytes.ReadValues<float>(valuesInRecord, NullFrom(LeastBinaryNull), values);
     ReadLength(bytes, length);
     count -= valuesInRecord;
   }
@@ -76,7 +76,7 @@ std::vector<double> ReadRecords(GridBytes& bytes, std::int64_t count)
 HorizonGrid ReadIrapBinary(GridBytes& bytes)
 {
   HorizonGrid grid;
-  const IrapHeader header = ReadHeader(bytes);
+  const IrapHeader header = ReadBinaryHeader(bytes);
   grid.Lattice = PrefixErrors(bytes.Place(), [&] { return IrapLattice(header); });
   grid.Z = ReadRecords(bytes, CountNodes(header.Columns));
   return grid;

@@ -6,6 +6,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Text/TextNumbers.h"
 #include "GridLayout.h"
+#include "HeaderFields.h"
 
 #include <cmath>
 #include <string>
@@ -14,7 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double LargestShift = 0.1; // Fraction of a step, since coordinates are written with few digits.
 
 std::string PlaceText(const Eigen::Vector2d& place)
 {
@@ -26,7 +26,7 @@ std::string PlaceText(const Eigen::Vector2d& place)
 SurveyLattice IrapLattice(const IrapHeader& header)
 {
   const double step = std::min(std::fabs(header.Steps[0]), std::fabs(header.Steps[1]));
-  if (header.Degrees != 0.0 && (header.Centre - header.Origin).cwiseAbs().maxCoeff() > LargestShift * step)
+  if (header.Degrees != 0.0 && (header.Centre - header.Origin).cwiseAbs().maxCoeff() > LargestNodeShift * step)
   {
     throw InputError(
       "a rotation around " + PlaceText(header.Centre) + ", expected the origin, " + PlaceText(header.Origin));

@@ -32,7 +32,7 @@ std::string ReadWord(GridBytes& bytes, const std::string& name, char& end)
   return word;
 }
 
-double ReadNumber(GridBytes& bytes, const std::string& name)
+double ReadStormNumber(GridBytes& bytes, const std::string& name)
 {
   char end = ' ';
   const std::string place = bytes.Place();
@@ -71,11 +71,11 @@ HorizonGrid ReadStorm(GridBytes& bytes)
   ReadWord(bytes, "STORMGRID_BINARY", end);
   const int nx = ReadCount(bytes, "nx");
   const int ny = ReadCount(bytes, "ny");
-  const double dx = ReadNumber(bytes, "dx");
-  const double dy = ReadNumber(bytes, "dy");
-  const double x = ReadNumber(bytes, "xmin");
-  ReadNumber(bytes, "xmax");
-  const double y = ReadNumber(bytes, "ymin");
+  const double dx = ReadStormNumber(bytes, "dx");
+  const double dy = ReadStormNumber(bytes, "dy");
+  const double x = ReadStormNumber(bytes, "xmin");
+  ReadStormNumber(bytes, "xmax");
+  const double y = ReadStormNumber(bytes, "ymin");
   ReadLastNumber(bytes, "ymax");
   grid.Lattice = PrefixErrors(bytes.Place(), [&] { return TurnedLattice({ nx, ny }, { x, y }, { dx, dy }, 0.0); });
   const std::int64_t count = CountNodes(grid.Lattice.Columns);

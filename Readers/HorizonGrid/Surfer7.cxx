@@ -63,15 +63,15 @@ std::int32_t ReadVersion(GridBytes& bytes)
   return version;
 }
 
-struct Header
+struct SurferHeader
 {
   SurveyLattice Lattice;
   double Null = 0.0;
 };
 
-Header ReadHeader(GridBytes& bytes)
+SurferHeader ReadSurferHeader(GridBytes& bytes)
 {
-  Header header;
+  SurferHeader header;
   RequireSize(FindSection(bytes, "GRID"), 72);
   const int ny = bytes.ReadCount<std::int32_t>("nRow");
   const int nx = bytes.ReadCount<std::int32_t>("nCol");
@@ -97,7 +97,7 @@ HorizonGrid ReadSurfer7(GridBytes& bytes)
 {
   HorizonGrid grid;
   const std::int32_t version = ReadVersion(bytes);
-  const Header header = ReadHeader(bytes);
+  const SurferHeader header = ReadSurferHeader(bytes);
   grid.Lattice = header.Lattice;
   const std::int64_t count = CountNodes(grid.Lattice.Columns);
   const Section data = FindSection(bytes, "DATA");

@@ -75,7 +75,7 @@ int ReadWhole(const HeaderFields& fields, std::size_t index, const std::string& 
   return word.empty() || word == std::to_string(least) ? least : fields.Count(index, name);
 }
 
-ZmapHeader ReadHeader(GridText& text)
+ZmapHeader ReadZmapHeader(GridText& text)
 {
   ZmapHeader header;
   header.Name = ReadName(text);
@@ -228,7 +228,7 @@ private:
 HorizonGrid ReadZmap(GridText& text)
 {
   HorizonGrid grid;
-  const ZmapHeader header = ReadHeader(text);
+  const ZmapHeader header = ReadZmapHeader(text);
   grid.Name = header.Name;
   grid.Lattice = header.Lattice;
   StorageOrder order;

@@ -18,8 +18,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double Null = std::numeric_limits<double>::quiet_NaN();
-
 /// Nearly all numbers are plain.
 bool IsFinite(std::string_view field, double& value)
 {
@@ -167,7 +165,7 @@ private:
     {
       return this->ParseName(field);
     }
-    double value = Null;
+    double value = NoValue;
     const bool isNumber = IsFinite(field, value);
     if (!isNumber && !this->Layout.Nulls.IsNullText(field))
     {
@@ -184,7 +182,7 @@ private:
       {
         this->Block.Nulls.push_back(value);
       }
-      value = Null;
+      value = NoValue;
     }
     if (!isNumber && !mayBeNull)
     {

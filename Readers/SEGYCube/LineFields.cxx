@@ -29,7 +29,7 @@ constexpr double DensityMargin = 0.15;
 // Fraction of the traces that may share a bin with another trace.
 constexpr double FewRepeated = 0.05;
 constexpr double MostRepeated = 0.5;
-constexpr std::int64_t LargestLine = 99999; // x and y may have the same fields.
+constexpr std::int64_t LargestFieldNumber = 99999; // x and y may have the same fields.
 
 /// Step is the greatest common divisor of all differences.
 struct FieldRange
@@ -181,7 +181,7 @@ std::optional<FieldPair> FindGrid(const TraceTable& table, double mostRepeated, 
       continue;
     }
     const PairFigures figures(table, pair);
-    const bool isGrid = figures.IsGrid(mostRepeated) && (!IsPlacePair(pair) || figures.Largest() <= LargestLine);
+    const bool isGrid = figures.IsGrid(mostRepeated) && (!IsPlacePair(pair) || figures.Largest() <= LargestFieldNumber);
     densities.back() = isGrid ? figures.Density() : 0.0;
   }
   const double densest = *std::max_element(densities.begin(), densities.end());
@@ -323,7 +323,8 @@ void RefuseLines(const TraceTable& table, const std::optional<FieldPair>& other)
            << pair.Second << " span " << figures.Slots(0) << " x " << figures.Slots(1)
            << (figures.Density() >= LeastDensity && figures.CountRepeated() > 0 ? " with several traces at one place"
                                                                                 : "")
-           << (IsPlacePair(pair) && figures.Largest() > LargestLine ? " with numbers above 99999, as of x and y" : "");
+           << (IsPlacePair(pair) && figures.Largest() > LargestFieldNumber ? " with numbers above 99999, as of x and y"
+                                                                           : "");
     }
   }
   text << "; expected one trace for each inline and crossline, and at least a tenth of the grid. Where several traces "

@@ -18,7 +18,6 @@ namespace
 // In multiples of the usual step.
 constexpr double LongestStep = 10.0;
 // Fraction of all traces.
-constexpr double MostStrays = 0.1;
 // Distance to the second neighbour, as a fraction of the path through the first (median).
 constexpr double LeastAdvance = 0.7;
 

@@ -21,7 +21,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double MostStrays = 0.1; // Fraction of all places.
 constexpr std::size_t SampleSize = 1000; // places
 
 class Distances

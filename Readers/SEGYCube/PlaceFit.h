@@ -17,6 +17,8 @@
 
 namespace SeismicHorizons
 {
+constexpr double MostStrays = 0.1; // fraction of all places
+
 struct PlaceFit
 {
   PlaneMap ToWorld; // Maps columns to world coordinates.

@@ -14,7 +14,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int HeaderSize = SEGYTextSize + 400;
 constexpr int LineLength = 80;
 constexpr std::int64_t MostTraces = std::int64_t(1) << 31; // Columns store trace numbers in 32 bits.
 constexpr std::int64_t MostExtendedTexts = 1 << 15;
@@ -148,11 +147,11 @@ std::vector<std::string> ReadText(const HeaderBytes& bytes, bool isEbcdic)
 int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
 {
   const std::string end = "((SEG:ENDTEXT))";
-  for (int count = 0; HeaderSize + (count + 1) * std::int64_t(SEGYTextSize) <= fileSize && count < MostExtendedTexts;
-       ++count)
+  for (int count = 0;
+       SEGYFileHeaderSize + (count + 1) * std::int64_t(SEGYTextSize) <= fileSize && count < MostExtendedTexts; ++count)
   {
     std::string start;
-    for (const unsigned char c : ReadBytes(stream, HeaderSize + count * std::int64_t(SEGYTextSize), LineLength))
+    for (const unsigned char c : ReadBytes(stream, SEGYFileHeaderSize + count * std::int64_t(SEGYTextSize), LineLength))
     {
       const char letter = ToText(c, isEbcdic);
       start += letter == ' ' ? "" : std::string(1, letter >= 'a' && letter <= 'z' ? char(letter - 'a' + 'A') : letter);
@@ -311,12 +310,12 @@ void CheckFormatCode(int code, const char* place)
 //----------------------------------------------------------------------------------------------------------------------
 SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEGYHeaderOptions& options)
 {
-  const HeaderBytes bytes = ReadBytes(stream, 0, HeaderSize);
-  if (bytes.size() < std::size_t(HeaderSize))
+  const HeaderBytes bytes = ReadBytes(stream, 0, SEGYFileHeaderSize);
+  if (bytes.size() < std::size_t(SEGYFileHeaderSize))
   {
     throw FileError(FileProblem::CutOff,
       "a file of " + std::to_string(bytes.size()) + " bytes, expected SEG-Y, which begins with a header of " +
-        std::to_string(HeaderSize));
+        std::to_string(SEGYFileHeaderSize));
   }
   BinaryHeader binary(bytes);
   binary.FindOrder();
@@ -352,15 +351,15 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
 //----------------------------------------------------------------------------------------------------------------------
 bool IsSEGY(std::istream& stream)
 {
-  const HeaderBytes bytes = ReadBytes(stream, 0, HeaderSize + SEGYTraceHeaderSize);
-  if (bytes.size() < std::size_t(HeaderSize + SEGYTraceHeaderSize))
+  const HeaderBytes bytes = ReadBytes(stream, 0, SEGYFileHeaderSize + SEGYTraceHeaderSize);
+  if (bytes.size() < std::size_t(SEGYFileHeaderSize + SEGYTraceHeaderSize))
   {
     return false;
   }
   BinaryHeader binary(bytes);
   binary.FindOrder();
   const bool hasSamples =
-    binary.Samples() > 0 || ReadUnsigned(&bytes[HeaderSize + TraceSamplesByte - 1], 2, binary.Order) > 0;
+    binary.Samples() > 0 || ReadUnsigned(&bytes[SEGYFileHeaderSize + TraceSamplesByte - 1], 2, binary.Order) > 0;
   return SampleSize(binary.Integer16(FormatByte)) > 0 && hasSamples;
 }
 }

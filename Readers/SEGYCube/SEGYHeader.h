@@ -17,6 +17,7 @@
 namespace SeismicHorizons
 {
 constexpr int SEGYTextSize = 3200; // bytes
+constexpr int SEGYFileHeaderSize = SEGYTextSize + 400; // bytes
 constexpr int SEGYTraceHeaderSize = 240; // bytes
 
 struct SEGYHeaderOptions

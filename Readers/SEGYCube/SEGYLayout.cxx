@@ -11,8 +11,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int HeaderSize = 3600;
-constexpr std::int64_t LookedAt = 8; // traces
+constexpr std::int64_t TracesLookedAt = 8; // traces
 
 bool IsWhole(const SEGYExtents& file, const SEGYLayout& layout)
 {
@@ -30,9 +29,9 @@ bool IsRegular(const SEGYExtents& file, const SEGYLayout& layout)
 {
   const std::int64_t traces = (file.FileSize - file.FirstTrace(layout)) / file.TraceSize(layout);
   int said = 0;
-  for (std::int64_t n = 0; n < std::min(traces, LookedAt) && layout.Samples > 0; ++n)
+  for (std::int64_t n = 0; n < std::min(traces, TracesLookedAt) && layout.Samples > 0; ++n)
   {
-    const std::int64_t trace = n < LookedAt / 2 ? n : n * (traces - 1) / (std::min(traces, LookedAt) - 1);
+    const std::int64_t trace = n < TracesLookedAt / 2 ? n : n * (traces - 1) / (std::min(traces, TracesLookedAt) - 1);
     const int samples = file.SamplesAt(file.FirstTrace(layout) + trace * file.TraceSize(layout));
     if (samples != 0 && said != 0 && samples != said)
     {
@@ -58,7 +57,7 @@ const SEGYLayout* FindShortest(const std::vector<SEGYLayout>& layouts, Test&& te
 //----------------------------------------------------------------------------------------------------------------------
 std::int64_t SEGYExtents::FirstTrace(const SEGYLayout& layout) const
 {
-  return HeaderSize + layout.Texts * std::int64_t(SEGYTextSize);
+  return SEGYFileHeaderSize + layout.Texts * std::int64_t(SEGYTextSize);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t BufferSize = 256; // samples
+constexpr std::size_t SampleBufferSize = 256; // samples
 
 template <std::size_t Size>
 using BitsOf = std::conditional_t<Size == 8, std::uint64_t, std::uint32_t>;
@@ -63,10 +63,10 @@ template <std::size_t Size, ByteOrder Order, typename FromBits>
 void Convert(const unsigned char* bytes, std::size_t samples, float* values, FromBits&& fromBits)
 {
   // The buffer avoids aliasing of bytes and values, which would prevent vectorisation.
-  std::array<BitsOf<Size>, BufferSize> bits;
-  for (std::size_t first = 0; first < samples; first += BufferSize)
+  std::array<BitsOf<Size>, SampleBufferSize> bits;
+  for (std::size_t first = 0; first < samples; first += SampleBufferSize)
   {
-    const std::size_t count = std::min(BufferSize, samples - first);
+    const std::size_t count = std::min(SampleBufferSize, samples - first);
     for (std::size_t n = 0; n < count; ++n)
     {
       bits[n] = Load<Size, Order>(bytes + Size * (first + n));

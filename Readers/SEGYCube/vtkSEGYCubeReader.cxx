@@ -5,17 +5,17 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
+#include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/InputFile.h"
-#include "Common/VTK/PipelineRequest.h"
-#include "SEGYExtent.h"
-
-#include "Common/Base/Parallel.h"
-#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonDataSet.h"
+#include "Common/VTK/PipelineRequest.h"
+#include "SEGYExtent.h"
 #include "SEGYWindow.h"
+
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -145,14 +145,6 @@ void FillLine(const SEGYCube& cube, const CubeView& view, vtkImageData* image, v
   line->GetFieldData()->ShallowCopy(image->GetFieldData());
 }
 
-void Override(std::string& text, const char* given)
-{
-  if (given && *given)
-  {
-    text = given;
-  }
-}
-
 bool AreSame(const FieldPair& a, const FieldPair& b)
 {
   return a.First == b.First && a.Second == b.Second;
@@ -255,14 +247,7 @@ CubeView vtkSEGYCubeReader::MakeView() const
   CubeView view;
   SurveyDescription& survey = view.Frame.Survey;
   survey = cube.Survey;
-  if (this->VerticalUnit && *this->VerticalUnit)
-  {
-    survey.VerticalDomain.clear(); // The domain follows from the unit.
-    SeismicHorizons::SetVerticalUnit(survey, this->VerticalUnit);
-  }
-  Override(survey.VerticalDomain, this->VerticalDomain);
-  Override(survey.HorizontalUnit, this->HorizontalUnit);
-  Override(survey.CoordinateSystem, this->CoordinateSystem);
+  OverrideSurvey(survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
   view.Frame.Lattice = cube.Lattice;
   view.Frame.LatticeDeviation = cube.LargestDistance;
   view.Frame.Sampling = cube.Sampling;

@@ -27,7 +27,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 1 << 16;
 constexpr double BytesOfMB = 1024.0 * 1024.0;
 
 using VoxelValues = HeapArray<double> LatticeHorizon::*;

@@ -12,8 +12,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t ChunkSize = 1 << 16;
-
 std::optional<ReferenceVoxel> FindReference(const std::vector<LatticeHorizon>& horizons)
 {
   const LatticeHorizon* first = nullptr;

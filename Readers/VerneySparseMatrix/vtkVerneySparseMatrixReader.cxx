@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Translates parameters for SparseMatrixFile, which reads, and for HorizonDataSet, HorizonImage and HorizonVolume,
-// which make datasets.
+// Translates parameters for SparseMatrixFile, which reads, and for HorizonDataSet and HorizonVolume, which make datasets.
 
 #include "vtkVerneySparseMatrixReader.h"
 
 #include "Common/Base/Monitor.h"
 #include "Common/Base/Parameters.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/InputFile.h"
 #include "Common/Text/TextFields.h"
 #include "Common/Text/TextWords.h"
+#include "Common/VTK/ColumnImage.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
@@ -21,8 +22,6 @@
 #include "SparseMatrixFile.h"
 #include "SparseMatrixParser.h"
 
-#include "Common/Horizon/DataModel.h"
-#include "Common/VTK/ColumnImage.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -55,7 +54,6 @@ namespace
 {
 void AddPixels(const LatticeHorizon& voxels, const LatticeFrame& frame, vtkImageData* image)
 {
-  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   const ColumnPixels pixels({ voxels.Column.data(), voxels.Column.size() }, image);
   std::vector<double> elevation(voxels.Column.size());
   for (std::size_t voxel = 0; voxel < elevation.size(); ++voxel)
@@ -64,11 +62,11 @@ void AddPixels(const LatticeHorizon& voxels, const LatticeFrame& frame, vtkImage
   }
   vtkPointData* const data = image->GetPointData();
   AddConstant<vtkIntArray>(data, PointArray::SurfaceId, image->GetNumberOfPoints(), voxels.SurfaceId);
-  pixels.Add<vtkDoubleArray>(PointArray::Elevation, elevation, missing);
-  pixels.Add<vtkDoubleArray>(PointArray::VerticalIndex, voxels.K, missing);
-  pixels.Add<vtkDoubleArray>(PointArray::Thickness, voxels.Thickness, missing);
-  pixels.Add<vtkDoubleArray>(PointArray::Amplitude, voxels.Amplitude, missing);
-  pixels.Add<vtkDoubleArray>(PointArray::RealZ, voxels.RealZ, missing);
+  pixels.Add<vtkDoubleArray>(PointArray::Elevation, elevation, NoValue);
+  pixels.Add<vtkDoubleArray>(PointArray::VerticalIndex, voxels.K, NoValue);
+  pixels.Add<vtkDoubleArray>(PointArray::Thickness, voxels.Thickness, NoValue);
+  pixels.Add<vtkDoubleArray>(PointArray::Amplitude, voxels.Amplitude, NoValue);
+  pixels.Add<vtkDoubleArray>(PointArray::RealZ, voxels.RealZ, NoValue);
   data->SetActiveScalars(PointArray::Elevation);
 }
 

@@ -59,7 +59,8 @@ class Setup(unittest.TestCase):
     def test_builds(self):
         """A demo takes no tests; these are configured when they are asked for, and stay."""
         built = "cmake --build %s/build/release -- --quiet" % self.project
-        configured = "cmake -S %s -B %s/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=%s"
+        configured = ("cmake -S %s -B %s/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON "
+                      "-DBUILD_TESTING=%s")
         for options, testing in ((["--without-tests"], "OFF"), (["--without-tests"], ""), ([], "ON"), ([], ""),
                                  (["--without-tests"], "")):
             code, printed, commands = self.run_setup(*options)

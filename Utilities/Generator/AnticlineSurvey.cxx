@@ -18,7 +18,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double TimePerSample = 4.0; // ms
 constexpr double Contact = 1318.0; // ms; gas above it is bright
 
 /// What a random number is for. Each has a seed of its own.

@@ -18,7 +18,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double TimePerSample = 4.0; // ms, two-way
 
 // The columns of the lattice on which FindSize tries how many are occupied.
 constexpr double ColumnsToTry = 90000.0;

@@ -19,6 +19,8 @@
 
 namespace SeismicHorizons
 {
+constexpr double TimePerSample = 4.0; // ms, two-way
+
 inline double Round(double value, double stepsPerUnit)
 {
   return std::floor(value * stepsPerUnit + 0.5) / stepsPerUnit;

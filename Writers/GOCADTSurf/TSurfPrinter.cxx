@@ -48,7 +48,7 @@ bool NeedsQuotes(const std::string& name)
   return hasBlanks || (name.size() >= 2 && name.front() == '"' && name.back() == '"');
 }
 
-double ChooseNull(const std::vector<double>& values)
+double ChooseTSurfNull(const std::vector<double>& values)
 {
   double null = -99999.0; // Nearly all files use it.
   while (std::any_of(values.begin(), values.end(), [null](double value) { return IsNullValue(value, null); }))
@@ -68,7 +68,7 @@ public:
   {
     for (const TSurfProperty& property : surface.Properties)
     {
-      this->Nulls.push_back(ChooseNull(property.Values));
+      this->Nulls.push_back(ChooseTSurfNull(property.Values));
     }
   }
 

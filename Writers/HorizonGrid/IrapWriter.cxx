@@ -20,7 +20,7 @@ namespace
 constexpr double TextNull = 9999900.0;
 constexpr float BinaryNull = 1e30f;
 constexpr double FirstBinaryNull = 9.9999e29; // Larger values may be rounded to the null value.
-constexpr std::size_t UnusedNumbers = 7;
+constexpr std::size_t TrailingNumbers = 7;
 constexpr int ValuesInLine = 9; // Some programs accept no more.
 constexpr double LargestShift = 0.01; // Fraction of a step by which nodes may move to make steps perpendicular.
 
@@ -117,7 +117,7 @@ void WriteBinaryHeader(GridOutput& output, const SurveyLattice& lattice, const I
     { static_cast<std::uint32_t>(Mark), static_cast<std::uint32_t>(rows), x, bits(xLast), y, bits(yLast),
       bits(irap.ColumnStep), bits(irap.RowStep) });
   WriteRecord(output, { static_cast<std::uint32_t>(columns), bits(irap.Degrees), x, y });
-  WriteRecord(output, std::vector<std::uint32_t>(UnusedNumbers, 0));
+  WriteRecord(output, std::vector<std::uint32_t>(TrailingNumbers, 0));
 }
 }
 

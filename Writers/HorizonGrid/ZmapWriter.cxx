@@ -14,14 +14,14 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double FirstNull = 9.9e29; // Readers compare in single precision.
+constexpr double FirstZmapNull = 9.9e29; // Readers compare in single precision.
 // The first one well below all values is used. Single precision holds all but the last, which some readers take for a
 // value.
 constexpr std::array<double, 3> Nulls = { -99999.0, -999999.0, -9999999.0 };
 constexpr std::string_view LastNull = "1.0E+30";
-constexpr int ValuesInLine = 5;
+constexpr int ZmapValuesInLine = 5;
 constexpr std::size_t SmallestWidth = 15; // characters, as other programs write
-constexpr double LargestShift = 0.01; // Fraction of a step by which nodes may move to be along the axes.
+constexpr double LargestTilt = 0.01; // Fraction of a step by which nodes may move to be along the axes.
 
 struct Axis
 {
@@ -49,7 +49,7 @@ Axis MakeAxis(int count, double origin, double along, std::int64_t indexStep)
 /// Tests the farthest node of a step with components `along` and `beside` the axis.
 bool IsAlong(double along, double beside, int count, double otherStep)
 {
-  return std::fabs(beside) * (count - 1) <= LargestShift * std::min(std::fabs(along), otherStep);
+  return std::fabs(beside) * (count - 1) <= LargestTilt * std::min(std::fabs(along), otherStep);
 }
 
 struct Axes
@@ -84,7 +84,7 @@ struct Layout
   std::string Null;
 };
 
-std::string ChooseNull(const std::vector<double>& values)
+std::string ChooseZmapNull(const std::vector<double>& values)
 {
   const auto isAbove = [&values](double null)
   { return std::all_of(values.begin(), values.end(), [null](double z) { return !(z <= 0.99 * null); }); };
@@ -95,7 +95,7 @@ std::string ChooseNull(const std::vector<double>& values)
 Layout FindLayout(const std::vector<double>& values)
 {
   Layout layout;
-  layout.Null = ChooseNull(values);
+  layout.Null = ChooseZmapNull(values);
   for (const double z : values)
   {
     const DecimalText text(std::isnan(z) ? 0.0 : z);
@@ -110,7 +110,7 @@ void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const L
 {
   std::replace_if(
     name.begin(), name.end(), [](char c) { return c == ',' || c == '@' || static_cast<unsigned char>(c) < ' '; }, ' ');
-  output.Write('@' + name + " HEADER, GRID, " + std::to_string(ValuesInLine));
+  output.Write('@' + name + " HEADER, GRID, " + std::to_string(ZmapValuesInLine));
   output.EndLine();
   output.Write(std::to_string(layout.Width) + ", " + layout.Null + ", , " + std::to_string(layout.Decimals) + ", 1");
   output.EndLine();
@@ -133,7 +133,7 @@ bool IsAlongAxes(const SurveyLattice& lattice)
 //----------------------------------------------------------------------------------------------------------------------
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
 {
-  RequireWritable(grid, FirstNull, "ZMAP+");
+  RequireWritable(grid, FirstZmapNull, "ZMAP+");
   const std::optional<Axes> found = FindAxes(grid.Lattice);
   if (!found)
   {
@@ -150,7 +150,7 @@ void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& mon
     {
       const double z = grid.Z[static_cast<std::size_t>(first + row * axes.Y.IndexStep)];
       output.WriteValue(std::isnan(z) ? std::string_view(layout.Null) : DecimalText(z).View(), layout.Width);
-      const bool isLast = row == 0 || (axes.Y.Count - row) % ValuesInLine == 0;
+      const bool isLast = row == 0 || (axes.Y.Count - row) % ZmapValuesInLine == 0;
       if (isLast)
       {
         output.EndLine();

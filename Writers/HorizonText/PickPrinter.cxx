@@ -15,7 +15,7 @@ namespace SeismicHorizons
 namespace
 {
 // Larger numbers are read as null.
-constexpr double LeastHuge = 0.999999e30;
+constexpr double LeastNullNumber = 0.999999e30;
 
 std::string Quoted(std::string text)
 {
@@ -27,7 +27,7 @@ std::string Quoted(std::string text)
 
 void PrintNumber(TextPrinter& printer, double number, const std::string& name)
 {
-  if (std::abs(number) >= LeastHuge)
+  if (std::abs(number) >= LeastNullNumber)
   {
     throw InputError(name + " of 1e30 or more, which stands for no value; expected less");
   }
@@ -46,10 +46,10 @@ const std::vector<double>* FindAttribute(const HorizonColumns& horizon, const st
   return found == horizon.Attributes.end() ? nullptr : &found->Values;
 }
 
-class LinePrinter
+class PickLinePrinter
 {
 public:
-  LinePrinter(std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns)
+  PickLinePrinter(std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns)
     : Printer(stream)
     , Horizon(horizon)
     , Columns(columns)
@@ -147,6 +147,6 @@ void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns)
 void PrintPicks(
   std::ostream& stream, const HorizonColumns& horizon, const PrintedColumns& columns, const Monitor& monitor)
 {
-  LinePrinter(stream, horizon, columns).Print(monitor);
+  PickLinePrinter(stream, horizon, columns).Print(monitor);
 }
 }

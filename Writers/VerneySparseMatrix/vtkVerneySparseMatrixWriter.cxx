@@ -7,11 +7,11 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
+#include "Filters/Marshalling/HorizonData.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "SparseMatrixPrinter.h"
 #include "Writers/HorizonSampling.h"
 
-#include "Filters/Marshalling/HorizonData.h"
-#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -38,7 +38,7 @@ namespace
 // Most faces are small and enclose no column; walking one again is faster than remembering its hops.
 constexpr std::size_t SmallestWalkToRemember = 16;
 
-constexpr std::size_t Batch = 256;
+constexpr std::size_t FacesPerBatch = 256;
 
 std::unique_ptr<const CutBlocks> FindCutBlocks(
   const BoundaryOptions& options, PlanePoints columns, const ColumnIndex& index)
@@ -120,7 +120,7 @@ private:
     const std::vector<std::int64_t>& places = this->Graph.PlacesBesideGaps();
     for (std::size_t n = 0; n < places.size(); ++n)
     {
-      if (n % Batch == 0)
+      if (n % FacesPerBatch == 0)
       {
         monitor.Progress(double(n) / double(places.size()));
       }

@@ -19,7 +19,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-struct Run
+struct PatchRun
 {
   std::int32_t First;
   std::int32_t Last;
@@ -79,8 +79,8 @@ private:
     std::size_t b = this->RowEnds[rowB];
     while (a < this->RowEnds[rowA + 1] && b < this->RowEnds[rowB + 1])
     {
-      const Run& runA = this->Runs[a];
-      const Run& runB = this->Runs[b];
+      const PatchRun& runA = this->Runs[a];
+      const PatchRun& runB = this->Runs[b];
       if (runA.First <= runB.Last + this->Radius && runB.First <= runA.Last + this->Radius)
       {
         this->Sets.Join(runA.Set, runB.Set);
@@ -90,7 +90,7 @@ private:
     }
   }
 
-  void NumberRun(std::int64_t rowPlace, const Run& run, std::vector<std::int32_t>& number, PatchComponents& result)
+  void NumberRun(std::int64_t rowPlace, const PatchRun& run, std::vector<std::int32_t>& number, PatchComponents& result)
   {
     std::int32_t& component = number[this->Sets.Find(run.Set)];
     if (component < 0)
@@ -104,7 +104,7 @@ private:
 
   const ColumnIndex& Index;
   const int Radius;
-  std::vector<Run> Runs;
+  std::vector<PatchRun> Runs;
   std::vector<std::size_t> RowEnds;
   DisjointSets Sets;
 };
@@ -129,7 +129,7 @@ public:
   {
   }
 
-  void Run(const PlaceVisitor& visit)
+  void PatchRun(const PlaceVisitor& visit)
   {
     this->NumberRows();
     this->FindCrossings();
@@ -262,7 +262,7 @@ PatchComponents FindPatchComponents(const ColumnIndex& index, std::size_t points
 void ForEachPlaceInLoops(PlanePoints columns, const ColumnIndex& index, const std::vector<std::int64_t>& places,
   const Loops& loops, const PlaceVisitor& visit)
 {
-  LoopReader(columns, index, places, loops).Run(visit);
+  LoopReader(columns, index, places, loops).PatchRun(visit);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ namespace
 {
 constexpr std::int32_t NoLink = -1;
 
-constexpr std::size_t Batch = 4096;
+constexpr std::size_t HopsPerBatch = 4096;
 }
 
 // A hop is not admissible (PlanarHops.h) if it passes over a point or between two neighbouring points. The points of a
@@ -284,7 +284,7 @@ void PlanarHops::ForEachCandidate(const HopCandidates& candidates, const Monitor
 {
   for (std::size_t n = 0; n < this->Border.size(); ++n)
   {
-    if (n % Batch == 0)
+    if (n % HopsPerBatch == 0)
     {
       monitor.Progress(double(n) / double(this->Border.size()));
     }
@@ -345,7 +345,7 @@ void PlanarHops::AddUncrossed(std::vector<PlacedHop>& hops, const Monitor& monit
   std::sort(hops.begin(), hops.end(), [](const PlacedHop& a, const PlacedHop& b) { return a.Number < b.Number; });
   for (std::size_t n = 0; n < hops.size(); ++n)
   {
-    if (n % Batch == 0)
+    if (n % HopsPerBatch == 0)
     {
       monitor.Progress(double(n) / double(hops.size()));
     }

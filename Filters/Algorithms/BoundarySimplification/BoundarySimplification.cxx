@@ -494,7 +494,7 @@ public:
   {
     std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
     std::sort(this->Order.begin(), this->Order.end(),
-      [&](std::size_t a, std::size_t b) { return IsBefore(this->ColumnOf(which[a]), this->ColumnOf(which[b])); });
+      [&](std::size_t a, std::size_t b) { return PrecedesByRow(this->ColumnOf(which[a]), this->ColumnOf(which[b])); });
     for (const std::size_t n : this->Order)
     {
       const PlanePoint column = this->ColumnOf(which[n]);
@@ -524,8 +524,6 @@ public:
   }
 
 private:
-  static bool IsBefore(const PlanePoint& a, const PlanePoint& b) { return a.Y != b.Y ? a.Y < b.Y : a.X < b.X; }
-
   PlanePoint ColumnOf(PointId point) const
   {
     const SpacePoint place = this->Points[point];
@@ -534,7 +532,7 @@ private:
 
   void Cross(PlanePoint low, PlanePoint high)
   {
-    if (IsBefore(high, low))
+    if (PrecedesByRow(high, low))
     {
       std::swap(low, high);
     }

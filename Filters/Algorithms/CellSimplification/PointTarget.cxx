@@ -18,7 +18,7 @@ namespace
 {
 constexpr double AllFlat = 1.0 / 3.0;
 constexpr double Enough = 0.97; // A result with at least this fraction of the requested points is accepted.
-constexpr int MostHalvings = 12;
+constexpr int MostTargetHalvings = 12;
 // This fraction of the remaining progress is assigned to each run, as the number of runs is unknown.
 constexpr double PartOfRest = 0.15;
 
@@ -159,7 +159,7 @@ Reduction SimplifyElaborateTo(
   }
   double tooMany = 0.0;
   double enough = AllFlat;
-  for (int n = 0; n < MostHalvings && !search.IsNear(); ++n)
+  for (int n = 0; n < MostTargetHalvings && !search.IsNear(); ++n)
   {
     tried.FlatnessThreshold = 0.5 * (tooMany + enough);
     (search.Try(tried) ? enough : tooMany) = tried.FlatnessThreshold;

@@ -307,7 +307,7 @@ private:
   std::array<Four, 3> Right = Corners;
 };
 
-constexpr std::int64_t ColumnGrain = 1024;
+constexpr std::int64_t ColumnsPerTask = 1024;
 
 class HeightFitter
 {
@@ -323,7 +323,7 @@ public:
     , Elements(std::size_t(this->Mesh.Size()))
     , Columns(this->Inner.Vertices.size())
   {
-    ParallelFor(std::int64_t(this->Columns.size()), ColumnGrain,
+    ParallelFor(std::int64_t(this->Columns.size()), ColumnsPerTask,
       [this](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
@@ -442,7 +442,7 @@ private:
 
 // ---- Moves ---------------------------------------------------------------------------------------------------------
 // A vertex moves at least this fraction, or stays.
-constexpr double LeastPart = 0.25;
+constexpr double LeastFraction = 0.25;
 
 class MoveLimit
 {
@@ -534,7 +534,7 @@ private:
     {
       const double before = this->Before[horizon].Heights[vertex];
       const double after = this->After[horizon].Heights[vertex];
-      this->Heights[horizon].Heights[vertex] = part < LeastPart ? before : before + part * (after - before);
+      this->Heights[horizon].Heights[vertex] = part < LeastFraction ? before : before + part * (after - before);
     }
     this->IsMoved[vertex] = 1;
     return true;

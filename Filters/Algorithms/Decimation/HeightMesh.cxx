@@ -24,7 +24,7 @@ namespace
 // Interpolated heights are exact to some units in the last place of the corners' heights.
 constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
 
-constexpr std::int64_t Grain = 64;
+constexpr std::int64_t TrianglesPerTask = 64;
 
 /// Points without a patch keep negative numbers.
 std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
@@ -336,7 +336,7 @@ template <typename Measuring>
 void HeightMesh::MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure)
 {
   this->Errors.resize(std::size_t(this->Mesh.Size()));
-  ParallelFor(std::int64_t(triangles.size()), Grain, monitor,
+  ParallelFor(std::int64_t(triangles.size()), TrianglesPerTask, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)

@@ -20,7 +20,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 4096;
+constexpr std::int64_t PointsPerTask = 4096;
 constexpr std::size_t FewestAround = 3;
 constexpr double NoiseFactor = 4.0;
 
@@ -290,7 +290,7 @@ Spikes Find(
   }
   const std::vector<double> byPlace = ListHeights(index, heights);
   std::vector<double> deviations(columns.size());
-  ParallelFor(std::int64_t(columns.size()), Grain, monitor.Step(0.3, 0.9),
+  ParallelFor(std::int64_t(columns.size()), PointsPerTask, monitor.Step(0.3, 0.9),
     [&](std::int64_t first, std::int64_t last)
     {
       Surroundings surroundings(byPlace, index.Width(), options.Radius);
@@ -303,7 +303,7 @@ Spikes Find(
   spikes.Threshold = isGiven ? options.Threshold
     : columns.empty()        ? 0.0
                              : NoiseFactor * NoiseOf(byPlace, index.Width(), deviations);
-  ParallelFor(std::int64_t(columns.size()), Grain, monitor.Step(0.9, 1.0),
+  ParallelFor(std::int64_t(columns.size()), PointsPerTask, monitor.Step(0.9, 1.0),
     [&](std::int64_t first, std::int64_t last)
     {
       Surroundings surroundings(byPlace, index.Width(), options.Radius);

@@ -350,7 +350,7 @@ private:
 
 // A ramp may skip two lanes.
 constexpr std::int64_t LargestHop = 3;
-constexpr std::int64_t LargestShift = 2; // columns from lane to lane
+constexpr std::int64_t LargestLaneShift = 2; // columns from lane to lane
 
 struct GridLanes
 {
@@ -401,10 +401,10 @@ void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::
     {
       RampPeak key;
       key.Lane = peak.Lane + hop;
-      key.Along = peak.Along - LargestShift * hop;
+      key.Along = peak.Along - LargestLaneShift * hop;
       const RampPeak* nearest = nullptr;
       for (auto next = std::lower_bound(peaks.begin(), peaks.end(), key, byPlace);
-           next != peaks.end() && next->Lane == key.Lane && next->Along <= peak.Along + LargestShift * hop; ++next)
+           next != peaks.end() && next->Lane == key.Lane && next->Along <= peak.Along + LargestLaneShift * hop; ++next)
       {
         if ((next->Throw < 0.0F) == (peak.Throw < 0.0F) &&
           (!nearest || std::abs(next->Along - peak.Along) < std::abs(nearest->Along - peak.Along)))

@@ -26,8 +26,8 @@ constexpr std::int64_t Numbers = WindowSide * WindowSide;
 // Networks
 
 constexpr std::size_t NumberOfLanes = 64;
-using Lanes = std::array<float, NumberOfLanes>;
-constexpr std::int64_t BlockSize = std::int64_t(NumberOfLanes) - 2 * WindowReach;
+using LaneValues = std::array<float, NumberOfLanes>;
+constexpr std::int64_t LanesPerBlock = std::int64_t(NumberOfLanes) - 2 * WindowReach;
 
 using RowList = std::vector<std::size_t>;
 
@@ -37,7 +37,7 @@ struct Network
   std::vector<std::pair<std::size_t, std::size_t>> Pairs;
   RowList Order;
 
-  void Run(Lanes* rows) const
+  void Run(LaneValues* rows) const
   {
     for (const auto& [first, second] : this->Pairs)
     {
@@ -162,11 +162,11 @@ public:
 private:
   static constexpr std::size_t Side = std::size_t(WindowSide);
 
-  static void Copy(const Lanes* from, const Network& sorted, std::size_t shift, Lanes* to)
+  static void Copy(const LaneValues* from, const Network& sorted, std::size_t shift, LaneValues* to)
   {
     for (std::size_t n = 0; n < sorted.Order.size(); ++n)
     {
-      const Lanes& row = from[sorted.Order[n]];
+      const LaneValues& row = from[sorted.Order[n]];
       std::copy(row.begin() + shift, row.end(), to[n].begin());
     }
   }
@@ -175,24 +175,24 @@ private:
   void Select(const RowList& ofFour, const RowList& ofThree, float* medians) const
   {
     constexpr std::size_t rank = std::size_t(Numbers) / 2;
-    Lanes result = this->Four[ofFour[rank]];
+    LaneValues result = this->Four[ofFour[rank]];
     for (std::size_t n = 0; n < ofThree.size(); ++n)
     {
-      const Lanes& four = this->Four[ofFour[rank - 1 - n]];
-      const Lanes& three = this->Three[ofThree[n]];
+      const LaneValues& four = this->Four[ofFour[rank - 1 - n]];
+      const LaneValues& three = this->Three[ofThree[n]];
       for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
       {
         result[lane] = std::min(result[lane], std::max(four[lane], three[lane]));
       }
     }
-    std::copy_n(result.begin(), BlockSize, medians);
+    std::copy_n(result.begin(), LanesPerBlock, medians);
   }
 
   // The last lanes are not used after a merge.
-  std::array<Lanes, Side> File = {};
-  std::array<Lanes, 2 * Side> Pair = {};
-  std::array<Lanes, 3 * Side> Three = {};
-  std::array<Lanes, 4 * Side> Four = {};
+  std::array<LaneValues, Side> File = {};
+  std::array<LaneValues, 2 * Side> Pair = {};
+  std::array<LaneValues, 3 * Side> Three = {};
+  std::array<LaneValues, 4 * Side> Four = {};
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -309,14 +309,14 @@ void FindWindowMedians(const std::array<const float*, WindowSide>& rows, std::in
     end = FindEnd(rows, width, begin, true);
     const std::int64_t first = begin + WindowReach;
     const std::int64_t last = end - WindowReach;
-    if (last - first < BlockSize)
+    if (last - first < LanesPerBlock)
     {
       continue;
     }
     FindOneByOne(rows, width, done, first, medians);
-    for (std::int64_t x = first; x < last; x += BlockSize)
+    for (std::int64_t x = first; x < last; x += LanesPerBlock)
     {
-      const std::int64_t start = std::min(x, last - BlockSize);
+      const std::int64_t start = std::min(x, last - LanesPerBlock);
       std::array<const float*, WindowSide> files;
       std::transform(
         rows.begin(), rows.end(), files.begin(), [&](const float* row) { return row + start - WindowReach; });

@@ -35,9 +35,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double MostColumnsPerPick = 1000.0;
-constexpr double EnoughColumns = 1e6; // always allowed
-constexpr double MostColumns = 1 << 28;
+constexpr double AllowedColumns = 1e6; // always allowed
+constexpr double MostLatticeColumns = 1 << 28;
 constexpr double LeastSmoothing = 1e-6;
 // Tension holds a plate beside a single line, and is too weak to show elsewhere.
 constexpr double Tension = 1e-6;
@@ -52,7 +51,7 @@ struct Picks
 //----------------------------------------------------------------------------------------------------------------------
 // The lattice
 
-double RoundStep(double step)
+double RoundLatticeStep(double step)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(step)));
   double best = unit;
@@ -63,7 +62,7 @@ double RoundStep(double step)
   return best;
 }
 
-struct Box
+struct PlaceBox
 {
   Eigen::Vector2d Least = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d Greatest = -Least;
@@ -82,12 +81,12 @@ struct Box
   }
 };
 
-SurveyLattice AutomaticLattice(const Box& box, std::size_t picks)
+SurveyLattice AutomaticLattice(const PlaceBox& box, std::size_t picks)
 {
   const Eigen::Vector2d extent = box.Greatest - box.Least;
   const double area = extent.x() * extent.y();
   const double step = area > 0.0 ? std::sqrt(area / double(picks)) : std::max(extent.x(), extent.y()) / double(picks);
-  const double size = step > 0.0 && std::isfinite(step) ? RoundStep(step) : 1.0;
+  const double size = step > 0.0 && std::isfinite(step) ? RoundLatticeStep(step) : 1.0;
   SurveyLattice lattice;
   lattice.ColumnStep = size * Eigen::Vector2d::UnitX();
   lattice.RowStep = size * Eigen::Vector2d::UnitY();
@@ -99,7 +98,7 @@ SurveyLattice AutomaticLattice(const Box& box, std::size_t picks)
 SurveyLattice FindGrid(
   const std::vector<Eigen::Vector2d>& places, const GriddingOptions& options, const std::string& strays)
 {
-  Box box;
+  PlaceBox box;
   for (const Eigen::Vector2d& place : places)
   {
     box.Add(place);
@@ -112,7 +111,7 @@ SurveyLattice FindGrid(
     lattice.RowStep = options.Placement.RowStep;
   }
   const Eigen::Matrix2d toColumns = lattice.Steps().inverse();
-  Box columns;
+  PlaceBox columns;
   for (const Eigen::Vector2d& place : places)
   {
     columns.Add(toColumns * (place - lattice.Origin));
@@ -121,7 +120,8 @@ SurveyLattice FindGrid(
   const Eigen::Vector2d first = (columns.Least - margin).array().floor();
   const Eigen::Vector2d last = (columns.Greatest + margin).array().ceil();
   const Eigen::Vector2d size = last - first + Eigen::Vector2d::Ones();
-  if (!(size.prod() <= std::min(MostColumns, std::max(EnoughColumns, MostColumnsPerPick * double(places.size())))))
+  if (!(size.prod() <=
+        std::min(MostLatticeColumns, std::max(AllowedColumns, MostColumnsPerPick * double(places.size())))))
   {
     std::ostringstream text;
     text.precision(12);
@@ -211,7 +211,7 @@ private:
 
   const std::vector<Eigen::Vector2d>& Places;
   std::vector<std::int32_t> Order;
-  std::vector<Box> Boxes;
+  std::vector<PlaceBox> Boxes;
 };
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -148,7 +148,7 @@ PlateChoice ChoosePlate(
   return twists.Choose();
 }
 
-constexpr std::int64_t Grain = 16;
+constexpr std::int64_t HolesPerTask = 16;
 
 void CheckOptions(const HoleFillingOptions& options)
 {
@@ -443,7 +443,7 @@ public:
       this->Fill(
         this->Closed[n], monitor.Step(share * double(n) / double(large), share * double(n + 1) / double(large)));
     }
-    ParallelFor(std::int64_t(this->Closed.size() - large), Grain, monitor.Step(share, 1.0),
+    ParallelFor(std::int64_t(this->Closed.size() - large), HolesPerTask, monitor.Step(share, 1.0),
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)

@@ -7,27 +7,21 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 namespace SeismicHorizons
 {
 namespace
 {
-bool IsBefore(const PlanePoint& a, const PlanePoint& b)
-{
-  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
-}
-
 std::vector<PointId> SortByRows(PlanePoints columns)
 {
   std::vector<PointId> points(columns.size());
   std::iota(points.begin(), points.end(), 0);
-  const auto isNotBefore = [](const PlanePoint& a, const PlanePoint& b) { return !IsBefore(a, b); };
+  const auto isNotBefore = [](const PlanePoint& a, const PlanePoint& b) { return !PrecedesByRow(a, b); };
   if (std::adjacent_find(columns.begin(), columns.end(), isNotBefore) == columns.end())
   {
     return points;
   }
-  std::sort(points.begin(), points.end(), [&](PointId a, PointId b) { return IsBefore(columns[a], columns[b]); });
+  std::sort(points.begin(), points.end(), [&](PointId a, PointId b) { return PrecedesByRow(columns[a], columns[b]); });
   const auto same =
     std::adjacent_find(points.begin(), points.end(), [&](PointId a, PointId b) { return columns[a] == columns[b]; });
   if (same != points.end())
@@ -69,7 +63,7 @@ CommonColumns FindStackColumns(const std::vector<HorizonView>& horizons, std::si
     {
       const bool isAny = next[n] < sorted[n].size();
       const PlanePoint* const own = isAny ? &horizons[n].Columns[sorted[n][next[n]]] : nullptr;
-      column = own && (!column || IsBefore(*own, *column)) ? own : column;
+      column = own && (!column || PrecedesByRow(*own, *column)) ? own : column;
     }
     if (!column)
     {

@@ -15,15 +15,15 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int32_t Reach = 2; // columns
+constexpr std::int32_t CutoffReach = 2; // columns
 constexpr std::size_t FewestColumns = 6; // for a plane
 
 constexpr std::array<PlanePoint, 4> Steps = { PlanePoint{ 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
 
-class Surroundings
+class CutoffSurroundings
 {
 public:
-  Surroundings(const ColumnIndex& index, const LinkCuts& cuts)
+  CutoffSurroundings(const ColumnIndex& index, const LinkCuts& cuts)
     : Columns(index.Columns())
     , Index(index)
     , Cuts(cuts)
@@ -49,7 +49,7 @@ public:
       {
         const PlanePoint next = { column.X + step.X, column.Y + step.Y };
         const PointId point = this->Index.PointAt(next);
-        const bool isNear = std::max(std::abs(next.X - middle.X), std::abs(next.Y - middle.Y)) <= Reach;
+        const bool isNear = std::max(std::abs(next.X - middle.X), std::abs(next.Y - middle.Y)) <= CutoffReach;
         if (isNear && point != NoPoint && !this->Cuts.IsCutBeside(column, step) &&
           std::find(found.begin(), found.end(), point) == found.end())
         {
@@ -100,7 +100,7 @@ std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, const ColumnIndex& 
   const std::vector<std::vector<unsigned char>>& known, const LinkCuts& cuts)
 {
   const PlanePoints columns = index.Columns();
-  const Surroundings surroundings(index, cuts);
+  const CutoffSurroundings surroundings(index, cuts);
   std::vector<InnerHeights> fitted(heights.size());
   for (VertexId vertex = 0; vertex < mesh.EndOfVertices(); ++vertex)
   {

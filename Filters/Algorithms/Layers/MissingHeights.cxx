@@ -24,8 +24,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 1 << 14; // columns that a thread takes at a time
-
 // ---- Holes and gaps ------------------------------------------------------------------------------------------------
 /// Runs of at most `largest` empty columns between two of a row or column of the lattice.
 std::vector<PlanePoint> FindGaps(PlanePoints columns, int largest)

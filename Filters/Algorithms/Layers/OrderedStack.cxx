@@ -25,8 +25,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 1 << 14; // columns that a thread takes at a time
-
 void CheckHorizons(const std::vector<HorizonView>& horizons, const CrossingOptions& names)
 {
   if (horizons.size() < 2)

@@ -41,18 +41,18 @@ namespace
 // A turn by an angle a makes x cos a + h sin a of a trace x with Hilbert transform h. Fourth moments of x and h give
 // the kurtosis at any angle without turning traces.
 constexpr double Pi = 3.14159265358979323846;
-constexpr std::int64_t MostTraces = 2000;
+constexpr std::int64_t MostSampledTraces = 2000;
 
 // The kernel reaches this number of samples to each side, which limits the wavelength.
-constexpr int Reach = 63;
+constexpr int KernelReach = 63;
 
 /// The kernel is 2 / (pi n) at odd n, tapered against ripples.
-std::array<float, Reach + 1> MakeKernel()
+std::array<float, KernelReach + 1> MakeKernel()
 {
-  std::array<float, Reach + 1> kernel = {};
-  for (int n = 1; n <= Reach; n += 2)
+  std::array<float, KernelReach + 1> kernel = {};
+  for (int n = 1; n <= KernelReach; n += 2)
   {
-    const double taper = 0.5 * (1.0 + std::cos(Pi * n / (Reach + 1)));
+    const double taper = 0.5 * (1.0 + std::cos(Pi * n / (KernelReach + 1)));
     kernel[std::size_t(n)] = float(2.0 / (Pi * n) * taper);
   }
   return kernel;
@@ -63,17 +63,17 @@ class HilbertTransform
 public:
   void Run(const float* trace, int samples)
   {
-    this->Padded.assign(std::size_t(samples + 2 * Reach), 0.0F);
+    this->Padded.assign(std::size_t(samples + 2 * KernelReach), 0.0F);
     for (int k = 0; k < samples; ++k)
     {
-      this->Padded[std::size_t(k + Reach)] = std::isnan(trace[k]) ? 0.0F : trace[k];
+      this->Padded[std::size_t(k + KernelReach)] = std::isnan(trace[k]) ? 0.0F : trace[k];
     }
     this->Turned.assign(std::size_t(samples), 0.0F);
-    for (int n = 1; n <= Reach; n += 2)
+    for (int n = 1; n <= KernelReach; n += 2)
     {
       const float weight = this->Kernel[std::size_t(n)];
-      const float* const before = this->Padded.data() + Reach - n;
-      const float* const after = this->Padded.data() + Reach + n;
+      const float* const before = this->Padded.data() + KernelReach - n;
+      const float* const after = this->Padded.data() + KernelReach + n;
       for (int k = 0; k < samples; ++k)
       {
         this->Turned[std::size_t(k)] += weight * (before[k] - after[k]);
@@ -81,11 +81,11 @@ public:
     }
   }
 
-  float At(int k) const { return this->Padded[std::size_t(k + Reach)]; }
+  float At(int k) const { return this->Padded[std::size_t(k + KernelReach)]; }
   float TurnedAt(int k) const { return this->Turned[std::size_t(k)]; }
 
 private:
-  const std::array<float, Reach + 1> Kernel = MakeKernel();
+  const std::array<float, KernelReach + 1> Kernel = MakeKernel();
   std::vector<float> Padded;
   std::vector<float> Turned;
 };
@@ -131,7 +131,7 @@ constexpr std::size_t Parts = 8;
 std::array<Moments, Parts> SumMoments(const TraceCube& cube)
 {
   const std::int64_t traces = std::int64_t(cube.Size[0]) * cube.Size[1];
-  const std::int64_t step = std::max<std::int64_t>(1, traces / MostTraces);
+  const std::int64_t step = std::max<std::int64_t>(1, traces / MostSampledTraces);
   std::vector<Moments> ofTraces(std::size_t((traces + step - 1) / step));
   ParallelFor(std::int64_t(ofTraces.size()), 16,
     [&](std::int64_t begin, std::int64_t end)
@@ -355,10 +355,10 @@ int HalfWidth(double periods, double period)
   return std::max(1, int(std::lround(periods * period)));
 }
 
-class Joiner
+class SurfaceJoiner
 {
 public:
-  Joiner(const TraceCube& cube, const ExtractionOptions& options, const Extraction& figures)
+  SurfaceJoiner(const TraceCube& cube, const ExtractionOptions& options, const Extraction& figures)
     : Cube(cube)
     , Options(options)
     , Period(figures.Period)
@@ -844,7 +844,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     const ReflectionPicks& picks = reflections.BySign[sign];
     const Monitor part = monitor.Step(sign == 0 ? 0.3 : 0.6, sign == 0 ? 0.6 : 0.9);
     const double joined = guides.empty() ? 1.0 : 0.7;
-    Joiner joiner(cube, options, result);
+    SurfaceJoiner joiner(cube, options, result);
     surfaces[sign] = joiner.Join(picks, medians[sign], part.Step(0.0, joined));
     guided.Follow(cube, sign, picks, surfaces[sign], joiner.LargestStep(), part.Step(joined, 1.0));
     if (guides.empty() || options.Guidance.KeepOthers)

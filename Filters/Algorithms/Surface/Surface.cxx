@@ -19,7 +19,6 @@
 #include <memory>
 #include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace SeismicHorizons
@@ -27,11 +26,6 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double SpannedShare = 0.95; // along either axis
-
-bool IsBefore(const PlanePoint& a, const PlanePoint& b)
-{
-  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
-}
 
 std::vector<PlanePoint> SortByRows(PlanePoints columns, const PlaneBox& box)
 {
@@ -57,7 +51,7 @@ GapHistograms Count(PlanePoints columns)
 {
   const PlaneBox box(columns);
   std::vector<PlanePoint> sorted;
-  if (!std::is_sorted(columns.begin(), columns.end(), IsBefore))
+  if (!std::is_sorted(columns.begin(), columns.end(), PrecedesByRow))
   {
     sorted = SortByRows(columns, box);
     columns = sorted;
@@ -255,8 +249,8 @@ public:
           this->Points.push_back(point);
         }
       });
-    std::sort(
-      this->Points.begin(), this->Points.end(), [&](PointId a, PointId b) { return IsBefore(columns[a], columns[b]); });
+    std::sort(this->Points.begin(), this->Points.end(),
+      [&](PointId a, PointId b) { return PrecedesByRow(columns[a], columns[b]); });
   }
 
   /// Returns NoPoint if none is within reach.
@@ -267,8 +261,8 @@ public:
     for (std::int32_t y = place.Y - reach; y <= place.Y + reach; ++y)
     {
       auto point = std::lower_bound(this->Points.begin(), this->Points.end(), PlanePoint{ place.X - reach, y },
-        [this](PointId one, const PlanePoint& other) { return IsBefore(this->Columns[one], other); });
-      for (; point != this->Points.end() && !IsBefore({ place.X + reach, y }, this->Columns[*point]); ++point)
+        [this](PointId one, const PlanePoint& other) { return PrecedesByRow(this->Columns[one], other); });
+      for (; point != this->Points.end() && !PrecedesByRow({ place.X + reach, y }, this->Columns[*point]); ++point)
       {
         const std::int64_t distance = SquaredDistance(place, this->Columns[*point]);
         if (distance < least || (distance == least && nearest == NoPoint))

@@ -236,7 +236,7 @@ AssembledLoops AssembleLoops(
 }
 
 // Heights on the line of a seam may differ by this, in lattice units, or relative to heights above 1.
-constexpr double Rounding = 1e-6;
+constexpr double SeamRounding = 1e-6;
 
 using SeamVertices = std::map<std::int32_t, PointId>;
 
@@ -245,10 +245,10 @@ std::string RowText(const std::optional<std::int32_t>& row)
   return row ? "row " + std::to_string(*row) : std::string("none");
 }
 
-class Joiner
+class PartJoiner
 {
 public:
-  explicit Joiner(const std::vector<SurfacePart>& parts)
+  explicit PartJoiner(const std::vector<SurfacePart>& parts)
     : Parts(parts)
     , Seams(parts.size())
     , Number(parts.size())
@@ -341,7 +341,7 @@ private:
   void CheckHeight(PointId vertex, double height, double size) const
   {
     const double off = std::abs(this->HeightOf(vertex) - height);
-    if (!(off <= Rounding * std::max(1.0, std::abs(size))))
+    if (!(off <= SeamRounding * std::max(1.0, std::abs(size))))
     {
       const PlanePoint& column = this->Result.Vertices[vertex];
       std::ostringstream text;
@@ -573,7 +573,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 JoinedSurface JoinSurface(const std::vector<SurfacePart>& parts, std::int64_t minimumPatchSize)
 {
-  JoinedSurface joined = Joiner(parts).Run(minimumPatchSize);
+  JoinedSurface joined = PartJoiner(parts).Run(minimumPatchSize);
   if (MeshChecker::IsOn)
   {
     MeshChecker::Require("JoinSurface", joined.Vertices, joined.Boundary, joined.Triangles, MeshChecker::Kind::Any);

@@ -29,7 +29,7 @@ namespace
 constexpr double Accuracy = 0.01;
 
 // Smaller bounds are rounding, relative to the largest coordinate.
-constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr double DistanceRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 constexpr std::int64_t TrianglesPerChunk = 1024;
 constexpr std::int64_t CutPerChunk = 4;
@@ -49,7 +49,7 @@ struct Piece
   std::array<MetricValues, 3> Distance;
   std::array<NearestTriangles, 3> Nearest;
   MetricValues Bound; // of all places
-  MetricValues Rounding; // rounding of the bound
+  MetricValues DistanceRounding; // rounding of the bound
   double Order = 0.0; // highest first
 };
 
@@ -167,11 +167,11 @@ private:
       piece.Nearest[n] = this->Known.Nearest[point];
     }
     piece.Bound = {};
-    piece.Rounding = {};
+    piece.DistanceRounding = {};
     for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
     {
       piece.Bound[metric] = std::numeric_limits<double>::infinity();
-      piece.Rounding[metric] = Rounding * this->LargestCoordinate(piece.Corner, metric);
+      piece.DistanceRounding[metric] = DistanceRounding * this->LargestCoordinate(piece.Corner, metric);
     }
     return piece;
   }
@@ -213,7 +213,7 @@ private:
     MetricValues limits = {};
     for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
     {
-      limits[metric] = std::max(times * this->Result.Found[metric], piece.Rounding[metric]);
+      limits[metric] = std::max(times * this->Result.Found[metric], piece.DistanceRounding[metric]);
     }
     return limits;
   }

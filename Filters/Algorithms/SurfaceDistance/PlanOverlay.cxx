@@ -15,8 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384;
-
 // An end of the surface this far inside counts as rounding, relative to the raster's slack and to the height of the
 // triangle. The bound is raised by as much.
 constexpr double RoundingOfOutlines = 2.5e-4;
@@ -60,7 +58,7 @@ std::vector<unsigned char> FindInside(const TriangleSurface& surface)
   return inside;
 }
 
-struct Side
+struct PlanSide
 {
   PointId Low;
   PointId High;
@@ -68,13 +66,13 @@ struct Side
   std::int8_t Corner; // where it starts
   std::int8_t Turn; // 1 if the triangle is left, seen from Low, else -1
 
-  bool IsSame(const Side& other) const { return this->Low == other.Low && this->High == other.High; }
+  bool IsSame(const PlanSide& other) const { return this->Low == other.Low && this->High == other.High; }
 };
 
 /// Sorts edges between points that are not inside.
-std::vector<Side> ListOuterSides(const TriangleSurface& surface, const std::vector<unsigned char>& inside)
+std::vector<PlanSide> ListOuterSides(const TriangleSurface& surface, const std::vector<unsigned char>& inside)
 {
-  std::vector<Side> sides;
+  std::vector<PlanSide> sides;
   for (std::size_t n = 0; n < surface.Triangles.size(); ++n)
   {
     const Corners& t = surface.Triangles[n];
@@ -91,7 +89,7 @@ std::vector<Side> ListOuterSides(const TriangleSurface& surface, const std::vect
     }
   }
   std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
+    [](const PlanSide& a, const PlanSide& b)
     { return std::tie(a.Low, a.High, a.Triangle) < std::tie(b.Low, b.High, b.Triangle); });
   return sides;
 }
@@ -100,10 +98,10 @@ std::vector<Side> ListOuterSides(const TriangleSurface& surface, const std::vect
 std::vector<unsigned char> FindEnds(const TriangleSurface& surface)
 {
   std::vector<unsigned char> ends(surface.Triangles.size(), 0);
-  const std::vector<Side> sides = ListOuterSides(surface, FindInside(surface));
+  const std::vector<PlanSide> sides = ListOuterSides(surface, FindInside(surface));
   for (auto first = sides.begin(); first != sides.end();)
   {
-    const auto last = std::find_if(first, sides.end(), [first](const Side& side) { return !side.IsSame(*first); });
+    const auto last = std::find_if(first, sides.end(), [first](const PlanSide& side) { return !side.IsSame(*first); });
     const bool isBetween = last - first == 2 && first->Turn * (first + 1)->Turn == -1;
     for (; first != last; ++first)
     {

@@ -28,7 +28,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t TrianglesPerChunk = 16384;
+constexpr std::int64_t TrianglesPerBin = 16384;
 constexpr std::int64_t CellGrain = 2048;
 
 constexpr double SlackOfCells = 1e-6; // of their side
@@ -50,10 +50,10 @@ constexpr double FewOverlapping = 512.0;
 constexpr std::int64_t FewCells = 16; // With more cells the pyramid is searched.
 
 // A box adds three to the stack per level, and there are fewer than 64 levels.
-constexpr std::size_t MostWaiting = 3 * 64 + 1;
+constexpr std::size_t MostWaitingBlocks = 3 * 64 + 1;
 
 // A place this far outside, relative to the area, counts as across.
-constexpr double Across = 1e-9;
+constexpr double AcrossTolerance = 1e-9;
 
 double Square(double value)
 {
@@ -104,14 +104,14 @@ void ForEachCell(const RasterGrid& grid, const PlanTriangle& triangle, Visitor&&
   }
 }
 
-struct HeightRange
+struct LowAndHigh
 {
   double Low;
   double High;
 };
 
 /// The plane of the triangle within a square may narrow the range.
-HeightRange HeightsWithin(const TriangleSurface& surface, const Corners& t, const Eigen::Array2d& middle, double reach)
+LowAndHigh HeightsWithin(const TriangleSurface& surface, const Corners& t, const Eigen::Array2d& middle, double reach)
 {
   const Eigen::Vector3d& a = surface.Point(t[0]);
   const Eigen::Vector3d& b = surface.Point(t[1]);
@@ -130,8 +130,8 @@ HeightRange HeightsWithin(const TriangleSurface& surface, const Corners& t, cons
   const double change = slope.abs().sum() * reach + 1e-9 * (high - low);
   const double longer = std::max((b - a).head<2>().squaredNorm(), (c - a).head<2>().squaredNorm());
   const bool isPlane = std::abs(normal.z()) > 1e-5 * longer && std::isfinite(height);
-  return isPlane ? HeightRange{ std::max(low, height - change), std::min(high, height + change) }
-                 : HeightRange{ low, high };
+  return isPlane ? LowAndHigh{ std::max(low, height - change), std::min(high, height + change) }
+                 : LowAndHigh{ low, high };
 }
 
 // ---- Making the raster ----------------------------------------------------------------------------------------------
@@ -150,7 +150,7 @@ struct Extent
 
 Extent MeasureExtent(const TriangleSurface& surface)
 {
-  return AddUpChunks<Extent>(std::int64_t(surface.Triangles.size()), TrianglesPerChunk, Monitor(),
+  return AddUpChunks<Extent>(std::int64_t(surface.Triangles.size()), TrianglesPerBin, Monitor(),
     [&](Extent& extent, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
@@ -234,7 +234,7 @@ std::vector<std::uint32_t> TriangleRaster::FindOnlyCells() const
 {
   const std::vector<Corners>& triangles = this->Surface.Triangles;
   std::vector<std::uint32_t> only(triangles.size());
-  ParallelFor(std::int64_t(triangles.size()), TrianglesPerChunk,
+  ParallelFor(std::int64_t(triangles.size()), TrianglesPerBin,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
@@ -337,7 +337,7 @@ TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
   double high = -low;
   for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
   {
-    const HeightRange heights =
+    const LowAndHigh heights =
       HeightsWithin(this->Surface, this->Surface.Triangles[this->TriangleOf(n)], middle, reach);
     low = std::min(low, heights.Low);
     high = std::max(high, heights.High);
@@ -404,7 +404,7 @@ std::int32_t TriangleRaster::FindAcross(const Eigen::Vector3d& place) const
     const double whole = first + second + third;
     const double least =
       whole < 0.0 ? -std::max(std::max(first, second), third) : std::min(std::min(first, second), third);
-    if (least >= -Across * std::abs(whole))
+    if (least >= -AcrossTolerance * std::abs(whole))
     {
       return number;
     }
@@ -474,7 +474,7 @@ TriangleRaster::Waiting* TriangleRaster::PushChildren(
 void TriangleRaster::SearchPyramid(
   const Eigen::Vector3d& place, const Metric& metric, std::int32_t& nearest, double& best) const
 {
-  Waiting stack[MostWaiting];
+  Waiting stack[MostWaitingBlocks];
   Waiting* end = stack;
   *end++ = { 0.0, std::uint32_t(this->Pyramid.size() - 1), 0, 0 };
   while (end != stack)
@@ -489,7 +489,7 @@ void TriangleRaster::SearchPyramid(
       this->SearchCells(place, metric, { box.X, box.X }, { box.Y, box.Y }, nearest, best);
       continue;
     }
-    assert(end + 4 <= stack + MostWaiting);
+    assert(end + 4 <= stack + MostWaitingBlocks);
     end = this->PushChildren(place, metric, box, best, end);
   }
 }

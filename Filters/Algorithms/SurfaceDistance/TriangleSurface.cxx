@@ -15,7 +15,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384;
 constexpr std::int64_t GrainOfLists = 4096;
 
 void CheckPoint(const Eigen::Vector3d& place, std::int64_t point, const char* name)

@@ -24,14 +24,14 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 4096;
+constexpr std::int64_t TrianglesPerSplit = 4096;
 constexpr std::int64_t GrainOfNodes = 256;
 
 // Box and point are rounded by up to 2^-24, and the box again when widened: four times is enough.
 constexpr double RoundingOfCoordinates = 4 * 0x1p-24;
 
 // A box adds three to the stack per level; numbers of 32 bits fit 16 levels.
-constexpr std::size_t MostWaiting = 64;
+constexpr std::size_t MostWaitingNodes = 64;
 
 // Squared distances in single precision are wrong by less than 1e-6. Boxes beyond the best by this factor have nothing
 // nearer.
@@ -135,7 +135,7 @@ void TriangleTree::Sort(const Monitor& monitor)
 {
   const std::size_t size = this->Surface.Triangles.size();
   std::vector<Middle> middles(size);
-  ParallelFor(std::int64_t(size), Grain,
+  ParallelFor(std::int64_t(size), TrianglesPerSplit,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
@@ -159,7 +159,7 @@ void TriangleTree::Sort(const Monitor& monitor)
         SplitIntoChildren(middles.data() + begin, middles.data() + std::min(size, begin + Fan * capacity), capacity);
       }
     };
-    ParallelFor(std::int64_t(this->NodesOf(level)), Grain / std::int64_t(capacity) + 1, split);
+    ParallelFor(std::int64_t(this->NodesOf(level)), TrianglesPerSplit / std::int64_t(capacity) + 1, split);
   }
   this->Triangles.reserve(size);
   this->Numbers.reserve(size);
@@ -262,7 +262,7 @@ template <typename DistancesOf, typename LeafSearch>
 void TriangleTree::Descend(float bound, DistancesOf&& distancesOf, LeafSearch&& searchLeaf) const
 {
   const std::uint32_t levels = std::uint32_t(this->Levels());
-  Waiting stack[MostWaiting];
+  Waiting stack[MostWaitingNodes];
   std::size_t size = 1;
   stack[0] = { 0.0F, 0, 0 };
   while (size > 0)
@@ -278,7 +278,7 @@ void TriangleTree::Descend(float bound, DistancesOf&& distancesOf, LeafSearch&& 
       continue;
     }
     const Eigen::Array4f distances = distancesOf(this->Nodes[this->LevelStart[box.Level] + box.Node]);
-    assert(size + Fan <= MostWaiting);
+    assert(size + Fan <= MostWaitingNodes);
     const std::size_t oldSize = size;
     for (std::uint32_t child = 0; child < Fan; ++child)
     {

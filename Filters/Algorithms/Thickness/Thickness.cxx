@@ -22,8 +22,6 @@ namespace
 {
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 
-constexpr std::int64_t Grain = 1 << 14;
-
 /// Lines farther apart are not a grid whose columns represent all bins between; outlines bridge no more, either.
 constexpr std::int64_t LargestStep = 32;
 

@@ -22,8 +22,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384;
-
 // This limits memory if points are crowded in a small part of their box.
 constexpr double MostVoxelsPerPoint = 4.0;
 

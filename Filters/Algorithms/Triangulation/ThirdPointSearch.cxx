@@ -167,8 +167,8 @@ bool ThirdPointQuery::IsVisible(PointId point) const
 // slack. Points nearer to the line of the edge, mostly its ends alone, are treated separately.
 namespace
 {
-// Rounding is 4 * 48 u, rounded up. Slack is absolute, and relative to the size of the cotangent.
-constexpr float Rounding = 256.0f / 16777216.0f;
+// FloatRounding is 4 * 48 u, rounded up. Slack is absolute, and relative to the size of the cotangent.
+constexpr float FloatRounding = 256.0f / 16777216.0f;
 constexpr float Slack = 1.0f / 64.0f;
 
 constexpr float Unknown = 1e30f;
@@ -201,7 +201,7 @@ public:
   {
     const float size = float(query.Points.Voxels().CellSize()) *
       float(std::int32_t(std::max(box.LastX - box.FirstX, box.LastY - box.FirstY)) + 1);
-    this->Near = Rounding / Slack * size * (size + std::abs(this->EdgeX) + std::abs(this->EdgeY));
+    this->Near = FloatRounding / Slack * size * (size + std::abs(this->EdgeX) + std::abs(this->EdgeY));
     this->Lowest = FourTimes(query.OnlyVisible || query.Best != NoPoint ? bound : Unknown);
   }
 
@@ -337,7 +337,7 @@ VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float rad
   const FloatBatch least = Select(area > FourTimes(-4.0f * margin * radius), centre - radius, ends) - margin;
   const IntegerBatch places = ToIntegers(Select(least > FourTimes(-FarOutside), least, FourTimes(-FarOutside)));
   const SearchGrid& points = query.Points;
-  // Rounding towards 0 moves a place by less than 1.
+  // FloatRounding towards 0 moves a place by less than 1.
   return { points.VoxelX(query.A.X + places[0] - 1), points.VoxelY(query.A.Y + places[1] - 1),
     points.VoxelX(query.A.X - places[2] + 1), points.VoxelY(query.A.Y - places[3] + 1) };
 }
@@ -570,7 +570,7 @@ struct EdgeCircle
     const double y = double(point.Y - this->Start.Y);
     const double fromX = x - this->X;
     const double fromY = y - this->Y;
-    // Rounding preserves the order of these products, or makes them equal.
+    // FloatRounding preserves the order of these products, or makes them equal.
     return (fromX * fromX + fromY * fromY <= this->SquaredReach) & (this->EdgeX * y >= this->EdgeY * x);
   }
 

@@ -17,8 +17,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 16384;
-
 struct Shape
 {
   Shape(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)

@@ -46,8 +46,6 @@ namespace
 {
 // ---- Full blocks ----------------------------------------------------------------------------------------------------
 
-constexpr std::int64_t Grain = 32768;
-
 // With fewer points per column, visiting all columns costs more than full blocks save.
 constexpr std::int64_t MostColumnsPerPoint = 8;
 
