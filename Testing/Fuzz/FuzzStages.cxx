@@ -8,7 +8,7 @@
 #include "StageProperties.h"
 
 #include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
-#include "Filters/Algorithms/Triangulation/ConvexHull.h"
+#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
 #include "Tools/ReductionChecker.h"
 
 #include <algorithm>

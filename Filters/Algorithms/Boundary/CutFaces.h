@@ -21,7 +21,6 @@
 #include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/Cracks.h"
 #include "Common/Horizon/Types.h"
-#include "CutBlocks.h"
 #include "Hops.h"
 #include "PatchComponents.h"
 #include "PlanarHops.h"

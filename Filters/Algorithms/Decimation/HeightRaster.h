@@ -11,7 +11,6 @@
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/Types.h"
-#include "FourColumns.h"
 #include "TriangleRows.h"
 
 #include <Eigen/Core>

@@ -4,8 +4,8 @@
 #include "KeptLines.h"
 
 #include "Common/Horizon/PlaneGeometry.h"
-#include "Filters/Algorithms/Decimation/KeptSides.h"
 #include "Filters/Algorithms/Decimation/MeshRefiner.h"
+#include "Filters/Algorithms/Decimation/PlaneMesh.h"
 
 #include <algorithm>
 #include <iterator>

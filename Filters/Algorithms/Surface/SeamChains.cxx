@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "SeamChains.h"
+#include "Surface.h"
 
 #include "Common/Horizon/SpacePoints.h"
 #include "Filters/Algorithms/BoundarySimplification/FewestPoints.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Joins meshes of parts of a horizon along their seams (SeamChains.h).
+// Joins meshes of parts of a horizon along their seams (Surface.h).
 //
 // Vertices of both parts become one; a vertex of one part splits the edge and triangle of the other. Loops along seams
 // vanish, and the rest is assembled anew, so that holes and patches are whole again. Gaps without surface on both sides

@@ -6,7 +6,7 @@
 // the largest distance found:
 //
 // - distances of two places differ by at most their own distance;
-// - the overlay with triangles above and below (PlanOverlay.h);
+// - the overlay with triangles above and below (PlanOverlay);
 // - the distance to a triangle is convex, and largest at a corner: triangles nearest to corners and middle are tried.
 //
 // Remaining triangles are halved at their longest edge, highest bound first, in rounds: the first rounds settle most of
@@ -15,14 +15,409 @@
 #include "LargestDistance.h"
 
 #include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace SeismicHorizons
 {
+// ---- PlanOverlay ----------------------------------------------------------------------------------------------------
+
+namespace
+{
+// An end of the surface this far inside counts as rounding, relative to the raster's slack and to the height of the
+// triangle. The bound is raised by as much.
+constexpr double RoundingOfOutlines = 2.5e-4;
+constexpr double RoundingInside = 1e-3;
+
+// Planes are heights over plan if their area in plan is at least this, relative to the squared longest edge, which
+// limits the rounding of slopes.
+constexpr double LeastFlatness = 1e-3;
+
+/// Returns 1 for counter-clockwise corners, -1 for clockwise, 0 without area in plan.
+int TurnOf(const TriangleSurface& surface, const Corners& t)
+{
+  const double area = PlanTriangle(surface, t).DoubledArea();
+  return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
+}
+
+/// A point is inside if triangles close a ring around it: each adds a random number for its first edge at the point,
+/// and subtracts one for its second, so that the sum is 0.
+std::vector<unsigned char> FindInside(const TriangleSurface& surface)
+{
+  std::vector<std::atomic<std::uint64_t>> sums(surface.Points.size());
+  ParallelFor(std::int64_t(surface.Triangles.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        const Corners& t = surface.Triangles[n];
+        const std::uint64_t turn = std::uint64_t(std::int64_t(TurnOf(surface, t)));
+        const std::uint64_t number[3] = { Scramble(std::uint64_t(t[0])), Scramble(std::uint64_t(t[1])),
+          Scramble(std::uint64_t(t[2])) };
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+          sums[t[corner]].fetch_add(
+            turn * (number[(corner + 1) % 3] - number[(corner + 2) % 3]), std::memory_order_relaxed);
+        }
+      }
+    });
+  std::vector<unsigned char> inside(sums.size());
+  std::transform(sums.begin(), sums.end(), inside.begin(),
+    [](const std::atomic<std::uint64_t>& sum) { return sum.load(std::memory_order_relaxed) == 0 ? 1 : 0; });
+  return inside;
+}
+
+struct PlanSide
+{
+  PointId Low;
+  PointId High;
+  std::int32_t Triangle;
+  std::int8_t Corner; // where it starts
+  std::int8_t Turn; // 1 if the triangle is left, seen from Low, else -1
+
+  bool IsSame(const PlanSide& other) const { return this->Low == other.Low && this->High == other.High; }
+};
+
+/// Sorts edges between points that are not inside.
+std::vector<PlanSide> ListOuterSides(const TriangleSurface& surface, const std::vector<unsigned char>& inside)
+{
+  std::vector<PlanSide> sides;
+  for (std::size_t n = 0; n < surface.Triangles.size(); ++n)
+  {
+    const Corners& t = surface.Triangles[n];
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      const PointId from = t[corner];
+      const PointId to = t[(corner + 1) % 3];
+      if (inside[from] == 0 && inside[to] == 0)
+      {
+        const int turn = TurnOf(surface, t);
+        sides.push_back({ std::min(from, to), std::max(from, to), std::int32_t(n), std::int8_t(corner),
+          std::int8_t(from < to ? turn : -turn) });
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+    [](const PlanSide& a, const PlanSide& b)
+    { return std::tie(a.Low, a.High, a.Triangle) < std::tie(b.Low, b.High, b.Triangle); });
+  return sides;
+}
+
+/// The surface may end at edges without one triangle on each side.
+std::vector<unsigned char> FindEnds(const TriangleSurface& surface)
+{
+  std::vector<unsigned char> ends(surface.Triangles.size(), 0);
+  const std::vector<PlanSide> sides = ListOuterSides(surface, FindInside(surface));
+  for (auto first = sides.begin(); first != sides.end();)
+  {
+    const auto last = std::find_if(first, sides.end(), [first](const PlanSide& side) { return !side.IsSame(*first); });
+    const bool isBetween = last - first == 2 && first->Turn * (first + 1)->Turn == -1;
+    for (; first != last; ++first)
+    {
+      ends[first->Triangle] |= isBetween ? 0 : (1U << unsigned(first->Corner));
+    }
+  }
+  return ends;
+}
+
+class HeightPlane
+{
+public:
+  explicit HeightPlane(const Triangle& t)
+    : Origin(t[0])
+  {
+    const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    const double longest =
+      std::max({ (t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm() });
+    this->IsFlat = std::abs(normal.z()) > LeastFlatness * longest;
+    this->Slope = -normal.head<2>() / normal.z();
+  }
+
+  /// Returns infinity for a triangle that is too steep.
+  double LargestGap(const Triangle& t) const
+  {
+    return this->IsFlat ? std::max({ this->Gap(t[0]), this->Gap(t[1]), this->Gap(t[2]) })
+                        : std::numeric_limits<double>::infinity();
+  }
+
+  Eigen::Vector2d Slope;
+
+private:
+  bool IsFlat = false;
+
+  double Gap(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Vector3d offset = place - this->Origin;
+    return std::abs(offset.z() - this->Slope.x() * offset.x() - this->Slope.y() * offset.y());
+  }
+
+  Eigen::Vector3d Origin;
+};
+
+class CutPolygon
+{
+public:
+  explicit CutPolygon(const Triangle& corners)
+    : Size(3)
+  {
+    std::copy(corners.begin(), corners.end(), this->Place.begin());
+  }
+
+  /// Keeps the left of a line in plan, or its right if `turn` is negative.
+  void Cut(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double turn)
+  {
+    const Eigen::Vector2d along = turn * (to - from).head<2>();
+    const auto side = [&](const Eigen::Vector3d& place)
+    { return along.x() * (place.y() - from.y()) - along.y() * (place.x() - from.x()); };
+    std::array<Eigen::Vector3d, Most> kept;
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < this->Size; ++n)
+    {
+      const Eigen::Vector3d& place = this->Place[n];
+      const Eigen::Vector3d& next = this->Place[n + 1 < this->Size ? n + 1 : 0];
+      const double here = side(place);
+      const double there = side(next);
+      if (here >= 0.0)
+      {
+        kept[count++] = place;
+      }
+      if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0))
+      {
+        kept[count++] = place + here / (here - there) * (next - place);
+      }
+    }
+    this->Place = kept;
+    this->Size = count;
+  }
+
+  const Eigen::Vector3d* begin() const { return this->Place.data(); }
+  const Eigen::Vector3d* end() const { return this->Place.data() + this->Size; }
+
+private:
+  static constexpr std::size_t Most = 9; // each cut adds one, and rounding perhaps another
+  std::array<Eigen::Vector3d, Most> Place;
+  std::size_t Size;
+};
+
+bool IsWithin(const Eigen::Vector2d& place, const PlanTriangle& triangle, double area)
+{
+  const double turn = area < 0.0 ? -1.0 : 1.0;
+  return turn * triangle.DoubledArea(0, place) >= 0.0 && turn * triangle.DoubledArea(1, place) >= 0.0 &&
+    turn * triangle.DoubledArea(2, place) >= 0.0;
+}
+
+Triangle TriangleOf(const TriangleSurface& surface, const Corners& t)
+{
+  return { surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]) };
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+class PlanOverlay::Measure
+{
+public:
+  Measure(const PlanOverlay& overlay, const Triangle& corners, const std::vector<Metric>& metrics,
+    const MetricValues& enough, const MetricValues& bounds)
+    : Surface(overlay.Raster.GetSurface())
+    , Ends(overlay.Ends)
+    , Corner(corners)
+    , Metrics(metrics)
+    , Enough(enough)
+    , Bounds(bounds)
+    , Plan(corners)
+    , Plane(corners)
+    , Low(this->Plan.Low(0), this->Plan.Low(1))
+    , High(this->Plan.High(0), this->Plan.High(1))
+    , Middle(((corners[0] + corners[1] + corners[2]) / 3.0).head<2>())
+    , Turn(this->Plan.DoubledArea() < 0.0 ? -1.0 : 1.0)
+    , LongestOverHeight(this->Plan.SquaredLongest() / std::abs(this->Plan.DoubledArea()))
+    , MostOutside(std::min(RoundingOfOutlines * overlay.Raster.Slack(),
+        RoundingInside * std::sqrt(this->Plan.SquaredLongest()) / this->LongestOverHeight))
+  {
+    for (std::size_t metric = 0; metric < metrics.size(); ++metric)
+    {
+      if (this->IsOpen(metric))
+      {
+        this->GapEnough = std::min(this->GapEnough, enough[metric] / metrics[metric].Weights()[2]);
+      }
+    }
+  }
+
+  /// Returns false if no lower bound is possible.
+  bool Add(std::int32_t number)
+  {
+    ++this->Visits;
+    const Corners& t = this->Surface.Triangles[number];
+    const Triangle other = TriangleOf(this->Surface, t);
+    const unsigned ends = this->Ends[number];
+    const bool isNear = this->IsSmall(this->Plane.LargestGap(other));
+    if (isNear && this->IsTouched && ends == 0)
+    {
+      return true;
+    }
+    const PlanTriangle plan(other);
+    const double area = plan.DoubledArea();
+    if (area == 0.0 || !this->MayOverlap(plan))
+    {
+      return true; // covers nothing
+    }
+    if (ends != 0 && !this->AllowsSides(other, ends))
+    {
+      return false;
+    }
+    this->IsTouched = this->IsTouched || IsWithin(this->Middle, plan, area);
+    return isNear || this->IsSmall(HeightPlane(other).LargestGap(this->Corner)) || !Overlap(this->Plan, plan) ||
+      this->AddPolygon(t, other, area < 0.0 ? -1.0 : 1.0);
+  }
+
+  void Lower(MetricValues& bounds) const
+  {
+    for (std::size_t metric = 0; metric < this->Metrics.size() && this->IsTouched; ++metric)
+    {
+      if (this->IsOpen(metric))
+      {
+        const Metric& in = this->Metrics[metric];
+        // along the plane of the triangle, to places just outside
+        const double stretch = std::sqrt(in.SquaredPlanNorm()) + in.Weights()[2] * this->Plane.Slope.norm();
+        const double largest = std::max(in.Weights()[2] * this->LargestGap, this->Largest[metric]);
+        bounds[metric] = std::min(bounds[metric], this->Outside > 0.0 ? largest + this->Outside * stretch : largest);
+      }
+    }
+  }
+
+  std::int64_t Visits = 0;
+
+private:
+  /// Small gaps need no distances.
+  bool IsSmall(double gap)
+  {
+    const bool isSmall = gap <= this->GapEnough;
+    this->LargestGap = isSmall ? std::max(this->LargestGap, gap) : this->LargestGap;
+    return isSmall;
+  }
+
+  bool IsOpen(std::size_t metric) const { return this->Bounds[metric] > this->Enough[metric]; }
+
+  bool MayOverlap(const PlanTriangle& plan) const
+  {
+    const auto& [a, b, c] = plan.Corner;
+    return (a.array().min(b.array()).min(c.array()) < this->High).all() &&
+      (a.array().max(b.array()).max(c.array()) > this->Low).all();
+  }
+
+  /// Edges where the surface may end must not pass through this triangle.
+  bool AllowsSides(const Triangle& other, unsigned ends)
+  {
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      if ((ends >> n & 1U) != 0 && !this->AllowsSide(other[n].head<2>(), other[(n + 1) % 3].head<2>()))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool AllowsSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    const Eigen::Vector2d along = to - from;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    double depth = std::numeric_limits<double>::infinity(); // inside the edge that it is least inside of
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      const Eigen::Vector2d& corner = this->Plan.Corner[n];
+      const Eigen::Vector2d side = this->Plan.Corner[(n + 1) % 3] - corner;
+      const double inside =
+        std::max(this->Turn * this->Plan.DoubledArea(n, from), this->Turn * this->Plan.DoubledArea(n, to));
+      depth = std::min(depth, inside <= 0.0 ? 0.0 : inside / side.norm());
+      const double left = along.x() * (corner.y() - from.y()) - along.y() * (corner.x() - from.x());
+      least = std::min(least, left);
+      most = std::max(most, left);
+    }
+    const double length = along.norm();
+    depth = std::min(depth, std::max(0.0, std::min(most, -least)) / length);
+    if (depth > this->MostOutside)
+    {
+      return false;
+    }
+    this->Outside = std::max(this->Outside, depth * this->LongestOverHeight);
+    return true;
+  }
+
+  bool AddPolygon(const Corners& t, const Triangle& other, double turn)
+  {
+    CutPolygon polygon(this->Corner);
+    polygon.Cut(other[0], other[1], turn);
+    polygon.Cut(other[1], other[2], turn);
+    polygon.Cut(other[2], other[0], turn);
+    bool isLower = false;
+    for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
+    {
+      if (!this->IsOpen(metric))
+      {
+        continue;
+      }
+      double squared = 0.0;
+      for (const Eigen::Vector3d& place : polygon)
+      {
+        squared = std::max(squared, this->Metrics[metric].SquaredDistance(this->Surface, t, place));
+      }
+      this->Largest[metric] = std::max(this->Largest[metric], std::sqrt(squared));
+      isLower = isLower || this->Largest[metric] < this->Bounds[metric];
+    }
+    return isLower;
+  }
+
+  const TriangleSurface& Surface;
+  const std::vector<unsigned char>& Ends;
+  const Triangle& Corner;
+  const std::vector<Metric>& Metrics;
+  const MetricValues& Enough;
+  const MetricValues& Bounds;
+  PlanTriangle Plan;
+  HeightPlane Plane;
+  Eigen::Array2d Low;
+  Eigen::Array2d High;
+  Eigen::Vector2d Middle;
+  double Turn;
+  double LongestOverHeight; // bounds distance from the triangle by distance from an edge
+  double MostOutside;
+  double GapEnough = std::numeric_limits<double>::infinity();
+  double LargestGap = 0.0; // of small gaps
+  MetricValues Largest = {}; // at corners of polygons with larger gaps
+  double Outside = 0.0; // by rounding, where the surface ends within the triangle
+  bool IsTouched = false; // at the middle
+};
+
+//----------------------------------------------------------------------------------------------------------------------
+PlanOverlay::PlanOverlay(const TriangleRaster& raster)
+  : Raster(raster)
+  , Ends(FindEnds(raster.GetSurface()))
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t PlanOverlay::Lower(
+  const Triangle& corners, const std::vector<Metric>& metrics, const MetricValues& enough, MetricValues& bounds) const
+{
+  Measure measure(*this, corners, metrics, enough, bounds);
+  if (PlanTriangle(corners).DoubledArea() != 0.0 &&
+    this->Raster.ForEachNear(PlanTriangle(corners), [&](std::int32_t triangle) { return measure.Add(triangle); }))
+  {
+    measure.Lower(bounds);
+  }
+  return measure.Visits;
+}
+
+// ---- LargestDistance ------------------------------------------------------------------------------------------------
+
 namespace
 {
 // Bounds may differ by this, relative to the lower bound.

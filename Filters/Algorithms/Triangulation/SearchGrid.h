@@ -20,6 +20,27 @@
 
 namespace SeismicHorizons
 {
+/// Reduces coordinates to the smallest integers: relative to the least, and divided by the largest common power of two.
+/// Predicates do not depend on origin and unit.
+struct PlaneFrame
+{
+  PlaneFrame() = default;
+  explicit PlaneFrame(const std::vector<PlanePoint>& places);
+
+  PlanePoint Inward(const PlanePoint& place) const
+  {
+    return { (place.X - this->Least.X) >> this->Shift, (place.Y - this->Least.Y) >> this->Shift };
+  }
+  PlanePoint Outward(const PlanePoint& place) const
+  {
+    return { (place.X << this->Shift) + this->Least.X, (place.Y << this->Shift) + this->Least.Y };
+  }
+
+  PlanePoint Least;
+  PlanePoint Greatest;
+  int Shift = 0; // exponent of the power of two
+};
+
 /// Points are renumbered by cell, row by row, so that points in a row of cells have successive numbers.
 class SearchGrid
 {

@@ -28,7 +28,7 @@
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/Predicates.h"
 #include "PatchFront.h"
-#include "PlaneFrame.h"
+#include "SearchGrid.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Common/Horizon/CellGrid.h"
-#include "Filters/Algorithms/Triangulation/PlaneFrame.h"
+#include "Filters/Algorithms/Triangulation/SearchGrid.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

@@ -6,8 +6,8 @@
 #include "Common/Horizon/MeshChecker.h"
 #include "DecimationChecker.h"
 #include "Filters/Algorithms/Decimation/HeightMesh.h"
-#include "Filters/Algorithms/Decimation/KeptSides.h"
 #include "Filters/Algorithms/Decimation/MeshRefiner.h"
+#include "Filters/Algorithms/Decimation/PlaneMesh.h"
 #include "Tools/Check.h"
 
 #include <algorithm>

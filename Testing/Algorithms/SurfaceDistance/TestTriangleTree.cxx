@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Filters/Algorithms/SurfaceDistance/TriangleTree.h"
+#include "Filters/Algorithms/SurfaceDistance/DistanceProbe.h"
 #include "Tools/Check.h"
 #include "Tools/RandomSurfaces.h"
 
