@@ -53,7 +53,7 @@ public:
     this->WriteTriangles();
     this->AssignPoints(monitor.Step(0.0, 0.8));
     this->CheckAllAssigned();
-    this->MeasureSides(monitor.Step(0.8, 1.0));
+    this->MeasureEdges(monitor.Step(0.8, 1.0));
     return std::move(this->Result);
   }
 
@@ -140,25 +140,25 @@ private:
       });
   }
 
-  void MeasureSides(const Monitor& monitor)
+  void MeasureEdges(const Monitor& monitor)
   {
     std::vector<std::array<double, 2>> errors(std::size_t(this->Mesh.Size()), { 0.0, 0.0 });
     this->Surface.ForEachTriangle(monitor,
       [&](TriangleId triangle)
       {
-        for (int side = 0; side < 3; ++side)
+        for (int edge = 0; edge < 3; ++edge)
         {
-          const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
+          const TriangleId beyond = this->Mesh.Neighbour(triangle, edge);
           if (beyond == NoTriangle || beyond > triangle)
           {
             double& largest = errors[triangle][beyond == NoTriangle ? 1 : 0];
-            largest = std::max(largest, this->Surface.MeasureCrossings(triangle, side).Largest);
+            largest = std::max(largest, this->Surface.MeasureCrossings(triangle, edge).Largest);
           }
         }
       });
     for (const auto& [ofInner, ofLoop] : errors)
     {
-      this->Result.LargestSideError = std::max(this->Result.LargestSideError, ofInner);
+      this->Result.LargestEdgeError = std::max(this->Result.LargestEdgeError, ofInner);
       this->Result.LargestLoopError = std::max(this->Result.LargestLoopError, ofLoop);
     }
   }

@@ -73,7 +73,7 @@ struct Decimation
   double LargestError = 0.0;
   double MeanError = 0.0;
   /// Edges are measured where they cross grid lines. Loop edges are kept whatever their error.
-  double LargestSideError = 0.0;
+  double LargestEdgeError = 0.0;
   double LargestLoopError = 0.0;
   /// Slivers have an angle in plan below SmallestAngle.
   std::size_t NumberOfSlivers = 0;

@@ -70,7 +70,7 @@ private:
 struct Element
 {
   std::array<double, 3> Corners = {};
-  std::array<double, 3> Sides = {};
+  std::array<double, 3> Edges = {};
   std::array<double, 3> Right = {};
 };
 
@@ -117,7 +117,7 @@ public:
         for (const Entry* entry = this->Rows.begin(row); entry != this->Rows.end(row); ++entry)
         {
           this->Values[this->Rows.IndexOf(entry)] =
-            elements[entry->Triangle].Sides[entry->Side] + elements[entry->OtherTriangle].Sides[entry->OtherSide];
+            elements[entry->Triangle].Edges[entry->Edge] + elements[entry->OtherTriangle].Edges[entry->OtherEdge];
         }
         return 0.0;
       });
@@ -177,8 +177,8 @@ private:
     int Other;
     TriangleId Triangle;
     TriangleId OtherTriangle;
-    std::int8_t Side;
-    std::int8_t OtherSide;
+    std::int8_t Edge;
+    std::int8_t OtherEdge;
   };
 
   template <typename Add>
@@ -186,16 +186,16 @@ private:
   {
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
-      for (int side = 0; side < 3; ++side)
+      for (int edge = 0; edge < 3; ++edge)
       {
-        const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
-        const int from = this->Corners[triangle][side];
-        const int to = this->Corners[triangle][NextCorner(side)];
+        const TriangleId beyond = this->Mesh.Neighbour(triangle, edge);
+        const int from = this->Corners[triangle][edge];
+        const int to = this->Corners[triangle][NextCorner(edge)];
         if (beyond > triangle && from != MovableCorners::None && to != MovableCorners::None)
         {
-          const int back = this->Mesh.SideTo(beyond, triangle);
-          add(from, { to, triangle, beyond, std::int8_t(side), std::int8_t(back) });
-          add(to, { from, triangle, beyond, std::int8_t(side), std::int8_t(back) });
+          const int back = this->Mesh.EdgeTo(beyond, triangle);
+          add(from, { to, triangle, beyond, std::int8_t(edge), std::int8_t(back) });
+          add(to, { from, triangle, beyond, std::int8_t(edge), std::int8_t(back) });
         }
       }
     }
@@ -284,7 +284,7 @@ public:
     {
       const Four weighted = weights * parts[corner];
       this->Corners[corner] += weighted * parts[corner];
-      this->Sides[corner] += weighted * parts[corner == 2 ? 0 : corner + 1];
+      this->Edges[corner] += weighted * parts[corner == 2 ? 0 : corner + 1];
       this->Right[corner] += weighted * errors;
     }
   }
@@ -295,7 +295,7 @@ public:
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       element.Corners[corner] = double(this->Corners[corner].sum());
-      element.Sides[corner] = double(this->Sides[corner].sum());
+      element.Edges[corner] = double(this->Edges[corner].sum());
       element.Right[corner] = -double(this->Right[corner].sum());
     }
     return element;
@@ -303,7 +303,7 @@ public:
 
 private:
   std::array<Four, 3> Corners = { Four::Zero(), Four::Zero(), Four::Zero() };
-  std::array<Four, 3> Sides = Corners;
+  std::array<Four, 3> Edges = Corners;
   std::array<Four, 3> Right = Corners;
 };
 
@@ -377,11 +377,11 @@ private:
     if (raster.IsFloatEnough(this->Reach))
     {
       Element element = this->SumColumns<float>(triangle, raised, weight);
-      this->AddSides<float>(triangle, raised, weight, power, element);
+      this->AddEdges<float>(triangle, raised, weight, power, element);
       return element;
     }
     Element element = this->SumColumns<double>(triangle, raised, weight);
-    this->AddSides<double>(triangle, raised, weight, power, element);
+    this->AddEdges<double>(triangle, raised, weight, power, element);
     return element;
   }
 
@@ -403,25 +403,25 @@ private:
   }
 
   template <typename Real>
-  void AddSides(
+  void AddEdges(
     TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, double power, Element& element) const
   {
-    const double partOfSides = power > 2.0 ? 1.0 : EdgeWeight;
-    for (int side = 0; side < 3; ++side)
+    const double edgeWeight = power > 2.0 ? 1.0 : EdgeWeight;
+    for (int edge = 0; edge < 3; ++edge)
     {
-      if (this->Mesh.Neighbour(triangle, side) > triangle)
+      if (this->Mesh.Neighbour(triangle, edge) > triangle)
       {
-        const int next = NextCorner(side);
+        const int next = NextCorner(edge);
         this->Surface.RasterOf(this->Horizon, triangle)
-          .ForEachCrossing<Real>(raised[side], raised[next],
+          .ForEachCrossing<Real>(raised[edge], raised[next],
             [&](const Crossing& crossing)
             {
-              const double part = crossing.PartOfSide;
-              const double weighs = partOfSides * weight(crossing.Error);
-              element.Corners[side] += weighs * (1.0 - part) * (1.0 - part);
+              const double part = crossing.FractionOfEdge;
+              const double weighs = edgeWeight * weight(crossing.Error);
+              element.Corners[edge] += weighs * (1.0 - part) * (1.0 - part);
               element.Corners[next] += weighs * part * part;
-              element.Sides[side] += weighs * part * (1.0 - part);
-              element.Right[side] -= weighs * (1.0 - part) * crossing.Error;
+              element.Edges[edge] += weighs * part * (1.0 - part);
+              element.Right[edge] -= weighs * (1.0 - part) * crossing.Error;
               element.Right[next] -= weighs * part * crossing.Error;
               return true;
             });
@@ -472,32 +472,32 @@ public:
   }
 
 private:
-  using FarSides = std::uint8_t; // a bit per edge, and one for the columns
+  using FarEdges = std::uint8_t; // a bit per edge, and one for the columns
 
   static constexpr int ColumnsBit = 3;
 
   /// Only triangles with a corner that has just moved are measured.
-  FarSides FindFar(TriangleId triangle) const
+  FarEdges FindFar(TriangleId triangle) const
   {
     const auto isMoved = [&](int corner)
     {
       const int vertex = this->Corners[triangle][corner];
       return vertex != MovableCorners::None && this->IsMoved[vertex] != 0;
     };
-    FarSides far = 0;
+    FarEdges far = 0;
     const std::size_t horizons = isMoved(0) || isMoved(1) || isMoved(2) ? this->Mesh.NumberOfHorizons() : 0;
     for (std::size_t horizon = 0; horizon < horizons; ++horizon)
     {
       const HeightRaster& raster = this->Mesh.RasterOf(horizon, triangle);
       const RaisedTriangle raised = this->Mesh.RaisedCorners(horizon, triangle);
       far |= raster.IsWithin(raised, this->Error) ? 0 : 1 << ColumnsBit;
-      for (int side = 0; side < 3; ++side)
+      for (int edge = 0; edge < 3; ++edge)
       {
-        const int next = NextCorner(side);
-        if (this->Mesh.Triangles().Neighbour(triangle, side) > triangle && (isMoved(side) || isMoved(next)) &&
-          !raster.IsSideWithin(raised[side], raised[next], this->Error))
+        const int next = NextCorner(edge);
+        if (this->Mesh.Triangles().Neighbour(triangle, edge) > triangle && (isMoved(edge) || isMoved(next)) &&
+          !raster.IsEdgeWithin(raised[edge], raised[next], this->Error))
         {
-          far |= 1 << side;
+          far |= 1 << edge;
         }
       }
     }
@@ -560,7 +560,7 @@ private:
   const MovableCorners Corners;
   std::vector<double> Parts; // by vertex: the fraction of its move
   std::vector<unsigned char> IsMoved; // in this pass
-  std::vector<FarSides> IsFar;
+  std::vector<FarEdges> IsFar;
 };
 }
 

@@ -395,17 +395,17 @@ void HeightMesh::MeasureAll(const ErrorPower& power, double bound, const Monitor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureSides(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor)
+void HeightMesh::MeasureEdges(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor)
 {
   this->MeasureEach(
-    triangles, monitor, [&](TriangleId triangle) { return this->MeasureSides(triangle, bound, false); });
+    triangles, monitor, [&](TriangleId triangle) { return this->MeasureEdges(triangle, bound, false); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureAllSides(double bound, const Monitor& monitor)
+void HeightMesh::MeasureAllEdges(double bound, const Monitor& monitor)
 {
   this->MeasureEach(
-    this->AllTriangles(), monitor, [&](TriangleId triangle) { return this->MeasureSides(triangle, bound, true); });
+    this->AllTriangles(), monitor, [&](TriangleId triangle) { return this->MeasureEdges(triangle, bound, true); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -439,32 +439,32 @@ std::vector<TriangleId> HeightMesh::AllTriangles() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightError HeightMesh::MeasureSides(TriangleId triangle, double bound, bool isEachOnce) const
+HeightError HeightMesh::MeasureEdges(TriangleId triangle, double bound, bool isEachOnce) const
 {
   HeightError error = this->Errors[triangle];
   for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)
   {
-    const HeightError ofSides = this->MeasureSides(horizon, triangle, bound, isEachOnce);
-    error = ofSides.Largest > error.Largest ? ofSides : error;
+    const HeightError ofEdges = this->MeasureEdges(horizon, triangle, bound, isEachOnce);
+    error = ofEdges.Largest > error.Largest ? ofEdges : error;
   }
   return error;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // Errors up to the bound are ignored.
-HeightError HeightMesh::MeasureSides(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const
+HeightError HeightMesh::MeasureEdges(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const
 {
   const HeightRaster& raster = this->RasterOf(horizon, triangle);
   HeightError error;
-  for (int side = 0; side < 3; ++side)
+  for (int edge = 0; edge < 3; ++edge)
   {
-    const TriangleId beyond = this->Mesh.Neighbour(triangle, side);
-    const RaisedPoint& from = this->Raised(horizon, this->Mesh.Corner(triangle, side));
-    const RaisedPoint& to = this->Raised(horizon, this->Mesh.Corner(triangle, NextCorner(side)));
-    if (beyond != NoTriangle && (beyond > triangle || !isEachOnce) && !raster.IsSideWithin(from, to, bound))
+    const TriangleId beyond = this->Mesh.Neighbour(triangle, edge);
+    const RaisedPoint& from = this->Raised(horizon, this->Mesh.Corner(triangle, edge));
+    const RaisedPoint& to = this->Raised(horizon, this->Mesh.Corner(triangle, NextCorner(edge)));
+    if (beyond != NoTriangle && (beyond > triangle || !isEachOnce) && !raster.IsEdgeWithin(from, to, bound))
     {
-      const HeightError ofSide = raster.MeasureSide(from, to, this->Marks);
-      error = ofSide.Largest > std::max(bound, error.Largest) ? ofSide : error;
+      const HeightError ofEdge = raster.MeasureEdge(from, to, this->Marks);
+      error = ofEdge.Largest > std::max(bound, error.Largest) ? ofEdge : error;
     }
   }
   return error;
@@ -482,9 +482,9 @@ double HeightMesh::LargestError() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SideColumns HeightMesh::OwnedColumns(TriangleId triangle) const
+EdgeColumns HeightMesh::OwnedColumns(TriangleId triangle) const
 {
-  SideColumns owned;
+  EdgeColumns owned;
   owned.WithCorners = false;
   for (int corner = 0; corner < 3; ++corner)
   {

@@ -135,10 +135,10 @@ public:
                         : this->Others[horizon - 1].Rasters[this->Patches[this->Sources[vertex]]];
   }
 
-  HeightError MeasureCrossings(TriangleId triangle, int side, const ErrorPower& power = ErrorPower()) const
+  HeightError MeasureCrossings(TriangleId triangle, int edge, const ErrorPower& power = ErrorPower()) const
   {
-    return this->RasterOf(triangle).MeasureCrossings(this->Raised(this->Mesh.Corner(triangle, side)),
-      this->Raised(this->Mesh.Corner(triangle, NextCorner(side))), power);
+    return this->RasterOf(triangle).MeasureCrossings(this->Raised(this->Mesh.Corner(triangle, edge)),
+      this->Raised(this->Mesh.Corner(triangle, NextCorner(edge))), power);
   }
 
   /// Stores errors: only above the bound with power 0, else all with their sums.
@@ -147,8 +147,8 @@ public:
   /// Finds points of errors that were measured with a power.
   void FindPoints(const std::vector<TriangleId>& triangles, double bound);
   /// Raises stored errors to the errors of inner edges at grid lines, unless both columns there are vertices.
-  void MeasureSides(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor);
-  void MeasureAllSides(double bound, const Monitor& monitor);
+  void MeasureEdges(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor);
+  void MeasureAllEdges(double bound, const Monitor& monitor);
   /// Sets an error of 1 where a marked point is no vertex, at the point farthest inside, else 0.
   void MeasureMarked(const std::vector<TriangleId>& triangles, const std::vector<unsigned char>& marks);
   void MeasureAllMarked(const std::vector<unsigned char>& marks) { this->MeasureMarked(this->AllTriangles(), marks); }
@@ -160,7 +160,7 @@ public:
   template <typename Call>
   void ForEachTriangle(const Monitor& monitor, Call&& call) const;
 
-  SideColumns OwnedColumns(TriangleId triangle) const;
+  EdgeColumns OwnedColumns(TriangleId triangle) const;
   /// A column counts in sums for one triangle: on an edge for the lower number, at a vertex for none.
   bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const;
   /// Errors are divided by the unit before they are squared.
@@ -192,8 +192,8 @@ private:
   void FindRange();
   std::vector<TriangleId> AllTriangles() const;
   HeightError MeasureOthers(TriangleId triangle, double bound, HeightError error) const;
-  HeightError MeasureSides(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const;
-  HeightError MeasureSides(TriangleId triangle, double bound, bool isEachOnce) const;
+  HeightError MeasureEdges(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const;
+  HeightError MeasureEdges(TriangleId triangle, double bound, bool isEachOnce) const;
   template <typename Measuring>
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 

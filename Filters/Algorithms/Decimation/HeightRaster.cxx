@@ -138,7 +138,7 @@ HeightError HeightRaster::MeasureAs(const RaisedTriangle& triangle, double perUn
   Four sums = Four::Zero();
   const bool canEnd = bound < Infinity || most < Infinity;
   int steps = 0;
-  this->ForEachHeight<Real>(triangle, SideColumns(),
+  this->ForEachHeight<Real>(triangle, EdgeColumns(),
     [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
     {
       const Four distances = AtLeastZero(Four((heights - this->FourAt<Real>(place)).abs())) * isIn;
@@ -176,7 +176,7 @@ PointId HeightRaster::FindPointAs(const RaisedTriangle& triangle, double error) 
 {
   using Four = FourColumns<Real>;
   PointId point = NoPoint;
-  this->ForEachHeight<Real>(triangle, SideColumns(),
+  this->ForEachHeight<Real>(triangle, EdgeColumns(),
     [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
     {
       const Four distances = AtLeastZero(Four((heights - this->FourAt<Real>(place)).abs())) * isIn;
@@ -237,7 +237,7 @@ double HeightRaster::SumWithin(const RaisedTriangle& triangle, const ErrorPower&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightError HeightRaster::MeasureSide(
+HeightError HeightRaster::MeasureEdge(
   const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const
 {
   HeightError error;
@@ -275,7 +275,7 @@ HeightError HeightRaster::MeasureCrossings(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool HeightRaster::IsSideWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const
+bool HeightRaster::IsEdgeWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const
 {
   const double rounding = this->FloatRounding(bound);
   double largest = 0.0;

@@ -54,7 +54,7 @@ struct Crossing
   std::int64_t Place = 0;
   std::int64_t Beyond = 0;
   double PartOfColumn = 0.0; // from the first to the second
-  double PartOfSide = 0.0; // from its start to its end
+  double FractionOfEdge = 0.0; // from its start to its end
   double Error = 0.0; // edge minus segment
 };
 
@@ -117,12 +117,12 @@ public:
   double SumWithin(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most = Infinity) const;
 
   /// Measures crossings that have an unmarked column, and finds the nearer of these columns.
-  HeightError MeasureSide(
+  HeightError MeasureEdge(
     const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const;
 
   HeightError MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const;
 
-  bool IsSideWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const;
+  bool IsEdgeWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const;
 
   /// Calls visit(point, error, weights): triangle minus point, and corner weights that sum to twice the area.
   template <typename Visitor>
@@ -134,7 +134,7 @@ public:
   /// Calls visit(errors, b, c, isIn): errors, 0 without a point; weights of the second and third corner; and 1 for
   /// columns with a point that count, else 0.
   template <typename Real, typename Visitor>
-  void ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const;
+  void ForEachFour(const RaisedTriangle& triangle, const EdgeColumns& edges, Visitor&& visit) const;
 
   /// Stops when visit(crossing) returns false.
   template <typename Real, typename Visitor>
@@ -190,10 +190,10 @@ private:
   /// Calls visit(place, heights, b, c, isIn) until it returns false, with heights of the triangle relative to
   /// MiddleAs().
   template <typename Real, typename Visitor>
-  void ForEachHeight(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+  void ForEachHeight(const RaisedTriangle& triangle, const EdgeColumns& edges, Visitor&& visit) const
   {
     ForEachFourOf<Real>(
-      triangle, this->MiddleAs<Real>(), sides, [this](std::int64_t x, std::int64_t y) { return this->Place(x, y); },
+      triangle, this->MiddleAs<Real>(), edges, [this](std::int64_t x, std::int64_t y) { return this->Place(x, y); },
       visit);
   }
 
@@ -266,7 +266,7 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       continue;
     }
     const double perLine = 1.0 / (double(high.Y) - low.Y);
-    SideWalk walk(low, high);
+    EdgeWalk walk(low, high);
     for (std::int32_t line = low.Y + 1; line < high.Y; ++line)
     {
       walk.GoUp();
@@ -283,8 +283,8 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       const double second = this->At<Real>(crossing.Beyond);
       crossing.PartOfColumn = double(walk.Parts()) * perLine;
       const double up = (double(line) - low.Y) * perLine;
-      crossing.PartOfSide = isUp ? up : 1.0 - up;
-      crossing.Error = start + crossing.PartOfSide * rise - (first + crossing.PartOfColumn * (second - first));
+      crossing.FractionOfEdge = isUp ? up : 1.0 - up;
+      crossing.Error = start + crossing.FractionOfEdge * rise - (first + crossing.PartOfColumn * (second - first));
       const bool isCut = this->Cuts && (isTurned ? this->Cuts->IsCutNorth({ x, y }) : this->Cuts->IsCutEast({ x, y }));
       const bool hasPoints = !std::isnan(crossing.Error);
       if (!isCut && hasPoints && !visit(crossing))
@@ -297,10 +297,10 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real, typename Visitor>
-void HeightRaster::ForEachFour(const RaisedTriangle& triangle, const SideColumns& sides, Visitor&& visit) const
+void HeightRaster::ForEachFour(const RaisedTriangle& triangle, const EdgeColumns& edges, Visitor&& visit) const
 {
   using Four = FourColumns<Real>;
-  this->ForEachHeight<Real>(triangle, sides,
+  this->ForEachHeight<Real>(triangle, edges,
     [&](std::int64_t place, const Four& heights, const Four& b, const Four& c, const Four& isIn)
     {
       const Four errors = heights - this->FourAt<Real>(place);

@@ -38,17 +38,17 @@ struct MeshCost
   }
 
   /// Returns infinity if the cost reaches `most` or an error is too large.
-  double Of(const HeightRaster& raster, const RaisedTriangle& triangle, double most = Infinity) const
+  double TriangleCost(const HeightRaster& raster, const RaisedTriangle& triangle, double most = Infinity) const
   {
     return raster.SumWithin(triangle, this->Power, this->LargestError, most);
   }
 
-  double Of(const HeightMesh& mesh, const std::array<VertexId, 3>& corners, double most = Infinity) const
+  double TriangleCost(const HeightMesh& mesh, const std::array<VertexId, 3>& corners, double most = Infinity) const
   {
     double sum = 0.0;
     for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < most; ++horizon)
     {
-      sum += this->Of(mesh.RasterAt(horizon, corners[0]),
+      sum += this->TriangleCost(mesh.RasterAt(horizon, corners[0]),
         { mesh.Raised(horizon, corners[0]), mesh.Raised(horizon, corners[1]), mesh.Raised(horizon, corners[2]) },
         most - sum);
     }
@@ -56,32 +56,32 @@ struct MeshCost
   }
 
   /// Edges weigh less: at a cliff every edge is far from the grid lines it crosses, and would dominate.
-  double OfSide(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
+  double EdgeCost(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
   {
     if (this->LargestError < Infinity)
     {
-      return raster.IsSideWithin(from, to, this->LargestError) ? 0.0 : Infinity;
+      return raster.IsEdgeWithin(from, to, this->LargestError) ? 0.0 : Infinity;
     }
     return EdgeWeight * raster.MeasureCrossings(from, to, this->Power).Sum;
   }
 
-  double OfSide(const HeightMesh& mesh, VertexId from, VertexId to) const
+  double EdgeCost(const HeightMesh& mesh, VertexId from, VertexId to) const
   {
     double sum = 0.0;
     for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < Infinity; ++horizon)
     {
-      sum += this->OfSide(mesh.RasterAt(horizon, from), mesh.Raised(horizon, from), mesh.Raised(horizon, to));
+      sum += this->EdgeCost(mesh.RasterAt(horizon, from), mesh.Raised(horizon, from), mesh.Raised(horizon, to));
     }
     return sum;
   }
 
   /// Existing edges keep the largest error already.
-  double OfPresentSide(const HeightMesh& mesh, VertexId from, VertexId to) const
+  double ExistingEdgeCost(const HeightMesh& mesh, VertexId from, VertexId to) const
   {
-    return this->LargestError < Infinity ? 0.0 : this->OfSide(mesh, from, to);
+    return this->LargestError < Infinity ? 0.0 : this->EdgeCost(mesh, from, to);
   }
 
-  std::vector<double> OfTriangles(const HeightMesh& mesh, const Monitor& monitor) const
+  std::vector<double> TriangleCosts(const HeightMesh& mesh, const Monitor& monitor) const
   {
     std::vector<double> costs(std::size_t(mesh.Triangles().Size()));
     mesh.ForEachTriangle(monitor,
@@ -136,62 +136,62 @@ public:
 
   void Run(const Monitor& monitor)
   {
-    this->Costs = this->Cost.OfTriangles(this->Mesh, monitor.Step(0.0, 0.1));
+    this->Costs = this->Cost.TriangleCosts(this->Mesh, monitor.Step(0.0, 0.1));
     this->IsChanged.assign(std::size_t(this->Triangles.Size()), 1);
-    std::vector<SideId> sides = this->FindSides();
-    const double first = double(sides.size());
-    for (double part = 0.1; !sides.empty(); sides = this->FindSides())
+    std::vector<EdgeId> edges = this->FindEdges();
+    const double first = double(edges.size());
+    for (double part = 0.1; !edges.empty(); edges = this->FindEdges())
     {
-      part = std::max(part, 1.0 - 0.9 * double(sides.size()) / first);
+      part = std::max(part, 1.0 - 0.9 * double(edges.size()) / first);
       monitor.Progress(part);
-      this->FlipAll(this->FindCandidates(sides));
+      this->FlipAll(this->FindCandidates(edges));
     }
   }
 
 private:
-  using SideId = std::int64_t; // three per triangle
+  using EdgeId = std::int64_t; // three per triangle
 
   struct Candidate
   {
-    SideId Side = 0;
+    EdgeId Edge = 0;
     double Gain = 0.0;
     std::array<double, 2> Costs = {};
   };
 
-  std::vector<SideId> FindSides() const
+  std::vector<EdgeId> FindEdges() const
   {
-    std::vector<SideId> sides;
+    std::vector<EdgeId> edges;
     for (TriangleId triangle = 0; triangle < this->Triangles.Size(); ++triangle)
     {
-      for (int side = 0; side < 3; ++side)
+      for (int edge = 0; edge < 3; ++edge)
       {
-        const TriangleId other = this->Triangles.Neighbour(triangle, side);
+        const TriangleId other = this->Triangles.Neighbour(triangle, edge);
         if (other > triangle && (this->IsChanged[triangle] != 0 || this->IsChanged[other] != 0) &&
-          !this->Triangles.IsKeptSide(triangle, side))
+          !this->Triangles.IsKeptEdge(triangle, edge))
         {
-          sides.push_back(3 * SideId(triangle) + side);
+          edges.push_back(3 * EdgeId(triangle) + edge);
         }
       }
     }
-    return sides;
+    return edges;
   }
 
-  std::vector<Candidate> FindCandidates(const std::vector<SideId>& sides) const
+  std::vector<Candidate> FindCandidates(const std::vector<EdgeId>& edges) const
   {
-    std::vector<Candidate> candidates(sides.size());
-    ParallelFor(std::int64_t(sides.size()), FlipGrain,
+    std::vector<Candidate> candidates(edges.size());
+    ParallelFor(std::int64_t(edges.size()), FlipGrain,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          candidates[n] = this->Try(sides[n]);
+          candidates[n] = this->Try(edges[n]);
         }
       });
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                        [](const Candidate& candidate) { return !(candidate.Gain > 0.0); }),
       candidates.end());
     std::sort(candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.Gain != b.Gain ? a.Gain > b.Gain : a.Side < b.Side; });
+      [](const Candidate& a, const Candidate& b) { return a.Gain != b.Gain ? a.Gain > b.Gain : a.Edge < b.Edge; });
     return candidates;
   }
 
@@ -200,12 +200,12 @@ private:
     std::fill(this->IsChanged.begin(), this->IsChanged.end(), 0);
     for (const Candidate& candidate : candidates)
     {
-      const auto triangle = TriangleId(candidate.Side / 3);
-      const int side = int(candidate.Side % 3);
-      const TriangleId other = this->Triangles.Neighbour(triangle, side);
+      const auto triangle = TriangleId(candidate.Edge / 3);
+      const int edge = int(candidate.Edge % 3);
+      const TriangleId other = this->Triangles.Neighbour(triangle, edge);
       if (this->IsChanged[triangle] == 0 && this->IsChanged[other] == 0)
       {
-        this->Triangles.Flip(triangle, side);
+        this->Triangles.Flip(triangle, edge);
         this->Costs[triangle] = candidate.Costs[0];
         this->Costs[other] = candidate.Costs[1];
         this->IsChanged[triangle] = 1;
@@ -215,37 +215,37 @@ private:
   }
 
   /// Triangles a, b, c and b, a, d would become a, d, c and d, b, c.
-  Candidate Try(SideId id) const
+  Candidate Try(EdgeId id) const
   {
     const TriangleId triangle = TriangleId(id / 3);
-    const int side = int(id % 3);
-    const TriangleId other = this->Triangles.Neighbour(triangle, side);
-    const VertexId a = this->Triangles.Corner(triangle, side);
-    const VertexId b = this->Triangles.Corner(triangle, NextCorner(side));
-    const VertexId c = this->Triangles.Corner(triangle, PreviousCorner(side));
-    const VertexId d = this->Triangles.Beyond(triangle, side);
+    const int edge = int(id % 3);
+    const TriangleId other = this->Triangles.Neighbour(triangle, edge);
+    const VertexId a = this->Triangles.Corner(triangle, edge);
+    const VertexId b = this->Triangles.Corner(triangle, NextCorner(edge));
+    const VertexId c = this->Triangles.Corner(triangle, PreviousCorner(edge));
+    const VertexId d = this->Triangles.Beyond(triangle, edge);
     const auto sineOf = [this](VertexId p, VertexId q, VertexId r)
     { return SquaredSineOf(this->Triangles.Place(p), this->Triangles.Place(q), this->Triangles.Place(r)); };
     Candidate result;
-    result.Side = id;
+    result.Edge = id;
     const double sine = std::min(sineOf(a, d, c), sineOf(d, b, c));
     const double sineBefore = std::min(sineOf(a, b, c), sineOf(b, a, d));
     if (sine <= 0.0 || (!this->Cost.IsWide(sine) && sine < sineBefore))
     {
       return result;
     }
-    const double before = this->Cost.OfPresentSide(this->Mesh, a, b) + this->Costs[triangle] + this->Costs[other];
+    const double before = this->Cost.ExistingEdgeCost(this->Mesh, a, b) + this->Costs[triangle] + this->Costs[other];
     double most = (1.0 - LeastGain) * before;
-    result.Costs[0] = this->Cost.Of(this->Mesh, { a, d, c }, most);
+    result.Costs[0] = this->Cost.TriangleCost(this->Mesh, { a, d, c }, most);
     most -= result.Costs[0];
     if (most > 0.0)
     {
-      result.Costs[1] = this->Cost.Of(this->Mesh, { d, b, c }, most);
+      result.Costs[1] = this->Cost.TriangleCost(this->Mesh, { d, b, c }, most);
       most -= result.Costs[1];
     }
     if (most > 0.0)
     {
-      const double after = result.Costs[0] + result.Costs[1] + this->Cost.OfSide(this->Mesh, c, d);
+      const double after = result.Costs[0] + result.Costs[1] + this->Cost.EdgeCost(this->Mesh, c, d);
       result.Gain = after < (1.0 - LeastGain) * before ? before - after : 0.0;
     }
     return result;
@@ -303,7 +303,7 @@ public:
     {
       return;
     }
-    this->Costs = this->Cost.OfTriangles(this->Mesh, monitor.Step(0.0, 0.05));
+    this->Costs = this->Cost.TriangleCosts(this->Mesh, monitor.Step(0.0, 0.05));
     this->FindVertices();
     const double first = double(this->Mesh.NumberOfVertices());
     bool isPossible = true;
@@ -323,7 +323,7 @@ private:
   {
     double Cost; // growth of the sum of errors; infinite if the vertex is needed
     VertexId Vertex;
-    std::int32_t Side; // collapsed edge of its ring
+    std::int32_t Edge; // collapsed edge of its ring
   };
 
   /// Least is a lower bound: the error of the vertex's own point.
@@ -343,7 +343,7 @@ private:
       for (int corner = 0; corner < 3; ++corner)
       {
         this->TriangleAt[mesh.Corner(triangle, corner)] = triangle;
-        if (mesh.IsKeptSide(triangle, corner)) // its ends may lie on a longer kept line
+        if (mesh.IsKeptEdge(triangle, corner)) // its ends may lie on a longer kept line
         {
           this->Mesh.Fix(mesh.Corner(triangle, corner));
           this->Mesh.Fix(mesh.Corner(triangle, NextCorner(corner)));
@@ -408,7 +408,7 @@ private:
       if (sum - ring.Sum < best.Cost)
       {
         best.Cost = sum - ring.Sum;
-        best.Side = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
+        best.Edge = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
       }
     }
     best.Cost *= !this->Cost.IsWide(ring.Sine) && best.Cost > 0.0 ? PartOfSlivers : 1.0;
@@ -479,7 +479,7 @@ private:
     for (const TriangleId triangle : ring.Triangles)
     {
       ring.Ends.push_back(mesh.Corner(triangle, NextCorner(mesh.CornerAt(triangle, vertex))));
-      ring.Sum += this->Costs[triangle] + this->Cost.OfPresentSide(this->Mesh, vertex, ring.Ends.back());
+      ring.Sum += this->Costs[triangle] + this->Cost.ExistingEdgeCost(this->Mesh, vertex, ring.Ends.back());
     }
     for (std::size_t n = 0; n < ring.Ends.size(); ++n)
     {
@@ -511,8 +511,8 @@ private:
     for (std::size_t n = end + 1; n + 1 < end + ring.Ends.size() && sum < most; ++n)
     {
       const bool isInner = n > end + 1; // the first edge is in the ring
-      sum += this->Cost.Of(this->Mesh, { to, ring.End(n), ring.End(n + 1) }, most - sum);
-      sum += isInner && sum < most ? this->Cost.OfSide(this->Mesh, to, ring.End(n)) : 0.0;
+      sum += this->Cost.TriangleCost(this->Mesh, { to, ring.End(n), ring.End(n + 1) }, most - sum);
+      sum += isInner && sum < most ? this->Cost.EdgeCost(this->Mesh, to, ring.End(n)) : 0.0;
     }
     return sum < most ? sum : Infinity;
   }
@@ -535,8 +535,8 @@ private:
         {
           const TriangleId triangle = this->Changed[n];
           const PlaneMesh& mesh = this->Mesh.Triangles();
-          this->Costs[triangle] =
-            this->Cost.Of(this->Mesh, { mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2) });
+          this->Costs[triangle] = this->Cost.TriangleCost(
+            this->Mesh, { mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2) });
         }
       });
     this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
@@ -554,7 +554,7 @@ private:
     {
       return;
     }
-    mesh.Collapse(candidate.Vertex, ring, std::size_t(candidate.Side));
+    mesh.Collapse(candidate.Vertex, ring, std::size_t(candidate.Edge));
     this->Mesh.Remove(candidate.Vertex);
     for (const TriangleId triangle : ring)
     {
@@ -618,7 +618,7 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
     mesh.SetAllHeights(FitAllHeights(mesh, FitAim::LargestError, ReachOfFit * error, rule, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
-  refiner.InsertAtSides(error, monitor.Step(0.8, 0.9));
+  refiner.InsertAtEdges(error, monitor.Step(0.8, 0.9));
   for (std::size_t before = 0; options.Effort == DecimationEffort::Fast && options.SmallestAngle > 0.0;)
   {
     before = mesh.NumberOfVertices();
@@ -628,7 +628,7 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
       break;
     }
     refiner.InsertWhereFar(error, monitor.Step(0.9, 0.95));
-    refiner.InsertAtSides(error, monitor.Step(0.95, 1.0));
+    refiner.InsertAtEdges(error, monitor.Step(0.95, 1.0));
   }
 }
 

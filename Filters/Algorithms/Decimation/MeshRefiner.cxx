@@ -61,10 +61,10 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
+void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
 {
   const double bound = error + this->Mesh.Rounding();
-  this->Mesh.MeasureAllSides(bound, monitor.Step(0.0, 0.8));
+  this->Mesh.MeasureAllEdges(bound, monitor.Step(0.0, 0.8));
   this->StartWith(bound);
   double limit = 0.0;
   for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(limit, far);)
@@ -78,7 +78,7 @@ void MeshRefiner::InsertAtSides(double error, const Monitor& monitor)
         far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
     }
     this->Mesh.Measure(this->New, ErrorPower(), bound, Monitor());
-    this->Mesh.MeasureSides(this->New, bound, Monitor());
+    this->Mesh.MeasureEdges(this->New, bound, Monitor());
     this->KeepFar(bound);
   }
 }
@@ -133,7 +133,7 @@ PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle) con
 {
   const PlaneMesh& mesh = this->Mesh.Triangles();
   const auto place = [&](int corner) { return mesh.Place(mesh.Corner(sliver, corner)); };
-  const auto length = [&](int side) { return SquaredDistance(place(side), place(NextCorner(side))); };
+  const auto length = [&](int edge) { return SquaredDistance(place(edge), place(NextCorner(edge))); };
   int shortest = length(1) < length(0) ? 1 : 0;
   shortest = length(2) < length(shortest) ? 2 : shortest;
   const PlanePoint a = place(shortest);
@@ -164,12 +164,12 @@ bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle) const
   std::vector<TriangleId> inCircle = { triangle };
   for (std::size_t n = 0; n < inCircle.size(); ++n)
   {
-    for (int side = 0; side < 3; ++side)
+    for (int edge = 0; edge < 3; ++edge)
     {
-      const TriangleId other = mesh.Neighbour(inCircle[n], side);
-      if (other == NoTriangle || mesh.IsKeptSide(inCircle[n], side))
+      const TriangleId other = mesh.Neighbour(inCircle[n], edge);
+      if (other == NoTriangle || mesh.IsKeptEdge(inCircle[n], edge))
       {
-        if (ScalarProduct(place, corner(inCircle[n], side), corner(inCircle[n], NextCorner(side))) <= 0)
+        if (ScalarProduct(place, corner(inCircle[n], edge), corner(inCircle[n], NextCorner(edge))) <= 0)
         {
           return false;
         }

@@ -24,7 +24,7 @@ public:
 
   void InsertWhereFar(double error, const Monitor& monitor);
   /// Continues where inner edges cross grid lines.
-  void InsertAtSides(double error, const Monitor& monitor);
+  void InsertAtEdges(double error, const Monitor& monitor);
   /// Angles, in degrees, remain smaller where fixed edges force them or no column is suitable. Errors may grow.
   void InsertAtSlivers(double smallestAngle);
   /// Ignores errors; the refiner must have no limit of vertices.

@@ -52,34 +52,34 @@ PlaneMesh::PlaneMesh(std::vector<PlanePoint> places, const RawVector<VertexId>& 
 void PlaneMesh::Connect()
 {
   // Sorting brings the two triangles of an edge together.
-  std::vector<std::tuple<VertexId, VertexId, TriangleId, int>> sides;
-  sides.reserve(3 * this->Triangles.size());
+  std::vector<std::tuple<VertexId, VertexId, TriangleId, int>> edges;
+  edges.reserve(3 * this->Triangles.size());
   for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
   {
-    for (int side = 0; side < 3; ++side)
+    for (int edge = 0; edge < 3; ++edge)
     {
-      const auto ends = std::minmax({ this->Corner(triangle, side), this->Corner(triangle, NextCorner(side)) });
-      sides.emplace_back(ends.first, ends.second, triangle, side);
+      const auto ends = std::minmax({ this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge)) });
+      edges.emplace_back(ends.first, ends.second, triangle, edge);
     }
   }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t n = 1; n < sides.size(); ++n)
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t n = 1; n < edges.size(); ++n)
   {
-    const auto& [a, b, triangle, side] = sides[n - 1];
-    const auto& [c, d, neighbour, otherSide] = sides[n];
+    const auto& [a, b, triangle, edge] = edges[n - 1];
+    const auto& [c, d, neighbour, otherEdge] = edges[n];
     if (a == c && b == d)
     {
-      this->Triangles[triangle].Neighbours[side] = neighbour;
-      this->Triangles[neighbour].Neighbours[otherSide] = triangle;
+      this->Triangles[triangle].Neighbours[edge] = neighbour;
+      this->Triangles[neighbour].Neighbours[otherEdge] = triangle;
     }
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::int64_t PlaneMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int side) const
+std::int64_t PlaneMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int edge) const
 {
   return SignedArea(
-    this->Place(this->Corner(triangle, side)), this->Place(this->Corner(triangle, NextCorner(side))), place);
+    this->Place(this->Corner(triangle, edge)), this->Place(this->Corner(triangle, NextCorner(edge))), place);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -91,11 +91,11 @@ TriangleId PlaneMesh::Locate(const PlanePoint& place, TriangleId near) const
   {
     bool isInside = true;
     TriangleId next = NoTriangle;
-    for (int side = 0; side < 3 && next == NoTriangle; ++side)
+    for (int edge = 0; edge < 3 && next == NoTriangle; ++edge)
     {
-      const bool isBeyond = this->AreaAt(place, triangle, side) < 0;
+      const bool isBeyond = this->AreaAt(place, triangle, edge) < 0;
       isInside = isInside && !isBeyond;
-      next = isBeyond ? this->Neighbour(triangle, side) : NoTriangle;
+      next = isBeyond ? this->Neighbour(triangle, edge) : NoTriangle;
     }
     if (next == NoTriangle)
     {
@@ -110,32 +110,32 @@ TriangleId PlaneMesh::Locate(const PlanePoint& place, TriangleId near) const
 void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector<TriangleId>& around)
 {
   around.clear();
-  int onSide = -1;
-  int sidesOn = 0;
-  for (int side = 0; side < 3; ++side)
+  int onEdge = -1;
+  int edgesOn = 0;
+  for (int edge = 0; edge < 3; ++edge)
   {
-    if (this->AreaAt(place, triangle, side) == 0)
+    if (this->AreaAt(place, triangle, edge) == 0)
     {
-      onSide = side;
-      ++sidesOn;
+      onEdge = edge;
+      ++edgesOn;
     }
   }
-  const bool isOnBoundary = sidesOn == 1 && this->Neighbour(triangle, onSide) == NoTriangle;
-  if (sidesOn > 1 || isOnBoundary)
+  const bool isOnBoundary = edgesOn == 1 && this->Neighbour(triangle, onEdge) == NoTriangle;
+  if (edgesOn > 1 || isOnBoundary)
   {
     return;
   }
   const auto vertex = VertexId(this->Places.size());
   this->Places.push_back(place);
-  if (onSide >= 0)
+  if (onEdge >= 0)
   {
-    this->CutKept(this->Corner(triangle, onSide), this->Corner(triangle, NextCorner(onSide)), vertex);
+    this->CutKept(this->Corner(triangle, onEdge), this->Corner(triangle, NextCorner(onEdge)), vertex);
   }
   this->Split(vertex, triangle, around);
-  if (onSide >= 0)
+  if (onEdge >= 0)
   {
     // The triangle between edge and vertex is flat; the vertex is its third corner.
-    const TriangleId flat = around[onSide];
+    const TriangleId flat = around[onEdge];
     around.push_back(this->Neighbour(flat, Opposite));
     this->Flip(flat, Opposite);
   }
@@ -144,7 +144,7 @@ void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::CutKept(VertexId a, VertexId b, VertexId between)
 {
-  if (!this->Kept.empty() && this->Kept.erase(SideKey(a, b)) > 0)
+  if (!this->Kept.empty() && this->Kept.erase(EdgeKey(a, b)) > 0)
   {
     this->Keep(a, between);
     this->Keep(between, b);
@@ -159,17 +159,17 @@ void PlaneMesh::Split(VertexId vertex, TriangleId triangle, std::vector<Triangle
   const TriangleId size = this->Size();
   const std::array<TriangleId, 3> parts = { triangle, size, size + 1 };
   this->Triangles.resize(this->Triangles.size() + 2);
-  for (int side = 0; side < 3; ++side)
+  for (int edge = 0; edge < 3; ++edge)
   {
-    this->Triangles[parts[side]] = { { old.Corners[side], old.Corners[NextCorner(side)], vertex },
-      { old.Neighbours[side], parts[NextCorner(side)], parts[PreviousCorner(side)] } };
-    this->Replace(old.Neighbours[side], triangle, parts[side]);
-    around.push_back(parts[side]);
+    this->Triangles[parts[edge]] = { { old.Corners[edge], old.Corners[NextCorner(edge)], vertex },
+      { old.Neighbours[edge], parts[NextCorner(edge)], parts[PreviousCorner(edge)] } };
+    this->Replace(old.Neighbours[edge], triangle, parts[edge]);
+    around.push_back(parts[edge]);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int PlaneMesh::SideTo(TriangleId triangle, TriangleId neighbour) const
+int PlaneMesh::EdgeTo(TriangleId triangle, TriangleId neighbour) const
 {
   const auto& neighbours = this->Triangles[triangle].Neighbours;
   return neighbours[0] == neighbour ? 0 : neighbours[1] == neighbour ? 1 : 2;
@@ -180,23 +180,23 @@ void PlaneMesh::Replace(TriangleId triangle, TriangleId neighbour, TriangleId by
 {
   if (triangle != NoTriangle)
   {
-    this->Triangles[triangle].Neighbours[this->SideTo(triangle, neighbour)] = by;
+    this->Triangles[triangle].Neighbours[this->EdgeTo(triangle, neighbour)] = by;
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::Flip(TriangleId triangle, int side)
+void PlaneMesh::Flip(TriangleId triangle, int edge)
 {
-  const TriangleId other = this->Neighbour(triangle, side);
+  const TriangleId other = this->Neighbour(triangle, edge);
   const Triangle one = this->Triangles[triangle];
   const Triangle two = this->Triangles[other];
-  const int back = this->SideTo(other, triangle);
-  const VertexId a = one.Corners[side];
-  const VertexId b = one.Corners[NextCorner(side)];
-  const VertexId c = one.Corners[PreviousCorner(side)];
+  const int back = this->EdgeTo(other, triangle);
+  const VertexId a = one.Corners[edge];
+  const VertexId b = one.Corners[NextCorner(edge)];
+  const VertexId c = one.Corners[PreviousCorner(edge)];
   const VertexId d = two.Corners[PreviousCorner(back)];
-  const TriangleId beyondBc = one.Neighbours[NextCorner(side)];
-  const TriangleId beyondCa = one.Neighbours[PreviousCorner(side)];
+  const TriangleId beyondBc = one.Neighbours[NextCorner(edge)];
+  const TriangleId beyondCa = one.Neighbours[PreviousCorner(edge)];
   const TriangleId beyondAd = two.Neighbours[NextCorner(back)];
   const TriangleId beyondDb = two.Neighbours[PreviousCorner(back)];
   this->Triangles[triangle] = { { a, d, c }, { beyondAd, other, beyondCa } };
@@ -206,10 +206,10 @@ void PlaneMesh::Flip(TriangleId triangle, int side)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-VertexId PlaneMesh::Beyond(TriangleId triangle, int side) const
+VertexId PlaneMesh::Beyond(TriangleId triangle, int edge) const
 {
-  const TriangleId other = this->Neighbour(triangle, side);
-  return this->Corner(other, PreviousCorner(this->SideTo(other, triangle)));
+  const TriangleId other = this->Neighbour(triangle, edge);
+  return this->Corner(other, PreviousCorner(this->EdgeTo(other, triangle)));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -220,12 +220,12 @@ int PlaneMesh::CornerAt(TriangleId triangle, VertexId vertex) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool PlaneMesh::IsDelaunay(TriangleId triangle, int side) const
+bool PlaneMesh::IsDelaunay(TriangleId triangle, int edge) const
 {
-  return this->Neighbour(triangle, side) == NoTriangle ||
+  return this->Neighbour(triangle, edge) == NoTriangle ||
     InCircle(this->Place(this->Corner(triangle, 0)), this->Place(this->Corner(triangle, 1)),
-      this->Place(this->Corner(triangle, 2)), this->Place(this->Beyond(triangle, side))) <= 0 ||
-    this->IsKeptSide(triangle, side);
+      this->Place(this->Corner(triangle, 2)), this->Place(this->Beyond(triangle, edge))) <= 0 ||
+    this->IsKeptEdge(triangle, edge);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -310,9 +310,9 @@ void PlaneMesh::ReorderVertices(const std::vector<VertexId>& order)
     }
   }
   std::unordered_set<std::uint64_t> kept;
-  for (const std::uint64_t side : this->Kept)
+  for (const std::uint64_t edge : this->Kept)
   {
-    kept.insert(SideKey(numbers[side >> 32U], numbers[side & 0xFFFFFFFFU]));
+    kept.insert(EdgeKey(numbers[edge >> 32U], numbers[edge & 0xFFFFFFFFU]));
   }
   this->Kept.swap(kept);
 }
@@ -351,10 +351,10 @@ void PlaneMesh::Reorder(const std::vector<TriangleId>& order)
   }
 }
 
-// ---- KeptSides ------------------------------------------------------------------------------------------------------
+// ---- KeptEdges ------------------------------------------------------------------------------------------------------
 
 //----------------------------------------------------------------------------------------------------------------------
-KeptSides::KeptSides(PlaneMesh& mesh, std::size_t vertices)
+KeptEdges::KeptEdges(PlaneMesh& mesh, std::size_t vertices)
   : Mesh(mesh)
   , TriangleAt(vertices, NoTriangle)
 {
@@ -368,11 +368,11 @@ KeptSides::KeptSides(PlaneMesh& mesh, std::size_t vertices)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool KeptSides::Keep(VertexId from, VertexId to)
+bool KeptEdges::Keep(VertexId from, VertexId to)
 {
   while (from != to)
   {
-    Side crossed;
+    Edge crossed;
     VertexId next = NoVertex;
     if (this->TriangleAt[std::size_t(from)] == NoTriangle || !this->FindStart(from, to, crossed, next))
     {
@@ -396,7 +396,7 @@ bool KeptSides::Keep(VertexId from, VertexId to)
 // Calls visit(triangle, corner) around a vertex until it returns true: counter-clockwise, then clockwise from the
 // first.
 template <typename Visitor>
-bool KeptSides::AnyAround(VertexId vertex, Visitor&& visit) const
+bool KeptEdges::AnyAround(VertexId vertex, Visitor&& visit) const
 {
   const TriangleId first = this->TriangleAt[std::size_t(vertex)];
   TriangleId triangle = first;
@@ -428,7 +428,7 @@ bool KeptSides::AnyAround(VertexId vertex, Visitor&& visit) const
 //----------------------------------------------------------------------------------------------------------------------
 // AnyAround misses triangles where the boundary touches itself. This is rare.
 template <typename Visitor>
-bool KeptSides::AnyBeside(VertexId vertex, Visitor&& visit) const
+bool KeptEdges::AnyBeside(VertexId vertex, Visitor&& visit) const
 {
   for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
   {
@@ -443,7 +443,7 @@ bool KeptSides::AnyBeside(VertexId vertex, Visitor&& visit) const
 
 //----------------------------------------------------------------------------------------------------------------------
 // A line leaves its first vertex along an edge to `next`, or across the edge `crossed`.
-bool KeptSides::FindStart(VertexId from, VertexId to, Side& crossed, VertexId& next) const
+bool KeptEdges::FindStart(VertexId from, VertexId to, Edge& crossed, VertexId& next) const
 {
   const PlanePoint& a = this->Mesh.Place(from);
   const PlanePoint& b = this->Mesh.Place(to);
@@ -467,21 +467,21 @@ bool KeptSides::FindStart(VertexId from, VertexId to, Side& crossed, VertexId& n
 
 //----------------------------------------------------------------------------------------------------------------------
 // Returns false if an edge across the line must stay.
-bool KeptSides::FindCrossed(VertexId from, VertexId to, Side side, VertexId& end)
+bool KeptEdges::FindCrossed(VertexId from, VertexId to, Edge edge, VertexId& end)
 {
   const PlanePoint& a = this->Mesh.Place(from);
   const PlanePoint& b = this->Mesh.Place(to);
   this->Crossed.clear();
   while (true)
   {
-    const TriangleId beyond = this->Mesh.Neighbour(side.Triangle, side.Number);
-    if (beyond == NoTriangle || this->Mesh.IsKeptSide(side.Triangle, side.Number))
+    const TriangleId beyond = this->Mesh.Neighbour(edge.Triangle, edge.Number);
+    if (beyond == NoTriangle || this->Mesh.IsKeptEdge(edge.Triangle, edge.Number))
     {
       return false;
     }
     this->Crossed.push_back(
-      { this->Mesh.Corner(side.Triangle, side.Number), this->Mesh.Corner(side.Triangle, NextCorner(side.Number)) });
-    const int back = this->Mesh.SideTo(beyond, side.Triangle);
+      { this->Mesh.Corner(edge.Triangle, edge.Number), this->Mesh.Corner(edge.Triangle, NextCorner(edge.Number)) });
+    const int back = this->Mesh.EdgeTo(beyond, edge.Triangle);
     const VertexId apex = this->Mesh.Corner(beyond, PreviousCorner(back));
     const std::int64_t turn = SignedArea(a, b, this->Mesh.Place(apex));
     if (turn == 0)
@@ -490,12 +490,12 @@ bool KeptSides::FindCrossed(VertexId from, VertexId to, Side side, VertexId& end
       return true;
     }
     // The next edge joins the apex to the corner across the line.
-    side = { beyond, turn > 0 ? NextCorner(back) : PreviousCorner(back) };
+    edge = { beyond, turn > 0 ? NextCorner(back) : PreviousCorner(back) };
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void KeptSides::FlipCrossed(VertexId from, VertexId end)
+void KeptEdges::FlipCrossed(VertexId from, VertexId end)
 {
   const PlanePoint& a = this->Mesh.Place(from);
   const PlanePoint& b = this->Mesh.Place(end);
@@ -503,15 +503,15 @@ void KeptSides::FlipCrossed(VertexId from, VertexId end)
   {
     const Line line = this->Crossed.front();
     this->Crossed.pop_front();
-    const Side side = this->FindSide(line.From, line.To);
-    if (!this->IsConvex(side))
+    const Edge edge = this->FindEdge(line.From, line.To);
+    if (!this->IsConvex(edge))
     {
       this->Crossed.push_back(line);
       continue;
     }
-    const VertexId one = this->Mesh.Corner(side.Triangle, PreviousCorner(side.Number));
-    const VertexId other = this->Mesh.Beyond(side.Triangle, side.Number);
-    this->Flip(side);
+    const VertexId one = this->Mesh.Corner(edge.Triangle, PreviousCorner(edge.Number));
+    const VertexId other = this->Mesh.Beyond(edge.Triangle, edge.Number);
+    this->Flip(edge);
     if (ProperlyCross(a, b, this->Mesh.Place(one), this->Mesh.Place(other)))
     {
       this->Crossed.push_back({ one, other });
@@ -521,38 +521,38 @@ void KeptSides::FlipCrossed(VertexId from, VertexId end)
 
 //----------------------------------------------------------------------------------------------------------------------
 // The triangle lies left of the edge.
-KeptSides::Side KeptSides::FindSide(VertexId a, VertexId b) const
+KeptEdges::Edge KeptEdges::FindEdge(VertexId a, VertexId b) const
 {
-  Side side;
+  Edge edge;
   const auto isIt = [&](TriangleId triangle, int corner)
   {
-    side = { triangle, corner };
+    edge = { triangle, corner };
     return this->Mesh.Corner(triangle, corner) == a && this->Mesh.Corner(triangle, NextCorner(corner)) == b;
   };
   if (this->AnyAround(a, isIt))
   {
-    return side;
+    return edge;
   }
   this->AnyBeside(a, isIt);
-  return side;
+  return edge;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // The other diagonal must lie strictly inside.
-bool KeptSides::IsConvex(const Side& side) const
+bool KeptEdges::IsConvex(const Edge& edge) const
 {
-  return ProperlyCross(this->Mesh.Place(this->Mesh.Corner(side.Triangle, side.Number)),
-    this->Mesh.Place(this->Mesh.Corner(side.Triangle, NextCorner(side.Number))),
-    this->Mesh.Place(this->Mesh.Corner(side.Triangle, PreviousCorner(side.Number))),
-    this->Mesh.Place(this->Mesh.Beyond(side.Triangle, side.Number)));
+  return ProperlyCross(this->Mesh.Place(this->Mesh.Corner(edge.Triangle, edge.Number)),
+    this->Mesh.Place(this->Mesh.Corner(edge.Triangle, NextCorner(edge.Number))),
+    this->Mesh.Place(this->Mesh.Corner(edge.Triangle, PreviousCorner(edge.Number))),
+    this->Mesh.Place(this->Mesh.Beyond(edge.Triangle, edge.Number)));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void KeptSides::Flip(const Side& side)
+void KeptEdges::Flip(const Edge& edge)
 {
-  const TriangleId other = this->Mesh.Neighbour(side.Triangle, side.Number);
-  this->Mesh.Flip(side.Triangle, side.Number);
-  for (const TriangleId triangle : { side.Triangle, other })
+  const TriangleId other = this->Mesh.Neighbour(edge.Triangle, edge.Number);
+  this->Mesh.Flip(edge.Triangle, edge.Number);
+  for (const TriangleId triangle : { edge.Triangle, other })
   {
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -562,7 +562,7 @@ void KeptSides::Flip(const Side& side)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void KeptSides::Legalize()
+void KeptEdges::Legalize()
 {
   bool isAnyFlipped = true;
   while (isAnyFlipped)
@@ -570,11 +570,11 @@ void KeptSides::Legalize()
     isAnyFlipped = false;
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
-      for (int side = 0; side < 3; ++side)
+      for (int edge = 0; edge < 3; ++edge)
       {
-        if (!this->Mesh.IsDelaunay(triangle, side))
+        if (!this->Mesh.IsDelaunay(triangle, edge))
         {
-          this->Flip({ triangle, side });
+          this->Flip({ triangle, edge });
           isAnyFlipped = true;
         }
       }

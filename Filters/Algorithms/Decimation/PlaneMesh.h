@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A triangulation in plan that is edited step by step. Boundary edges stay, and so do edges kept on request
-// (KeptSides); inserting a vertex on a kept edge leaves two of them.
+// (KeptEdges); inserting a vertex on a kept edge leaves two of them.
 //
 // Insert makes a point the third corner of three triangles, Flip exchanges a diagonal, and Collapse moves a point to
 // the other end of an edge, which removes two triangles.
@@ -56,9 +56,9 @@ public:
   TriangleId Size() const { return TriangleId(this->Triangles.size()); }
   VertexId Corner(TriangleId triangle, int corner) const { return this->Triangles[triangle].Corners[corner]; }
   /// Returns NoTriangle at the boundary.
-  TriangleId Neighbour(TriangleId triangle, int side) const { return this->Triangles[triangle].Neighbours[side]; }
-  int SideTo(TriangleId triangle, TriangleId neighbour) const;
-  VertexId Beyond(TriangleId triangle, int side) const;
+  TriangleId Neighbour(TriangleId triangle, int edge) const { return this->Triangles[triangle].Neighbours[edge]; }
+  int EdgeTo(TriangleId triangle, TriangleId neighbour) const;
+  VertexId Beyond(TriangleId triangle, int edge) const;
   int CornerAt(TriangleId triangle, VertexId vertex) const;
   const PlanePoint& Place(VertexId vertex) const { return this->Places[vertex]; }
 
@@ -69,7 +69,7 @@ public:
   void Insert(const PlanePoint& place, TriangleId triangle, std::vector<TriangleId>& around);
 
   /// Turns a, b, c and b, a, d into a, d, c and d, b, c, in the same order. Their union must be strictly convex.
-  void Flip(TriangleId triangle, int side);
+  void Flip(TriangleId triangle, int edge);
 
   /// Flips edges opposite to an inserted vertex until they are Delaunay (Lawson 1977, "Software for C1 surface
   /// interpolation"). The vertex is the third corner of all triangles in `around`, which grows.
@@ -82,15 +82,15 @@ public:
   void Collapse(VertexId vertex, const std::vector<TriangleId>& ring, std::size_t n);
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoVertex; }
 
-  bool IsKept(VertexId a, VertexId b) const { return !this->Kept.empty() && this->Kept.count(SideKey(a, b)) > 0; }
-  bool IsKeptSide(TriangleId triangle, int side) const
+  bool IsKept(VertexId a, VertexId b) const { return !this->Kept.empty() && this->Kept.count(EdgeKey(a, b)) > 0; }
+  bool IsKeptEdge(TriangleId triangle, int edge) const
   {
-    return this->IsKept(this->Corner(triangle, side), this->Corner(triangle, NextCorner(side)));
+    return this->IsKept(this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge)));
   }
-  void Keep(VertexId a, VertexId b) { this->Kept.insert(SideKey(a, b)); }
-  void LetGo(VertexId a, VertexId b) { this->Kept.erase(SideKey(a, b)); }
+  void Keep(VertexId a, VertexId b) { this->Kept.insert(EdgeKey(a, b)); }
+  void LetGo(VertexId a, VertexId b) { this->Kept.erase(EdgeKey(a, b)); }
   /// Kept and boundary edges count as Delaunay.
-  bool IsDelaunay(TriangleId triangle, int side) const;
+  bool IsDelaunay(TriangleId triangle, int edge) const;
 
   void Compact();
   void ReorderVertices(const std::vector<VertexId>& order);
@@ -104,7 +104,7 @@ private:
     std::array<TriangleId, 3> Neighbours;
   };
 
-  static std::uint64_t SideKey(VertexId a, VertexId b)
+  static std::uint64_t EdgeKey(VertexId a, VertexId b)
   {
     return std::uint64_t(std::uint32_t(std::min(a, b))) << 32U | std::uint32_t(std::max(a, b));
   }
@@ -114,7 +114,7 @@ private:
   void Reorder(const std::vector<TriangleId>& order);
   void Replace(TriangleId triangle, TriangleId neighbour, TriangleId by);
   void Split(VertexId vertex, TriangleId triangle, std::vector<TriangleId>& parts);
-  std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int side) const;
+  std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int edge) const;
 
   std::vector<PlanePoint> Places;
   std::vector<Triangle> Triangles;
@@ -123,11 +123,11 @@ private:
 
 // Forces lines between vertices into the mesh, which remains constrained Delaunay: crossed edges are flipped until the
 // line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
-class KeptSides
+class KeptEdges
 {
 public:
   /// Nothing else may change the mesh meanwhile.
-  KeptSides(PlaneMesh& mesh, std::size_t vertices);
+  KeptEdges(PlaneMesh& mesh, std::size_t vertices);
 
   /// Splits the line at vertices on it. Returns false, and keeps the segments so far, if it crosses the boundary or a
   /// kept edge.
@@ -142,18 +142,18 @@ private:
     VertexId To;
   };
 
-  struct Side
+  struct Edge
   {
     TriangleId Triangle = NoTriangle;
     int Number = 0;
   };
 
-  bool FindStart(VertexId from, VertexId to, Side& crossed, VertexId& next) const;
-  bool FindCrossed(VertexId from, VertexId to, Side first, VertexId& end);
+  bool FindStart(VertexId from, VertexId to, Edge& crossed, VertexId& next) const;
+  bool FindCrossed(VertexId from, VertexId to, Edge first, VertexId& end);
   void FlipCrossed(VertexId from, VertexId end);
-  Side FindSide(VertexId a, VertexId b) const;
-  bool IsConvex(const Side& side) const;
-  void Flip(const Side& side);
+  Edge FindEdge(VertexId a, VertexId b) const;
+  bool IsConvex(const Edge& edge) const;
+  void Flip(const Edge& edge);
   template <typename Visitor>
   bool AnyAround(VertexId vertex, Visitor&& visit) const;
   template <typename Visitor>

@@ -19,10 +19,10 @@
 namespace SeismicHorizons
 {
 /// Follows an edge upwards, in integers.
-class SideWalk
+class EdgeWalk
 {
 public:
-  SideWalk(const PlanePoint& low, const PlanePoint& high)
+  EdgeWalk(const PlanePoint& low, const PlanePoint& high)
     : Height(std::max(1, high.Y - low.Y))
     , Floor(low.X)
     , Slope((high.X - low.X) / this->Height)
@@ -72,23 +72,23 @@ void ForEachRow(std::array<PlanePoint, 3> corners, Visitor&& visit)
     visit(low.Y, low.X, high.X);
     return;
   }
-  SideWalk through(low, high);
-  const auto walk = [&](SideWalk side, std::int32_t first, std::int32_t last)
+  EdgeWalk through(low, high);
+  const auto walk = [&](EdgeWalk edge, std::int32_t first, std::int32_t last)
   {
     for (std::int32_t y = first; y <= last; ++y)
     {
-      const std::int32_t left = std::min(through.AtOrRight(), side.AtOrRight());
-      const std::int32_t right = std::max(through.AtOrLeft(), side.AtOrLeft());
+      const std::int32_t left = std::min(through.AtOrRight(), edge.AtOrRight());
+      const std::int32_t right = std::max(through.AtOrLeft(), edge.AtOrLeft());
       if (left <= right)
       {
         visit(y, left, right);
       }
       through.GoUp();
-      side.GoUp();
+      edge.GoUp();
     }
   };
-  walk(SideWalk(low, middle), low.Y, middle.Y - 1);
-  walk(SideWalk(middle, high), middle.Y, high.Y);
+  walk(EdgeWalk(low, middle), low.Y, middle.Y - 1);
+  walk(EdgeWalk(middle, high), middle.Y, high.Y);
 }
 
 struct RaisedPoint
@@ -115,7 +115,7 @@ auto AtLeastZero(const Four& four)
 }
 
 /// Inner columns always count.
-struct SideColumns
+struct EdgeColumns
 {
   bool AreAll() const { return this->WithCorners && this->Opposite[0] && this->Opposite[1] && this->Opposite[2]; }
 
@@ -163,7 +163,7 @@ struct WeightPlane
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real, typename PlaceOf, typename Visitor>
-void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, double middle, const SideColumns& sides,
+void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, double middle, const EdgeColumns& edges,
   const PlaceOf& placeOf, Visitor&& visit)
 {
   using Four = FourColumns<Real>;
@@ -175,9 +175,9 @@ void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, doubl
   const Real perC = Real(plane.PerC);
   const Real area = Real(weights.Area);
   // Weights are integers, so a column counts or is short of these by at least 1.
-  const Real aboveA = sides.Opposite[0] ? 0 : 1;
-  const Real aboveB = sides.Opposite[1] ? 0 : 1;
-  const Real aboveC = sides.Opposite[2] ? 0 : 1;
+  const Real aboveA = edges.Opposite[0] ? 0 : 1;
+  const Real aboveB = edges.Opposite[1] ? 0 : 1;
+  const Real aboveC = edges.Opposite[2] ? 0 : 1;
   const Real stepOfB = Real(weights.StepOfB());
   const Real stepOfC = Real(weights.StepOfC());
   const Real rowStepOfB = Real(weights.RowStepOfB());
@@ -195,7 +195,7 @@ void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, doubl
       const Four a = area - b - c;
       const Four least = (a - aboveA).min(b - aboveB).min(c - aboveC);
       Four isIn = (least + least + Real(1)).max(Real(0)).min(Real(1));
-      if (!sides.WithCorners)
+      if (!edges.WithCorners)
       {
         isIn *= (area - a.max(b).max(c)).max(Real(0)).min(Real(1));
       }
@@ -212,7 +212,7 @@ void ForEachFourOfBox(const RaisedTriangle& triangle, const PlaneBox& box, doubl
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real, typename PlaceOf, typename Visitor>
 void ForEachFourOfRows(
-  const RaisedTriangle& triangle, double middle, const SideColumns& sides, const PlaceOf& placeOf, Visitor&& visit)
+  const RaisedTriangle& triangle, double middle, const EdgeColumns& edges, const PlaceOf& placeOf, Visitor&& visit)
 {
   using Four = FourColumns<Real>;
   const CornerWeights weights(triangle);
@@ -246,7 +246,7 @@ void ForEachFourOfRows(
     }
   };
   // Only the ends of a row, or all of it, can lie on edges.
-  const bool areAll = sides.AreAll();
+  const bool areAll = edges.AreAll();
   const auto counts = [&](const PlanePoint& column)
   {
     if (areAll)
@@ -256,8 +256,8 @@ void ForEachFourOfRows(
     const double b = weights.OfB(column);
     const double c = weights.OfC(column);
     const double a = weights.Area - b - c;
-    return (a > 0.0 || sides.Opposite[0]) && (b > 0.0 || sides.Opposite[1]) && (c > 0.0 || sides.Opposite[2]) &&
-      (sides.WithCorners || std::max({ a, b, c }) < weights.Area);
+    return (a > 0.0 || edges.Opposite[0]) && (b > 0.0 || edges.Opposite[1]) && (c > 0.0 || edges.Opposite[2]) &&
+      (edges.WithCorners || std::max({ a, b, c }) < weights.Area);
   };
   ForEachRow({ weights.A, weights.B, weights.C },
     [&](std::int32_t y, std::int32_t begin, std::int32_t end)
@@ -276,7 +276,7 @@ void ForEachFourOfRows(
 /// `middle`; weights of the second and third corner; and 1 for columns that count, else 0.
 template <typename Real, typename PlaceOf, typename Visitor>
 void ForEachFourOf(
-  const RaisedTriangle& triangle, double middle, const SideColumns& sides, const PlaceOf& placeOf, Visitor&& visit)
+  const RaisedTriangle& triangle, double middle, const EdgeColumns& edges, const PlaceOf& placeOf, Visitor&& visit)
 {
   // Narrow triangles are faster without the ends of rows; fewer rows keep weights exact in floats.
   constexpr std::int64_t MostColumnsOfBox = 8;
@@ -289,11 +289,11 @@ void ForEachFourOf(
   if (std::int64_t(box.Greatest.X) - box.Least.X < MostColumnsOfBox &&
     std::int64_t(box.Greatest.Y) - box.Least.Y < MostRowsOfBox)
   {
-    ForEachFourOfBox<Real>(triangle, box, middle, sides, placeOf, visit);
+    ForEachFourOfBox<Real>(triangle, box, middle, edges, placeOf, visit);
   }
   else
   {
-    ForEachFourOfRows<Real>(triangle, middle, sides, placeOf, visit);
+    ForEachFourOfRows<Real>(triangle, middle, edges, placeOf, visit);
   }
 }
 }

@@ -21,7 +21,7 @@ bool KeptLines::IsAnyFar(VertexId vertex, EndsOf&& endsOf) const
   for (std::size_t horizon = 0; horizon < this->Mesh.NumberOfHorizons(); ++horizon)
   {
     const auto [from, to] = endsOf(horizon);
-    if (!this->Mesh.RasterAt(horizon, vertex).IsSideWithin(from, to, this->MaximumError + this->Mesh.Rounding()))
+    if (!this->Mesh.RasterAt(horizon, vertex).IsEdgeWithin(from, to, this->MaximumError + this->Mesh.Rounding()))
     {
       return true;
     }
@@ -52,7 +52,7 @@ void KeptLines::Keep(const PinchOutLines& lines)
     }
   }
   const std::vector<VertexId> vertices = this->Mesh.VerticesByPoint();
-  KeptSides sides(this->Mesh.Triangles(), std::size_t(this->Mesh.EndOfVertices()));
+  KeptEdges sides(this->Mesh.Triangles(), std::size_t(this->Mesh.EndOfVertices()));
   for (const Edge& edge : edges)
   {
     const VertexId from = vertices[std::size_t(edge.From)];
@@ -74,7 +74,7 @@ bool KeptLines::DropFar()
   {
     for (int side = 0; side < 3; ++side)
     {
-      if (triangles.IsKeptSide(triangle, side) && this->IsFar(triangle, side))
+      if (triangles.IsKeptEdge(triangle, side) && this->IsFar(triangle, side))
       {
         triangles.LetGo(triangles.Corner(triangle, side), triangles.Corner(triangle, NextCorner(side)));
         ++dropped;
@@ -83,7 +83,7 @@ bool KeptLines::DropFar()
   }
   if (dropped > 0)
   {
-    KeptSides(triangles, std::size_t(this->Mesh.EndOfVertices())).Legalize();
+    KeptEdges(triangles, std::size_t(this->Mesh.EndOfVertices())).Legalize();
   }
   this->Lost += dropped;
   return dropped > 0;

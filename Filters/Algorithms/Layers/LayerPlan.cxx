@@ -433,7 +433,7 @@ private:
     }
     MeshRefiner(mesh, 0, DecimationPriority::LargestError).InsertMarked(marks);
     const std::vector<VertexId> vertices = mesh.VerticesByPoint();
-    KeptSides sides(mesh.Triangles(), std::size_t(mesh.EndOfVertices()));
+    KeptEdges sides(mesh.Triangles(), std::size_t(mesh.EndOfVertices()));
     for (const Edge& border : borders)
     {
       const VertexId from = vertices[std::size_t(border.From)];
@@ -520,7 +520,7 @@ private:
     {
       MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
       refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.3, 0.3));
-      refiner.InsertAtSides(options.MaximumError, monitor.Step(0.3, 0.3));
+      refiner.InsertAtEdges(options.MaximumError, monitor.Step(0.3, 0.3));
     }
     if (this->Options.Effort == DecimationEffort::Best && options.MaximumError > 0.0)
     {
@@ -736,7 +736,7 @@ private:
       const RaisedPoint& from = corners[std::size_t(side)];
       const RaisedPoint& to = corners[std::size_t(NextCorner(side))];
       const bool isInner = mesh.Triangles().Neighbour(triangle, side) > triangle;
-      if (isInner && !raster.IsSideWithin(from, to, largest.OfSides))
+      if (isInner && !raster.IsEdgeWithin(from, to, largest.OfSides))
       {
         largest.OfSides = raster.MeasureCrossings(from, to, ErrorPower()).Largest;
       }

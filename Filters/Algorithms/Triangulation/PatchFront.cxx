@@ -91,11 +91,11 @@ void PatchFront::MakeStrips(std::int64_t strips)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PatchFront::AddSide(PointId from, PointId to)
+void PatchFront::AddEdge(PointId from, PointId to)
 {
   this->Use(from);
   this->Use(to);
-  this->Sides.push_back({ from, to, 0.0f });
+  this->Edges.push_back({ from, to, 0.0f });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ void PatchFront::Grow(std::size_t most, const Monitor& monitor)
 {
   std::vector<Region> regions(1);
   regions[0].EndStrip = this->StripStarts.size() - 1;
-  regions[0].Sides.swap(this->Sides);
+  regions[0].Edges.swap(this->Edges);
   if (regions[0].EndStrip == 1)
   {
     this->Parts.emplace_back();
@@ -166,18 +166,18 @@ PatchFront::Growth PatchFront::GrowWall(const Region& region)
   growth.Above.FirstStrip = middle;
   growth.Above.EndStrip = region.EndStrip;
   AdvancingFront front(this->FirstPointOf(region), this->EndPointOf(region));
-  const auto addSide = [&](const FrontEdge& side)
+  const auto addEdge = [&](const FrontEdge& edge)
   {
-    if ((side.From < line) != (side.To < line))
+    if ((edge.From < line) != (edge.To < line))
     {
-      front.AddSide(side);
+      front.AddEdge(edge);
     }
     else
     {
-      (side.From < line ? growth.Below : growth.Above).Sides.push_back(side);
+      (edge.From < line ? growth.Below : growth.Above).Edges.push_back(edge);
     }
   };
-  this->GrowTriangles(front, region, this->MostTriangles() + 1, Monitor(), growth.Triangles, addSide);
+  this->GrowTriangles(front, region, this->MostTriangles() + 1, Monitor(), growth.Triangles, addEdge);
   return growth;
 }
 
@@ -188,18 +188,18 @@ void PatchFront::GrowStrip(
   AdvancingFront front(this->FirstPointOf(region), this->EndPointOf(region));
   triangles.reserve(6 * std::size_t(this->EndPointOf(region) - this->FirstPointOf(region)));
   this->GrowTriangles(
-    front, region, most, monitor, triangles, [&front](const FrontEdge& side) { front.AddSide(side); });
+    front, region, most, monitor, triangles, [&front](const FrontEdge& edge) { front.AddEdge(edge); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // A third point outside the region indicates an invalid boundary.
-template <typename SideAdder>
+template <typename EdgeAdder>
 void PatchFront::GrowTriangles(AdvancingFront& front, const Region& region, std::size_t most, const Monitor& monitor,
-  RawVector<PointId>& triangles, SideAdder&& addSide)
+  RawVector<PointId>& triangles, EdgeAdder&& addEdge)
 {
-  for (const FrontEdge& side : region.Sides)
+  for (const FrontEdge& edge : region.Edges)
   {
-    addSide(side);
+    addEdge(edge);
   }
   FrontEdge edge;
   for (std::size_t made = 0; made < most && front.TakeNewest(edge); ++made)
@@ -218,8 +218,8 @@ void PatchFront::GrowTriangles(AdvancingFront& front, const Region& region, std:
     triangles.push_back(edge.From);
     triangles.push_back(edge.To);
     triangles.push_back(third.Point);
-    addSide({ edge.To, third.Point, third.Diameter });
-    addSide({ third.Point, edge.From, third.Diameter });
+    addEdge({ edge.To, third.Point, third.Diameter });
+    addEdge({ third.Point, edge.From, third.Diameter });
   }
 }
 

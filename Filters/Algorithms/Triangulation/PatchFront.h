@@ -62,11 +62,11 @@ public:
   }
 
   /// If the edge waited for this triangle, it leaves the front; otherwise its reverse waits for one.
-  void AddSide(const FrontEdge& side)
+  void AddEdge(const FrontEdge& edge)
   {
-    if (!this->Remove(side.From, side.To))
+    if (!this->Remove(edge.From, edge.To))
     {
-      this->Add({ side.To, side.From, side.Diameter });
+      this->Add({ edge.To, edge.From, edge.Diameter });
     }
   }
 
@@ -131,7 +131,7 @@ public:
 
   /// The left of the edge must be outside or meshed; its reverse waits for a triangle. Added in both directions, it has
   /// no surface on either side.
-  void AddSide(PointId from, PointId to);
+  void AddEdge(PointId from, PointId to);
 
   /// Throws InputError if an edge finds no third point.
   void Grow(std::size_t most, const Monitor& monitor);
@@ -159,7 +159,7 @@ private:
   {
     std::size_t FirstStrip = 0;
     std::size_t EndStrip = 0;
-    std::vector<FrontEdge> Sides;
+    std::vector<FrontEdge> Edges;
   };
 
   struct Growth
@@ -173,9 +173,9 @@ private:
   std::vector<Region> GrowRegions(const std::vector<Region>& regions, const Monitor& monitor);
   Growth GrowWall(const Region& region);
   void GrowStrip(const Region& region, std::size_t most, const Monitor& monitor, RawVector<PointId>& triangles);
-  template <typename SideAdder>
+  template <typename EdgeAdder>
   void GrowTriangles(AdvancingFront& front, const Region& region, std::size_t most, const Monitor& monitor,
-    RawVector<PointId>& triangles, SideAdder&& addSide);
+    RawVector<PointId>& triangles, EdgeAdder&& addEdge);
   [[noreturn]] void ThrowNoThird(const FrontEdge& edge) const;
 
   PointId FirstPointOf(const Region& region) const { return this->StripStarts[region.FirstStrip]; }
@@ -184,7 +184,7 @@ private:
   const SearchGrid& Points;
   const ThirdPointSearch& Search;
   std::vector<PointId> StripStarts;
-  std::vector<FrontEdge> Sides;
+  std::vector<FrontEdge> Edges;
   std::vector<unsigned char> Used; // Several threads write these, so that they are bytes, not bits.
   std::vector<RawVector<PointId>> Parts; // triangles of walls and strips
 };

@@ -145,12 +145,12 @@ public:
   /// Calls visit(from, to) for outer edges of blocks and rings, with the block to the left. They begin and end in loose
   /// points.
   template <typename Visitor>
-  void ForEachSide(const BoundedHorizon& horizon, const std::vector<PointId>& loose, Visitor&& visit) const
+  void ForEachEdge(const BoundedHorizon& horizon, const std::vector<PointId>& loose, Visitor&& visit) const
   {
     for (std::size_t n = 0; this->NumberOfTriangles() > 0 && n < loose.size(); ++n)
     {
       const PlanePoint column = this->Frame.Inward(horizon.Plane[loose[n]]);
-      this->VisitSides(column.X, column.Y, [&](PointId to) { visit(loose[n], to); });
+      this->VisitEdges(column.X, column.Y, [&](PointId to) { visit(loose[n], to); });
     }
   }
 
@@ -359,7 +359,7 @@ private:
   }
 
   template <typename Visitor>
-  void VisitSides(std::int64_t x, std::int64_t y, Visitor&& visit) const
+  void VisitEdges(std::int64_t x, std::int64_t y, Visitor&& visit) const
   {
     const bool right = this->IsMeshed(x, y);
     const bool left = this->IsMeshed(x - 1, y);
@@ -421,7 +421,7 @@ struct Patch
   std::vector<PlanePoint> Places;
   PlaneFrame Frame;
   Loops Boundary;
-  std::vector<Edge> BlockSides; // with blocks to the left
+  std::vector<Edge> BlockEdges; // with blocks to the left
 };
 
 class PatchList
@@ -435,7 +435,7 @@ public:
     , Loose(blocks.FindLoosePoints(horizon))
     , Points(PointsByPatch(horizon, this->Loose, this->Patches))
     , LoopsOf(LoopsByPatch(horizon, this->Patches))
-    , BlockSides(SidesByPatch(horizon, blocks, this->Loose, this->Patches))
+    , BlockEdges(EdgesByPatch(horizon, blocks, this->Loose, this->Patches))
     , LocalNumber(horizon.Patch.size())
   {
   }
@@ -469,9 +469,9 @@ public:
     {
       this->AddLoop(*loop, std::int32_t(number), patch);
     }
-    for (const Edge* side = this->BlockSides.begin(number); side != this->BlockSides.end(number); ++side)
+    for (const Edge* edge = this->BlockEdges.begin(number); edge != this->BlockEdges.end(number); ++edge)
     {
-      patch.BlockSides.push_back({ this->NumberInPatch(side->From), this->NumberInPatch(side->To) });
+      patch.BlockEdges.push_back({ this->NumberInPatch(edge->From), this->NumberInPatch(edge->To) });
     }
     return patch;
   }
@@ -504,12 +504,12 @@ private:
       });
   }
 
-  static EdgeLists SidesByPatch(
+  static EdgeLists EdgesByPatch(
     const BoundedHorizon& horizon, const FullBlocks& blocks, const std::vector<PointId>& loose, std::int64_t patches)
   {
     return EdgeLists(patches,
       [&](auto&& add) {
-        blocks.ForEachSide(horizon, loose,
+        blocks.ForEachEdge(horizon, loose,
           [&](PointId from, PointId to) {
             add(horizon.Patch[from], Edge{ from, to });
           });
@@ -551,7 +551,7 @@ private:
   const std::vector<PointId> Loose;
   const PointLists Points;
   const ItemLists<std::size_t> LoopsOf;
-  const EdgeLists BlockSides;
+  const EdgeLists BlockEdges;
   RawVector<PointId> LocalNumber;
 };
 
@@ -581,10 +581,10 @@ public:
   {
     // The surface is to the right of a boundary edge, so that its reverse waits for a triangle. An edge that occurs in
     // both directions has no surface on either side.
-    patch.Boundary.ForEachEdge([this](PointId from, PointId to) { this->AddSide(from, to); });
-    for (const Edge& side : patch.BlockSides)
+    patch.Boundary.ForEachEdge([this](PointId from, PointId to) { this->AddEdge(from, to); });
+    for (const Edge& edge : patch.BlockEdges)
     {
-      this->AddSide(side.From, side.To);
+      this->AddEdge(edge.From, edge.To);
     }
     for (std::size_t loop = 0; loop < patch.Boundary.Size(); ++loop)
     {
@@ -616,9 +616,9 @@ public:
   }
 
 private:
-  void AddSide(PointId from, PointId to)
+  void AddEdge(PointId from, PointId to)
   {
-    this->Front.AddSide(this->Points.NumberOf(from), this->Points.NumberOf(to));
+    this->Front.AddEdge(this->Points.NumberOf(from), this->Points.NumberOf(to));
   }
 
   void TraceLast()
@@ -659,7 +659,7 @@ private:
 std::vector<Edge> FindBoundaryEdges(const Patch& patch)
 {
   AdvancingFront walked(0, PointId(patch.Points.size()));
-  patch.Boundary.ForEachEdge([&walked](PointId from, PointId to) { walked.AddSide({ from, to }); });
+  patch.Boundary.ForEachEdge([&walked](PointId from, PointId to) { walked.AddEdge({ from, to }); });
   std::vector<Edge> edges;
   for (FrontEdge edge; walked.TakeNewest(edge);)
   {

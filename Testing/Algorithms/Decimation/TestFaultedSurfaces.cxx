@@ -154,8 +154,8 @@ void CompareErrorBounded()
   options.MaximumError = Error;
   const BoundedHorizon cut = OnColumns(MakeSurface(true, outlines));
   const Decimation mesh = Decimate(cut, options);
-  std::cout << "sides: " << mesh.LargestSideError << ", of loops: " << mesh.LargestLoopError << '\n';
-  CHECK(mesh.LargestSideError <= Error + 1e-9);
+  std::cout << "sides: " << mesh.LargestEdgeError << ", of loops: " << mesh.LargestLoopError << '\n';
+  CHECK(mesh.LargestEdgeError <= Error + 1e-9);
   CHECK(mesh.LargestLoopError < LeastThrow);
   for (const DecimationPriority priority : { DecimationPriority::LargestError, DecimationPriority::SumOfSquares })
   {

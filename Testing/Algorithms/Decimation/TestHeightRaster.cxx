@@ -144,7 +144,7 @@ void TestBounds(Patches::Random& random)
       for (const double part : { 0.0, 0.5, 1.0 - 1e-8, 1.0, 1.0 + 1e-8, 2.0 })
       {
         CHECK_EQUAL(raster.IsWithin(raised, part * largest), largest <= part * largest);
-        CHECK_EQUAL(raster.IsSideWithin(raised[0], raised[1], part * ofSide), ofSide <= part * ofSide);
+        CHECK_EQUAL(raster.IsEdgeWithin(raised[0], raised[1], part * ofSide), ofSide <= part * ofSide);
         const HeightError above = raster.MeasureAbove(raised, part * largest);
         CHECK_EQUAL(above.Point != NoPoint, largest > part * largest);
         CHECK(above.Point == NoPoint || std::abs(above.Largest - largest) < 1e-4);
@@ -176,7 +176,7 @@ void TestOwnedColumns()
       [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, columns, heights.data());
     const auto count = [&](const RaisedTriangle& triangle, bool ownsLongSide)
     {
-      SideColumns sides;
+      EdgeColumns sides;
       sides.WithCorners = false;
       sides.Opposite[1] = ownsLongSide;
       double sum = 0.0;
@@ -238,14 +238,14 @@ void TestSide()
   std::vector<unsigned char> marks(columns.size(), 0);
   const RaisedPoint from{ { 0, 0 }, 0.0 };
   const RaisedPoint to{ { 4, 2 }, 0.0 };
-  CHECK_EQUAL(raster.MeasureSide(from, to, marks).Largest, 4.0);
-  CHECK_EQUAL(raster.MeasureSide(to, from, marks).Largest, 4.0);
-  const PointId point = raster.MeasureSide(from, to, marks).Point;
+  CHECK_EQUAL(raster.MeasureEdge(from, to, marks).Largest, 4.0);
+  CHECK_EQUAL(raster.MeasureEdge(to, from, marks).Largest, 4.0);
+  const PointId point = raster.MeasureEdge(from, to, marks).Point;
   CHECK(point == 1 || point == 6);
   marks[1] = 1;
-  CHECK_EQUAL(raster.MeasureSide(from, to, marks).Point, 6);
+  CHECK_EQUAL(raster.MeasureEdge(from, to, marks).Point, 6);
   marks[6] = 1;
-  CHECK_EQUAL(raster.MeasureSide(from, to, marks).Point, NoPoint);
+  CHECK_EQUAL(raster.MeasureEdge(from, to, marks).Point, NoPoint);
 }
 }
 

@@ -35,7 +35,7 @@ void TestFarVertices()
   }
   mesh.SetHeights(heights);
   refiner.InsertWhereFar(bound, Monitor());
-  refiner.InsertAtSides(bound, Monitor());
+  refiner.InsertAtEdges(bound, Monitor());
   for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
   {
     CHECK(mesh.RasterOf(triangle).Measure(mesh.RaisedCorners(triangle)).Largest <= bound + 1e-9);

@@ -36,7 +36,7 @@ RawVector<PointId> Grow(const BoundedHorizon& horizon, std::int64_t strips)
   const ThirdPointSearch search(grid, SearchStrategy::VoxelTraversal);
   PatchFront front(grid, search, strips);
   horizon.Boundary.ForEachEdge(
-    [&](PointId from, PointId to) { front.AddSide(grid.NumberOf(from), grid.NumberOf(to)); });
+    [&](PointId from, PointId to) { front.AddEdge(grid.NumberOf(from), grid.NumberOf(to)); });
   front.Grow(front.MostTriangles() + 1, Monitor());
   const std::size_t count = front.NumberOfTriangles();
   RawVector<PointId> triangles;

@@ -54,7 +54,7 @@ public:
   /// Keeps as many random lines as asked for, and checks each answer.
   void KeepLines(int lines)
   {
-    KeptSides sides(this->Mesh.Triangles(), std::size_t(this->Mesh.EndOfVertices()));
+    KeptEdges sides(this->Mesh.Triangles(), std::size_t(this->Mesh.EndOfVertices()));
     for (int line = 0; line < lines; ++line)
     {
       const PointId from = this->RandomVertex();
@@ -207,7 +207,7 @@ private:
 };
 }
 
-int TestKeptSides(int, char*[])
+int TestKeptEdges(int, char*[])
 {
   std::size_t kept = 0;
   int crossed = 0;
