@@ -59,19 +59,19 @@ Loops MakeLoops(const RawVector<PointId>& triangles)
 }
 
 /// Voxels are drawn as squares at the height of the first point.
-void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerColumn, const Lattice& lattice,
+void WriteWalk(const std::vector<TracedCell>& walk, std::int32_t subVoxelsPerColumn, const Lattice& lattice,
   double height, vtkPolyData* output)
 {
   const double perSubVoxel = 1.0 / subVoxelsPerColumn; // exact
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> squares;
-  for (const TracedVoxel& voxel : walk)
+  for (const TracedCell& cell : walk)
   {
-    const double x0 = voxel.Least.X * perSubVoxel;
-    const double y0 = voxel.Least.Y * perSubVoxel;
-    const double x1 = voxel.Greatest.X * perSubVoxel;
-    const double y1 = voxel.Greatest.Y * perSubVoxel;
+    const double x0 = cell.Least.X * perSubVoxel;
+    const double y0 = cell.Least.Y * perSubVoxel;
+    const double x1 = cell.Greatest.X * perSubVoxel;
+    const double y1 = cell.Greatest.Y * perSubVoxel;
     std::array<vtkIdType, 4> ids;
     const std::array<Eigen::Vector3d, 4> corners = { Eigen::Vector3d(x0, y0, height), { x1, y0, height },
       { x1, y1, height }, { x0, y1, height } };
@@ -84,7 +84,7 @@ void WriteWalk(const std::vector<TracedVoxel>& walk, std::int32_t subVoxelsPerCo
   output->SetPoints(points);
   output->SetPolys(squares);
   AddArray<vtkIntArray>(
-    output->GetCellData(), CellArray::Dilatation, walk, [](const TracedVoxel& voxel) { return voxel.Dilatation; });
+    output->GetCellData(), CellArray::Dilatation, walk, [](const TracedCell& cell) { return cell.Dilatation; });
 }
 }
 

@@ -39,18 +39,18 @@ constexpr std::int64_t LeastRowsPerStrip = 8;
 
 // With many points per search cell, as along an outline without points inside, triangles cross many strips, and their
 // search costs more than threads save.
-constexpr std::int64_t MostPointsPerVoxel = 4;
+constexpr std::int64_t MostPointsPerCell = 4;
 
 constexpr std::size_t TrianglesPerCall = 4096;
 constexpr std::size_t RegionsPerCall = 16;
 
-std::int64_t CountVoxels(const SearchGrid& points)
+std::int64_t CountCells(const SearchGrid& points)
 {
-  const PointId* const starts = points.VoxelStarts();
+  const PointId* const starts = points.CellStarts();
   std::int64_t count = 0;
-  for (std::int64_t voxel = 0; voxel < points.Voxels().Size(); ++voxel)
+  for (std::int64_t cell = 0; cell < points.Cells().Size(); ++cell)
   {
-    count += starts[voxel] < starts[voxel + 1] ? 1 : 0;
+    count += starts[cell] < starts[cell + 1] ? 1 : 0;
   }
   return count;
 }
@@ -69,19 +69,19 @@ PatchFront::PatchFront(const SearchGrid& points, const ThirdPointSearch& search,
 std::int64_t PatchFront::FindStrips(const SearchGrid& points)
 {
   const std::int64_t strips =
-    std::min(points.NumberOfPoints() / LeastPointsPerStrip, points.Voxels().SizeY() / LeastRowsPerStrip);
-  return strips < 2 || points.NumberOfPoints() > MostPointsPerVoxel * CountVoxels(points) ? 1 : strips;
+    std::min(points.NumberOfPoints() / LeastPointsPerStrip, points.Cells().SizeY() / LeastRowsPerStrip);
+  return strips < 2 || points.NumberOfPoints() > MostPointsPerCell * CountCells(points) ? 1 : strips;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void PatchFront::MakeStrips(std::int64_t strips)
 {
-  const CellGrid& voxels = this->Points.Voxels();
+  const CellGrid& cells = this->Points.Cells();
   const std::int64_t points = this->Points.NumberOfPoints();
   this->StripStarts = { 0 };
-  for (std::int64_t row = 1; row < voxels.SizeY(); ++row)
+  for (std::int64_t row = 1; row < cells.SizeY(); ++row)
   {
-    const PointId start = this->Points.FirstIn(voxels.Index(0, row));
+    const PointId start = this->Points.FirstIn(cells.Index(0, row));
     if (start * strips >= points * std::int64_t(this->StripStarts.size()) && start < points)
     {
       this->StripStarts.push_back(start);

@@ -24,7 +24,7 @@ namespace SeismicHorizons
 namespace
 {
 // This limits memory if points are crowded in a small part of their box.
-constexpr double MostVoxelsPerPoint = 4.0;
+constexpr double MostCellsPerPoint = 4.0;
 
 // Distances are stored in bytes, saturated at this value.
 constexpr unsigned char FarFromEdges = 255;
@@ -39,25 +39,25 @@ double SpacingOf(const std::vector<PlanePoint>& points, const Loops& boundary)
     [&](PointId from, PointId to) {
       doubledArea += SignedArea({ 0, 0 }, points[to], points[from]);
     });
-  const double inside = std::max(0.5 * double(doubledArea), box / MostVoxelsPerPoint);
+  const double inside = std::max(0.5 * double(doubledArea), box / MostCellsPerPoint);
   return std::sqrt(std::min(box, inside) / double(points.size()));
 }
 
 /// With a power of two, positions in units of cells are exact.
-std::int64_t VoxelSizeFor(double spacing)
+std::int64_t CellSizeFor(double spacing)
 {
   return std::int64_t(1) << std::max(0L, std::lround(std::log2(spacing)));
 }
 
 template <typename Check>
-void ForEachVoxel(std::int64_t voxels, Check&& check)
+void ForEachCell(std::int64_t cells, Check&& check)
 {
-  ParallelFor(voxels, Grain,
+  ParallelFor(cells, Grain,
     [&check](std::int64_t first, std::int64_t last)
     {
-      for (std::int64_t voxel = first; voxel < last; ++voxel)
+      for (std::int64_t cell = first; cell < last; ++cell)
       {
-        check(voxel);
+        check(cell);
       }
     });
 }
@@ -97,35 +97,35 @@ void LowerAlong(std::int64_t size, unsigned char* row)
 //----------------------------------------------------------------------------------------------------------------------
 SearchGrid::SearchGrid(const std::vector<PlanePoint>& points, const Loops& boundary, const std::vector<PointId>& names)
   : PointSpacing(SpacingOf(points, boundary))
-  , Grid(points, 1, VoxelSizeFor(this->PointSpacing))
+  , Grid(points, 1, CellSizeFor(this->PointSpacing))
   , Shift(std::ilogb(double(this->Grid.CellSize())))
   , Origin(this->Grid.Corner(0))
   , Last({ std::int32_t(this->Grid.SizeX() - 1), std::int32_t(this->Grid.SizeY() - 1) })
   , Sorted(this->Grid, points, names)
-  , EdgesInVoxel(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
+  , EdgesInCell(SortByCell(this->Grid, this->Sorted.Places, boundary.Renumbered(this->Sorted.Numbers)))
 {
   assert(this->Grid.CellSize() == std::int64_t(1) << this->Shift);
-  ForEachVoxel(this->Grid.Size(), [this](std::int64_t voxel) { this->CheckPlaces(voxel); });
-  ForEachVoxel(this->Grid.Size(), [this](std::int64_t voxel) { this->CheckEdges(voxel); });
+  ForEachCell(this->Grid.Size(), [this](std::int64_t cell) { this->CheckPlaces(cell); });
+  ForEachCell(this->Grid.Size(), [this](std::int64_t cell) { this->CheckEdges(cell); });
   this->MeasureEdgeDistances();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 SearchGrid::SortedPoints::SortedPoints(
   const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names)
-  : Voxels(grid.Size())
+  : Cells(grid.Size())
   , Places(points.size() + Padding)
   , Names(points.size())
   , Numbers(points.size())
 {
   for (const PlanePoint& point : points)
   {
-    this->Voxels.Count(grid.CellOf(point));
+    this->Cells.Count(grid.CellOf(point));
   }
-  this->Voxels.EndCounting();
+  this->Cells.EndCounting();
   for (std::size_t point = 0; point < points.size(); ++point)
   {
-    const PointId number = this->Voxels.NextPosition(grid.CellOf(points[point]));
+    const PointId number = this->Cells.NextPosition(grid.CellOf(points[point]));
     this->Numbers[point] = number;
     this->Places[number] = points[point];
     this->Names[number] = names[point];
@@ -135,11 +135,11 @@ SearchGrid::SortedPoints::SortedPoints(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool SearchGrid::AreFewAndApart(std::int64_t voxel) const
+bool SearchGrid::AreFewAndApart(std::int64_t cell) const
 {
   constexpr PointId few = 8;
-  const PlanePoint* const first = this->Sorted.Places.data() + this->FirstIn(voxel);
-  const PlanePoint* const end = this->Sorted.Places.data() + this->EndOf(voxel);
+  const PlanePoint* const first = this->Sorted.Places.data() + this->FirstIn(cell);
+  const PlanePoint* const end = this->Sorted.Places.data() + this->EndOf(cell);
   bool apart = end - first <= few;
   for (const PlanePoint* place = first; apart && place < end; ++place)
   {
@@ -149,14 +149,14 @@ bool SearchGrid::AreFewAndApart(std::int64_t voxel) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckPlaces(std::int64_t voxel) const
+void SearchGrid::CheckPlaces(std::int64_t cell) const
 {
-  if (this->AreFewAndApart(voxel))
+  if (this->AreFewAndApart(cell))
   {
     return;
   }
-  std::vector<PointId> numbers(this->EndOf(voxel) - this->FirstIn(voxel));
-  std::iota(numbers.begin(), numbers.end(), this->FirstIn(voxel));
+  std::vector<PointId> numbers(this->EndOf(cell) - this->FirstIn(cell));
+  std::iota(numbers.begin(), numbers.end(), this->FirstIn(cell));
   std::sort(numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) < this->At(b); });
   const auto twin = std::adjacent_find(
     numbers.begin(), numbers.end(), [this](PointId a, PointId b) { return this->At(a) == this->At(b); });
@@ -169,27 +169,27 @@ void SearchGrid::CheckPlaces(std::int64_t voxel) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckEdges(std::int64_t voxel) const
+void SearchGrid::CheckEdges(std::int64_t cell) const
 {
-  for (const Edge* edge = this->EdgesInVoxel.begin(voxel); edge != this->EdgesInVoxel.end(voxel); ++edge)
+  for (const Edge* edge = this->EdgesInCell.begin(cell); edge != this->EdgesInCell.end(cell); ++edge)
   {
-    this->CheckEdge(edge, voxel);
+    this->CheckEdge(edge, cell);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SearchGrid::CheckEdge(const Edge* edge, std::int64_t voxel) const
+void SearchGrid::CheckEdge(const Edge* edge, std::int64_t cell) const
 {
   const PlanePoint& from = this->At(edge->From);
   const PlanePoint& to = this->At(edge->To);
-  const Edge* const crossing = std::find_if(this->EdgesInVoxel.begin(voxel), edge,
+  const Edge* const crossing = std::find_if(this->EdgesInCell.begin(cell), edge,
     [&](const Edge& other) { return ProperlyCross(from, to, this->At(other.From), this->At(other.To)); });
   if (crossing != edge)
   {
     throw InputError(this->Describe(*edge) + " crosses " + this->Describe(*crossing) +
       ", expected edges that meet only at their ends");
   }
-  for (PointId point = this->FirstIn(voxel); point < this->EndOf(voxel); ++point)
+  for (PointId point = this->FirstIn(cell); point < this->EndOf(cell); ++point)
   {
     if (OnOpenSegment(from, to, this->At(point)))
     {
@@ -211,15 +211,15 @@ std::string SearchGrid::Describe(const Edge& edge) const
 void SearchGrid::MeasureEdgeDistances()
 {
   this->EdgeDistances.assign(this->Grid.Size(), FarFromEdges);
-  if (this->EdgesInVoxel.Size() == 0)
+  if (this->EdgesInCell.Size() == 0)
   {
     return;
   }
   const std::int64_t size = this->Grid.SizeX();
   unsigned char* const distances = this->EdgeDistances.data();
-  for (std::int64_t voxel = 0; voxel < this->Grid.Size(); ++voxel)
+  for (std::int64_t cell = 0; cell < this->Grid.Size(); ++cell)
   {
-    distances[voxel] = this->EdgesInVoxel.IsEmpty(voxel) ? FarFromEdges : 0;
+    distances[cell] = this->EdgesInCell.IsEmpty(cell) ? FarFromEdges : 0;
   }
   for (std::int64_t y = 0; y < this->Grid.SizeY(); ++y)
   {
@@ -250,7 +250,7 @@ PointPyramid::PointPyramid(const SearchGrid& points)
 //----------------------------------------------------------------------------------------------------------------------
 void PointPyramid::MakeRuns()
 {
-  const PointId count = this->Points.EndOf(this->Points.Voxels().Size() - 1);
+  const PointId count = this->Points.EndOf(this->Points.Cells().Size() - 1);
   this->Runs.emplace_back((count - 1) / RunSize + 1);
   PlaneBox* run = this->Runs.back().data();
   for (PointId first = 0; first < count; first += RunSize, ++run)
@@ -275,17 +275,17 @@ void PointPyramid::MakeRuns()
 //----------------------------------------------------------------------------------------------------------------------
 void PointPyramid::MakeLowest()
 {
-  const CellGrid& voxels = this->Points.Voxels();
-  Level level{ (voxels.SizeX() - 1) / BaseSize + 1, (voxels.SizeY() - 1) / BaseSize + 1, {} };
+  const CellGrid& cells = this->Points.Cells();
+  Level level{ (cells.SizeX() - 1) / BaseSize + 1, (cells.SizeY() - 1) / BaseSize + 1, {} };
   level.Boxes.resize(level.SizeX * level.SizeY);
-  for (std::int64_t y = 0; y < voxels.SizeY(); ++y)
+  for (std::int64_t y = 0; y < cells.SizeY(); ++y)
   {
     PlaneBox* box = level.Boxes.data() + y / BaseSize * level.SizeX;
-    for (std::int64_t x = 0; x < voxels.SizeX(); x += BaseSize, ++box)
+    for (std::int64_t x = 0; x < cells.SizeX(); x += BaseSize, ++box)
     {
-      const std::int64_t last = std::min(x + BaseSize, voxels.SizeX()) - 1;
-      const PointId end = this->Points.EndOf(voxels.Index(last, y));
-      for (PointId point = this->Points.FirstIn(voxels.Index(x, y)); point < end; ++point)
+      const std::int64_t last = std::min(x + BaseSize, cells.SizeX()) - 1;
+      const PointId end = this->Points.EndOf(cells.Index(last, y));
+      for (PointId point = this->Points.FirstIn(cells.Index(x, y)); point < end; ++point)
       {
         box->Add(this->Points.At(point));
       }

@@ -59,21 +59,21 @@ public:
   /// At() may read this many places after the last point.
   static constexpr PointId Padding = 4;
 
-  const CellGrid& Voxels() const { return this->Grid; }
+  const CellGrid& Cells() const { return this->Grid; }
 
-  PointId FirstIn(std::int64_t voxel) const { return this->Sorted.Voxels.First(voxel); }
-  PointId EndOf(std::int64_t voxel) const { return this->Sorted.Voxels.End(voxel); }
+  PointId FirstIn(std::int64_t cell) const { return this->Sorted.Cells.First(cell); }
+  PointId EndOf(std::int64_t cell) const { return this->Sorted.Cells.End(cell); }
 
-  const PointId* VoxelStarts() const { return this->Sorted.Voxels.Firsts(); }
+  const PointId* CellStarts() const { return this->Sorted.Cells.Firsts(); }
 
   /// Coordinates outside the grid give the nearest cell. Bit shifts are faster than CellX() and CellY() of the grid.
-  std::int64_t VoxelX(std::int32_t x) const { return std::clamp((x - this->Origin.X) >> this->Shift, 0, this->Last.X); }
-  std::int64_t VoxelY(std::int32_t y) const { return std::clamp((y - this->Origin.Y) >> this->Shift, 0, this->Last.Y); }
+  std::int64_t CellX(std::int32_t x) const { return std::clamp((x - this->Origin.X) >> this->Shift, 0, this->Last.X); }
+  std::int64_t CellY(std::int32_t y) const { return std::clamp((y - this->Origin.Y) >> this->Shift, 0, this->Last.Y); }
 
   /// This is the side of a square with the mean area per point.
   double Spacing() const { return this->PointSpacing; }
 
-  const EdgeLists& Edges() const { return this->EdgesInVoxel; }
+  const EdgeLists& Edges() const { return this->EdgesInCell; }
 
   /// Counts steps between cells, also diagonal, to the nearest cell with boundary edges, at most 255.
   std::int64_t EdgeDistance(std::int64_t x, std::int64_t y) const
@@ -86,16 +86,16 @@ private:
   {
     SortedPoints(const CellGrid& grid, const std::vector<PlanePoint>& points, const std::vector<PointId>& names);
 
-    CountingSort<PointId> Voxels;
+    CountingSort<PointId> Cells;
     std::vector<PlanePoint> Places; // by new number, like Names
     std::vector<PointId> Names;
     std::vector<PointId> Numbers; // by previous number
   };
 
-  bool AreFewAndApart(std::int64_t voxel) const;
-  void CheckPlaces(std::int64_t voxel) const;
-  void CheckEdges(std::int64_t voxel) const;
-  void CheckEdge(const Edge* edge, std::int64_t voxel) const;
+  bool AreFewAndApart(std::int64_t cell) const;
+  void CheckPlaces(std::int64_t cell) const;
+  void CheckEdges(std::int64_t cell) const;
+  void CheckEdge(const Edge* edge, std::int64_t cell) const;
   std::string Describe(const Edge& edge) const;
   void MeasureEdgeDistances();
 
@@ -105,7 +105,7 @@ private:
   const PlanePoint Origin;
   const PlanePoint Last; // column and row of cells
   const SortedPoints Sorted;
-  const EdgeLists EdgesInVoxel;
+  const EdgeLists EdgesInCell;
   std::vector<unsigned char> EdgeDistances;
 };
 
@@ -169,7 +169,7 @@ private:
     }
     if (square.Level == 0)
     {
-      this->VisitVoxels(square, mayHold, visit);
+      this->VisitCells(square, mayHold, visit);
       return;
     }
     const Level& below = this->Levels[square.Level - 1];
@@ -196,15 +196,15 @@ private:
   }
 
   template <typename MayHold, typename Visitor>
-  void VisitVoxels(const Square& square, MayHold& mayHold, Visitor& visit) const
+  void VisitCells(const Square& square, MayHold& mayHold, Visitor& visit) const
   {
-    const CellGrid& voxels = this->Points.Voxels();
+    const CellGrid& cells = this->Points.Cells();
     const std::int64_t left = BaseSize * square.X;
-    const std::int64_t right = std::min(left + BaseSize, voxels.SizeX()) - 1;
-    for (std::int64_t y = BaseSize * square.Y; y < std::min(BaseSize * (square.Y + 1), voxels.SizeY()); ++y)
+    const std::int64_t right = std::min(left + BaseSize, cells.SizeX()) - 1;
+    for (std::int64_t y = BaseSize * square.Y; y < std::min(BaseSize * (square.Y + 1), cells.SizeY()); ++y)
     {
-      const PointId first = this->Points.FirstIn(voxels.Index(left, y));
-      const PointId end = this->Points.EndOf(voxels.Index(right, y));
+      const PointId first = this->Points.FirstIn(cells.Index(left, y));
+      const PointId end = this->Points.EndOf(cells.Index(right, y));
       if (first < end)
       {
         const std::size_t level = this->LevelOfRuns(end - first);

@@ -122,10 +122,10 @@ bool ThirdPointQuery::IsVisible(PointId point) const
 {
   const PlanePoint& place = this->Points.At(point);
   const PlanePoint middle = this->DoubledMiddle();
-  const std::int64_t fromX = this->Points.VoxelX(middle.X >> 1);
-  const std::int64_t fromY = this->Points.VoxelY(middle.Y >> 1);
-  const std::int64_t toX = this->Points.VoxelX(place.X);
-  const std::int64_t toY = this->Points.VoxelY(place.Y);
+  const std::int64_t fromX = this->Points.CellX(middle.X >> 1);
+  const std::int64_t fromY = this->Points.CellY(middle.Y >> 1);
+  const std::int64_t toX = this->Points.CellX(place.X);
+  const std::int64_t toY = this->Points.CellY(place.Y);
   const std::int64_t steps = std::max(std::abs(toX - fromX), std::abs(toY - fromY));
   if (steps < std::max(this->Points.EdgeDistance(fromX, fromY), this->Points.EdgeDistance(toX, toY)))
   {
@@ -134,30 +134,30 @@ bool ThirdPointQuery::IsVisible(PointId point) const
   const PlanePoint target = Doubled(place);
   const EdgeLists& edges = this->Points.Edges();
   bool visible = true;
-  const auto look = [&](std::int64_t voxel)
+  const auto look = [&](std::int64_t cell)
   {
     visible = visible &&
-      std::none_of(edges.begin(voxel), edges.end(voxel),
+      std::none_of(edges.begin(cell), edges.end(cell),
         [&](const Edge& edge) {
           return ProperlyCross(middle, target, Doubled(this->Points.At(edge.From)), Doubled(this->Points.At(edge.To)));
         });
   };
   if (steps > MostStepsInBox)
   {
-    this->Points.Voxels().ForEachCellAlong(this->Middle(), place, look);
+    this->Points.Cells().ForEachCellAlong(this->Middle(), place, look);
     return visible;
   }
   for (std::int64_t y = std::min(fromY, toY); y <= std::max(fromY, toY); ++y)
   {
     for (std::int64_t x = std::min(fromX, toX); x <= std::max(fromX, toX); ++x)
     {
-      look(this->Points.Voxels().Index(x, y));
+      look(this->Points.Cells().Index(x, y));
     }
   }
   return visible;
 }
 
-// ---- The scan of a block of voxels, four points at a time ----------------------------------------------------------
+// ---- The scan of a block of cells, four points at a time ----------------------------------------------------------
 // Cotangents of four points at a time are computed in single precision. Points within some slack of the least one are
 // candidates, mostly one, on a lattice often two, which ThirdPointQuery::Consider compares exactly. The slack must
 // exceed rounding.
@@ -179,7 +179,7 @@ constexpr float BoxMarginPerRadius = 1e-5f;
 
 constexpr float FarOutside = 1073741824.0f; // beyond the grid
 
-void Trace(ThirdPointQuery& query, const VoxelBox& box)
+void Trace(ThirdPointQuery& query, const CellBox& box)
 {
   for (std::int64_t row = box.FirstY; query.Walk && row <= box.LastY; ++row)
   {
@@ -193,13 +193,13 @@ void Trace(ThirdPointQuery& query, const VoxelBox& box)
 class BoxScan
 {
 public:
-  BoxScan(ThirdPointQuery& query, const VoxelBox& box, float bound)
+  BoxScan(ThirdPointQuery& query, const CellBox& box, float bound)
     : Query(query)
     , EdgeX(float(query.B.X - query.A.X))
     , EdgeY(float(query.B.Y - query.A.Y))
     , Bound(bound)
   {
-    const float size = float(query.Points.Voxels().CellSize()) *
+    const float size = float(query.Points.Cells().CellSize()) *
       float(std::int32_t(std::max(box.LastX - box.FirstX, box.LastY - box.FirstY)) + 1);
     this->Near = FloatRounding / Slack * size * (size + std::abs(this->EdgeX) + std::abs(this->EdgeY));
     this->Lowest = FourTimes(query.OnlyVisible || query.Best != NoPoint ? bound : Unknown);
@@ -207,10 +207,10 @@ public:
 
   /// Returns the number of points near the line. A batch may exceed its row.
   template <bool WithNear>
-  int Visit(const VoxelBox& box)
+  int Visit(const CellBox& box)
   {
-    const std::int64_t width = this->Query.Points.Voxels().SizeX();
-    const PointId* starts = this->Query.Points.VoxelStarts() + box.FirstY * width + box.FirstX;
+    const std::int64_t width = this->Query.Points.Cells().SizeX();
+    const PointId* starts = this->Query.Points.CellStarts() + box.FirstY * width + box.FirstX;
     PointId batches[Capacity + MostPerRow];
     std::size_t count = 0;
     int near = 0;
@@ -322,7 +322,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 // The four components are x, y, -x and -y from the start of the edge, each to be minimized: by the circle if its
 // extreme place is to the left of the edge, else by an end of the edge.
-VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius)
+CellBox CellsOfCircle(const ThirdPointQuery& query, float cotangent, float radius)
 {
   const std::int32_t edgeX = query.B.X - query.A.X;
   const std::int32_t edgeY = query.B.Y - query.A.Y;
@@ -338,20 +338,20 @@ VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float rad
   const IntegerBatch places = ToIntegers(Select(least > FourTimes(-FarOutside), least, FourTimes(-FarOutside)));
   const SearchGrid& points = query.Points;
   // FloatRounding towards 0 moves a place by less than 1.
-  return { points.VoxelX(query.A.X + places[0] - 1), points.VoxelY(query.A.Y + places[1] - 1),
-    points.VoxelX(query.A.X - places[2] + 1), points.VoxelY(query.A.Y - places[3] + 1) };
+  return { points.CellX(query.A.X + places[0] - 1), points.CellY(query.A.Y + places[1] - 1),
+    points.CellX(query.A.X - places[2] + 1), points.CellY(query.A.Y - places[3] + 1) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-VoxelBox VoxelsOfBest(const ThirdPointQuery& query)
+CellBox CellsOfBest(const ThirdPointQuery& query)
 {
   const float cotangent = float(query.BestCotangent);
-  return VoxelsOfCircle(
+  return CellsOfCircle(
     query, cotangent, 0.5f * std::sqrt((1.0f + cotangent * cotangent) * float(query.SquaredLength())));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound)
+void ScanBox(ThirdPointQuery& query, const CellBox& box, float bound)
 {
   constexpr int ends = 2;
   Trace(query, box);
@@ -368,7 +368,7 @@ namespace
 struct EdgeBox
 {
   explicit EdgeBox(const ThirdPointQuery& query)
-    : Grid(query.Points.Voxels())
+    : Grid(query.Points.Cells())
     , MiddleX(this->Grid.InCellsX(query.Middle().X))
     , MiddleY(this->Grid.InCellsY(query.Middle().Y))
     , Size(std::max({ std::int64_t(1), std::abs(this->Grid.CellX(query.A.X) - this->Grid.CellX(query.B.X)),
@@ -376,7 +376,7 @@ struct EdgeBox
   {
   }
 
-  VoxelBox Around(std::int64_t radius) const
+  CellBox Around(std::int64_t radius) const
   {
     const std::int64_t x = std::int64_t(this->MiddleX);
     const std::int64_t y = std::int64_t(this->MiddleY);
@@ -393,22 +393,22 @@ struct EdgeBox
 /// Search cells along a ray (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing", 1987): the ray
 /// continues into the cell behind the nearer one of its next borders across x and y. (Thesis Alg. 5.2 advances along
 /// both axes at once.)
-class VoxelWalk
+class CellWalk
 {
 public:
-  VoxelWalk(double x, double y, double directionX, double directionY)
+  CellWalk(double x, double y, double directionX, double directionY)
     : AlongX(x, directionX)
     , AlongY(y, directionY)
   {
   }
 
-  std::int64_t X() const { return this->AlongX.Voxel; }
-  std::int64_t Y() const { return this->AlongY.Voxel; }
+  std::int64_t X() const { return this->AlongX.Cell; }
+  std::int64_t Y() const { return this->AlongY.Cell; }
 
   void Next()
   {
     Axis& nearest = this->AlongX.NextBorder < this->AlongY.NextBorder ? this->AlongX : this->AlongY;
-    nearest.Voxel += nearest.Step;
+    nearest.Cell += nearest.Step;
     nearest.NextBorder += nearest.BorderDistance;
   }
 
@@ -416,18 +416,18 @@ private:
   struct Axis
   {
     Axis(double start, double direction)
-      : Voxel(std::int64_t(start))
+      : Cell(std::int64_t(start))
       , Step(direction < 0.0 ? -1 : 1)
     {
       if (direction != 0.0)
       {
-        const double border = double(this->Voxel) + (direction < 0.0 ? 0.0 : 1.0);
+        const double border = double(this->Cell) + (direction < 0.0 ? 0.0 : 1.0);
         this->NextBorder = (border - start) / direction;
         this->BorderDistance = 1.0 / std::abs(direction);
       }
     }
 
-    std::int64_t Voxel;
+    std::int64_t Cell;
     std::int64_t Step;
     double NextBorder = std::numeric_limits<double>::infinity(); // in lengths of the direction
     double BorderDistance = std::numeric_limits<double>::infinity();
@@ -438,10 +438,10 @@ private:
 };
 
 template <typename Visitor>
-void VisitBox(ThirdPointQuery& query, const VoxelBox& box, Visitor&& visit)
+void VisitBox(ThirdPointQuery& query, const CellBox& box, Visitor&& visit)
 {
   Trace(query, box);
-  const CellGrid& grid = query.Points.Voxels();
+  const CellGrid& grid = query.Points.Cells();
   for (std::int64_t row = box.FirstY; row <= box.LastY; ++row)
   {
     const PointId end = query.Points.EndOf(grid.Index(box.LastX, row));
@@ -452,7 +452,7 @@ void VisitBox(ThirdPointQuery& query, const VoxelBox& box, Visitor&& visit)
   }
 }
 
-void ConsiderBox(ThirdPointQuery& query, const VoxelBox& box)
+void ConsiderBox(ThirdPointQuery& query, const CellBox& box)
 {
   VisitBox(query, box, [&query](PointId point) { query.Consider(point); });
 }
@@ -463,7 +463,7 @@ void SearchDilatation(ThirdPointQuery& query, const EdgeBox& edgeBox, std::int64
   const double y = double(query.B.X) - query.A.X;
   const std::int64_t shiftX = std::abs(x) < std::abs(y) ? shift : 0;
   const std::int64_t shiftY = shift - shiftX;
-  VoxelWalk walk(edgeBox.MiddleX, edgeBox.MiddleY, x, y);
+  CellWalk walk(edgeBox.MiddleX, edgeBox.MiddleY, x, y);
   const std::int64_t startX = walk.X();
   const std::int64_t startY = walk.Y();
   for (; std::max(std::abs(walk.X() - startX), std::abs(walk.Y() - startY)) <= edgeBox.Size; walk.Next())
@@ -599,7 +599,7 @@ ThirdPointSearch::ThirdPointSearch(const SearchGrid& points, SearchStrategy stra
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float neighbor, std::vector<WalkedVoxel>* walk) const
+ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float neighbor, std::vector<WalkedCell>* walk) const
 {
   ThirdPointQuery query(this->Points, a, b, walk);
   const float height =
@@ -627,7 +627,7 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
   right.BestCotangent = -left.BestCotangent;
   const EdgeCircle circle(right, right.BestCotangent);
   const PlanePoint& best = this->Points.At(left.Best);
-  const VoxelBox box = VoxelsOfBest(right);
+  const CellBox box = CellsOfBest(right);
   bool empty = true;
   for (std::int64_t row = box.FirstY; empty && row <= box.LastY; ++row)
   {
@@ -647,16 +647,16 @@ bool ThirdPointSearch::IsDelaunay(PointId a, PointId b) const
 void ThirdPointSearch::Search(ThirdPointQuery& query, float height) const
 {
   const bool isTraced = query.Walk != nullptr;
-  const std::int64_t voxelSize = this->Points.Voxels().CellSize();
+  const std::int64_t cellSize = this->Points.Cells().CellSize();
   if (!isTraced)
   {
     const std::int64_t extent = std::max(std::abs(query.A.X - query.B.X), std::abs(query.A.Y - query.B.Y));
-    if (this->Strategy == SearchStrategy::VoxelTraversal && extent < LongestNearby * voxelSize &&
+    if (this->Strategy == SearchStrategy::VoxelTraversal && extent < LongestNearby * cellSize &&
       this->SearchNearby(query, height))
     {
       return;
     }
-    if (extent >= LargestBoxToTraverse * voxelSize)
+    if (extent >= LargestBoxToTraverse * cellSize)
     {
       this->SearchFar(query);
       return;
@@ -682,7 +682,7 @@ void ThirdPointSearch::Search(ThirdPointQuery& query, float height) const
   }
   if (query.Best != NoPoint)
   {
-    ScanBox(query, VoxelsOfBest(query), float(query.BestCotangent));
+    ScanBox(query, CellsOfBest(query), float(query.BestCotangent));
   }
 }
 
@@ -706,12 +706,12 @@ bool ThirdPointSearch::SearchNearby(ThirdPointQuery& query, float height) const
     const float rest = 0.25f * squaredLength / height;
     const float cotangent = (height - rest) * perLength;
     const float cotangentOfTwice = (2.0f * height - 0.5f * rest) * perLength;
-    ScanBox(query, VoxelsOfCircle(query, cotangent, 0.5f * (height + rest)), cotangent);
+    ScanBox(query, CellsOfCircle(query, cotangent, 0.5f * (height + rest)), cotangent);
     if (query.Best != NoPoint && query.BestCotangent <= cotangentOfTwice)
     {
       if (query.BestCotangent >= cotangent - CotangentMargin * std::abs(cotangent))
       {
-        ScanBox(query, VoxelsOfBest(query), float(query.BestCotangent));
+        ScanBox(query, CellsOfBest(query), float(query.BestCotangent));
       }
       return true;
     }

@@ -18,7 +18,7 @@
 
 namespace SeismicHorizons
 {
-struct WalkedVoxel
+struct WalkedCell
 {
   std::int64_t X = 0;
   std::int64_t Y = 0;
@@ -28,7 +28,7 @@ struct WalkedVoxel
 
 struct ThirdPointQuery
 {
-  ThirdPointQuery(const SearchGrid& points, PointId from, PointId to, std::vector<WalkedVoxel>* walk)
+  ThirdPointQuery(const SearchGrid& points, PointId from, PointId to, std::vector<WalkedCell>* walk)
     : Points(points)
     , A(points.At(from))
     , B(points.At(to))
@@ -53,7 +53,7 @@ struct ThirdPointQuery
   const SearchGrid& Points;
   const PlanePoint A;
   const PlanePoint B;
-  std::vector<WalkedVoxel>* const Walk; // receives visited cells, if not null
+  std::vector<WalkedCell>* const Walk; // receives visited cells, if not null
   int Dilatation = -1;
   bool OnlyVisible = false;
   PointId Best = NoPoint;
@@ -64,7 +64,7 @@ private:
   bool IsBetter(const PlanePoint& place, PointId candidate, double cotangent) const;
 };
 
-struct VoxelBox
+struct CellBox
 {
   std::int64_t FirstX;
   std::int64_t FirstY;
@@ -73,13 +73,13 @@ struct VoxelBox
 };
 
 /// Returns the cells that the segment of the circle to the left of the edge may touch.
-VoxelBox VoxelsOfCircle(const ThirdPointQuery& query, float cotangent, float radius);
+CellBox CellsOfCircle(const ThirdPointQuery& query, float cotangent, float radius);
 
-VoxelBox VoxelsOfBest(const ThirdPointQuery& query);
+CellBox CellsOfBest(const ThirdPointQuery& query);
 
 /// The box must contain the edge. If a point has a cotangent within `bound`, the best one is considered; otherwise any
 /// or none. With OnlyVisible, all points within the bound are considered.
-void ScanBox(ThirdPointQuery& query, const VoxelBox& box, float bound);
+void ScanBox(ThirdPointQuery& query, const CellBox& box, float bound);
 
 struct ThirdPoint
 {
@@ -94,7 +94,7 @@ public:
 
   /// `neighbor` is the approximate diameter of the circumcircle of the adjacent triangle, or 0, and sets where to
   /// start. With a walk, the search follows the strategy alone.
-  ThirdPoint Find(PointId a, PointId b, float neighbor, std::vector<WalkedVoxel>* walk = nullptr) const;
+  ThirdPoint Find(PointId a, PointId b, float neighbor, std::vector<WalkedCell>* walk = nullptr) const;
 
   /// The edge is Delaunay without constraints, too, if a circle through its ends holds no point, visible or not. A
   /// point must be to the left.

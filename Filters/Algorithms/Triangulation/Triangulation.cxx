@@ -624,15 +624,15 @@ private:
   void TraceLast()
   {
     const Edge edge = this->Front.LastEdge();
-    std::vector<WalkedVoxel> walk;
+    std::vector<WalkedCell> walk;
     this->Search.Find(edge.From, edge.To, 0.0f, &walk);
-    const CellGrid& voxels = this->Points.Voxels();
+    const CellGrid& cells = this->Points.Cells();
     const PlaneFrame& frame = this->Input.Frame;
     this->Result.Walk.clear();
-    for (const WalkedVoxel& voxel : walk)
+    for (const WalkedCell& cell : walk)
     {
-      this->Result.Walk.push_back({ frame.Outward(voxels.CornerOf(voxel.X, voxel.Y)),
-        frame.Outward(voxels.CornerOf(voxel.X + 1, voxel.Y + 1)), voxel.Dilatation });
+      this->Result.Walk.push_back({ frame.Outward(cells.CornerOf(cell.X, cell.Y)),
+        frame.Outward(cells.CornerOf(cell.X + 1, cell.Y + 1)), cell.Dilatation });
     }
   }
 

@@ -37,7 +37,7 @@ struct TriangulationOptions
 };
 
 /// The corners of a search cell are in sub-voxels.
-struct TracedVoxel
+struct TracedCell
 {
   PlanePoint Least;
   PlanePoint Greatest;
@@ -52,7 +52,7 @@ struct Triangulation
   /// inside.
   std::size_t BoundaryEdges = 0;
   std::size_t NonDelaunayEdges = 0;
-  std::vector<TracedVoxel> Walk; // of the last triangle, if MostTriangles is set
+  std::vector<TracedCell> Walk; // of the last triangle, if MostTriangles is set
 };
 
 /// Boundary edges are in the mesh, except along spurs, and other edges are locally Delaunay. Throws InputError for shared

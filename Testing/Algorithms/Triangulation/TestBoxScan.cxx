@@ -40,15 +40,15 @@ std::vector<PlanePoint> MakePlaces(Kind kind, std::int32_t size, Patches::Random
   return { places.begin(), places.end() };
 }
 
-bool IsInside(const VoxelBox& box, const SearchGrid& grid, const PlanePoint& place)
+bool IsInside(const CellBox& box, const SearchGrid& grid, const PlanePoint& place)
 {
-  const std::int64_t x = grid.VoxelX(place.X);
-  const std::int64_t y = grid.VoxelY(place.Y);
+  const std::int64_t x = grid.CellX(place.X);
+  const std::int64_t y = grid.CellY(place.Y);
   return box.FirstX <= x && x <= box.LastX && box.FirstY <= y && y <= box.LastY;
 }
 
 /// The best of all points in a box, by exact comparisons.
-ThirdPointQuery FindBest(const SearchGrid& grid, PointId a, PointId b, const VoxelBox& box)
+ThirdPointQuery FindBest(const SearchGrid& grid, PointId a, PointId b, const CellBox& box)
 {
   ThirdPointQuery query(grid, a, b, nullptr);
   for (PointId point = 0; point < grid.NumberOfPoints(); ++point)
@@ -70,9 +70,9 @@ float RadiusFor(const ThirdPointQuery& query, float cotangent)
 void CompareEdge(const SearchGrid& grid, PointId a, PointId b, float cotangent)
 {
   ThirdPointQuery query(grid, a, b, nullptr);
-  const VoxelBox box = VoxelsOfCircle(query, cotangent, RadiusFor(query, cotangent));
-  const VoxelBox all = { 0, 0, grid.Voxels().SizeX() - 1, grid.Voxels().SizeY() - 1 };
-  for (const VoxelBox& searched : { box, all })
+  const CellBox box = CellsOfCircle(query, cotangent, RadiusFor(query, cotangent));
+  const CellBox all = { 0, 0, grid.Cells().SizeX() - 1, grid.Cells().SizeY() - 1 };
+  for (const CellBox& searched : { box, all })
   {
     ThirdPointQuery scanned(grid, a, b, nullptr);
     ScanBox(scanned, searched, cotangent);
@@ -83,7 +83,7 @@ void CompareEdge(const SearchGrid& grid, PointId a, PointId b, float cotangent)
       CHECK_EQUAL(scanned.BestCotangent, expected.BestCotangent);
       CHECK(IsInside(box, grid, grid.At(expected.Best)));
       // Once more, with the best point known.
-      ScanBox(scanned, VoxelsOfBest(scanned), float(scanned.BestCotangent));
+      ScanBox(scanned, CellsOfBest(scanned), float(scanned.BestCotangent));
       CHECK_EQUAL(scanned.Best, expected.Best);
     }
     // All visible points up to the bound are considered: here all are.

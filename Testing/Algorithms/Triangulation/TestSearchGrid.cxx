@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The grid that third points are searched in, beside looks at all voxels and points.
+// The grid that third points are searched in, beside looks at all cells and points.
 
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Filters/Algorithms/Triangulation/SearchGrid.h"
@@ -23,15 +23,15 @@ std::vector<PointId> Names(std::size_t size)
   return names;
 }
 
-/// How many steps from voxel to voxel it is to one with boundary edges.
+/// How many steps from cell to cell it is to one with boundary edges.
 std::int64_t FindEdgeDistance(const SearchGrid& grid, std::int64_t x, std::int64_t y)
 {
   std::int64_t least = 255;
-  for (std::int64_t otherY = 0; otherY < grid.Voxels().SizeY(); ++otherY)
+  for (std::int64_t otherY = 0; otherY < grid.Cells().SizeY(); ++otherY)
   {
-    for (std::int64_t otherX = 0; otherX < grid.Voxels().SizeX(); ++otherX)
+    for (std::int64_t otherX = 0; otherX < grid.Cells().SizeX(); ++otherX)
     {
-      if (!grid.Edges().IsEmpty(grid.Voxels().Index(otherX, otherY)))
+      if (!grid.Edges().IsEmpty(grid.Cells().Index(otherX, otherY)))
       {
         least = std::min(least, std::max(std::abs(otherX - x), std::abs(otherY - y)));
       }
@@ -57,9 +57,9 @@ void TestEdgeDistances()
     Loops loop;
     loop.AppendLoop(horizon.Boundary, 0);
     const SearchGrid grid(places, loop, Names(places.size()));
-    for (std::int64_t y = 0; y < grid.Voxels().SizeY(); ++y)
+    for (std::int64_t y = 0; y < grid.Cells().SizeY(); ++y)
     {
-      for (std::int64_t x = 0; x < grid.Voxels().SizeX(); ++x)
+      for (std::int64_t x = 0; x < grid.Cells().SizeX(); ++x)
       {
         CHECK_EQUAL(grid.EdgeDistance(x, y), FindEdgeDistance(grid, x, y));
       }
@@ -67,7 +67,7 @@ void TestEdgeDistances()
   }
 }
 
-/// Two points in one place are found, however many others share their voxel.
+/// Two points in one place are found, however many others share their cell.
 void TestPointsInOnePlace()
 {
   std::vector<PlanePoint> places;

@@ -228,10 +228,10 @@ void TestStopsAndTraces()
       CHECK(std::includes(whole.begin(), whole.end(), triangles.begin(), triangles.end()));
       const PlanePoint third = horizon.Plane[part.Triangles.back()];
       CHECK(std::any_of(part.Walk.begin(), part.Walk.end(),
-        [&third](const TracedVoxel& voxel)
+        [&third](const TracedCell& cell)
         {
-          return voxel.Least.X <= third.X && third.X < voxel.Greatest.X && voxel.Least.Y <= third.Y &&
-            third.Y < voxel.Greatest.Y;
+          return cell.Least.X <= third.X && third.X < cell.Greatest.X && cell.Least.Y <= third.Y &&
+            third.Y < cell.Greatest.Y;
         }));
       CHECK_EQUAL(part.Walk.front().Dilatation, strategy == SearchStrategy::VoxelTraversal ? 0 : -1);
     }
