@@ -22,10 +22,10 @@ namespace
 {
 constexpr std::size_t NoPosition = 0; // not between the ends of the chain
 
-std::int64_t FloorOfPart(std::int64_t numerator, std::int64_t denominator)
+std::int64_t FloorOfQuotient(std::int64_t numerator, std::int64_t denominator)
 {
-  const std::int64_t part = numerator / denominator;
-  return part - std::int64_t(numerator % denominator < 0);
+  const std::int64_t quotient = numerator / denominator;
+  return quotient - std::int64_t(numerator % denominator < 0);
 }
 
 // A crossing is a number that sorts by row, then x: 31 bits of the row, 32 of x, 1 of the direction.
@@ -235,7 +235,7 @@ void ShortcutGuard::AddCrossings(const PlanePoint& from, const PlanePoint& to)
   const std::int64_t width = std::int64_t(high.X) - low.X;
   for (std::int64_t row = 0; row < height; ++row)
   {
-    const std::int64_t floor = FloorOfPart(row * width, height);
+    const std::int64_t floor = FloorOfQuotient(row * width, height);
     const std::int64_t place = 2 * (low.X + floor) + std::int64_t(floor * height != row * width);
     this->Crossings.push_back(std::uint64_t(low.Y + row + Offset) << (PlaceBits + 1) |
       std::uint64_t(place + 2 * Offset) << 1 | std::uint64_t(isUpward));
@@ -251,8 +251,8 @@ bool ShortcutGuard::IsClearBetween()
   {
     const std::uint64_t crossing = this->Crossings[n];
     turns += IsUpward(crossing) ? 1 : -1;
-    const std::int64_t last = turns == 0 ? 0 : FloorOfPart(PlaceOf(this->Crossings[n + 1]), 2);
-    for (std::int64_t x = FloorOfPart(PlaceOf(crossing) + 1, 2); turns != 0 && x <= last; ++x)
+    const std::int64_t last = turns == 0 ? 0 : FloorOfQuotient(PlaceOf(this->Crossings[n + 1]), 2);
+    for (std::int64_t x = FloorOfQuotient(PlaceOf(crossing) + 1, 2); turns != 0 && x <= last; ++x)
     {
       if (!this->IsClearAt(x, RowOf(crossing)))
       {

@@ -50,19 +50,20 @@ public:
   double InSpace(const Eigen::Vector3d& place) const
   {
     const Eigen::Vector3d way = place - this->From;
-    return (way - NearestPart(this->Along, way) * this->Along).norm();
+    return (way - NearestFraction(this->Along, way) * this->Along).norm();
   }
 
   MapDistances OnMap(const Eigen::Vector3d& place) const
   {
     const Eigen::Vector3d way = place - this->From;
-    const Eigen::Vector3d off = way - NearestPart<Eigen::Vector2d>(this->Along.head<2>(), way.head<2>()) * this->Along;
+    const Eigen::Vector3d off =
+      way - NearestFraction<Eigen::Vector2d>(this->Along.head<2>(), way.head<2>()) * this->Along;
     return { this->IsOnMap(way) ? 0.0 : off.head<2>().norm(), std::abs(off.z()) };
   }
 
 private:
   template <typename Vector>
-  static double NearestPart(const Vector& along, const Vector& way)
+  static double NearestFraction(const Vector& along, const Vector& way)
   {
     const double length = along.squaredNorm();
     return length > 0.0 ? std::min(1.0, std::max(0.0, along.dot(way) / length)) : 0.0;
@@ -71,9 +72,9 @@ private:
   /// Products of whole coordinates are exact, so that a straight run has no rounding errors.
   bool IsOnMap(const Eigen::Vector3d& way) const
   {
-    const double part = this->Along.head<2>().dot(way.head<2>());
-    return this->Along.x() * way.y() == this->Along.y() * way.x() && part >= 0.0 &&
-      part <= this->Along.head<2>().squaredNorm();
+    const double product = this->Along.head<2>().dot(way.head<2>());
+    return this->Along.x() * way.y() == this->Along.y() * way.x() && product >= 0.0 &&
+      product <= this->Along.head<2>().squaredNorm();
   }
 
   Eigen::Vector3d From;

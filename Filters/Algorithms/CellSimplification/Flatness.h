@@ -66,7 +66,7 @@ private:
 };
 
 /// Returns the least eigenvalue divided by the sum of all three (eq. 4.5): 0 for a plane, at most 1/3.
-inline double LeastPart(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver, double sum)
+inline double LeastEigenvalueFraction(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver, double sum)
 {
   return sum > 0.0 ? std::max(0.0, solver.eigenvalues()[0] / sum) : 0.0; // Rounding can make the quotient negative.
 }
@@ -74,7 +74,7 @@ inline double LeastPart(const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& so
 inline double Flatness(const Eigen::Matrix3d& covariance)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  return LeastPart(solver, covariance.trace());
+  return LeastEigenvalueFraction(solver, covariance.trace());
 }
 
 /// The closed formula is several times faster. Its error is below 1e-6, and about 1e-8 (the root of rounding) if two
@@ -83,7 +83,7 @@ inline double QuickFlatness(const Eigen::Matrix3d& covariance)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  return LeastPart(solver, covariance.trace());
+  return LeastEigenvalueFraction(solver, covariance.trace());
 }
 
 /// Tests Flatness(covariance) <= threshold with tolerance for rounding, so that a plane is flat for a threshold of 0.

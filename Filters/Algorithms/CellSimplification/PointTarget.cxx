@@ -20,7 +20,7 @@ constexpr double AllFlat = 1.0 / 3.0;
 constexpr double Enough = 0.97; // A result with at least this fraction of the requested points is accepted.
 constexpr int MostTargetHalvings = 12;
 // This fraction of the remaining progress is assigned to each run, as the number of runs is unknown.
-constexpr double PartOfRest = 0.15;
+constexpr double FractionOfRest = 0.15;
 
 /// The result does not change once a cell contains the whole horizon.
 int LargestCell(const BoundedHorizon& horizon)
@@ -53,7 +53,7 @@ public:
 
   bool Try(const Options& options)
   {
-    const double next = this->Part + PartOfRest * (1.0 - this->Part);
+    const double next = this->Part + FractionOfRest * (1.0 - this->Part);
     Reduction reduction = this->Run(options, this->Watch.Step(this->Part, next));
     this->Part = next;
     this->Left = reduction.Source.size();

@@ -137,12 +137,12 @@ public:
     {
       const double next =
         this->ForEachRow([&](std::int64_t row) { return this->Right[row] * this->Right[row] / this->Diagonal[row]; });
-      const double part = next / product;
+      const double ratio = next / product;
       product = next;
       this->ForEachRow(
         [&](std::int64_t row)
         {
-          direction[row] = this->Right[row] / this->Diagonal[row] + part * direction[row];
+          direction[row] = this->Right[row] / this->Diagonal[row] + ratio * direction[row];
           return 0.0;
         });
       const double bend = this->ForEachRow(
@@ -278,13 +278,13 @@ class ElementSums
 public:
   using Four = FourColumns<Real>;
 
-  void Add(const std::array<Four, 3>& parts, const Four& errors, const Four& weights)
+  void Add(const std::array<Four, 3>& fractions, const Four& errors, const Four& weights)
   {
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      const Four weighted = weights * parts[corner];
-      this->Corners[corner] += weighted * parts[corner];
-      this->Edges[corner] += weighted * parts[corner == 2 ? 0 : corner + 1];
+      const Four weighted = weights * fractions[corner];
+      this->Corners[corner] += weighted * fractions[corner];
+      this->Edges[corner] += weighted * fractions[corner == 2 ? 0 : corner + 1];
       this->Right[corner] += weighted * errors;
     }
   }
@@ -395,9 +395,10 @@ private:
       .ForEachFour<Real>(raised, this->Surface.OwnedColumns(triangle),
         [&](const Four& errors, const Four& b, const Four& c, const Four& isIn)
         {
-          const Four partOfB = b * perArea;
-          const Four partOfC = c * perArea;
-          sums.Add({ Four(Real(1) - partOfB - partOfC), partOfB, partOfC }, errors, weight(errors) * isIn);
+          const Four fractionOfB = b * perArea;
+          const Four fractionOfC = c * perArea;
+          sums.Add(
+            { Four(Real(1) - fractionOfB - fractionOfC), fractionOfB, fractionOfC }, errors, weight(errors) * isIn);
         });
     return sums.Sum();
   }
@@ -416,13 +417,13 @@ private:
           .ForEachCrossing<Real>(raised[edge], raised[next],
             [&](const Crossing& crossing)
             {
-              const double part = crossing.FractionOfEdge;
+              const double fraction = crossing.FractionOfEdge;
               const double weighs = edgeWeight * weight(crossing.Error);
-              element.Corners[edge] += weighs * (1.0 - part) * (1.0 - part);
-              element.Corners[next] += weighs * part * part;
-              element.Edges[edge] += weighs * part * (1.0 - part);
-              element.Right[edge] -= weighs * (1.0 - part) * crossing.Error;
-              element.Right[next] -= weighs * part * crossing.Error;
+              element.Corners[edge] += weighs * (1.0 - fraction) * (1.0 - fraction);
+              element.Corners[next] += weighs * fraction * fraction;
+              element.Edges[edge] += weighs * fraction * (1.0 - fraction);
+              element.Right[edge] -= weighs * (1.0 - fraction) * crossing.Error;
+              element.Right[next] -= weighs * fraction * crossing.Error;
               return true;
             });
       }
@@ -454,7 +455,7 @@ public:
     , After(heights)
     , Heights(heights)
     , Corners(mesh, heights.front().Vertices)
-    , Parts(heights.front().Vertices.size(), 1.0)
+    , Fractions(heights.front().Vertices.size(), 1.0)
     , IsMoved(heights.front().Vertices.size(), 1)
     , IsFar(std::size_t(mesh.Triangles().Size()))
   {
@@ -528,13 +529,13 @@ private:
     {
       return false;
     }
-    double& part = this->Parts[vertex];
-    part *= 0.5;
+    double& fraction = this->Fractions[vertex];
+    fraction *= 0.5;
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
       const double before = this->Before[horizon].Heights[vertex];
       const double after = this->After[horizon].Heights[vertex];
-      this->Heights[horizon].Heights[vertex] = part < LeastFraction ? before : before + part * (after - before);
+      this->Heights[horizon].Heights[vertex] = fraction < LeastFraction ? before : before + fraction * (after - before);
     }
     this->IsMoved[vertex] = 1;
     return true;
@@ -558,7 +559,7 @@ private:
   const std::vector<InnerHeights>& After;
   std::vector<InnerHeights> Heights;
   const MovableCorners Corners;
-  std::vector<double> Parts; // by vertex: the fraction of its move
+  std::vector<double> Fractions; // by vertex: the fraction of its move
   std::vector<unsigned char> IsMoved; // in this pass
   std::vector<FarEdges> IsFar;
 };

@@ -42,7 +42,7 @@ constexpr int StepsBetweenLooks = 4;
 constexpr double UnitsOfFloats = 16.0 * std::numeric_limits<float>::epsilon();
 
 // Rounding below this fraction of the bound is negligible in sums.
-constexpr double PartOfFloats = 1.0 / 64;
+constexpr double RoundingFraction = 1.0 / 64;
 
 struct HeightRange
 {
@@ -125,7 +125,7 @@ double HeightRaster::FloatRounding(double bound) const
 //----------------------------------------------------------------------------------------------------------------------
 bool HeightRaster::IsFloatEnough(double bound) const
 {
-  return this->FloatRounding(bound) <= PartOfFloats * bound;
+  return this->FloatRounding(bound) <= RoundingFraction * bound;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -247,7 +247,7 @@ HeightError HeightRaster::MeasureEdge(
       const double distance = std::abs(crossing.Error);
       if (distance > error.Largest)
       {
-        const bool isFirstNear = crossing.PartOfColumn < 0.5;
+        const bool isFirstNear = crossing.FractionOfColumn < 0.5;
         const PointId near = (*this->Points)[isFirstNear ? crossing.Place : crossing.Beyond];
         const PointId far = (*this->Points)[isFirstNear ? crossing.Beyond : crossing.Place];
         const PointId point = marks[near] == 0 ? near : far;

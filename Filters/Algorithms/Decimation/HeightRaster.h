@@ -53,7 +53,7 @@ struct Crossing
 {
   std::int64_t Place = 0;
   std::int64_t Beyond = 0;
-  double PartOfColumn = 0.0; // from the first to the second
+  double FractionOfColumn = 0.0; // from the first to the second
   double FractionOfEdge = 0.0; // from its start to its end
   double Error = 0.0; // edge minus segment
 };
@@ -281,10 +281,10 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
       const double first = this->At<Real>(crossing.Place);
       const double second = this->At<Real>(crossing.Beyond);
-      crossing.PartOfColumn = double(walk.Parts()) * perLine;
+      crossing.FractionOfColumn = double(walk.Parts()) * perLine;
       const double up = (double(line) - low.Y) * perLine;
       crossing.FractionOfEdge = isUp ? up : 1.0 - up;
-      crossing.Error = start + crossing.FractionOfEdge * rise - (first + crossing.PartOfColumn * (second - first));
+      crossing.Error = start + crossing.FractionOfEdge * rise - (first + crossing.FractionOfColumn * (second - first));
       const bool isCut = this->Cuts && (isTurned ? this->Cuts->IsCutNorth({ x, y }) : this->Cuts->IsCutEast({ x, y }));
       const bool hasPoints = !std::isnan(crossing.Error);
       if (!isCut && hasPoints && !visit(crossing))

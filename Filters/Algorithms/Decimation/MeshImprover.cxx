@@ -140,10 +140,10 @@ public:
     this->IsChanged.assign(std::size_t(this->Triangles.Size()), 1);
     std::vector<EdgeId> edges = this->FindEdges();
     const double first = double(edges.size());
-    for (double part = 0.1; !edges.empty(); edges = this->FindEdges())
+    for (double fraction = 0.1; !edges.empty(); edges = this->FindEdges())
     {
-      part = std::max(part, 1.0 - 0.9 * double(edges.size()) / first);
-      monitor.Progress(part);
+      fraction = std::max(fraction, 1.0 - 0.9 * double(edges.size()) / first);
+      monitor.Progress(fraction);
       this->FlipAll(this->FindCandidates(edges));
     }
   }
@@ -269,10 +269,10 @@ void FlipEdges(HeightMesh& mesh, const MeshCost& cost, const Monitor& monitor)
 // vertices that the round has removed.
 
 // A round considers only this fraction of the candidates, so that the cheaper of two neighbours goes first.
-constexpr double PartOfRound = 0.25;
+constexpr double FractionOfRound = 0.25;
 
 // Vertices of slivers cost this fraction, so that they go early.
-constexpr double PartOfSlivers = 0.01;
+constexpr double FractionOfSlivers = 0.01;
 
 constexpr std::int64_t RemovalGrain = 16;
 
@@ -367,7 +367,7 @@ private:
     std::vector<Candidate> possible;
     std::copy_if(this->Candidates.begin(), this->Candidates.end(), std::back_inserter(possible),
       [](const Candidate& one) { return one.Cost < Infinity; });
-    const auto size = std::ptrdiff_t(std::ceil(PartOfRound * double(possible.size())));
+    const auto size = std::ptrdiff_t(std::ceil(FractionOfRound * double(possible.size())));
     if (size > 0)
     {
       std::nth_element(possible.begin(), possible.begin() + (size - 1), possible.end(), isCheaper);
@@ -411,7 +411,7 @@ private:
         best.Edge = std::int32_t((end.Number + ring.Ends.size() - 1) % ring.Ends.size());
       }
     }
-    best.Cost *= !this->Cost.IsWide(ring.Sine) && best.Cost > 0.0 ? PartOfSlivers : 1.0;
+    best.Cost *= !this->Cost.IsWide(ring.Sine) && best.Cost > 0.0 ? FractionOfSlivers : 1.0;
     return best;
   }
 
@@ -595,7 +595,7 @@ constexpr double ReachOfFit = 0.9;
 
 // ---- Rounds of both ------------------------------------------------------------------------------------------------
 // Rounds end below this fraction of the inner vertices: smooth horizons after one, integer heights after several.
-constexpr double LeastPartOfRound = 0.04;
+constexpr double LeastFractionOfRound = 0.04;
 constexpr int MostRounds = 4;
 
 // After this number of halvings, any angle will do.
@@ -657,7 +657,7 @@ void ImproveWithinError(
     FlipEdges(mesh, cost, step.Step(0.0, 0.3));
     fit(FitAim::LargestError, step.Step(0.3, 0.5));
     RemoveVertices(mesh, cost, 0, step.Step(0.5, 1.0));
-    isWorthIt = double(before - mesh.NumberOfInnerVertices()) >= LeastPartOfRound * double(before);
+    isWorthIt = double(before - mesh.NumberOfInnerVertices()) >= LeastFractionOfRound * double(before);
   }
   fit(FitAim::Squares, monitor.Step(0.9, 1.0));
 }
@@ -688,8 +688,8 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   for (int halving = 1; mesh.NumberOfVertices() > vertices && cost.SmallestSine > 0.0; ++halving)
   {
     cost.SmallestSine = halving < MostHalvings ? 0.5 * cost.SmallestSine : 0.0;
-    const double part = 0.8 + 0.05 * double(halving) / (MostHalvings + 1);
-    RemoveVertices(mesh, cost, vertices, monitor.Step(part, part));
+    const double fraction = 0.8 + 0.05 * double(halving) / (MostHalvings + 1);
+    RemoveVertices(mesh, cost, vertices, monitor.Step(fraction, fraction));
   }
   cost.SmallestSine = sine;
   improve(monitor.Step(0.85, 1.0));

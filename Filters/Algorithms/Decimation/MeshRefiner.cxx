@@ -18,8 +18,8 @@ namespace SeismicHorizons
 namespace
 {
 // A round refines triangles above this fraction of the largest error; sums of squares take its square.
-constexpr double PartOfLargest = 0.6;
-constexpr double PartOfSum = PartOfLargest * PartOfLargest;
+constexpr double FractionOfLargest = 0.6;
+constexpr double FractionOfSum = FractionOfLargest * FractionOfLargest;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -41,13 +41,13 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
   this->Mesh.MeasureAll(this->Power, bound, monitor.Step(0.0, 0.1));
   const double first = this->Mesh.LargestError();
   this->StartWith(bound);
-  double part = 0.1;
+  double fraction = 0.1;
   double limit = std::numeric_limits<double>::infinity();
   for (std::vector<TriangleId> urgent; !this->IsFull() && this->FindUrgent(limit, urgent);)
   {
     // Triangles multiply as the error falls, so the last rounds take longest.
-    part = std::max(part, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
-    monitor.Progress(part);
+    fraction = std::max(fraction, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
+    monitor.Progress(fraction);
     this->Mesh.FindPoints(urgent, bound);
     if (!this->InsertRound(urgent))
     {
@@ -244,7 +244,7 @@ bool MeshRefiner::FindUrgent(double& limit, std::vector<TriangleId>& urgent) con
   }
   if (most < limit)
   {
-    limit = most * (this->Priority == DecimationPriority::LargestError ? PartOfLargest : PartOfSum);
+    limit = most * (this->Priority == DecimationPriority::LargestError ? FractionOfLargest : FractionOfSum);
   }
   std::copy_if(this->Far.begin(), this->Far.end(), std::back_inserter(urgent),
     [&](TriangleId triangle) { return this->UrgencyOf(triangle) >= limit; });

@@ -158,8 +158,8 @@ private:
     const Eigen::Vector3d right = place(this->After(n, this->IsNode));
     const Eigen::Vector3d here = place(n);
     result.Deviation = std::max(result.Deviation, SpanningEdge(left, right).InSpace(here));
-    const double part = (here.x() - left.x()) / (right.x() - left.x());
-    const double onLine = left.z() + part * (right.z() - left.z());
+    const double fraction = (here.x() - left.x()) / (right.x() - left.x());
+    const double onLine = left.z() + fraction * (right.z() - left.z());
     result.HeightDeviation = std::max(result.HeightDeviation, std::abs(here.z() - onLine));
     if (this->IsKept[n] != 0)
     {

@@ -23,8 +23,8 @@ inline double SquaredDistanceToSegment(const Eigen::Vector3d& p, const Eigen::Ve
 {
   const Eigen::Vector3d along = b - a;
   const double length = along.squaredNorm();
-  const double part = length > 0.0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (p - a - part * along).squaredNorm();
+  const double fraction = length > 0.0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0.0;
+  return (p - a - fraction * along).squaredNorm();
 }
 
 /// The squared doubled area of a needle is at most this fraction of the fourth power of the longer edge at `a`. It is a

@@ -63,10 +63,11 @@ public:
       [](std::uint64_t a, std::uint64_t b) { return a + b; });
   }
 
-  /// `part` is 0 to 1. Returns a value to 1/1024, or NaN without weight.
-  double Percentile(double part) const
+  /// `fraction` is 0 to 1. Returns a value to 1/1024, or NaN without weight.
+  double Percentile(double fraction) const
   {
-    const double wanted = part * double(std::accumulate(this->Weights.begin(), this->Weights.end(), std::uint64_t(0)));
+    const double wanted =
+      fraction * double(std::accumulate(this->Weights.begin(), this->Weights.end(), std::uint64_t(0)));
     std::uint64_t below = 0;
     for (std::uint32_t bin = 0; bin < Bins; ++bin)
     {
@@ -84,7 +85,7 @@ public:
   }
 
   /// Returns 0 to 1.
-  double PartUpTo(double value) const
+  double FractionUpTo(double value) const
   {
     const std::uint32_t last = BinOf(value);
     const auto bin = this->Weights.begin() + std::ptrdiff_t(last);
@@ -509,7 +510,7 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
   for (std::size_t bin = 0; bin < DistanceBins; ++bin)
   {
     const double end = figures.Percentile.back() * double(bin + 1) / double(DistanceBins - 1);
-    const double upTo = bin + 1 < DistanceBins ? faces.Histogram[metric].PartUpTo(end) : 1.0;
+    const double upTo = bin + 1 < DistanceBins ? faces.Histogram[metric].FractionUpTo(end) : 1.0;
     figures.Share[bin] = upTo - below;
     below = upTo;
   }

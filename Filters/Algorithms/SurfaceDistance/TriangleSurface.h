@@ -125,8 +125,8 @@ void SampleEdge(
 {
   for (std::int64_t n = 0; n < count; ++n)
   {
-    const double part = (double(n) + Fraction(Scramble(random + std::uint64_t(n)))) / double(count);
-    visit(Eigen::Vector3d(a + part * (b - a)));
+    const double fraction = (double(n) + Fraction(Scramble(random + std::uint64_t(n)))) / double(count);
+    visit(Eigen::Vector3d(a + fraction * (b - a)));
   }
 }
 
@@ -148,21 +148,21 @@ inline std::array<double, 3> DoubledAreas(
 /// Returns NaN where NearerHeight has none.
 inline double HeightAt(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners, double tolerance)
 {
-  std::array<double, 3> part = DoubledAreas(p, corners[0], corners[1], corners[2]);
-  const double sum = part[0] + part[1] + part[2];
+  std::array<double, 3> area = DoubledAreas(p, corners[0], corners[1], corners[2]);
+  const double sum = area[0] + area[1] + area[2];
   const double turn = sum < 0.0 ? -1.0 : 1.0;
   double height = 0.0;
   double inside = 0.0;
   for (std::size_t n = 0; n < 3; ++n)
   {
     const double square = (corners[(n + 2) % 3] - corners[(n + 1) % 3]).head<2>().squaredNorm() * tolerance * tolerance;
-    if (!(sum * sum > square) || (turn * part[n] < 0.0 && part[n] * part[n] > square))
+    if (!(sum * sum > square) || (turn * area[n] < 0.0 && area[n] * area[n] > square))
     {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    part[n] = std::max(0.0, turn * part[n]);
-    inside += part[n];
-    height += part[n] * corners[n].z();
+    area[n] = std::max(0.0, turn * area[n]);
+    inside += area[n];
+    height += area[n] * corners[n].z();
   }
   return height / inside;
 }
