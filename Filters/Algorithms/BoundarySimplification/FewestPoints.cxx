@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,6 +25,7 @@ constexpr std::size_t NoPosition = 0; // not between the ends of the chain
 
 std::int64_t FloorOfQuotient(std::int64_t numerator, std::int64_t denominator)
 {
+  assert(denominator > 0);
   const std::int64_t quotient = numerator / denominator;
   return quotient - std::int64_t(numerator % denominator < 0);
 }
@@ -384,6 +386,7 @@ std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& 
 /// points, and an open chain one, unless it is straight.
 std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
 {
+  assert(!chain.empty());
   this->SetChain(std::move(chain));
   const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 1;
   bool isDone = this->Chain.size() <= leastEdges + 1;

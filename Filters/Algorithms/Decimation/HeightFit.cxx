@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -642,6 +643,7 @@ std::vector<InnerHeights> FitAllHeights(
 //----------------------------------------------------------------------------------------------------------------------
 void MoveHeightsWithin(HeightMesh& mesh, double error, const std::vector<InnerHeights>& heights)
 {
+  assert(heights.size() == mesh.NumberOfHorizons());
   MoveLimit(mesh, error, heights).Run();
 }
 }

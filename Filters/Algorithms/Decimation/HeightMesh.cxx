@@ -10,6 +10,7 @@
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -69,6 +70,8 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const dou
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::AddHorizon(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown)
 {
+  assert(heights.size() == this->NumberOfAllPoints());
+  assert(!isKnown || isKnown->size() == heights.size());
   OtherHorizon other;
   for (const HeightRaster& raster : this->Rasters)
   {
@@ -201,6 +204,7 @@ VertexId HeightMesh::CornerOf(TriangleId triangle, PointId point) const
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
 {
+  assert(!this->IsVertex(point) && this->HasPoint(point));
   this->Mesh.Insert(this->Places[point], triangle, around);
   if (!around.empty())
   {
@@ -230,6 +234,7 @@ void HeightMesh::PutBack(VertexId vertex)
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::Remove(VertexId vertex)
 {
+  assert(!this->IsRemoved(vertex) && !this->IsOnLoop(vertex));
   this->Marks[this->Sources[vertex]] = 0;
   this->Sources[vertex] = NoPoint;
   ++this->Removed;
@@ -292,6 +297,7 @@ InnerHeights HeightMesh::Heights(std::size_t horizon) const
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::SetHeights(const InnerHeights& heights, std::size_t horizon)
 {
+  assert(heights.Vertices.size() == heights.Heights.size() && horizon < this->NumberOfHorizons());
   std::vector<RaisedPoint>& raised = horizon == 0 ? this->Vertices : this->Others[horizon - 1].Vertices;
   for (std::size_t n = 0; n < heights.Vertices.size(); ++n)
   {

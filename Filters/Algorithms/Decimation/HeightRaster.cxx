@@ -8,6 +8,7 @@
 #include "Common/Horizon/ColumnIndex.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace SeismicHorizons
@@ -60,6 +61,7 @@ struct HeightRange
 //----------------------------------------------------------------------------------------------------------------------
 RawVector<PointId> HeightRaster::MakePlaces()
 {
+  assert(!this->Box.IsEmpty());
   this->Width = std::int64_t(this->Box.Greatest.X) - this->Box.Least.X + 1;
   const std::int64_t rows = std::int64_t(this->Box.Greatest.Y) - this->Box.Least.Y + 1;
   constexpr std::int64_t Beyond = 3; // for reads of four columns

@@ -7,6 +7,7 @@
 #include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -187,6 +188,7 @@ bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle) const
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
 {
+  assert(marks.size() == this->Mesh.NumberOfAllPoints() && this->MostVertices == 0);
   constexpr double Bound = 0.5;
   this->Mesh.MeasureAllMarked(marks);
   this->StartWith(Bound);

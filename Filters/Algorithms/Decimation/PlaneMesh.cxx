@@ -8,6 +8,7 @@
 #include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <limits>
 #include <tuple>
@@ -39,6 +40,7 @@ std::vector<std::int32_t> NumbersIn(const std::vector<std::int32_t>& order, std:
 PlaneMesh::PlaneMesh(std::vector<PlanePoint> places, const RawVector<VertexId>& triangles)
   : Places(std::move(places))
 {
+  assert(triangles.size() % 3 == 0);
   this->Triangles.reserve(triangles.size() / 3);
   for (std::size_t first = 0; first < triangles.size(); first += 3)
   {
@@ -109,6 +111,7 @@ TriangleId PlaneMesh::Locate(const PlanePoint& place, TriangleId near) const
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector<TriangleId>& around)
 {
+  assert(!this->IsGone(triangle));
   around.clear();
   int onEdge = -1;
   int edgesOn = 0;
@@ -172,6 +175,7 @@ void PlaneMesh::Split(VertexId vertex, TriangleId triangle, std::vector<Triangle
 int PlaneMesh::EdgeTo(TriangleId triangle, TriangleId neighbour) const
 {
   const auto& neighbours = this->Triangles[triangle].Neighbours;
+  assert(neighbours[0] == neighbour || neighbours[1] == neighbour || neighbours[2] == neighbour);
   return neighbours[0] == neighbour ? 0 : neighbours[1] == neighbour ? 1 : 2;
 }
 
@@ -188,6 +192,7 @@ void PlaneMesh::Replace(TriangleId triangle, TriangleId neighbour, TriangleId by
 void PlaneMesh::Flip(TriangleId triangle, int edge)
 {
   const TriangleId other = this->Neighbour(triangle, edge);
+  assert(other != NoTriangle && !this->IsKeptEdge(triangle, edge));
   const Triangle one = this->Triangles[triangle];
   const Triangle two = this->Triangles[other];
   const int back = this->EdgeTo(other, triangle);
@@ -209,6 +214,7 @@ void PlaneMesh::Flip(TriangleId triangle, int edge)
 VertexId PlaneMesh::Beyond(TriangleId triangle, int edge) const
 {
   const TriangleId other = this->Neighbour(triangle, edge);
+  assert(other != NoTriangle);
   return this->Corner(other, PreviousCorner(this->EdgeTo(other, triangle)));
 }
 
@@ -216,6 +222,7 @@ VertexId PlaneMesh::Beyond(TriangleId triangle, int edge) const
 int PlaneMesh::CornerAt(TriangleId triangle, VertexId vertex) const
 {
   const auto& corners = this->Triangles[triangle].Corners;
+  assert(corners[0] == vertex || corners[1] == vertex || corners[2] == vertex);
   return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
 }
 
@@ -263,10 +270,12 @@ void PlaneMesh::FindRing(VertexId vertex, TriangleId first, std::vector<Triangle
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Collapse(VertexId vertex, const std::vector<TriangleId>& ring, std::size_t n)
 {
+  assert(ring.size() >= 3 && n < ring.size());
   const std::array<TriangleId, 2> gone = { ring[n], ring[(n + 1) % ring.size()] };
   const TriangleId before = ring[(n + ring.size() - 1) % ring.size()];
   const TriangleId after = ring[(n + 2) % ring.size()];
   const VertexId target = this->Corner(gone[0], PreviousCorner(this->CornerAt(gone[0], vertex)));
+  assert(!this->IsKept(vertex, target));
   const std::array<TriangleId, 2> outside = { this->Neighbour(gone[0], NextCorner(this->CornerAt(gone[0], vertex))),
     this->Neighbour(gone[1], NextCorner(this->CornerAt(gone[1], vertex))) };
   for (const TriangleId triangle : ring)

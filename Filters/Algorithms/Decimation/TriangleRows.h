@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 namespace SeismicHorizons
@@ -28,6 +29,7 @@ public:
     , Slope((high.X - low.X) / this->Height)
     , Rest((high.X - low.X) % this->Height)
   {
+    assert(low.Y <= high.Y);
     if (this->Rest < 0)
     {
       --this->Slope;

@@ -7,6 +7,7 @@
 #include "Filters/Algorithms/BoundarySimplification/FewestPoints.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -183,6 +184,7 @@ private:
 SeamChains SimplifySeams(PlanePoints columns, const std::vector<double>& height, const Loops& boundary,
   const BoundaryOptions& options, double heightTolerance)
 {
+  assert(columns.size() == height.size());
   std::vector<Seam> seams;
   for (const bool isUpper : { false, true })
   {

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -835,6 +836,8 @@ double CutAll(
 //----------------------------------------------------------------------------------------------------------------------
 LargestDistance FindLargestDistance(const KnownDistances& known, std::int64_t effort, const Monitor& monitor)
 {
+  assert(known.Distance.size() == known.Metrics.size());
+  assert(known.Nearest.size() == known.From.Points.size());
   LargestDistance largest{ known.Found, known.Found };
   OpenTriangles open = BoundAll(known, largest, monitor.Step(0.0, 0.5));
   double left = double(effort);

@@ -316,6 +316,7 @@ void PointPyramid::MakeNext()
 //----------------------------------------------------------------------------------------------------------------------
 PlaneFrame::PlaneFrame(const std::vector<PlanePoint>& places)
 {
+  assert(!places.empty());
   // The lowest bit set in any distance from the first place is the largest power of two that divides them all, and
   // all distances from the least coordinates.
   const PlanePoint first = places.front();

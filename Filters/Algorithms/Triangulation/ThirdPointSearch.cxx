@@ -601,6 +601,7 @@ ThirdPointSearch::ThirdPointSearch(const SearchGrid& points, SearchStrategy stra
 //----------------------------------------------------------------------------------------------------------------------
 ThirdPoint ThirdPointSearch::Find(PointId a, PointId b, float neighbor, std::vector<WalkedCell>* walk) const
 {
+  assert(a != b);
   ThirdPointQuery query(this->Points, a, b, walk);
   const float height =
     neighbor > 0.0f ? std::min(HeightPerNeighbor * neighbor, this->GreatestHeight) : this->UsualHeight;
