@@ -5,8 +5,7 @@
 
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Filters/Algorithms/CellSimplification/PointTarget.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"

@@ -8,8 +8,7 @@
 // alone, on plain data, and the whole filter with its attributes. VTK's filters take the full triangulation of the same
 // points, which they need, and bins of the same size; they leave the outline unprotected.
 
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Marshalling/HorizonData.h"
 
 #include "vtkBinnedDecimation.h"

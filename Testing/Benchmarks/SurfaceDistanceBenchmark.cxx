@@ -10,7 +10,7 @@
 
 #include "BenchmarkTools.h"
 #include "Common/Base/Parallel.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/SurfaceDistance/DistanceProbe.h"
 #include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"

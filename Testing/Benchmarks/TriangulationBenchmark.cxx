@@ -11,8 +11,7 @@
 
 #include "BenchmarkTools.h"
 #include "Common/Base/Parallel.h"
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/TestHorizons.h"
 

@@ -7,7 +7,7 @@
 #include "StageInput.h"
 #include "StageProperties.h"
 
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
 #include "Tools/ReductionChecker.h"
 

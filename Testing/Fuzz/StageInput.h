@@ -8,7 +8,7 @@
 
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
 #include "Filters/Algorithms/Surface/Surface.h"
 #include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"

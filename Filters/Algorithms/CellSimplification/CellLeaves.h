@@ -22,6 +22,7 @@
 #ifndef SeismicHorizonsCellLeaves_h
 #define SeismicHorizonsCellLeaves_h
 
+#include "CellSimplification.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/BoundedHorizon.h"
@@ -30,6 +31,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -251,6 +253,14 @@ void CellLeaves::ForEachRange(Iterator first, Iterator last, Visitor& visit) con
     first = next;
   }
 }
+
+/// Boundary points come first, in the order of the input, then a point for each leaf that MergesInner. Inner points of
+/// other leaves are counted with the nearest boundary point of their leaf. Rings remain 0.
+Reduction WriteLeaves(const CellLeaves& leaves, RepresentativeKind representative, const Monitor& monitor);
+
+using CellBottom = std::function<double(const PointId* first, const PointId* last, int level)>;
+
+void ListCells(const CellLeaves& leaves, Reduction& result, const CellBottom& bottom);
 }
 
 #endif

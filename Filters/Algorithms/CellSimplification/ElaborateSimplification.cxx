@@ -1,6 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
+// Reduces points where a horizon is flat and far from its boundary (thesis 4.3.2, Alg. 4.2 and 4.3, eq. 4.1 to 4.5).
+//
+// Points of each patch are sorted into cubes, which are cut into octants; both are called cells. The barycentre, or the
+// input point nearest to it, represents the points of each leaf. Cubes with boundary points, the first ring, are cut by
+// the density of these points. Each further ring, the cubes that touch the previous one, is cut by curvature, and at
+// least to the mean size of its neighbours in the previous ring, so that sizes change gradually.
+//
+// Interpretation of eq. 4.3, size(C) = 1/m sum of size(C_j) over m neighbouring cells of the previous ring: C_j is a
+// cube, which counts once; its size is the mean of its leaves. The text averages levels, the equation sizes; the
+// equation is used. (The mean of levels is a geometric mean of sizes, which shrinks cells faster.)
+//
+// Differences from the thesis:
+//  - No cell is halved below the smallest cell size, at least one column. (4.3.2.4.1 limits inner cells alone, but a
+//    cell with one boundary point never meets the criterion, so that the pseudo-code does not end.)
+//  - Points in one place, on a line or on a plane have no curvature, whatever the threshold.
+//  - Octants without boundary points in the first ring have no previous ring, and are cut by curvature alone.
+//  - Cubes beyond a cliff higher than a cube touch no ring. Once no other cubes remain, those next to a ring in plan
+//    follow, then isolated cubes, which are cut by curvature alone.
+//  - Points on different sides of cuts are in different cubes (CellLeaves.cxx).
+//  - Leaves can lie above each other, but no two new points share a place in plan (LeafWriter.cxx).
+//
+// Time is linear in the points times the number of halvings, but boundary points are compared in pairs if the extent
+// threshold is about the cell size.
+//
 // Points are sorted into patch cubes with ring numbers, the cubes are cut into leaves ring by ring, and the
 // representatives of leaves are written. Cubes of a ring read sizes of leaves in earlier rings only, so that they can
 // be cut in parallel.
@@ -14,13 +38,12 @@
 //          1  2  3  3  2  1
 //          1  1  1  2  1  1
 
-#include "ElaborateSimplification.h"
+#include "CellSimplification.h"
 
 #include "CellLeaves.h"
 #include "Common/Base/CountingSort.h"
 #include "Common/Base/Parameters.h"
 #include "Flatness.h"
-#include "LeafWriter.h"
 
 #include <algorithm>
 #include <cassert>

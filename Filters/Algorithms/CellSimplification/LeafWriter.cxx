@@ -8,7 +8,7 @@
 // shares its place with no other. Otherwise the inner point nearest to it in plan does, which is always strictly inside
 // and alone in its place.
 
-#include "LeafWriter.h"
+#include "CellLeaves.h"
 
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"

@@ -1,11 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Thresholds of a simplification of the inside that leave a given number of points (thesis 6.2):
+//
+//  rough       smallest cell size that does not exceed the number
+//  elaborate   flatness threshold by bisection, to 3 % of the number; with larger cells if the largest threshold
+//              leaves more, and with smaller cells if 0 leaves fewer
+//
+// Boundary points are always kept.
 
-#include "PointTarget.h"
+#include "CellSimplification.h"
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/PlaneGeometry.h"
-#include "RoughSimplification.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,10 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// One point per square cell inside the boundary (thesis 4.3.1, Alg. 4.1): vertex clustering on a regular grid in plan
+// that preserves the boundary.
+//
+// Cells start at the least corner of the bounding box. Points of one patch (and side of the cuts, CellLeaves.cxx) in a
+// cell are a group. A group with boundary points keeps these alone; the barycentre, or the input point nearest to it,
+// represents any other group. A barycentre on the wrong side of a long boundary edge through the cell is replaced by
+// the nearest point.
 
-#include "RoughSimplification.h"
+#include "CellSimplification.h"
 
 #include "CellLeaves.h"
-#include "LeafWriter.h"
 
 #include <numeric>
 

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsElaborateFixtures_h
 #define SeismicHorizonsElaborateFixtures_h
 
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Tools/ReductionChecker.h"
 
 #include <algorithm>

@@ -3,8 +3,7 @@
 //
 // Cells of horizons that are cut.
 
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/ReductionChecker.h"
 

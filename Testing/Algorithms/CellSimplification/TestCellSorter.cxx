@@ -5,8 +5,7 @@
 // sum over them in their order.
 
 #include "Common/Horizon/CellGrid.h"
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"

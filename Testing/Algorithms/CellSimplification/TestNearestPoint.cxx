@@ -4,7 +4,7 @@
 // The nearest of some boundary points beside a search through all of them.
 
 #include "Common/Horizon/PlaneGeometry.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Common/Base/Errors.h"
-#include "Filters/Algorithms/CellSimplification/PointTarget.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/ReductionChecker.h"
 

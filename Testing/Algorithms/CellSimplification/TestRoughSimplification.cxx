@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Common/Horizon/PlaneGeometry.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/ReductionChecker.h"

@@ -4,8 +4,7 @@
 // Random lattices with cracks, through all simplifications and both ways to mesh.
 
 #include "DecimationChecker.h"
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
 #include "Tools/CrackedPatches.h"

@@ -5,8 +5,7 @@
 // and a bent fault across the lattice with tips inside, whose throw falls from 15 in the middle to less than 1.
 
 #include "Common/Horizon/PlaneGeometry.h"
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"

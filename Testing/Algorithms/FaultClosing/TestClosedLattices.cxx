@@ -4,8 +4,7 @@
 // Random lattices with cracks that are closed, through all simplifications and both ways to mesh.
 
 #include "ClosedFaults.h"
-#include "Filters/Algorithms/CellSimplification/ElaborateSimplification.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
 #include "Tools/Check.h"
 #include "Tools/CrackedPatches.h"

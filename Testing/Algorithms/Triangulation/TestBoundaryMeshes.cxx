@@ -4,7 +4,7 @@
 // Every boundary, whatever its radius, rule and holes, is one that the stages after it can work with.
 
 #include "Common/Horizon/MeshChecker.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/TestHorizons.h"

@@ -3,7 +3,7 @@
 //
 // Meshes beside those of CGAL's constrained Delaunay triangulation. Built where CGAL is installed.
 
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"

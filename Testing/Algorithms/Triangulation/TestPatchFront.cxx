@@ -6,7 +6,7 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/PlaneGeometry.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Triangulation/PatchFront.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"

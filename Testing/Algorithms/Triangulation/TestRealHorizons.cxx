@@ -6,7 +6,7 @@
 // points as text: comments with #, a line `nX nY n`, then a line `i j z` for each point).
 
 #include "Common/Horizon/MeshChecker.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 #include "Tools/Check.h"

@@ -3,7 +3,7 @@
 
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/Predicates.h"
-#include "Filters/Algorithms/CellSimplification/RoughSimplification.h"
+#include "Filters/Algorithms/CellSimplification/CellSimplification.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Check.h"
 #include "Tools/ExactPlane.h"
