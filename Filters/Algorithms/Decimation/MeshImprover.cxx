@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -671,6 +672,7 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
   // A mesh flipped and fitted half-way shows better which vertices can go.
   const std::size_t onLoops = mesh.NumberOfVertices() - mesh.NumberOfInnerVertices();
+  assert(vertices >= onLoops);
   const std::size_t halfWay = onLoops + std::size_t(HalfWay * double(vertices - onLoops));
   const auto improve = [&](const Monitor& step)
   {

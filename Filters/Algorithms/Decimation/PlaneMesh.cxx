@@ -441,10 +441,12 @@ bool KeptEdges::AnyBeside(VertexId vertex, Visitor&& visit) const
 {
   for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
   {
-    const int corner = this->Mesh.CornerAt(triangle, vertex);
-    if (this->Mesh.Corner(triangle, corner) == vertex && visit(triangle, corner))
+    for (int corner = 0; corner < 3; ++corner)
     {
-      return true;
+      if (this->Mesh.Corner(triangle, corner) == vertex && visit(triangle, corner))
+      {
+        return true;
+      }
     }
   }
   return false;
