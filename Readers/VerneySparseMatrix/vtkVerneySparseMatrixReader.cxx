@@ -41,7 +41,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <istream>
-#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
