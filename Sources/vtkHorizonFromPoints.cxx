@@ -3,17 +3,330 @@
 
 #include "vtkHorizonFromPoints.h"
 
+#include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
+#include "Common/Survey/ColumnRole.h"
+#include "Common/Survey/NullValues.h"
+#include "Common/Survey/PickTable.h"
+#include "Common/Survey/VerticalSense.h"
+#include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonName.h"
-#include "PickColumns.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <unordered_map>
 #include <utility>
+#include <vector>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Array names by role; roles not listed are found by the usual names.
+using ColumnChoice = std::map<ColumnRole, std::string>;
+
+class Rows
+{
+public:
+  explicit Rows(vtkDataObject* data)
+  {
+    auto* const table = vtkTable::SafeDownCast(data);
+    auto* const points = vtkPointSet::SafeDownCast(data);
+    if (table)
+    {
+      this->Data = table->GetRowData();
+      this->List(table->GetNumberOfRows(), nullptr);
+    }
+    else if (points)
+    {
+      this->Data = points->GetPointData();
+      this->Coordinates = points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
+      this->List(points->GetNumberOfPoints(), points->GetPointGhostArray());
+    }
+  }
+
+  std::size_t Size() const { return this->Kept.size(); }
+  vtkDataSetAttributes* Arrays() const { return this->Data; }
+  vtkDataArray* Points() const { return this->Coordinates; }
+
+  std::vector<double> Values(vtkDataArray* array, int component) const
+  {
+    std::vector<double> values;
+    values.reserve(this->Kept.size());
+    for (const vtkIdType row : this->Kept)
+    {
+      values.push_back(array->GetComponent(row, component));
+    }
+    return values;
+  }
+
+  template <typename Visit>
+  void ForEach(Visit&& visit) const
+  {
+    for (const vtkIdType row : this->Kept)
+    {
+      visit(row);
+    }
+  }
+
+private:
+  void List(vtkIdType rows, vtkUnsignedCharArray* ghosts)
+  {
+    RequireTuples(this->Data, rows, this->Coordinates ? "points" : "rows");
+    constexpr int left = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      if (!ghosts || !(ghosts->GetValue(row) & left))
+      {
+        this->Kept.push_back(row);
+      }
+    }
+  }
+
+  vtkDataSetAttributes* Data = nullptr;
+  vtkDataArray* Coordinates = nullptr;
+  std::vector<vtkIdType> Kept;
+};
+
+/// Other numbers are heights or attributes.
+bool CanName(vtkAbstractArray* array)
+{
+  auto* const numbers = vtkDataArray::SafeDownCast(array);
+  constexpr vtkIdType enough = 100;
+  for (vtkIdType n = 0; numbers && n < std::min(enough, numbers->GetNumberOfTuples()); ++n)
+  {
+    if (numbers->GetComponent(n, 0) != std::round(numbers->GetComponent(n, 0)))
+    {
+      return false;
+    }
+  }
+  return !numbers || numbers->GetNumberOfComponents() == 1;
+}
+
+class TableMaker
+{
+public:
+  TableMaker(const Rows& rows, const ColumnChoice& choice, const NullValues& nulls)
+    : Source(rows)
+    , Choice(choice)
+    , Nulls(nulls)
+  {
+  }
+
+  PickTable Make()
+  {
+    this->FindArrays();
+    this->AddNames();
+    this->Table.Z = this->NullableValues(ColumnRole::Z, 2);
+    this->AddPair(ColumnRole::X, ColumnRole::Y, this->Table.X, this->Table.Y);
+    this->AddPair(ColumnRole::Inline, ColumnRole::Crossline, this->Table.Inline, this->Table.Crossline);
+    if (this->Table.Z.empty() || !(this->Table.HasPlaces() || this->Table.HasLines()))
+    {
+      throw InputError(
+        "arrays " + this->ListArrays() + ", expected Z, and X and Y or Inline and Crossline, of numbers");
+    }
+    this->AddAttributes();
+    const auto z = this->Arrays.find(ColumnRole::Z);
+    if (z != this->Arrays.end() && IsElevation(z->second->GetName()))
+    {
+      this->Table.Survey.IsUpright = true;
+    }
+    return std::move(this->Table);
+  }
+
+private:
+  /// Chosen arrays come before names. Coordinates of point sets serve as x, y and z.
+  void FindArrays()
+  {
+    for (const auto& [role, name] : this->Choice)
+    {
+      vtkAbstractArray* const array = this->Source.Arrays()->GetAbstractArray(name.c_str());
+      const bool isUsable = array && (vtkDataArray::SafeDownCast(array) || role == ColumnRole::HorizonName);
+      if (!isUsable)
+      {
+        throw InputError(
+          "no array of numbers " + name + " for " + RoleWord(role) + ", expected one of " + this->ListArrays());
+      }
+      this->Arrays[role] = array;
+    }
+    std::vector<std::string> zNames;
+    for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
+    {
+      vtkAbstractArray* const array = this->Source.Arrays()->GetAbstractArray(n);
+      const ColumnRole role = RoleOfName(array->GetName() ? array->GetName() : "");
+      const bool isPlace = role == ColumnRole::X || role == ColumnRole::Y || role == ColumnRole::Z;
+      const bool isNumber = vtkDataArray::SafeDownCast(array) && array->GetNumberOfComponents() == 1;
+      if (role != ColumnRole::Attribute && role != ColumnRole::Ignored &&
+        (role == ColumnRole::HorizonName ? CanName(array) : isNumber) && !(isPlace && this->Source.Points()))
+      {
+        this->Arrays.emplace(role, array);
+        if (role == ColumnRole::Z)
+        {
+          zNames.emplace_back(array->GetName());
+        }
+      }
+    }
+    const bool isChosen = std::any_of(
+      this->Choice.begin(), this->Choice.end(), [](const auto& chosen) { return chosen.first == ColumnRole::Z; });
+    if (zNames.size() > 1 && !isChosen)
+    {
+      this->Arrays[ColumnRole::Z] = this->Source.Arrays()->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
+    }
+  }
+
+  /// Empty without an array or a coordinate.
+  std::vector<double> Values(ColumnRole role, int coordinate) const
+  {
+    const auto found = this->Arrays.find(role);
+    if (found != this->Arrays.end())
+    {
+      return this->Source.Values(vtkDataArray::SafeDownCast(found->second), 0);
+    }
+    return coordinate >= 0 && this->Source.Points() ? this->Source.Values(this->Source.Points(), coordinate)
+                                                    : std::vector<double>();
+  }
+
+  std::vector<double> NullableValues(ColumnRole role, int coordinate) const
+  {
+    std::vector<double> values = this->Values(role, coordinate);
+    this->MarkNulls(values);
+    return values;
+  }
+
+  void MarkNulls(std::vector<double>& values) const
+  {
+    for (double& value : values)
+    {
+      value = std::isfinite(value) && !this->Nulls.IsNullNumber(value) ? value : NoValue;
+    }
+  }
+
+  void AddPair(ColumnRole firstRole, ColumnRole secondRole, std::vector<double>& first, std::vector<double>& second)
+  {
+    const bool mayBeCoordinates = firstRole == ColumnRole::X;
+    first = this->Values(firstRole, mayBeCoordinates ? 0 : -1);
+    second = this->Values(secondRole, mayBeCoordinates ? 1 : -1);
+    if (first.size() != second.size())
+    {
+      first.clear();
+      second.clear();
+    }
+    for (std::size_t n = 0; n < first.size(); ++n)
+    {
+      if (!std::isfinite(first[n]) || !std::isfinite(second[n]))
+      {
+        throw InputError("point " + std::to_string(n) + " at " + RoleWord(firstRole) + " " + std::to_string(first[n]) +
+          ", " + RoleWord(secondRole) + " " + std::to_string(second[n]) + ", expected finite numbers");
+      }
+    }
+  }
+
+  void AddNames()
+  {
+    const auto found = this->Arrays.find(ColumnRole::HorizonName);
+    if (found == this->Arrays.end())
+    {
+      this->Table.Names = { "" };
+      return;
+    }
+    std::unordered_map<std::string, int> numbers;
+    this->Source.ForEach(
+      [&](vtkIdType row)
+      {
+        const std::string name = found->second->GetVariantValue(row).ToString();
+        const auto [place, isNew] = numbers.emplace(name, static_cast<int>(numbers.size()));
+        if (isNew)
+        {
+          this->Table.Names.push_back(name);
+        }
+        this->Table.Horizon.push_back(place->second);
+      });
+  }
+
+  void AddAttributes()
+  {
+    for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
+    {
+      auto* const array = vtkDataArray::SafeDownCast(this->Source.Arrays()->GetAbstractArray(n));
+      if (!array || !array->GetName() || this->HasRole(array) ||
+        array->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()))
+      {
+        continue;
+      }
+      const int components = array->GetNumberOfComponents();
+      for (int component = 0; component < components; ++component)
+      {
+        const std::string suffix = components == 1 ? "" : "_" + std::to_string(component);
+        this->Table.Attributes.push_back({ array->GetName() + suffix, this->Source.Values(array, component) });
+        this->MarkNulls(this->Table.Attributes.back().Values);
+      }
+    }
+  }
+
+  bool HasRole(vtkAbstractArray* array) const
+  {
+    for (const auto& [role, used] : this->Arrays)
+    {
+      if (used == array)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::string ListArrays() const
+  {
+    std::string names;
+    for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
+    {
+      const char* const name = this->Source.Arrays()->GetAbstractArray(n)->GetName();
+      names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
+    }
+    return names.empty() ? "(none)" : names;
+  }
+
+  const Rows& Source;
+  const ColumnChoice& Choice;
+  const NullValues& Nulls;
+  std::map<ColumnRole, vtkAbstractArray*> Arrays;
+  PickTable Table;
+};
+
+/// Coordinates of points are used unless an array is chosen for x, y or z. Ghost points are skipped. Throws InputError
+/// without a chosen array, z or places, and on infinite places.
+PickTable MakePickTable(vtkDataObject* data, const ColumnChoice& choice, const NullValues& nulls)
+{
+  const Rows rows(data);
+  if (!rows.Arrays())
+  {
+    throw InputError("no input, expected a table or points");
+  }
+  if (rows.Size() == 0)
+  {
+    throw InputError("no points, expected at least one");
+  }
+  return TableMaker(rows, choice, nulls).Make();
+}
+}
+}
 
 using namespace SeismicHorizons;
-
 vtkStandardNewMacro(vtkHorizonFromPoints);
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -55,7 +55,7 @@ void SetNames(const std::vector<std::string>& names, int settingOfOthers, vtkDat
 }
 
 /// Names keep their choice; new names are enabled. `disabled` keeps the choice for names that reappear.
-void ListNames(
+void JoinNames(
   const std::vector<std::string>& names, vtkDataArraySelection* selection, std::unordered_set<std::string>& disabled)
 {
   if (IsListed(names, selection))
@@ -82,7 +82,7 @@ void ListNames(
   SetNames(names, 1, selection);
 }
 
-std::vector<int> Select(const std::vector<std::string>& names, vtkDataArraySelection* selection)
+std::vector<int> SelectHorizons(const std::vector<std::string>& names, vtkDataArraySelection* selection)
 {
   std::unordered_set<std::string> enabled;
   for (int index = 0; index < selection->GetNumberOfArrays(); ++index)
@@ -257,7 +257,7 @@ int vtkHorizonSource::RequestInformation(
         {
           const std::vector<std::string> names = this->NameHorizons(monitor);
           this->List(names);
-          this->DescribeOutput(Select(names, this->HorizonSelection), info);
+          this->DescribeOutput(SelectHorizons(names, this->HorizonSelection), info);
         })),
     Ranks(), &this->ErrorCode);
   // A process that returned 0 would miss collective calls; RequestData() reports the failure.
@@ -286,7 +286,7 @@ std::vector<std::string> vtkHorizonSource::NameHorizons(const Monitor& monitor)
 //----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonSource::List(const std::vector<std::string>& names)
 {
-  ListNames(names, this->HorizonSelection, this->Disabled);
+  JoinNames(names, this->HorizonSelection, this->Disabled);
   const std::vector<std::int64_t> sizes = this->CountHorizonPoints();
   this->HorizonSizes->SetNumberOfValues(static_cast<vtkIdType>(sizes.size()));
   std::copy(sizes.begin(), sizes.end(), this->HorizonSizes->GetPointer(0));
@@ -347,7 +347,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
         }
       });
     RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);
-    this->MakeOutput(names, Select(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));
+    this->MakeOutput(names, SelectHorizons(names, this->HorizonSelection), info, monitor.Step(0.5, 1.0));
     if (files)
     {
       files->Mark(info);

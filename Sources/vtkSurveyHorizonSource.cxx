@@ -53,7 +53,7 @@ void AddConflictFields(const ConflictCount& conflicts, vtkFieldData* data)
   AddValue<vtkDoubleArray>(data, FieldArray::LargestConflict, conflicts.Largest);
 }
 
-void RequirePoints(const std::vector<LatticeHorizon>& horizons, const std::string& prefix)
+void RequireAnyPoints(const std::vector<LatticeHorizon>& horizons, const std::string& prefix)
 {
   std::int64_t nulls = 0;
   for (const LatticeHorizon& horizon : horizons)
@@ -68,7 +68,7 @@ void RequirePoints(const std::vector<LatticeHorizon>& horizons, const std::strin
     prefix + "no points, expected those of a horizon at least: all " + std::to_string(nulls) + " are without z");
 }
 
-std::string Describe(const LatticeFrame& frame, const std::vector<VerticalSampling>& samplings)
+std::string DescribeFrame(const LatticeFrame& frame, const std::vector<VerticalSampling>& samplings)
 {
   const SurveyLattice& lattice = frame.Lattice;
   std::ostringstream text;
@@ -135,7 +135,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   {
     vtkWarningMacro(<< this->ErrorPrefix() << doubt);
   }
-  RequirePoints(survey.Horizons, this->ErrorPrefix());
+  RequireAnyPoints(survey.Horizons, this->ErrorPrefix());
   LatticeFrame frame;
   frame.Survey = survey.Survey;
   OverrideSurvey(frame.Survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
@@ -166,7 +166,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
     monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
   const std::string format = this->DescribeFormat();
-  this->Description = format + (format.empty() ? "" : "\n") + Describe(frame, samplings) + "\nz increases " +
+  this->Description = format + (format.empty() ? "" : "\n") + DescribeFrame(frame, samplings) + "\nz increases " +
     (isUp ? "upwards" : "downwards") +
     (this->VerticalDirection == Automatic
         ? ", " + survey.Sense + "; VerticalDirection " + (isUp ? "Down" : "Up") + " turns it"

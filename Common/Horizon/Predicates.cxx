@@ -10,13 +10,13 @@ namespace SeismicHorizons
 namespace
 {
 /// Coordinates are relative to d.
-struct Triangle
+struct ThreePlaces
 {
   std::int64_t X[3];
   std::int64_t Y[3];
 };
 
-Triangle SeenFrom(const PlanePoint& d, const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
+ThreePlaces SeenFrom(const PlanePoint& d, const PlanePoint& a, const PlanePoint& b, const PlanePoint& c)
 {
   const std::int64_t x = d.X;
   const std::int64_t y = d.Y;
@@ -25,7 +25,7 @@ Triangle SeenFrom(const PlanePoint& d, const PlanePoint& a, const PlanePoint& b,
 
 /// The rows of the determinant are (x, y, lift).
 template <typename Lift>
-int DeterminantSign(const Triangle& t, Lift&& lift)
+int DeterminantSign(const ThreePlaces& t, Lift&& lift)
 {
   Int128 sum = 0;
   for (int n = 0; n < 3; ++n)
@@ -42,7 +42,7 @@ int DeterminantSign(const Triangle& t, Lift&& lift)
 constexpr double DeterminantRounding = 16.0 / 9007199254740992.0;
 
 /// Uses doubles and the lift x^2 + y^2; returns 0 if rounding may have changed the sign.
-int FilteredDeterminantSign(const Triangle& t)
+int FilteredDeterminantSign(const ThreePlaces& t)
 {
   double sum = 0.0;
   double size = 0.0;
@@ -64,7 +64,7 @@ int FilteredDeterminantSign(const Triangle& t)
 //----------------------------------------------------------------------------------------------------------------------
 int InCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d)
 {
-  const Triangle seen = SeenFrom(d, a, b, c);
+  const ThreePlaces seen = SeenFrom(d, a, b, c);
   if (const int sign = FilteredDeterminantSign(seen))
   {
     return sign;

@@ -141,7 +141,7 @@ PlaneMap Grow(const PlaneCloud& points, PlaneMap map, const Monitor& monitor)
 }
 
 /// The step along i is nearer to x; the step along j turns left of it.
-PlaneMap Turn(const PlaneMap& map)
+PlaneMap TurnSteps(const PlaneMap& map)
 {
   Eigen::Vector2d along = map.Steps.col(0);
   Eigen::Vector2d across = map.Steps.col(1);
@@ -305,7 +305,7 @@ PlaneMap FindLattice(const std::vector<double>& x, const std::vector<double>& y,
   {
     PlaneMap first;
     first.Steps = steps;
-    return Turn(Grow(points, first, monitor.Step(0.3, 1.0)));
+    return TurnSteps(Grow(points, first, monitor.Step(0.3, 1.0)));
   };
   std::optional<PlaneMap> found;
   if (window.size() < FewestPlaces || unit <= CoarseRounding * ShortestStep(shortSteps))

@@ -24,7 +24,7 @@ namespace
 {
 constexpr std::array<double, 20> UsualNulls = { 0.0, -999.0, 999.0, -9999.0, 9999.0, -32768.0, 32767.0, -1.0, -99.0,
   -32767.0, 99999.0, -99999.0, 999999.0, -999999.0, -999.25, 999.25, -9999.25, -999.99, -9999.99, 9999900.0 };
-constexpr double LeastPart = 0.1;
+constexpr double LeastFilled = 0.1;
 constexpr double LeastNeighbours = 0.5;
 constexpr double Freedom = 6.0; // An origin and two steps have six numbers.
 
@@ -230,7 +230,7 @@ void RequireEvidence(std::vector<PlanePoint> columns, const SurveyLattice& latti
   columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
   const double all = double(lattice.Columns[0]) * double(lattice.Columns[1]);
   const auto filled = double(columns.size());
-  if (filled < LeastPart * all && PartWithNeighbours(columns) < LeastNeighbours)
+  if (filled < LeastFilled * all && PartWithNeighbours(columns) < LeastNeighbours)
   {
     throw InputError(std::to_string(columns.size()) + " places on a lattice of " + std::to_string(lattice.Columns[0]) +
       " x " + std::to_string(lattice.Columns[1]) +

@@ -101,7 +101,7 @@ double SuitableStep(const LatticeHorizon* horizons, std::size_t count)
   return median > 0.0 && std::isfinite(median) ? RoundStep(median) : 1.0;
 }
 
-VerticalSampling FindSampling(const LatticeHorizon* horizons, std::size_t count, double step)
+VerticalSampling FindHorizonSampling(const LatticeHorizon* horizons, std::size_t count, double step)
 {
   if (!(step >= 0.0 && std::isfinite(step)))
   {
@@ -146,12 +146,12 @@ std::vector<VerticalSampling> FindVerticalSamplings(
   monitor.Progress(0.0);
   if (step != 0.0)
   {
-    return std::vector<VerticalSampling>(horizons.size(), FindSampling(horizons.data(), horizons.size(), step));
+    return std::vector<VerticalSampling>(horizons.size(), FindHorizonSampling(horizons.data(), horizons.size(), step));
   }
   std::vector<VerticalSampling> samplings;
   for (const LatticeHorizon& horizon : horizons)
   {
-    samplings.push_back(FindSampling(&horizon, 1, step));
+    samplings.push_back(FindHorizonSampling(&horizon, 1, step));
     monitor.Progress(double(samplings.size()) / double(horizons.size()));
   }
   return samplings;

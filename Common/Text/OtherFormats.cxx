@@ -59,7 +59,7 @@ constexpr std::array<Format, 23> Formats = { {
   { "GOCAD"sv, "an object of GOCAD", "export it as TSurf, or x, y and z as text" },
 } };
 
-std::vector<std::string_view> ListLines(std::string_view text, std::size_t most)
+std::vector<std::string_view> ListTextLines(std::string_view text, std::size_t most)
 {
   std::vector<std::string_view> lines;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos && lines.size() < most; end = text.find('\n'))
@@ -117,7 +117,7 @@ Format FindFormat(std::string_view bytes)
 {
   const auto known = std::find_if(
     Formats.begin(), Formats.end(), [&](const Format& format) { return StartsWith(bytes, format.Beginning); });
-  const std::vector<std::string_view> lines = ListLines(bytes, 200);
+  const std::vector<std::string_view> lines = ListTextLines(bytes, 200);
   const auto log = std::find_if(lines.begin(), lines.end(), [](std::string_view line) { return line[0] != '#'; });
   const auto has = [&](std::string_view first, std::string_view word)
   { return StartsWith(Trim(bytes.substr(0, bytes.find('\n'))), first) && bytes.find(word) != std::string_view::npos; };

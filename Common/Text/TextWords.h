@@ -9,6 +9,12 @@
 
 namespace SeismicHorizons
 {
+/// Requires a byte order mark, or ASCII characters of two bytes.
+bool IsUtf16(std::string_view text);
+
+/// Text that is not UTF-8 is converted from Latin-1, since files do not state their encoding.
+std::string ToUtf8(const std::string& text);
+
 std::string ToLower(std::string_view text);
 
 inline bool StartsWith(std::string_view text, std::string_view start)

@@ -113,7 +113,7 @@ vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, vtkIdTyp
   return result;
 }
 
-void CopyTuples(vtkAbstractArray* from, vtkAbstractArray* to)
+void CopyRange(vtkAbstractArray* from, vtkAbstractArray* to)
 {
   vtkDataArray* const numbers = vtkDataArray::FastDownCast(from);
   if (numbers && numbers->HasStandardMemoryLayout() && from->GetDataTypeSize() > 0)
@@ -171,13 +171,13 @@ void WriteOtherValues(vtkAbstractArray* input, const FilledColumns& filled, vtkA
   output->InsertTuples(to, from, input);
 }
 
-void WritePoints(vtkPolyData* input, const Lattice& lattice, const FilledColumns& filled, vtkPolyData* output)
+void WriteFilledPoints(vtkPolyData* input, const Lattice& lattice, const FilledColumns& filled, vtkPolyData* output)
 {
   const vtkIdType known = input->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
   points->SetDataType(input->GetPoints()->GetDataType());
   points->SetNumberOfPoints(known + vtkIdType(filled.Column.size()));
-  CopyTuples(input->GetPoints()->GetData(), points->GetData());
+  CopyRange(input->GetPoints()->GetData(), points->GetData());
   for (std::size_t n = 0; n < filled.Column.size(); ++n)
   {
     const Eigen::Vector3d place(filled.Column[n].X, filled.Column[n].Y, filled.Height[n]);
@@ -245,7 +245,7 @@ std::vector<PointValue> ListFilledValues(const std::vector<FilledArray>& arrays,
 void WriteFilledHorizon(vtkPolyData* input, const Lattice& lattice, const std::vector<FilledArray>& arrays,
   const FilledColumns& filled, vtkPolyData* output)
 {
-  WritePoints(input, lattice, filled, output);
+  WriteFilledPoints(input, lattice, filled, output);
   output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
   vtkPointData* const data = input->GetPointData();
   std::size_t first = 0;
@@ -257,7 +257,7 @@ void WriteFilledHorizon(vtkPolyData* input, const Lattice& lattice, const std::v
       continue;
     }
     const auto result = NewArrayLike(array, output->GetNumberOfPoints());
-    CopyTuples(array, result);
+    CopyRange(array, result);
     const auto found =
       std::find_if(arrays.begin(), arrays.end(), [array](const FilledArray& one) { return one.Array == array; });
     if (HasName(array, { PointArray::Column }))

@@ -36,7 +36,7 @@ PlanePoint ColumnAt(const Lattice& lattice, const Eigen::Vector3d& world)
 }
 
 /// Both columns are on one row or column of the lattice.
-void CutAlong(const PlanePoint& from, const PlanePoint& to, LinkCuts& cuts)
+void CutStackAlong(const PlanePoint& from, const PlanePoint& to, LinkCuts& cuts)
 {
   const PlanePoint least = { std::min(from.X, to.X), std::min(from.Y, to.Y) };
   for (std::int32_t x = least.X; x < std::max(from.X, to.X); ++x)
@@ -202,7 +202,7 @@ std::optional<LinkCuts> HorizonStack::FindCuts() const
       if (this->Box.Contains(from) && this->Box.Contains(to))
       {
         cuts = cuts ? std::move(cuts) : LinkCuts(this->Box);
-        CutAlong(from, to, *cuts);
+        CutStackAlong(from, to, *cuts);
       }
     }
   }

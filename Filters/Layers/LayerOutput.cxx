@@ -43,7 +43,7 @@ namespace SeismicHorizons
 namespace
 {
 template <typename Place>
-vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& lattice, Place&& place)
+vtkSmartPointer<vtkPoints> MakeLayerPoints(std::size_t size, const Lattice& lattice, Place&& place)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkPoints> MakePoints(std::size_t size, const Lattice& lattice, 
   return points;
 }
 
-Eigen::Vector3d PlaceOf(const PlanePoint& column, double height)
+Eigen::Vector3d PlaceInWorld(const PlanePoint& column, double height)
 {
   return Eigen::Vector3d(column.X, column.Y, height);
 }
@@ -206,9 +206,9 @@ void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices
 void WriteLayerCells(
   const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, vtkUnstructuredGrid* output)
 {
-  output->SetPoints(MakePoints(cells.Vertices.size(), stack.CommonLattice(),
+  output->SetPoints(MakeLayerPoints(cells.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t point)
-    { return PlaceOf(plan.Columns[std::size_t(cells.Vertices[point])], cells.Heights[point]); }));
+    { return PlaceInWorld(plan.Columns[std::size_t(cells.Vertices[point])], cells.Heights[point]); }));
   const auto size = vtkIdType(cells.Size());
   auto offsets = NewArray<vtkIdTypeArray>(nullptr, size + 1);
   auto corners = NewArray<vtkIdTypeArray>(nullptr, vtkIdType(cells.Corners.size()));
@@ -248,8 +248,9 @@ void WriteLayerCells(
 void WriteLayerBody(
   LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, vtkPolyData* output)
 {
-  output->SetPoints(MakePoints(body.Vertices.size(), stack.CommonLattice(),
-    [&](std::size_t point) { return PlaceOf(plan.Columns[std::size_t(body.Vertices[point])], body.Heights[point]); }));
+  output->SetPoints(MakeLayerPoints(body.Vertices.size(), stack.CommonLattice(),
+    [&](std::size_t point)
+    { return PlaceInWorld(plan.Columns[std::size_t(body.Vertices[point])], body.Heights[point]); }));
   for (std::size_t corner = 0; IsMirrored(stack) && corner < body.Triangles.size(); corner += 3)
   {
     std::swap(body.Triangles[corner], body.Triangles[corner + 1]);
@@ -272,11 +273,11 @@ void WriteLayerHorizon(
   const LayerPlan& plan = layers.Plan;
   HorizonVertices own;
   FindVertices(layers, horizon, cells.PointsOfHorizons[horizon], stack[horizon].Placed.Columns, own);
-  output->SetPoints(MakePoints(own.Vertices.size(), stack.CommonLattice(),
+  output->SetPoints(MakeLayerPoints(own.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t n)
     {
       const auto vertex = std::size_t(own.Vertices[n]);
-      return PlaceOf(plan.Columns[vertex], plan.Heights[horizon][vertex]);
+      return PlaceInWorld(plan.Columns[vertex], plan.Heights[horizon][vertex]);
     }));
   RawVector<PointId> triangles = TrianglesOf(plan, horizon, own.Numbers);
   FaceUp(stack.CommonLattice(), triangles);

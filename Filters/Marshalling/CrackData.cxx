@@ -45,7 +45,7 @@ bool HasCuts(vtkFieldData* data)
 }
 
 /// Throws InputError unless the value is a whole number of at least 0.
-int ReadNumber(vtkDataArray* array, vtkIdType tuple, int component)
+int ReadLinkNumber(vtkDataArray* array, vtkIdType tuple, int component)
 {
   const double value = array->GetComponent(tuple, component);
   if (!(value >= 0.0 && value <= MostColumnsPerSide && value == std::floor(value)))
@@ -78,7 +78,7 @@ std::vector<std::array<PlanePoint, 2>> ReadOpenEnds(vtkFieldData* data)
   vtkDataArray* const array = FindTuples(data, name, OpenEndComponents);
   for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
   {
-    const auto read = [&](int component) { return ReadNumber(array, n, component); };
+    const auto read = [&](int component) { return ReadLinkNumber(array, n, component); };
     openEnds.push_back({ PlanePoint{ read(0), read(1) }, PlanePoint{ read(2), read(3) } });
   }
   return openEnds;
@@ -166,7 +166,7 @@ Cracks ReadCracks(vtkPolyData* horizon, const Loops& boundary)
   vtkDataArray* const loops = FindTuples(horizon->GetFieldData(), FieldArray::CrackLoops, 1);
   for (vtkIdType n = 0; loops && n < loops->GetNumberOfTuples(); ++n)
   {
-    cracks.Loops.push_back(std::size_t(ReadNumber(loops, n, 0)));
+    cracks.Loops.push_back(std::size_t(ReadLinkNumber(loops, n, 0)));
   }
   if (!cracks.Loops.empty())
   {

@@ -33,7 +33,7 @@ std::string Missing(
     " of the " + side + ", expected one of that name; there is " + List(others);
 }
 
-void AppendRows(vtkTable* rows, vtkTable* table)
+void AppendPairRows(vtkTable* rows, vtkTable* table)
 {
   for (vtkIdType row = 0; row < rows->GetNumberOfRows(); ++row)
   {
@@ -139,7 +139,7 @@ void HorizonPairs::Deliver(const std::array<vtkTable*, 2>& tables) const
       {
         if (own == 0)
         {
-          AppendRows(pair->Rows[n], tables[n]);
+          AppendPairRows(pair->Rows[n], tables[n]);
         }
         else
         {
@@ -157,7 +157,7 @@ void HorizonPairs::Deliver(const std::array<vtkTable*, 2>& tables) const
     {
       vtkNew<vtkTable> rows;
       this->Group.Receive(rows, working);
-      AppendRows(rows, tables[n]);
+      AppendPairRows(rows, tables[n]);
     }
   }
 }

@@ -97,7 +97,7 @@ void RemoveMeshFigures(vtkFieldData* figures)
   }
 }
 
-std::string NameOf(vtkInformation* block, const std::string& above)
+std::string NameOfBlock(vtkInformation* block, const std::string& above)
 {
   const char* const name = block ? block->Get(vtkCompositeDataSet::NAME()) : nullptr;
   return name ? name : above;
@@ -151,7 +151,7 @@ public:
       {
         this->CollectPartitions(collection->GetPartitionedDataSet(n),
           At<vtkPartitionedDataSetCollection>(outputs, [n](auto* output) { return output->GetPartitionedDataSet(n); }),
-          NameOf(collection->HasMetaData(n) ? collection->GetMetaData(n) : nullptr, name));
+          NameOfBlock(collection->HasMetaData(n) ? collection->GetMetaData(n) : nullptr, name));
       }
     }
     else if (auto* const partitions = vtkPartitionedDataSet::SafeDownCast(data))
@@ -162,7 +162,8 @@ public:
     {
       for (unsigned int n = 0; n < blocks->GetNumberOfBlocks(); ++n)
       {
-        this->CollectBlock(blocks, n, outputs, NameOf(blocks->HasMetaData(n) ? blocks->GetMetaData(n) : nullptr, name));
+        this->CollectBlock(
+          blocks, n, outputs, NameOfBlock(blocks->HasMetaData(n) ? blocks->GetMetaData(n) : nullptr, name));
       }
     }
   }

@@ -108,7 +108,7 @@ void ForEachPoint(TriangleSurface& surface, Work&& work)
 }
 
 /// Empty without the array Filled.
-std::vector<unsigned char> ReadFilled(vtkPolyData* data)
+std::vector<unsigned char> ReadFilledPoints(vtkPolyData* data)
 {
   vtkDataArray* const filled = FindNumbers(data->GetPointData(), PointArray::Filled);
   if (!filled)
@@ -138,12 +138,12 @@ TriangleSurface ReadSurface(vtkPolyData* data, bool withFilledPoints)
   surface.Triangles = ReadOpenTriangles(data);
   if (!withFilledPoints)
   {
-    surface.LeftOut = ReadFilled(data);
+    surface.LeftOut = ReadFilledPoints(data);
   }
   return surface;
 }
 
-std::optional<Lattice> FindLattice(vtkPolyData* reference, vtkPolyData* mesh)
+std::optional<Lattice> FindCommonLattice(vtkPolyData* reference, vtkPolyData* mesh)
 {
   for (const auto& [name, data] : { std::make_pair("reference", reference), std::make_pair("mesh", mesh) })
   {
@@ -163,7 +163,7 @@ std::array<DistanceFigures, Directions> FiguresOf(const SurfaceDistance& distanc
   return { distance.ReferenceToMesh, distance.MeshToReference, distance.TwoSided };
 }
 
-DistanceFigures Scaled(DistanceFigures figures, double scale)
+DistanceFigures ScaledBy(DistanceFigures figures, double scale)
 {
   for (double* figure : { &figures.Largest, &figures.LargestFound, &figures.Mean, &figures.Rms, &figures.Outline })
   {
@@ -194,7 +194,7 @@ std::vector<Metric> MakeMetrics(const Lattice& lattice, bool isUniform)
 void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
 {
   std::transform(measured.Report.Lattice.begin(), measured.Report.Lattice.end(), measured.Report.World.begin(),
-    [scale](const DistanceFigures& figures) { return Scaled(figures, scale); });
+    [scale](const DistanceFigures& figures) { return ScaledBy(figures, scale); });
   if (inWorldUnits)
   {
     for (std::vector<double>* const distances : { &measured.Points.Reference.Distance, &measured.Points.Mesh.Distance })
@@ -258,7 +258,7 @@ MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptio
   TriangleSurface mesh = PrefixErrors("mesh", [&]() { return ReadSurface(pair.Mesh, withFilledPoints); });
   CheckSurface(reference, "reference");
   CheckSurface(mesh, "mesh");
-  const std::optional<Lattice> lattice = FindLattice(pair.Reference, pair.Mesh);
+  const std::optional<Lattice> lattice = FindCommonLattice(pair.Reference, pair.Mesh);
   const Eigen::Vector3d origin = reference.Points.front(); // This keeps world coordinates small.
   for (TriangleSurface* const surface : { &reference, &mesh })
   {

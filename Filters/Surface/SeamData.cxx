@@ -94,7 +94,7 @@ std::vector<PointId> ReadOpenGaps(vtkPolyData* mesh)
   return gaps;
 }
 
-void WritePoints(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, vtkPolyData* output)
+void WriteSeamPoints(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, vtkPolyData* output)
 {
   vtkDataSetAttributesFieldList arrays(int(meshes.size()));
   for (vtkPolyData* const mesh : meshes)
@@ -120,7 +120,7 @@ void WritePoints(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& j
   data->RemoveArray(PointArray::SeamGap);
 }
 
-void WriteBoundary(const JoinedSurface& joined, vtkPolyData* output)
+void WriteSeamBoundary(const JoinedSurface& joined, vtkPolyData* output)
 {
   ExteriorBoundary boundary;
   boundary.Boundary = joined.Boundary;
@@ -204,7 +204,7 @@ double FindMeanError(const std::vector<vtkPolyData*>& meshes)
   return points > 0.0 ? sum / points : 0.0;
 }
 
-void WriteFigures(
+void WritePartFigures(
   const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, double smallestAngle, vtkPolyData* output)
 {
   vtkFieldData* const figures = output->GetFieldData();
@@ -288,11 +288,11 @@ SurfacePart ReadSurfacePart(vtkPolyData* mesh)
 void WriteJoinedSurface(
   const std::vector<vtkPolyData*>& meshes, const Lattice& lattice, const JoinedSurface& joined, vtkPolyData* output)
 {
-  WritePoints(meshes, joined, output);
-  WriteBoundary(joined, output);
+  WriteSeamPoints(meshes, joined, output);
+  WriteSeamBoundary(joined, output);
   const double smallestAngle = WriteTriangles(joined.Vertices, lattice, joined.Triangles, output);
   AddTriangleArray<vtkDoubleArray>(CellArray::Error, GatherErrors(meshes, joined), output);
-  WriteFigures(meshes, joined, smallestAngle, output);
+  WritePartFigures(meshes, joined, smallestAngle, output);
   ActivateHeight(output);
 }
 }

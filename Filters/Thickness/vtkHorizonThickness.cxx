@@ -86,7 +86,8 @@ vtkPolyData* WithLattice(vtkPolyData* horizon, vtkPolyData* other)
   return isOther ? other : horizon;
 }
 
-PlacedPoints Place(vtkPolyData* horizon, const Lattice& lattice, const HorizonNames& names, const Monitor& monitor)
+PlacedPoints PlaceInLattice(
+  vtkPolyData* horizon, const Lattice& lattice, const HorizonNames& names, const Monitor& monitor)
 {
   return IsMesh(horizon) ? SampleOn(lattice, horizon, names, monitor)
                          : PlaceOn(lattice, WithoutHiddenPoints(horizon), names);
@@ -139,7 +140,7 @@ Ledger LedgerOf(const Thickness& found, std::int64_t each)
 }
 
 /// `bin` is the area of a column of the output.
-void WriteFigures(const Thickness& found, double bin, vtkFieldData* figures)
+void WriteThicknessFigures(const Thickness& found, double bin, vtkFieldData* figures)
 {
   AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreLeast, found.Least);
   AddValue<vtkDoubleArray>(figures, FieldArray::IsochoreMean, found.Mean);
@@ -256,9 +257,9 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const vtkSmartPointer<vtkPolyData> points =
     IsMesh(horizon) ? horizon : ReadColumns(WithoutHiddenPoints(horizon), outputs, KeptHeights::None).Horizon.Get();
   monitor.Progress(0.1);
-  const PlacedPoints first = Place(points, lattice, OfFirst, monitor.Step(0.1, 0.3));
+  const PlacedPoints first = PlaceInLattice(points, lattice, OfFirst, monitor.Step(0.1, 0.3));
   monitor.Progress(0.3);
-  const PlacedPoints second = Place(other, lattice, OfOther, monitor.Step(0.3, 0.5));
+  const PlacedPoints second = PlaceInLattice(other, lattice, OfOther, monitor.Step(0.3, 0.5));
   const Thickness found = MeasureThickness({ first.Columns, first.Height.data() },
     { second.Columns, second.Height.data() }, ScaleOf(lattice), monitor.Step(0.5, 0.9));
   const KeptPoints kept = KeepKnown(found.Isochore);
@@ -281,7 +282,7 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
     AddValue<vtkDoubleArray>(output->GetFieldData(), FieldArray::IsochoreVolume, found.Volume);
   }
   data->SetActiveScalars(PointArray::Isochore);
-  WriteFigures(found, ReadLattice(output).ColumnArea(), output->GetFieldData());
+  WriteThicknessFigures(found, ReadLattice(output).ColumnArea(), output->GetFieldData());
   for (const std::string& warning : { TellDoubts(found), DoubtDirections(horizon, other, OfOther) })
   {
     if (!warning.empty())

@@ -13,7 +13,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-std::vector<std::string_view> ListFields(std::string_view line)
+std::vector<std::string_view> ListLineFields(std::string_view line)
 {
   const FieldSeparator separator = line.find(',') != std::string_view::npos ? FieldSeparator::Comma
     : line.find(';') != std::string_view::npos                              ? FieldSeparator::Semicolon
@@ -28,7 +28,7 @@ std::vector<std::string_view> ListFields(std::string_view line)
   return fields;
 }
 
-bool IsNumber(std::string_view field)
+bool IsAnyNumber(std::string_view field)
 {
   double value = 0.0;
   return ReadNumber(field, value) != NumberKind::NotANumber;
@@ -51,7 +51,7 @@ public:
     }
     else if (!IsSkipped(text))
     {
-      this->TakeFields(ListFields(text), line.Number);
+      this->TakeFields(ListLineFields(text), line.Number);
     }
   }
 
@@ -74,7 +74,7 @@ private:
     {
       this->TakeStick(fields, line);
     }
-    else if (this->HasPlace || this->File.Places.size() > 0 || IsNumber(fields.front()))
+    else if (this->HasPlace || this->File.Places.size() > 0 || IsAnyNumber(fields.front()))
     {
       this->TakePlace(fields, 0, 3, line);
     }

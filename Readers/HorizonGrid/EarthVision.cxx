@@ -64,7 +64,7 @@ void RequireOnNodes(const std::vector<GridPoint>& points, const SurveyLattice& l
 
 /// Distances from the first point are summed, so that large coordinates lose no digits.
 /// Throws InputError if all points are on one line, or a point is far from its node.
-SurveyLattice FitLattice(const std::vector<GridPoint>& points, const std::array<int, 2>& columns)
+SurveyLattice FitGridLattice(const std::vector<GridPoint>& points, const std::array<int, 2>& columns)
 {
   PlaneFit fit;
   for (const GridPoint& point : points)
@@ -316,7 +316,7 @@ HorizonGrid ReadEarthVision(GridText& text)
   const std::vector<GridPoint> points = EarthVisionPoints(text, header).Read();
   const std::array<int, 2> columns = FindColumns(header, points);
   RequirePoints(CountNodes(columns), static_cast<std::int64_t>(points.size()));
-  grid.Lattice = FitLattice(points, columns);
+  grid.Lattice = FitGridLattice(points, columns);
   grid.Z = PlaceValues(points, columns);
   return grid;
 }

@@ -180,7 +180,7 @@ struct GxfExtent
   Eigen::Vector2d Last = Eigen::Vector2d::Zero();
 };
 
-GxfExtent FindExtent(const SurveyLattice& lattice)
+GxfExtent FindGxfExtent(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d x = (lattice.Columns[0] - 1) * lattice.ColumnStep;
   const Eigen::Vector2d y = (lattice.Columns[1] - 1) * lattice.RowStep;
@@ -192,7 +192,7 @@ GxfExtent FindExtent(const SurveyLattice& lattice)
 
 /// By the standard the origin is the first node, and the rotation is counterclockwise from x. OpenWorks writes the
 /// corner of the bounding box and adds 90 degrees, which applies if only that fits ##XMAX and ##YMAX.
-SurveyLattice ReadLattice(const GxfFields& fields, const StorageOrder& order)
+SurveyLattice ReadGxfLattice(const GxfFields& fields, const StorageOrder& order)
 {
   std::array<int, 2> columns = { fields.Count("POINTS"), fields.Count("ROWS") };
   std::array<double, 2> steps = { fields.Number("PTSEPARATION", 1.0), fields.Number("RWSEPARATION", 1.0) };
@@ -208,11 +208,11 @@ SurveyLattice ReadLattice(const GxfFields& fields, const StorageOrder& order)
     return standard;
   }
   SurveyLattice other = fields.Lattice(columns, steps, rotation - 90.0);
-  other.Origin += other.Origin - FindExtent(other).First;
+  other.Origin += other.Origin - FindGxfExtent(other).First;
   const Eigen::Vector2d corner(fields.Number("#XMAX", 0.0), fields.Number("#YMAX", 0.0));
   const double halfStep = 0.5 * std::min(std::fabs(steps[0]), std::fabs(steps[1]));
   const auto fits = [&](const SurveyLattice& lattice)
-  { return (FindExtent(lattice).Last - corner).cwiseAbs().maxCoeff() < halfStep; };
+  { return (FindGxfExtent(lattice).Last - corner).cwiseAbs().maxCoeff() < halfStep; };
   return fits(other) && !fits(standard) ? other : standard;
 }
 
@@ -235,7 +235,7 @@ GxfHeader ReadGxfHeader(GridText& text)
   header.Survey.HorizontalUnit = ShortUnit(fields.Word("UNIT_LENGTH"));
   header.Survey.CoordinateSystem = fields.Phrase("MAP_PROJECTION");
   header.Order = ReadOrder(fields, text);
-  header.Lattice = ReadLattice(fields, header.Order);
+  header.Lattice = ReadGxfLattice(fields, header.Order);
   header.GroupSize = ReadGroupSize(fields, text);
   if (fields.Find("DUMMY"))
   {

@@ -14,7 +14,7 @@ namespace
 {
 constexpr std::string_view Blanks = " \t\r\n";
 
-std::vector<std::string> Split(std::string_view line, std::string_view separators)
+std::vector<std::string> SplitWords(std::string_view line, std::string_view separators)
 {
   std::vector<std::string> words;
   std::size_t first = line.find_first_not_of(separators);
@@ -45,13 +45,13 @@ bool IsSameWord(std::string_view a, std::string_view b)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> SplitAtBlanks(std::string_view line)
 {
-  return Split(line, Blanks);
+  return SplitWords(line, Blanks);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> SplitAtBlanksAndCommas(std::string_view line)
 {
-  return Split(line, " \t\r\n,");
+  return SplitWords(line, " \t\r\n,");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,7 +9,6 @@
 #include "Common/Text/LineBuffer.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/OtherFormats.h"
-#include "Common/Text/TextEncoding.h"
 #include "Common/Text/TextWords.h"
 #include "IesxParser.h"
 #include "PickBlock.h"
@@ -266,7 +265,7 @@ std::string_view SkipLines(std::string_view text, std::int64_t& count)
   return text;
 }
 
-PickTable ReadColumns(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
+PickTable ParsePicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
   PickCollector picks(layout);
   std::int64_t headerLines = layout.HeaderLines;
@@ -379,6 +378,6 @@ PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout)
 PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
   return layout.Kind == TextKind::Iesx ? ReadIesx(stream, layout, monitor, pieces)
-                                       : ReadColumns(stream, layout, monitor, pieces);
+                                       : ParsePicks(stream, layout, monitor, pieces);
 }
 }

@@ -31,7 +31,7 @@ bool IsOfPicks(const std::string& extension)
 }
 
 /// Lines may end with carriage returns alone, and the text may be in UTF-16.
-std::vector<std::string> ListLines(std::istream& stream)
+std::vector<std::string> ListPickLines(std::istream& stream)
 {
   std::string text = PeekText(stream, LookedAt);
   text.erase(std::remove(text.begin(), text.end(), '\0'), text.end());
@@ -164,7 +164,7 @@ bool AreCertain(PickTable picks, const TextLayout& layout, const std::vector<std
 //----------------------------------------------------------------------------------------------------------------------
 bool ArePicks(std::istream& stream, const std::string& extension)
 {
-  const std::vector<std::string> lines = ListLines(stream);
+  const std::vector<std::string> lines = ListPickLines(stream);
   if (lines.empty() || IsOfOthers(lines))
   {
     return false;

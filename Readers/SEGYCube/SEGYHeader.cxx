@@ -122,7 +122,7 @@ char FromEbcdic(unsigned char c)
   return c < 0x40 ? ' ' : table[c - 0x40];
 }
 
-char ToText(unsigned char c, bool isEbcdic)
+char ToASCII(unsigned char c, bool isEbcdic)
 {
   return isEbcdic ? FromEbcdic(c) : c > ' ' && c < 0x7f ? char(c) : ' ';
 }
@@ -135,7 +135,7 @@ std::vector<std::string> ReadText(const HeaderBytes& bytes, bool isEbcdic)
     std::string line;
     for (int n = first; n < first + LineLength; ++n)
     {
-      line += ToText(bytes[std::size_t(n)], isEbcdic);
+      line += ToASCII(bytes[std::size_t(n)], isEbcdic);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     lines.push_back(line);
@@ -153,7 +153,7 @@ int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
     std::string start;
     for (const unsigned char c : ReadBytes(stream, SEGYFileHeaderSize + count * std::int64_t(SEGYTextSize), LineLength))
     {
-      const char letter = ToText(c, isEbcdic);
+      const char letter = ToASCII(c, isEbcdic);
       start += letter == ' ' ? "" : std::string(1, letter >= 'a' && letter <= 'z' ? char(letter - 'a' + 'A') : letter);
     }
     if (start.compare(0, end.size(), end) == 0)

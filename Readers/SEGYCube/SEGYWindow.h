@@ -14,8 +14,17 @@
 
 namespace SeismicHorizons
 {
+struct SEGYRanges
+{
+  std::array<int, 2> Inlines = { 0, -1 }; // First and last number; all if the first is larger.
+  std::array<int, 2> Crosslines = { 0, -1 };
+  std::array<int, 2> Samples = { 0, -1 }; // First and last vertical index; -1 for the last one.
+};
+
 /// First and last i, j and k, as in VTK.
 using CubeExtent = std::array<int, 6>;
+
+CubeExtent FindExtent(const SEGYCube& cube, const SEGYRanges& ranges);
 
 /// Vertical indices with samples; empty if First equals End.
 struct SampleRange

@@ -139,7 +139,7 @@ void CheckDelaysOfDuplicates(const SEGYCube& cube, const TraceTable& table)
   }
 }
 
-void CheckCells(const SEGYCube& cube, double indices)
+void CheckTraceCells(const SEGYCube& cube, double indices)
 {
   const std::array<int, 2>& columns = cube.Lattice.Columns;
   const double samples = double(cube.Header.Traces) * cube.Header.Samples;
@@ -213,7 +213,7 @@ void FindSampling(SEGYCube& cube, const TraceTable& table, DelayRule rule)
   cube.Sampling.First = range[0];
   cube.Sampling.Indices = cube.Header.Samples;
   const double indices = std::ceil((range[1] - range[0]) / cube.Sampling.Step) + cube.Header.Samples;
-  CheckCells(cube, indices);
+  CheckTraceCells(cube, indices);
   if (range[0] == range[1])
   {
     return;

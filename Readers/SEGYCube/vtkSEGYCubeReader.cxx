@@ -13,7 +13,6 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/PipelineRequest.h"
-#include "SEGYExtent.h"
 #include "SEGYWindow.h"
 
 #include "vtkDataObject.h"
@@ -145,16 +144,17 @@ void FillLine(const SEGYCube& cube, const CubeView& view, vtkImageData* image, v
   line->GetFieldData()->ShallowCopy(image->GetFieldData());
 }
 
-bool AreSame(const FieldPair& a, const FieldPair& b)
+bool AreSameFields(const FieldPair& a, const FieldPair& b)
 {
   return a.First == b.First && a.Second == b.Second;
 }
 
-bool AreSame(const SEGYOptions& a, const SEGYOptions& b)
+bool AreSameFields(const SEGYOptions& a, const SEGYOptions& b)
 {
-  return a.FormatCode == b.FormatCode && AreSame(a.LineFields, b.LineFields) && AreSame(a.PlaceFields, b.PlaceFields) &&
-    a.Tolerance == b.Tolerance && a.VerticalStep == b.VerticalStep && a.Samples == b.Samples &&
-    a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates && a.Delays == b.Delays;
+  return a.FormatCode == b.FormatCode && AreSameFields(a.LineFields, b.LineFields) &&
+    AreSameFields(a.PlaceFields, b.PlaceFields) && a.Tolerance == b.Tolerance && a.VerticalStep == b.VerticalStep &&
+    a.Samples == b.Samples && a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates &&
+    a.Delays == b.Delays;
 }
 
 /// Few of the first 3200 bytes may be control characters, in ASCII or EBCDIC.
@@ -277,7 +277,7 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
     {
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       const SEGYOptions options = this->MakeOptions();
-      if (this->Content && this->Content->Stamp == stamp && AreSame(this->Content->Options, options))
+      if (this->Content && this->Content->Stamp == stamp && AreSameFields(this->Content->Options, options))
       {
         return;
       }

@@ -16,7 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-VoxelExtent FindExtent(const LatticeHorizon& horizon)
+VoxelExtent FindMatrixExtent(const LatticeHorizon& horizon)
 {
   if (horizon.Column.empty())
   {
@@ -47,7 +47,7 @@ public:
     this->Fit = this->Matrix->VerticalFit;
     for (const LatticeHorizon& horizon : this->Matrix->Horizons)
     {
-      this->Listed.push_back({ horizon.SurfaceId, std::int64_t(horizon.Column.size()), FindExtent(horizon) });
+      this->Listed.push_back({ horizon.SurfaceId, std::int64_t(horizon.Column.size()), FindMatrixExtent(horizon) });
     }
   }
 

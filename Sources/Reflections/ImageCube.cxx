@@ -31,12 +31,12 @@ namespace
 {
 using Indices = std::array<int, 3>;
 
-std::string ToText(const Indices& size)
+std::string CubeText(const Indices& size)
 {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
 }
 
-std::string ToText(double number)
+std::string CubeText(double number)
 {
   std::ostringstream text;
   text << number;
@@ -48,7 +48,7 @@ void CheckImage(vtkImageData* image, vtkDataArray* amplitudes)
   const Indices size = { image->GetDimensions()[0], image->GetDimensions()[1], image->GetDimensions()[2] };
   if (size[0] < 1 || size[1] < 1 || size[2] < 2)
   {
-    throw InputError("an image of " + ToText(size) + " points, expected traces of two samples or more along k");
+    throw InputError("an image of " + CubeText(size) + " points, expected traces of two samples or more along k");
   }
   if (amplitudes->GetNumberOfComponents() != 1)
   {
@@ -152,7 +152,7 @@ void CheckPlaces(vtkImageData* image, const Lattice& lattice)
     const double distance = (lattice.ToLattice(map * index) - index).lpNorm<Eigen::Infinity>();
     if (!(distance <= most))
     {
-      throw InputError("a point of the image is " + ToText(distance) +
+      throw InputError("a point of the image is " + CubeText(distance) +
         " columns or samples from where LatticeToWorld places it, expected 0: the image was moved or resampled; "
         "without its field data arrays LatticeDimensions and LatticeToWorld, its own lattice is used");
     }
@@ -171,7 +171,7 @@ void PlaceByFields(vtkImageData* image, ImageCube& cube)
     {
       throw InputError("an image of the extent " + std::to_string(extent[2 * axis]) + " to " +
         std::to_string(extent[2 * axis + 1]) + " along axis " + std::to_string(axis) + ", expected 0 to " +
-        std::to_string(dimensions[axis] - 1) + " as LatticeDimensions has " + ToText(dimensions));
+        std::to_string(dimensions[axis] - 1) + " as LatticeDimensions has " + CubeText(dimensions));
     }
     cube.FirstIndex[axis] = extent[2 * axis];
   }

@@ -13,7 +13,6 @@
 #include "ExtractionLimits.h"
 #include "Filters/Algorithms/Reflections/ReflectionExtraction.h"
 #include "Filters/Marshalling/HorizonTree.h"
-#include "GuidePicks.h"
 #include "ImageCube.h"
 
 #include "vtkDataArray.h"

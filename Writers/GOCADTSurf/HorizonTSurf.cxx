@@ -65,7 +65,7 @@ TSurf::Triangle ToTriangle(std::size_t polygon, vtkIdType size, const vtkIdType*
 }
 
 /// Triangles are reversed if z is, so that they keep their orientation.
-std::vector<TSurf::Triangle> ReadTriangles(vtkPolyData* horizon, bool isTurned)
+std::vector<TSurf::Triangle> ReadTurnedTriangles(vtkPolyData* horizon, bool isTurned)
 {
   if (horizon->GetNumberOfStrips() > 0)
   {
@@ -137,7 +137,7 @@ TSurf MakeTSurf(vtkPolyData* horizon, const std::string& name, VerticalPositive 
   surface.Name = name;
   surface.Positive = positive;
   surface.Survey = ReadSurveyFields(horizon->GetFieldData());
-  surface.Triangles = ReadTriangles(horizon, isDepth);
+  surface.Triangles = ReadTurnedTriangles(horizon, isDepth);
   surface.Parts = ReadParts(horizon);
   surface.Vertices = ReadVertices(horizon, isDepth ? -1.0 : 1.0);
   vtkDataArray* const colour = horizon->GetFieldData()->GetArray(FieldArray::Colour);

@@ -62,7 +62,7 @@ void PrintSection(std::string_view name, TextPrinter& out)
   PrintText(2, name, out);
 }
 
-void RequireFinite(const std::array<double, 3>& vertex, PointId number)
+void RequireFinitePlaces(const std::array<double, 3>& vertex, PointId number)
 {
   for (const double coordinate : vertex)
   {
@@ -135,7 +135,7 @@ void PrintDXFFaces(const TSurf& surface, const std::string& layer, TextPrinter& 
     {
       const PointId point = triangle[std::size_t(corner < 3 ? corner : 2)];
       const std::array<double, 3>& vertex = surface.Vertices[std::size_t(point)];
-      RequireFinite(vertex, point);
+      RequireFinitePlaces(vertex, point);
       for (int axis = 0; axis < 3; ++axis)
       {
         PrintGroup(10 * (axis + 1) + corner, vertex[std::size_t(axis)], out);

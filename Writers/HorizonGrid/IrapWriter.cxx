@@ -24,7 +24,7 @@ constexpr std::size_t TrailingNumbers = 7;
 constexpr int ValuesInLine = 9; // Some programs accept no more.
 constexpr double LargestShift = 0.01; // Fraction of a step by which nodes may move to make steps perpendicular.
 
-struct IrapLattice
+struct WrittenLattice
 {
   double ColumnStep = 0.0;
   double RowStep = 0.0; // Negative for left-handed lattices.
@@ -32,7 +32,7 @@ struct IrapLattice
 };
 
 /// Throws InputError if the farthest node would move.
-IrapLattice FindLattice(const SurveyLattice& lattice)
+WrittenLattice FindIrapLattice(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d& i = lattice.ColumnStep;
   const Eigen::Vector2d& j = lattice.RowStep;
@@ -44,14 +44,14 @@ IrapLattice FindLattice(const SurveyLattice& lattice)
     throw InputError(
       "steps at " + ShortestText(std::round(100.0 * degrees) / 100.0) + " degrees, expected right angles for IRAP");
   }
-  IrapLattice irap;
+  WrittenLattice irap;
   irap.ColumnStep = i.stableNorm(); // Squares of steps may overflow.
   irap.RowStep = std::copysign(j.stableNorm(), cross);
   irap.Degrees = std::atan2(i.y(), i.x()) * (180.0 / std::acos(-1.0)) + 0.0; // Avoids -0.
   return irap;
 }
 
-void WriteHeader(GridOutput& output, const SurveyLattice& lattice, const IrapLattice& irap)
+void WriteHeader(GridOutput& output, const SurveyLattice& lattice, const WrittenLattice& irap)
 {
   const std::string x = ToDecimal(lattice.Origin.x());
   const std::string y = ToDecimal(lattice.Origin.y());
@@ -105,7 +105,7 @@ float ToSingle(double number)
   return single;
 }
 
-void WriteBinaryHeader(GridOutput& output, const SurveyLattice& lattice, const IrapLattice& irap)
+void WriteBinaryHeader(GridOutput& output, const SurveyLattice& lattice, const WrittenLattice& irap)
 {
   const auto [columns, rows] = lattice.Columns;
   const auto bits = [](double number) { return BitsOf(ToSingle(number)); };
@@ -135,7 +135,7 @@ void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monito
   {
     ToSingle(std::isnan(z) ? 0.0 : z);
   }
-  const IrapLattice lattice = FindLattice(grid.Lattice);
+  const WrittenLattice lattice = FindIrapLattice(grid.Lattice);
   GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
   WriteBinaryHeader(output, grid.Lattice, lattice);
   std::vector<std::uint32_t> row(static_cast<std::size_t>(grid.Lattice.Columns[0]));
@@ -153,7 +153,7 @@ void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monito
 void WriteIrapText(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
 {
   RequireWritable(grid, TextNull, "IRAP");
-  const IrapLattice lattice = FindLattice(grid.Lattice);
+  const WrittenLattice lattice = FindIrapLattice(grid.Lattice);
   GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
   WriteHeader(output, grid.Lattice, lattice);
   int inLine = 0;

@@ -19,7 +19,7 @@ namespace
 {
 using Vertex = std::array<double, 3>;
 
-void RequireFinite(const TSurf& surface)
+void RequireFiniteVertices(const TSurf& surface)
 {
   for (std::size_t number = 0; number < surface.Vertices.size(); ++number)
   {
@@ -100,7 +100,7 @@ std::string LineOf(std::string name)
 //----------------------------------------------------------------------------------------------------------------------
 void PrintSTL(const TSurf& surface, std::ostream& stream, const Monitor& monitor)
 {
-  RequireFinite(surface);
+  RequireFiniteVertices(surface);
   TextPrinter out(stream);
   out.Print("solid " + LineOf(surface.Name) + '\n');
   PrintTriangles(surface, monitor,
@@ -124,7 +124,7 @@ void PrintSTL(const TSurf& surface, std::ostream& stream, const Monitor& monitor
 //----------------------------------------------------------------------------------------------------------------------
 void PrintPLY(const TSurf& surface, std::ostream& stream, const Monitor& monitor)
 {
-  RequireFinite(surface);
+  RequireFiniteVertices(surface);
   TextPrinter out(stream);
   out.Print(std::string("ply\nformat binary_") + (IsLittleEndian() ? "little" : "big") + "_endian 1.0\ncomment " +
     LineOf(surface.Name) + "\nelement vertex " + std::to_string(surface.Vertices.size()) +
@@ -148,7 +148,7 @@ void PrintPLY(const TSurf& surface, std::ostream& stream, const Monitor& monitor
 //----------------------------------------------------------------------------------------------------------------------
 void PrintOBJ(const TSurf& surface, std::ostream& stream, const Monitor& monitor)
 {
-  RequireFinite(surface);
+  RequireFiniteVertices(surface);
   TextPrinter out(stream);
   out.Print("o " + LineOf(surface.Name) + '\n');
   for (const Vertex& vertex : surface.Vertices)

@@ -159,7 +159,7 @@ LatticeHorizon ReadVoxels(vtkPolyData* horizon, int surfaceId)
   return voxels;
 }
 
-std::string ToText(const SparseMatrixSize& size)
+std::string NumberText(const SparseMatrixSize& size)
 {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
 }
@@ -205,8 +205,8 @@ void vtkVerneySparseMatrixWriter::PrintHorizons(
         }
         if (size != matrix.Size)
         {
-          throw InputError("a lattice of " + ToText(size) + " cells, expected " + ToText(matrix.Size) + " as in " +
-            horizons.front().Name);
+          throw InputError("a lattice of " + NumberText(size) + " cells, expected " + NumberText(matrix.Size) +
+            " as in " + horizons.front().Name);
         }
         isUp = isUp || FirstValue(horizon.Data->GetFieldData(), FieldArray::VerticalDirection) > 0.0;
         given.push_back(ReadSurfaceId(horizon.Data));

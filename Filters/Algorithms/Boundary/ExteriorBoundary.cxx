@@ -734,7 +734,7 @@ ExteriorBoundary WithoutSmallPatches(const ExteriorBoundary& all, std::int64_t m
   return result;
 }
 
-void CheckOptions(PlanePoints columns, const BoundaryOptions& options)
+void CheckBoundaryOptions(PlanePoints columns, const BoundaryOptions& options)
 {
   CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
@@ -796,7 +796,7 @@ void MarkCorners(const ColumnIndex& index, const std::vector<std::int32_t>& patc
 //----------------------------------------------------------------------------------------------------------------------
 ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options)
 {
-  CheckOptions(columns, options);
+  CheckBoundaryOptions(columns, options);
   // Cuts refer to columns by position, so that empty bands must not be removed.
   return ColumnIndex(columns, 2 * options.Radius, options.Cuts ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
 }
@@ -805,7 +805,7 @@ ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options
 ExteriorBoundary FindExteriorBoundary(
   PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
 {
-  CheckOptions(columns, options);
+  CheckBoundaryOptions(columns, options);
   assert(options.Seams.LongestEdge <= ColumnIndex::LongestReach);
   std::vector<CrackSide> cracks;
   ExteriorBoundary result = Find(index, options, SeamPresence(columns, options.Seams), cracks, monitor);

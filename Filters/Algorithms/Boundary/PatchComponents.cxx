@@ -109,7 +109,7 @@ private:
   DisjointSets Sets;
 };
 
-struct Crossing
+struct HopCrossing
 {
   double X;
   std::size_t Loop;
@@ -134,9 +134,10 @@ public:
     this->NumberRows();
     this->FindCrossings();
     std::size_t place = 0;
-    for (std::vector<Crossing>& crossings : this->Crossings)
+    for (std::vector<HopCrossing>& crossings : this->Crossings)
     {
-      std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.X < b.X; });
+      std::sort(
+        crossings.begin(), crossings.end(), [](const HopCrossing& a, const HopCrossing& b) { return a.X < b.X; });
       place = this->ReadRow(crossings, place, visit);
     }
   }
@@ -187,7 +188,7 @@ private:
     }
   }
 
-  std::size_t ReadRow(const std::vector<Crossing>& crossings, std::size_t place, const PlaceVisitor& visit)
+  std::size_t ReadRow(const std::vector<HopCrossing>& crossings, std::size_t place, const PlaceVisitor& visit)
   {
     const std::int64_t row = this->RowOf(this->Places[place]);
     std::vector<std::size_t> around;
@@ -221,7 +222,7 @@ private:
   const std::vector<std::int64_t>& Places;
   const Loops& Boundary;
   std::vector<std::int32_t> RowNumber; // by row of the index, or -1
-  std::vector<std::vector<Crossing>> Crossings;
+  std::vector<std::vector<HopCrossing>> Crossings;
 };
 
 /// Outlines and holes alternate from outside to inside, once outlines of islands of other patches are ignored.

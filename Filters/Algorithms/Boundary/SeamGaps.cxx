@@ -13,7 +13,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-std::string ToText(const std::optional<std::int32_t>& row)
+std::string ColumnText(const std::optional<std::int32_t>& row)
 {
   return row ? std::to_string(*row) : std::string("none");
 }
@@ -22,7 +22,7 @@ void CheckRows(PlanePoints columns, const SeamRows& seams)
 {
   if (seams.Lower && seams.Upper && *seams.Lower >= *seams.Upper)
   {
-    throw InputError("seams at row " + ToText(seams.Lower) + " and at row " + ToText(seams.Upper) +
+    throw InputError("seams at row " + ColumnText(seams.Lower) + " and at row " + ColumnText(seams.Upper) +
       ", expected the lower one at a smaller row");
   }
   const auto beyond = std::find_if(columns.begin(), columns.end(),
@@ -31,7 +31,8 @@ void CheckRows(PlanePoints columns, const SeamRows& seams)
   if (beyond != columns.end())
   {
     throw InputError("point " + std::to_string(beyond - columns.begin()) + " in row " + std::to_string(beyond->Y) +
-      ", expected none beyond the seams (lower: " + ToText(seams.Lower) + ", upper: " + ToText(seams.Upper) + ")");
+      ", expected none beyond the seams (lower: " + ColumnText(seams.Lower) + ", upper: " + ColumnText(seams.Upper) +
+      ")");
   }
 }
 

@@ -58,7 +58,7 @@ RowSegment::Range RangeBetween(const std::array<RowSegment, 3>& sides, double bo
 
 /// Returns 1 for a left turn, -1 for a right turn, and 0 for points on a line.
 template <typename Point>
-int Turn(const Point& a, const Point& b, const Point& c)
+int TurnAt(const Point& a, const Point& b, const Point& c)
 {
   return Sign(Int128(b.X - a.X) * (c.Y - a.Y) - Int128(b.Y - a.Y) * (c.X - a.X));
 }
@@ -145,7 +145,7 @@ RowSegment LoopGuard::Side(PointId a, PointId b) const
 bool LoopGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const
 {
   const FinePoint p = this->Fine(point);
-  const int sides[3] = { Turn(a, m, p), Turn(m, b, p), Turn(b, a, p) };
+  const int sides[3] = { TurnAt(a, m, p), TurnAt(m, b, p), TurnAt(b, a, p) };
   const bool isInside = *std::min_element(sides, sides + 3) >= 0 || *std::max_element(sides, sides + 3) <= 0;
   // In a triangle without area, turns do not show whether the point is beyond the ends of the line.
   return isInside && p.X >= std::min({ a.X, m.X, b.X }) && p.X <= std::max({ a.X, m.X, b.X }) &&

@@ -610,7 +610,7 @@ void OctreeCutter::MakeLeaf(PointId* first, int level, bool hasBoundary, bool ke
 //----------------------------------------------------------------------------------------------------------------------
 // Simplification
 
-void CheckOptions(const ElaborateOptions& options)
+void CheckElaborateOptions(const ElaborateOptions& options)
 {
   CheckAtLeast("flatness threshold", options.FlatnessThreshold, 0.0, " (a plane), and 1/3 at the most");
   CheckAtLeast("boundary density threshold", options.BoundaryDensityThreshold, 0.0, " points per lattice unit");
@@ -739,7 +739,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 Reduction SimplifyElaborate(const BoundedHorizon& horizon, const ElaborateOptions& options, const Monitor& monitor)
 {
-  CheckOptions(options);
+  CheckElaborateOptions(options);
   if (horizon.Height.empty())
   {
     return Reduction();

@@ -222,8 +222,8 @@ private:
 template <typename Call>
 void HeightMesh::ForEachTriangle(const Monitor& monitor, Call&& call) const
 {
-  constexpr std::int64_t Grain = 128;
-  ParallelFor(this->Mesh.Size(), Grain, monitor,
+  constexpr std::int64_t trianglesPerTask = 128;
+  ParallelFor(this->Mesh.Size(), trianglesPerTask, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
       for (TriangleId triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)

@@ -24,7 +24,7 @@ constexpr std::int64_t PointsPerTask = 4096;
 constexpr std::size_t FewestAround = 3;
 constexpr double NoiseFactor = 4.0;
 
-void CheckOptions(const DespikingOptions& options)
+void CheckDespikingOptions(const DespikingOptions& options)
 {
   CheckAtLeast("threshold", options.Threshold, 0.0, " lattice units");
   CheckWithin("neighborhood radius", options.Radius, 1, LargestMedianRadius, " columns");
@@ -357,7 +357,7 @@ double MeasureNoise(PlanePoints columns, const std::vector<double>& heights)
 Spikes FindSpikes(
   PlanePoints columns, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
 {
-  CheckOptions(options);
+  CheckDespikingOptions(options);
   return Find(ColumnIndex(columns, options.Radius, options.Radius), heights, options, monitor);
 }
 }

@@ -61,7 +61,7 @@ LinkGrid MakeRaster(const std::vector<std::int64_t>& files, const std::vector<st
   return LinkGrid(PlaneBox({ { 0, 0 }, { std::int32_t(files.size() - 1), std::int32_t(rows.size() - 1) } }));
 }
 
-std::string Describe(const PlanePoint& column)
+std::string DescribeBox(const PlanePoint& column)
 {
   return "column (" + std::to_string(column.X) + ", " + std::to_string(column.Y) + ")";
 }
@@ -86,8 +86,8 @@ ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& hei
     double& value = this->Values[this->PlaceOf(this->Box.ColumnOf(columns[point]))];
     if (!std::isfinite(height[point]))
     {
-      throw InputError(
-        "height " + std::to_string(height[point]) + " in " + Describe(columns[point]) + ", expected a finite number");
+      throw InputError("height " + std::to_string(height[point]) + " in " + DescribeBox(columns[point]) +
+        ", expected a finite number");
     }
     if (!std::isnan(value))
     {

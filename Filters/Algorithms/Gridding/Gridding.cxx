@@ -720,7 +720,7 @@ private:
   std::vector<double> Result;
 };
 
-void CheckOptions(const GriddingOptions& options)
+void CheckGriddingOptions(const GriddingOptions& options)
 {
   CheckPlacement(options.Placement);
   CheckWithin("GriddingRadius", options.Radius, 0.0, 1e12, " world units");
@@ -800,7 +800,7 @@ std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const Monitor& monitor)
 {
-  CheckOptions(options);
+  CheckGriddingOptions(options);
   SurveyHorizons gridded;
   gridded.Survey = picks.Survey;
   gridded.Doubts = std::move(picks.Doubts);

@@ -150,7 +150,7 @@ PlateChoice ChoosePlate(
 
 constexpr std::int64_t HolesPerTask = 16;
 
-void CheckOptions(const HoleFillingOptions& options)
+void CheckFillingOptions(const HoleFillingOptions& options)
 {
   CheckAtLeast<std::int64_t>("largest hole size", options.LargestHoleSize, 0, " columns");
   CheckWithin("rim smoothing", options.RimSmoothing, 0.0, LargestRimSmoothing, "");
@@ -608,7 +608,7 @@ FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts,
   const Monitor& monitor)
 {
-  CheckOptions(options);
+  CheckFillingOptions(options);
   // The index has room for rings and stencils.
   const bool isChosen = options.Method == FillMethod::Automatic;
   const int rimWidth = isChosen ? WidestChosenRim : options.RimWidth;

@@ -7,6 +7,7 @@
 #define SeismicHorizonsKeptLines_h
 
 #include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/LinkCuts.h"
 #include "Crossings.h"
 #include "Filters/Algorithms/Decimation/HeightMesh.h"
 #include "PinchOuts.h"
@@ -16,6 +17,11 @@
 
 namespace SeismicHorizons
 {
+/// Fits heights of vertices beside faulted links by planes through connected columns at most two away. `known` has 1
+/// where heights count, or is empty. Vertices around the end of a cut, or with too few columns, are left out.
+std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights,
+  const std::vector<std::vector<unsigned char>>& known, const LinkCuts& cuts);
+
 class KeptLines
 {
 public:

@@ -12,21 +12,21 @@ namespace SeismicHorizons
 {
 namespace
 {
-using Corners = std::array<PointId, 3>;
+using TriangleCorners = std::array<PointId, 3>;
 
-Corners CornersOf(const RawVector<PointId>& triangles, std::size_t triangle)
+TriangleCorners CornersOf(const RawVector<PointId>& triangles, std::size_t triangle)
 {
   const PointId* const first = triangles.data() + 3 * triangle;
   return { first[0], first[1], first[2] };
 }
 
-double AreaOf(const LayerPlan& plan, const Corners& corners)
+double AreaOf(const LayerPlan& plan, const TriangleCorners& corners)
 {
   const auto at = [&](int corner) { return plan.Columns[std::size_t(corners[std::size_t(corner)])]; };
   return 0.5 * double(SignedArea(at(0), at(1), at(2)));
 }
 
-std::array<double, 3> ThicknessOf(const LayerPlan& plan, std::size_t layer, const Corners& corners)
+std::array<double, 3> ThicknessOf(const LayerPlan& plan, std::size_t layer, const TriangleCorners& corners)
 {
   return { plan.Thickness(layer, corners[0]), plan.Thickness(layer, corners[1]), plan.Thickness(layer, corners[2]) };
 }
@@ -42,7 +42,7 @@ void MeasureFaults(const LayerPlan& plan, std::size_t layer, LayerVolume& result
   {
     if (plan.IsAround.empty() || plan.IsAround[layer][triangle] != 0)
     {
-      const Corners corners = CornersOf(plan.FaultTriangles, triangle);
+      const TriangleCorners corners = CornersOf(plan.FaultTriangles, triangle);
       const double area = plan.FaultShare * AreaOf(plan, corners);
       result.FaultArea += area;
       result.FaultVolume += area * MeanOf(ThicknessOf(plan, layer, corners));
@@ -127,7 +127,7 @@ private:
     {
       return;
     }
-    const Corners corners = CornersOf(this->Plan.Triangles, triangle);
+    const TriangleCorners corners = CornersOf(this->Plan.Triangles, triangle);
     const std::array<double, 3> thickness = ThicknessOf(this->Plan, layer, corners);
     const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
     if (thick == 0)
@@ -155,7 +155,7 @@ private:
   //       \  |  /          \  |  /              \   \ /
   //        \ | /            \ | /                \   /
   //          4                4                    1
-  void AddCorners(const Corners& corners, const std::array<double, 3>& thickness, int thick,
+  void AddCorners(const TriangleCorners& corners, const std::array<double, 3>& thickness, int thick,
     const std::vector<PointId>& high, const std::vector<PointId>& low)
   {
     RawVector<PointId>& result = this->Result.Corners;
@@ -213,7 +213,7 @@ LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
     {
       continue;
     }
-    const Corners corners = CornersOf(plan.Triangles, triangle);
+    const TriangleCorners corners = CornersOf(plan.Triangles, triangle);
     const std::array<double, 3> thickness = ThicknessOf(plan, layer, corners);
     const auto thick = std::count_if(thickness.begin(), thickness.end(), [](double one) { return one > 0.0; });
     ++result.Triangles[std::size_t(thick)];
@@ -270,7 +270,7 @@ double VolumeAbove(const LayerPlan& plan, std::size_t layer, double contact)
     {
       continue;
     }
-    const Corners corners = CornersOf(plan.Triangles, triangle);
+    const TriangleCorners corners = CornersOf(plan.Triangles, triangle);
     const double area = AreaOf(plan, corners);
     const auto part = [&](std::size_t horizon)
     {

@@ -19,7 +19,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-LedgerEntry EntryOf(HeightOrigin top, HeightOrigin base)
+LedgerEntry EntryOfOrigin(HeightOrigin top, HeightOrigin base)
 {
   const auto isAny = [&](HeightOrigin origin) { return top == origin || base == origin; };
   return Follows(top) || Follows(base) || isAny(HeightOrigin::ExtrapolatedBefore) ? LedgerEntry::Extrapolated
@@ -152,7 +152,7 @@ private:
       const std::optional<double> thickness = this->ThicknessAt(layer, point);
       if (thickness && cover.IsCovered[point] != 0)
       {
-        add(EntryOf(this->Stack.Origins[layer][point], this->Stack.Origins[layer + 1][point]), *thickness);
+        add(EntryOfOrigin(this->Stack.Origins[layer][point], this->Stack.Origins[layer + 1][point]), *thickness);
       }
       else if (thickness)
       {
@@ -161,7 +161,8 @@ private:
     }
     for (const BridgedColumn& column : cover.Bridged)
     {
-      add(EntryOf(this->OriginAt(layer, column), this->OriginAt(layer + 1, column)), this->ThicknessIn(layer, column));
+      add(EntryOfOrigin(this->OriginAt(layer, column), this->OriginAt(layer + 1, column)),
+        this->ThicknessIn(layer, column));
     }
     const LeftOutColumns& leftOut = this->Stack.LeftOut[layer];
     for (std::size_t n = 0; n < leftOut.Columns.size(); ++n)
@@ -270,7 +271,7 @@ private:
     }
     const auto add = [&](HeightOrigin origin)
     {
-      ++ledger[EntryOf(origin, origin)];
+      ++ledger[EntryOfOrigin(origin, origin)];
       ledger[LedgerEntry::LeftOut] -= origin == HeightOrigin::Known ? 1 : 0;
       outside -= IsRead(origin) ? 1 : 0;
     };

@@ -14,7 +14,6 @@
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Types.h"
 #include "Crossings.h"
-#include "CutoffFit.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/Decimation/HeightFit.h"
 #include "Filters/Algorithms/Decimation/HeightMesh.h"
@@ -24,7 +23,6 @@
 #include "Filters/Algorithms/FaultClosing/FaultClosing.h"
 #include "Filters/Algorithms/Surface/Surface.h"
 #include "KeptLines.h"
-#include "LayerOutline.h"
 #include "LayerRegions.h"
 #include "PinchOuts.h"
 

@@ -5,7 +5,7 @@
 // order and surfaces linear in between, so that no thickness is negative. Steps:
 //
 //   1. Horizons are put in order (Crossings.h) and missing heights put in (MissingHeights.h).
-//   2. The outline is simplified with all horizons within the error (LayerOutline.h).
+//   2. The outline is simplified with all horizons within the error (LayerRegions.h).
 //   3. Pinch-out lines (PinchOuts.h) and borders of layers (LayerRegions.h) become edges.
 //   4. Points are inserted where the error of any horizon is largest, and the plan is improved (Decimation.h).
 

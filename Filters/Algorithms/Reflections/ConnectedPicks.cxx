@@ -18,7 +18,7 @@ namespace
 class Components
 {
 public:
-  Components(const ReflectionPicks& picks, ColumnConnectivity connectivity, Depth largestStep)
+  Components(const ReflectionPicks& picks, ColumnConnectivity connectivity, PickDepth largestStep)
     : Picks(picks)
     , Steps(int(connectivity) / 2)
     , LargestStep(largestStep)
@@ -85,14 +85,14 @@ private:
 
   const ReflectionPicks& Picks;
   const int Steps;
-  const Depth LargestStep;
+  const PickDepth LargestStep;
   RawVector<PointId> Parents;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 RawVector<PointId> FindConnectedPicks(
-  const ReflectionPicks& picks, ColumnConnectivity connectivity, Depth largestStep, const Monitor& monitor)
+  const ReflectionPicks& picks, ColumnConnectivity connectivity, PickDepth largestStep, const Monitor& monitor)
 {
   return Components(picks, connectivity, largestStep).Find(monitor);
 }

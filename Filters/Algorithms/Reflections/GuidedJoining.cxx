@@ -412,7 +412,7 @@ GuidedJoining::GuidedJoining(const ReflectionPicks& picks, const RawVector<Point
   , Surfaces(surfaces)
   , Links(links)
   , Options(options)
-  , Quarter(Depth(std::lround(period / 4.0 * DepthsPerSample)))
+  , Quarter(PickDepth(std::lround(period / 4.0 * DepthsPerSample)))
   , Columns(picks.ListColumns())
 {
   CountingSort<PointId> sort(picks.Size());

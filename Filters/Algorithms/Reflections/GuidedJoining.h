@@ -87,7 +87,7 @@ private:
   const RawVector<PointId>& Surfaces;
   const ReflectionLinks& Links;
   const GuidanceOptions Options;
-  const Depth Quarter; // period: nearer picks are the same event
+  const PickDepth Quarter; // period: nearer picks are the same event
   RawVector<std::int32_t> Columns;
   std::vector<PointId> Starts; // by label of the surface, into Members
   RawVector<PointId> Members;

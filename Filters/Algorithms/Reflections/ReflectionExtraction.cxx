@@ -364,10 +364,10 @@ public:
     , Period(figures.Period)
   {
     this->Link.Connectivity = options.Connectivity;
-    this->Link.LargestStep = Depth(std::lround(figures.LargestStep * DepthsPerSample));
+    this->Link.LargestStep = PickDepth(std::lround(figures.LargestStep * DepthsPerSample));
   }
 
-  Depth LargestStep() const { return this->Link.LargestStep; }
+  PickDepth LargestStep() const { return this->Link.LargestStep; }
 
   RawVector<PointId> Join(const ReflectionPicks& picks, double& medianCorrelation, const Monitor& monitor)
   {
@@ -513,7 +513,7 @@ public:
   }
 
   void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, RawVector<PointId>& surfaces,
-    Depth largestStep, const Monitor& monitor)
+    PickDepth largestStep, const Monitor& monitor)
   {
     if (std::none_of(this->Seeds.begin(), this->Seeds.end(), [&](const GuideSeeds& s) { return s.Sign == sign; }))
     {

@@ -101,7 +101,7 @@ private:
     return run.End;
   }
 
-  void Add(const Run& run, Depth place, float strength)
+  void Add(const Run& run, PickDepth place, float strength)
   {
     this->Found.push_back({ place, run.Size(), run.Mean, strength });
   }
@@ -133,7 +133,7 @@ private:
     const double above = std::abs(double(this->Trace[last]));
     const double below = std::abs(double(this->Trace[run.First]));
     const double offset = between == 1 ? 1.0 : above / (above + below);
-    const Depth place = last * DepthsPerSample + Depth(std::floor(offset * DepthsPerSample + 0.5));
+    const PickDepth place = last * DepthsPerSample + PickDepth(std::floor(offset * DepthsPerSample + 0.5));
     const float strength = 0.5F * this->LargestOf(this->Before) + 0.5F * this->LargestOf(run);
     this->Found.push_back({ place, (this->Before.Size() + run.Size() + 1) / 2, run.Sign * strength, strength });
   }
@@ -152,7 +152,7 @@ private:
       const bool rises = end < run.End && run.Sign * this->Trace[end] > strength;
       if (isRising && !rises)
       {
-        const Depth middle = (first + end - 1) * (DepthsPerSample / 2);
+        const PickDepth middle = (first + end - 1) * (DepthsPerSample / 2);
         this->Add(run, end == first + 1 ? middle + this->VertexOffset(first) : middle, strength);
       }
       isRising = rises;
@@ -161,7 +161,7 @@ private:
   }
 
   /// The middle sample must be the largest of three.
-  Depth VertexOffset(int sample) const
+  PickDepth VertexOffset(int sample) const
   {
     if (sample == 0 || sample + 1 == this->Samples)
     {
@@ -177,7 +177,7 @@ private:
     }
     // Despite rounding, the sample stays the nearest.
     constexpr double half = DepthsPerSample / 2;
-    return Depth(std::clamp(std::floor(offset + 0.5), -half, half - 1.0));
+    return PickDepth(std::clamp(std::floor(offset + 0.5), -half, half - 1.0));
   }
 
   const float* const Trace;
@@ -269,7 +269,7 @@ constexpr std::int64_t MostPicks = std::int64_t(1) << 30;
 
 struct Found
 {
-  Depth Place = 0;
+  PickDepth Place = 0;
   std::int32_t Thickness = 0;
   float Strength = 0.0F; // with sign
 };

@@ -22,19 +22,19 @@
 namespace SeismicHorizons
 {
 /// Places on a trace are integers, so that steps are exact.
-using Depth = std::int32_t;
+using PickDepth = std::int32_t;
 
-constexpr Depth DepthsPerSample = 8192;
+constexpr PickDepth DepthsPerSample = 8192;
 
 constexpr int MostSamples = (1 << 18) - 1;
 
 /// Places are positive, so this rounds half up.
-inline int NearestSample(Depth place)
+inline int NearestSample(PickDepth place)
 {
   return (place + DepthsPerSample / 2) / DepthsPerSample;
 }
 
-inline double InSamples(Depth place)
+inline double InSamples(PickDepth place)
 {
   return double(place) / DepthsPerSample;
 }
@@ -55,7 +55,7 @@ enum class ReflectionPosition
 
 struct Reflection
 {
-  Depth Place = 0;
+  PickDepth Place = 0;
   std::int32_t Thickness = 0; // of the run, in samples; the mean of both at a zero crossing
   float Amplitude = 0.0F; // mean of the run; half the difference of both peaks at a zero crossing
   /// At a peak this is its absolute amplitude, for Middle the largest of the run, at a zero crossing the absolute
@@ -79,7 +79,7 @@ struct TraceLimits
 {
   bool AreNone() const { return this->First.empty(); }
   /// Returns false if a limit is NaN.
-  bool Contain(std::int64_t column, Depth place) const
+  bool Contain(std::int64_t column, PickDepth place) const
   {
     return this->AreNone() || (this->First[column] <= InSamples(place) && InSamples(place) <= this->Last[column]);
   }
@@ -114,7 +114,7 @@ struct ReflectionPicks
   std::array<int, 2> Columns = { 0, 0 };
   /// An additional entry ends the last column.
   std::vector<PointId> Starts;
-  RawVector<Depth> Places;
+  RawVector<PickDepth> Places;
   RawVector<std::uint16_t> Strengths; // coarse
 
   std::int64_t ColumnAt(int i, int j) const { return i + std::int64_t(this->Columns[0]) * j; }
@@ -124,7 +124,7 @@ struct ReflectionPicks
   PointId Begin(std::int64_t column) const { return this->Starts[column]; }
   PointId End(std::int64_t column) const { return this->Starts[column + 1]; }
   PointId Size() const { return PointId(this->Places.size()); }
-  Depth PlaceOf(PointId pick) const { return this->Places[pick]; }
+  PickDepth PlaceOf(PointId pick) const { return this->Places[pick]; }
   std::uint16_t CoarseStrengthOf(PointId pick) const { return this->Strengths[pick]; }
 
   template <typename Visit>
@@ -140,14 +140,14 @@ struct ReflectionPicks
   }
 
   template <typename Visit>
-  void ForEachPair(std::int64_t columnA, std::int64_t columnB, Depth largestStep, Visit&& visit) const
+  void ForEachPair(std::int64_t columnA, std::int64_t columnB, PickDepth largestStep, Visit&& visit) const
   {
     PointId low = this->Begin(columnB);
     const PointId endA = this->End(columnA);
     const PointId endB = this->End(columnB);
     for (PointId a = this->Begin(columnA); a < endA; ++a)
     {
-      const Depth place = this->PlaceOf(a);
+      const PickDepth place = this->PlaceOf(a);
       while (low < endB && this->PlaceOf(low) < place - largestStep)
       {
         ++low;

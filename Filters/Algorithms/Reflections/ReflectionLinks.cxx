@@ -82,7 +82,7 @@ public:
       trace, trace + samples, this->Padded.begin() + pad, [](float value) { return value == value ? value : 0.0F; });
   }
 
-  void CutOut(Depth place, std::int16_t* waveform)
+  void CutOut(PickDepth place, std::int16_t* waveform)
   {
     const auto weights = CubicWeights(float(place % DepthsPerSample) / float(DepthsPerSample));
     // Values lie between the second and third sample from here.
@@ -226,7 +226,7 @@ constexpr double ScorePerSample = 0.05;
 // A weaker pick below this ratio is noise, or another reflection, beside the end of a strong one, as at a fault.
 constexpr float SmallestStrengthRatio = 0.35F;
 
-double ScoreOf(double correlation, Depth step)
+double ScoreOf(double correlation, PickDepth step)
 {
   return correlation - ScorePerSample * InSamples(step);
 }
@@ -306,7 +306,7 @@ private:
       [&](PointId a, PointId b)
       {
         const std::int32_t correlation = RowWaveforms::Correlate(this->Row, a, other, b);
-        const Depth step = std::abs(picks.PlaceOf(b) - picks.PlaceOf(a));
+        const PickDepth step = std::abs(picks.PlaceOf(b) - picks.PlaceOf(a));
         const double score = ScoreOf(double(correlation) / RowWaveforms::One, step);
         Consider(this->OfA[a - beginA], b, score, correlation);
         Consider(this->OfB[b - beginB], a, score, correlation);
@@ -333,7 +333,7 @@ private:
 
   ReflectionLinks& Links;
   const TraceCube& Cube;
-  const Depth LargestStep;
+  const PickDepth LargestStep;
   RowWaveforms Row;
   RowWaveforms NextRow;
   std::vector<Best> OfA;
@@ -361,7 +361,7 @@ ReflectionLinks::ReflectionLinks(
 //----------------------------------------------------------------------------------------------------------------------
 double ReflectionLinks::Score(PointId pick, int direction) const
 {
-  const Depth step = this->Picks.PlaceOf(this->Next(pick, direction)) - this->Picks.PlaceOf(pick);
+  const PickDepth step = this->Picks.PlaceOf(this->Next(pick, direction)) - this->Picks.PlaceOf(pick);
   return ScoreOf(this->Correlation(pick, direction), std::abs(step));
 }
 

@@ -38,7 +38,7 @@ constexpr std::array<ColumnStep, 4> NeighbourSteps = { { { 1, 0 }, { 0, 1 }, { 1
 struct LinkOptions
 {
   ColumnConnectivity Connectivity = ColumnConnectivity::Four;
-  Depth LargestStep = 2 * DepthsPerSample; // from pick to pick
+  PickDepth LargestStep = 2 * DepthsPerSample; // from pick to pick
   int HalfWidth = 25; // of waveforms, in samples
 };
 

@@ -57,8 +57,8 @@ private:
 };
 
 /// Components have the number of their first pick, and may have several picks in a column (thesis, 2.2.1).
-RawVector<PointId> FindConnectedPicks(
-  const ReflectionPicks& picks, ColumnConnectivity connectivity, Depth largestStep, const Monitor& monitor = Monitor());
+RawVector<PointId> FindConnectedPicks(const ReflectionPicks& picks, ColumnConnectivity connectivity,
+  PickDepth largestStep, const Monitor& monitor = Monitor());
 }
 
 #endif

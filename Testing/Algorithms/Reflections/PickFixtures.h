@@ -76,7 +76,7 @@ inline ReflectionPicks MakePicks(const std::array<int, 2>& columns, const std::v
   {
     for (const double place : column)
     {
-      picks.Places.push_back(Depth(place * DepthsPerSample));
+      picks.Places.push_back(PickDepth(place * DepthsPerSample));
       picks.Strengths.push_back(CoarseStrength(1.0F));
     }
     picks.Starts.push_back(PointId(picks.Places.size()));

@@ -14,7 +14,7 @@ using namespace PickFixtures;
 namespace
 {
 /// Numbers the components by their first picks, one after the other, by trying all pairs.
-std::vector<PointId> BruteForce(const ReflectionPicks& picks, bool overCorners, Depth step)
+std::vector<PointId> BruteForce(const ReflectionPicks& picks, bool overCorners, PickDepth step)
 {
   const RawVector<std::int32_t> columns = picks.ListColumns();
   const auto areLinked = [&](PointId a, PointId b)
@@ -77,7 +77,7 @@ void TestOracle()
     const ReflectionPicks picks = RandomPicks(seed);
     for (const ColumnConnectivity connectivity : { ColumnConnectivity::Four, ColumnConnectivity::Eight })
     {
-      const Depth step = Depth(0.25 * seed * DepthsPerSample);
+      const PickDepth step = PickDepth(0.25 * seed * DepthsPerSample);
       const RawVector<PointId> found = FindConnectedPicks(picks, connectivity, step);
       const std::vector<PointId> expected = BruteForce(picks, connectivity == ColumnConnectivity::Eight, step);
       CHECK(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));

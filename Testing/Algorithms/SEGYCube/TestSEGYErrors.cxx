@@ -5,7 +5,7 @@
 // expected.
 
 #include "Common/Base/Errors.h"
-#include "Readers/SEGYCube/SEGYExtent.h"
+#include "Readers/SEGYCube/SEGYWindow.h"
 #include "Tools/Check.h"
 #include "WindowSample.h"
 
