@@ -4,6 +4,7 @@
 #include "PickBlock.h"
 
 #include "ColumnNames.h"
+#include "Common/Horizon/Types.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
 
@@ -11,7 +12,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <unordered_map>
 
 namespace SeismicHorizons
