@@ -350,7 +350,6 @@ private:
   using Square = std::pair<std::int32_t, std::int32_t>;
 
   static constexpr int Bits = 3; // of the columns along a side
-  static constexpr std::int64_t Grain = 1 << 14;
 
   static Square SquareOf(const PlanePoint& column) { return { column.Y >> Bits, column.X >> Bits }; }
   bool Has(const PlanePoint& column) const

@@ -7,7 +7,6 @@
 
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/Errors.h"
-#include "Common/Base/RawVector.h"
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/Types.h"
@@ -31,32 +30,22 @@ namespace SeismicHorizons
 {
 namespace
 {
-struct AssembledLoops
-{
-  /// Outlines, one per patch, precede holes, both by rows from the least y. Each begins at its point of least x, then
-  /// least y.
-  Loops Boundary;
-  std::vector<std::int32_t> Patch; // by vertex
-  std::size_t NumberOfPatches = 0;
-};
-
 using Path = std::vector<PointId>;
 
-bool IsMetBefore(const PlanePoint& a, const PlanePoint& b)
-{
-  return std::tie(a.Y, a.X) < std::tie(b.Y, b.X);
-}
-
+/// Finds loops and patches of the joined vertices and triangles. Edges must be loops with triangles to their right,
+/// without crossings, else InputError. A vertex without edges and triangles is a patch.
+///
+/// Outlines, one per patch, precede holes, both by rows from the least y. Each begins at its point of least x, then
+/// least y.
 class Assembler
 {
 public:
-  Assembler(
-    const std::vector<PlanePoint>& vertices, const std::vector<Edge>& edges, const RawVector<PointId>& triangles)
-    : Vertices(vertices)
-    , Edges(edges)
-    , IsWalked(edges.size(), false)
-    , IsUsed(vertices.size(), false)
-    , Connected(vertices.size())
+  Assembler(std::vector<Edge> edges, JoinedSurface& result)
+    : Result(result)
+    , Edges(std::move(edges))
+    , IsWalked(this->Edges.size(), false)
+    , IsUsed(result.Vertices.size(), false)
+    , Connected(result.Vertices.size())
   {
     std::sort(this->Edges.begin(), this->Edges.end(),
       [](const Edge& a, const Edge& b) { return std::tie(a.From, a.To) < std::tie(b.From, b.To); });
@@ -64,14 +53,14 @@ public:
     {
       this->Connect(edge.From, edge.To);
     }
-    for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+    for (std::size_t corner = 0; corner < result.Triangles.size(); corner += 3)
     {
-      this->Connect(triangles[corner], triangles[corner + 1]);
-      this->Connect(triangles[corner], triangles[corner + 2]);
+      this->Connect(result.Triangles[corner], result.Triangles[corner + 1]);
+      this->Connect(result.Triangles[corner], result.Triangles[corner + 2]);
     }
   }
 
-  AssembledLoops Run()
+  void Run()
   {
     for (std::size_t edge = 0; edge < this->Edges.size(); ++edge)
     {
@@ -80,18 +69,18 @@ public:
         this->Add(this->Walk(edge));
       }
     }
-    for (std::size_t vertex = 0; vertex < this->Vertices.size(); ++vertex)
+    for (std::size_t vertex = 0; vertex < this->IsUsed.size(); ++vertex)
     {
       if (!this->IsUsed[vertex])
       {
         this->Outlines.push_back({ PointId(vertex) });
       }
     }
-    return this->Number();
+    this->Number();
   }
 
 private:
-  const PlanePoint& At(PointId vertex) const { return this->Vertices[vertex]; }
+  const PlanePoint& At(PointId vertex) const { return this->Result.Vertices[vertex]; }
 
   void Connect(PointId a, PointId b)
   {
@@ -170,29 +159,26 @@ private:
     const auto firstOf = [this](const Path& path)
     {
       return this->At(*std::min_element(
-        path.begin(), path.end(), [this](PointId a, PointId b) { return IsMetBefore(this->At(a), this->At(b)); }));
+        path.begin(), path.end(), [this](PointId a, PointId b) { return PrecedesByRow(this->At(a), this->At(b)); }));
     };
-    std::vector<std::pair<PlanePoint, std::size_t>> order;
-    for (const Path& path : paths)
+    std::vector<std::pair<PlanePoint, Path>> order;
+    order.reserve(paths.size());
+    for (Path& path : paths)
     {
-      order.push_back({ firstOf(path), order.size() });
+      const PlanePoint first = firstOf(path);
+      order.emplace_back(first, std::move(path));
     }
-    std::sort(order.begin(), order.end(),
-      [](const auto& a, const auto& b)
-      { return a.first == b.first ? a.second < b.second : IsMetBefore(a.first, b.first); });
-    std::vector<Path> sorted;
-    std::transform(order.begin(), order.end(), std::back_inserter(sorted),
-      [&paths](const auto& entry) { return std::move(paths[entry.second]); });
-    paths = std::move(sorted);
+    std::stable_sort(
+      order.begin(), order.end(), [](const auto& a, const auto& b) { return PrecedesByRow(a.first, b.first); });
+    std::transform(order.begin(), order.end(), paths.begin(), [](auto& entry) { return std::move(entry.second); });
   }
 
-  AssembledLoops Number()
+  void Number()
   {
-    AssembledLoops result;
     this->SortAsMet(this->Outlines);
     this->SortAsMet(this->Holes);
     constexpr std::int32_t none = -1;
-    std::vector<std::int32_t> number(this->Vertices.size(), none);
+    std::vector<std::int32_t> number(this->IsUsed.size(), none);
     for (const Path& path : this->Outlines)
     {
       std::int32_t& patch = number[this->Connected.Find(path.front())];
@@ -201,24 +187,23 @@ private:
         throw InputError("two outlines of one patch, one of them at vertex " + std::to_string(path.front()) +
           ", expected parts whose seams fit");
       }
-      patch = std::int32_t(result.NumberOfPatches++);
+      patch = std::int32_t(this->Result.NumberOfPatches++);
     }
     for (std::size_t vertex = 0; vertex < number.size(); ++vertex)
     {
-      result.Patch.push_back(number[this->Connected.Find(std::int32_t(vertex))]);
+      this->Result.Patch.push_back(number[this->Connected.Find(std::int32_t(vertex))]);
     }
     for (const std::vector<Path>* paths : { &this->Outlines, &this->Holes })
     {
       for (const Path& path : *paths)
       {
-        std::for_each(path.begin(), path.end(), [&result](PointId vertex) { result.Boundary.Append(vertex); });
-        result.Boundary.Close();
+        std::for_each(path.begin(), path.end(), [this](PointId vertex) { this->Result.Boundary.Append(vertex); });
+        this->Result.Boundary.Close();
       }
     }
-    return result;
   }
 
-  const std::vector<PlanePoint>& Vertices;
+  JoinedSurface& Result;
   std::vector<Edge> Edges; // by first, then second vertex
   std::vector<bool> IsWalked;
   std::vector<bool> IsUsed; // has an edge or a triangle
@@ -226,14 +211,6 @@ private:
   std::vector<Path> Outlines;
   std::vector<Path> Holes;
 };
-
-/// Edges must be loops with triangles to their right, without crossings, else InputError. A vertex without edges and
-/// triangles is a patch.
-AssembledLoops AssembleLoops(
-  const std::vector<PlanePoint>& vertices, const std::vector<Edge>& edges, const RawVector<PointId>& triangles)
-{
-  return Assembler(vertices, edges, triangles).Run();
-}
 
 // Heights on the line of a seam may differ by this, in lattice units, or relative to heights above 1.
 constexpr double SeamRounding = 1e-6;
@@ -268,10 +245,7 @@ public:
       this->AddEdges(part);
       this->AddTriangles(part);
     }
-    AssembledLoops loops = AssembleLoops(this->Result.Vertices, this->Edges, this->Result.Triangles);
-    this->Result.Boundary = std::move(loops.Boundary);
-    this->Result.Patch = std::move(loops.Patch);
-    this->Result.NumberOfPatches = loops.NumberOfPatches;
+    Assembler(std::move(this->Edges), this->Result).Run();
     if (minimumPatchSize > 1)
     {
       this->DropSmallPatches(minimumPatchSize);
