@@ -390,7 +390,15 @@ class NeighbourHops
 {
 public:
   /// `hops` must have k = 1.
-  explicit NeighbourHops(const ColumnIndex& index, const HopVectors& hops);
+  explicit NeighbourHops(const ColumnIndex& index, const HopVectors& hops)
+    : Index(index)
+    , East(hops.Find({ 1, 0 }))
+  {
+    for (HopId hop = 0; hop < hops.Size(); ++hop)
+    {
+      this->Offsets[hop] = hops.Offset(hop);
+    }
+  }
 
   SweepResult Sweep(std::int64_t place, HopId from) const
   {
@@ -412,50 +420,6 @@ public:
 private:
   const ColumnIndex& Index;
   std::array<std::int64_t, 8> Offsets;
-  HopId East;
-};
-
-class PatchBridges
-{
-public:
-  /// `parts` is the boundary for k = 1; bridges join its patches.
-  PatchBridges(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts);
-
-  bool IsEmpty() const { return this->Ends.empty(); }
-
-  HopId Next(std::int64_t place, HopId from) const;
-
-private:
-  struct End
-  {
-    std::int64_t Place;
-    HopId Hop;
-  };
-
-  void Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts);
-  void AddEnd(std::int64_t place, HopId hop);
-
-  const ColumnIndex& Index;
-  const HopVectors& Hops;
-  std::vector<End> Ends; // sorted by place, then hop
-  std::vector<bool> HasEnd;
-};
-
-class BridgedHops
-{
-public:
-  BridgedHops(const ColumnIndex& index, const HopVectors& hops, const PatchBridges& bridges);
-
-  SweepResult Sweep(std::int64_t place, HopId from) const;
-  bool LeadsEast(std::int64_t place) const { return this->Index.Has(place + 1); }
-
-private:
-  HopId Between(HopId from, HopId to) const { return (to > from ? to : to + this->Hops.Size()) - from; }
-
-  const ColumnIndex& Index;
-  const HopVectors& Hops;
-  const PatchBridges& Bridges;
-  std::array<HopId, 8> Neighbours;
   HopId East;
 };
 
@@ -486,108 +450,124 @@ std::vector<std::int64_t> FindPlaces(PlanePoints columns, const ColumnIndex& ind
   return places;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-NeighbourHops::NeighbourHops(const ColumnIndex& index, const HopVectors& hops)
-  : Index(index)
-  , East(hops.Find({ 1, 0 }))
+class PatchBridges
 {
-  for (HopId hop = 0; hop < hops.Size(); ++hop)
+public:
+  /// `parts` is the boundary for k = 1; bridges join its patches.
+  PatchBridges(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts)
+    : Index(index)
+    , Hops(hops)
+    , HasEnd(columns.size(), false)
   {
-    this->Offsets[hop] = hops.Offset(hop);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-PatchBridges::PatchBridges(
-  PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts)
-  : Index(index)
-  , Hops(hops)
-  , HasEnd(columns.size(), false)
-{
-  if (parts.NumberOfPatches > 1)
-  {
-    this->Join(FindPlaces(columns, index, parts.Boundary), parts);
-  }
-  std::sort(this->Ends.begin(), this->Ends.end(),
-    [](const End& a, const End& b) { return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop; });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PatchBridges::Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
-{
-  const auto part = [&](std::int64_t place) { return parts.Patch[this->Index[place]]; };
-  DisjointSets joined(parts.NumberOfPatches);
-  for (const HopId hop : FindLongHops(this->Hops))
-  {
-    for (const std::int64_t place : onLoops)
+    if (parts.NumberOfPatches > 1)
     {
-      const std::int64_t end = place + this->Hops.Offset(hop);
-      if (this->Index.Has(end) && part(place) != part(end) && joined.Join(part(place), part(end)))
+      this->Join(FindPlaces(columns, index, parts.Boundary), parts);
+    }
+    std::sort(this->Ends.begin(), this->Ends.end(),
+      [](const End& a, const End& b) { return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop; });
+  }
+
+  bool IsEmpty() const { return this->Ends.empty(); }
+
+  HopId Next(std::int64_t place, HopId from) const
+  {
+    if (!this->HasEnd[this->Index[place]])
+    {
+      return NoHop;
+    }
+    auto end = std::lower_bound(
+      this->Ends.begin(), this->Ends.end(), place, [](const End& a, std::int64_t b) { return a.Place < b; });
+    HopId best = NoHop;
+    const auto order = [&](HopId hop) { return hop > from ? hop : hop + this->Hops.Size(); };
+    for (; end != this->Ends.end() && end->Place == place; ++end)
+    {
+      best = best == NoHop || order(end->Hop) < order(best) ? end->Hop : best;
+    }
+    return best;
+  }
+
+private:
+  struct End
+  {
+    std::int64_t Place;
+    HopId Hop;
+  };
+
+  void Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
+  {
+    const auto part = [&](std::int64_t place) { return parts.Patch[this->Index[place]]; };
+    DisjointSets joined(parts.NumberOfPatches);
+    for (const HopId hop : FindLongHops(this->Hops))
+    {
+      for (const std::int64_t place : onLoops)
       {
-        this->AddEnd(place, hop);
-        this->AddEnd(end, this->Hops.Opposite(hop));
+        const std::int64_t end = place + this->Hops.Offset(hop);
+        if (this->Index.Has(end) && part(place) != part(end) && joined.Join(part(place), part(end)))
+        {
+          this->AddEnd(place, hop);
+          this->AddEnd(end, this->Hops.Opposite(hop));
+        }
       }
     }
   }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-void PatchBridges::AddEnd(std::int64_t place, HopId hop)
-{
-  this->Ends.push_back({ place, hop });
-  this->HasEnd[this->Index[place]] = true;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-HopId PatchBridges::Next(std::int64_t place, HopId from) const
-{
-  if (!this->HasEnd[this->Index[place]])
+  void AddEnd(std::int64_t place, HopId hop)
   {
-    return NoHop;
+    this->Ends.push_back({ place, hop });
+    this->HasEnd[this->Index[place]] = true;
   }
-  auto end = std::lower_bound(
-    this->Ends.begin(), this->Ends.end(), place, [](const End& a, std::int64_t b) { return a.Place < b; });
-  HopId best = NoHop;
-  const auto order = [&](HopId hop) { return hop > from ? hop : hop + this->Hops.Size(); };
-  for (; end != this->Ends.end() && end->Place == place; ++end)
-  {
-    best = best == NoHop || order(end->Hop) < order(best) ? end->Hop : best;
-  }
-  return best;
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-BridgedHops::BridgedHops(const ColumnIndex& index, const HopVectors& hops, const PatchBridges& bridges)
-  : Index(index)
-  , Hops(hops)
-  , Bridges(bridges)
-  , East(hops.Find({ 1, 0 }))
+  const ColumnIndex& Index;
+  const HopVectors& Hops;
+  std::vector<End> Ends; // sorted by place, then hop
+  std::vector<bool> HasEnd;
+};
+
+class BridgedHops
 {
-  std::size_t found = 0;
-  for (HopId hop = 0; hop < hops.Size(); ++hop)
+public:
+  BridgedHops(const ColumnIndex& index, const HopVectors& hops, const PatchBridges& bridges)
+    : Index(index)
+    , Hops(hops)
+    , Bridges(bridges)
+    , East(hops.Find({ 1, 0 }))
   {
-    if (ChebyshevLength(hops.Vector(hop)) == 1)
+    std::size_t found = 0;
+    for (HopId hop = 0; hop < hops.Size(); ++hop)
     {
-      this->Neighbours[found++] = hop;
+      if (ChebyshevLength(hops.Vector(hop)) == 1)
+      {
+        this->Neighbours[found++] = hop;
+      }
     }
   }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-SweepResult BridgedHops::Sweep(std::int64_t place, HopId from) const
-{
-  HopId next = this->Bridges.Next(place, from);
-  for (const HopId hop : this->Neighbours)
+  SweepResult Sweep(std::int64_t place, HopId from) const
   {
-    const bool isSooner = next == NoHop || this->Between(from, hop) < this->Between(from, next);
-    if (isSooner && this->Index.Has(place + this->Hops.Offset(hop)))
+    HopId next = this->Bridges.Next(place, from);
+    for (const HopId hop : this->Neighbours)
     {
-      next = hop;
+      const bool isSooner = next == NoHop || this->Between(from, hop) < this->Between(from, next);
+      if (isSooner && this->Index.Has(place + this->Hops.Offset(hop)))
+      {
+        next = hop;
+      }
     }
+    const bool isEastEmpty = !this->Index.Has(place + this->Hops.Offset(this->East));
+    return { next, isEastEmpty && (next == NoHop || this->Between(from, this->East) < this->Between(from, next)) };
   }
-  const bool isEastEmpty = !this->Index.Has(place + this->Hops.Offset(this->East));
-  return { next, isEastEmpty && (next == NoHop || this->Between(from, this->East) < this->Between(from, next)) };
-}
+
+  bool LeadsEast(std::int64_t place) const { return this->Index.Has(place + 1); }
+
+private:
+  HopId Between(HopId from, HopId to) const { return (to > from ? to : to + this->Hops.Size()) - from; }
+
+  const ColumnIndex& Index;
+  const HopVectors& Hops;
+  const PatchBridges& Bridges;
+  std::array<HopId, 8> Neighbours;
+  HopId East;
+};
 
 // ---- Seams ---------------------------------------------------------------------------------------------------------
 class SeamedHops

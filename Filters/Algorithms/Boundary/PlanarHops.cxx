@@ -41,7 +41,29 @@ class HopCandidates
 {
 public:
   /// The index needs an empty rim of at least k columns. `points` may add places to its points.
-  HopCandidates(const ColumnIndex& index, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops);
+  HopCandidates(const ColumnIndex& index, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops)
+    : Index(index)
+    , Points(points)
+    , Long(longHops)
+    , Radius(hops.Radius())
+    , Ends()
+    , OpenNumbers(std::size_t(1) << NearestBits, -1)
+    , Shadows(Slot(Kinds, -NearRadius, 0), this->Ends)
+  {
+    for (std::size_t number = 0; number < longHops.Size(); ++number)
+    {
+      const PlanePoint& end = hops.Vector(longHops[number].Hop);
+      this->Ends[end.Y] |= Window(1) << (end.X + this->Radius);
+      for (const Gate& gate : longHops[number].Gates)
+      {
+        this->AddToShadow(gate.Step, gate.Column, end);
+      }
+      for (const PlanePoint& column : longHops[number].ColumnsOver)
+      {
+        this->AddToShadow(Itself, column, end);
+      }
+    }
+  }
 
   /// Calls visit(number in LongHops), row by row, for hops to points that no point within NearRadius rules out.
   template <typename Visitor>
@@ -98,10 +120,63 @@ private:
     return (kind * (NearRadius + 1) + std::size_t(y)) * NearWidth + std::size_t(x + NearRadius);
   }
 
-  NearRows NearRowsAt(std::int64_t from, std::int32_t radius) const;
-  void RuleOut(const NearRows& near, Rows& ends) const;
+  NearRows NearRowsAt(std::int64_t from, std::int32_t radius) const
+  {
+    const unsigned columns = ((1U << (2 * radius + 1)) - 1) << (NearRadius - radius);
+    NearRows near = {};
+    for (std::int32_t row = 0; row <= radius; ++row)
+    {
+      near[row] = unsigned(this->Points.From(from + row * this->Index.Width() - NearRadius)) & columns;
+    }
+    return near;
+  }
+
+  void RuleOut(const NearRows& near, Rows& ends) const
+  {
+    for (std::int32_t row = 0; row <= NearRadius; ++row)
+    {
+      const unsigned here = near[row];
+      const unsigned above = near[std::size_t(row) + 1];
+      // The order follows NeighbourSteps.
+      const std::array<unsigned, Kinds> found = { here & here >> 1U, here & above >> 1U, here & above,
+        here & above << 1U, here };
+      for (std::size_t kind = 0; kind < Kinds; ++kind)
+      {
+        for (unsigned columns = found[kind]; columns != 0; columns &= columns - 1)
+        {
+          const Rows& shadow = this->Shadows[Slot(kind, LowestBit(columns) - NearRadius, row)];
+          for (std::size_t n = std::size_t(row); n <= std::size_t(this->Radius); ++n)
+          {
+            ends[n] &= ~shadow[n];
+          }
+        }
+      }
+    }
+  }
+
   /// This is a table look-up, unless the pattern of the nearest points is new.
-  void FindEndsBeyondNearest(std::int64_t from, Rows& ends) const;
+  void FindEndsBeyondNearest(std::int64_t from, Rows& ends) const
+  {
+    const NearRows near = this->NearRowsAt(from, NearestRadius);
+    unsigned bits = 0;
+    for (std::int32_t row = NearestRadius; row >= 0; --row)
+    {
+      bits = bits << (2 * NearestRadius + 1) | near[row] >> (NearRadius - NearestRadius);
+    }
+    std::int32_t& number = this->OpenNumbers[bits];
+    if (number < 0)
+    {
+      number = std::int32_t(this->OpenByNearest.size());
+      this->OpenByNearest.push_back(this->Ends);
+      this->RuleOut(near, this->OpenByNearest.back());
+    }
+    const Rows& open = this->OpenByNearest[number];
+    for (std::int32_t row = 0; row <= this->Radius; ++row)
+    {
+      const Window left = open[row];
+      ends[row] = left == 0 ? left : left & this->Points.From(from + row * this->Index.Width() - this->Radius);
+    }
+  }
 
   int Count(const Rows& rows) const
   {
@@ -112,7 +187,16 @@ private:
     }
     return count;
   }
-  void AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end);
+
+  void AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end)
+  {
+    const PlanePoint step = kind == Itself ? PlanePoint{} : NeighbourSteps[kind];
+    const PlanePoint other{ column.X + step.X, column.Y + step.Y };
+    if (ChebyshevLength(column) <= NearRadius && ChebyshevLength(other) <= NearRadius && column.Y >= 0)
+    {
+      this->Shadows[Slot(kind, column.X, column.Y)][end.Y] |= Window(1) << (end.X + this->Radius);
+    }
+  }
 
   const ColumnIndex& Index;
   const PlaceSet& Points;
@@ -123,103 +207,6 @@ private:
   mutable std::vector<std::int32_t> OpenNumbers; // position there by pattern, or -1
   std::vector<Rows> Shadows; // Each slot holds the ends that a point or pair of points rules out.
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-HopCandidates::HopCandidates(
-  const ColumnIndex& index, const PlaceSet& points, const HopVectors& hops, const LongHops& longHops)
-  : Index(index)
-  , Points(points)
-  , Long(longHops)
-  , Radius(hops.Radius())
-  , Ends()
-  , OpenNumbers(std::size_t(1) << NearestBits, -1)
-  , Shadows(Slot(Kinds, -NearRadius, 0), this->Ends)
-{
-  for (std::size_t number = 0; number < longHops.Size(); ++number)
-  {
-    const PlanePoint& end = hops.Vector(longHops[number].Hop);
-    this->Ends[end.Y] |= Window(1) << (end.X + this->Radius);
-    for (const Gate& gate : longHops[number].Gates)
-    {
-      this->AddToShadow(gate.Step, gate.Column, end);
-    }
-    for (const PlanePoint& column : longHops[number].ColumnsOver)
-    {
-      this->AddToShadow(Itself, column, end);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HopCandidates::AddToShadow(std::size_t kind, const PlanePoint& column, const PlanePoint& end)
-{
-  const PlanePoint step = kind == Itself ? PlanePoint{} : NeighbourSteps[kind];
-  const PlanePoint other{ column.X + step.X, column.Y + step.Y };
-  if (ChebyshevLength(column) <= NearRadius && ChebyshevLength(other) <= NearRadius && column.Y >= 0)
-  {
-    this->Shadows[Slot(kind, column.X, column.Y)][end.Y] |= Window(1) << (end.X + this->Radius);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-HopCandidates::NearRows HopCandidates::NearRowsAt(std::int64_t from, std::int32_t radius) const
-{
-  const unsigned columns = ((1U << (2 * radius + 1)) - 1) << (NearRadius - radius);
-  NearRows near = {};
-  for (std::int32_t row = 0; row <= radius; ++row)
-  {
-    near[row] = unsigned(this->Points.From(from + row * this->Index.Width() - NearRadius)) & columns;
-  }
-  return near;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HopCandidates::FindEndsBeyondNearest(std::int64_t from, Rows& ends) const
-{
-  const NearRows near = this->NearRowsAt(from, NearestRadius);
-  unsigned bits = 0;
-  for (std::int32_t row = NearestRadius; row >= 0; --row)
-  {
-    bits = bits << (2 * NearestRadius + 1) | near[row] >> (NearRadius - NearestRadius);
-  }
-  std::int32_t& number = this->OpenNumbers[bits];
-  if (number < 0)
-  {
-    number = std::int32_t(this->OpenByNearest.size());
-    this->OpenByNearest.push_back(this->Ends);
-    this->RuleOut(near, this->OpenByNearest.back());
-  }
-  const Rows& open = this->OpenByNearest[number];
-  for (std::int32_t row = 0; row <= this->Radius; ++row)
-  {
-    const Window left = open[row];
-    ends[row] = left == 0 ? left : left & this->Points.From(from + row * this->Index.Width() - this->Radius);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HopCandidates::RuleOut(const NearRows& near, Rows& ends) const
-{
-  for (std::int32_t row = 0; row <= NearRadius; ++row)
-  {
-    const unsigned here = near[row];
-    const unsigned above = near[std::size_t(row) + 1];
-    // The order follows NeighbourSteps.
-    const std::array<unsigned, Kinds> found = { here & here >> 1U, here & above >> 1U, here & above, here & above << 1U,
-      here };
-    for (std::size_t kind = 0; kind < Kinds; ++kind)
-    {
-      for (unsigned columns = found[kind]; columns != 0; columns &= columns - 1)
-      {
-        const Rows& shadow = this->Shadows[Slot(kind, LowestBit(columns) - NearRadius, row)];
-        for (std::size_t n = std::size_t(row); n <= std::size_t(this->Radius); ++n)
-        {
-          ends[n] &= ~shadow[n];
-        }
-      }
-    }
-  }
-}
 
 //----------------------------------------------------------------------------------------------------------------------
 PlanarHops::PlanarHops(

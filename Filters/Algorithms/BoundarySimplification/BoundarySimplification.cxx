@@ -73,13 +73,61 @@ int TurnAt(const Point& a, const Point& b, const Point& c)
 class LoopGuard
 {
 public:
-  explicit LoopGuard(const SpacePoints& points);
+  explicit LoopGuard(const SpacePoints& points)
+    : Points(points)
+    , Columns(FindColumns(points))
+    , Grid(this->Columns, 1, 1)
+    , InColumn(SortByCell(this->Grid, this->Columns))
+    , Position(points.size(), 0)
+  {
+  }
 
-  void SetLoop(const std::vector<PointId>& loop, const std::vector<unsigned char>& visits);
+  void SetLoop(const std::vector<PointId>& loop, const std::vector<unsigned char>& visits)
+  {
+    for (const PointId point : this->Loop)
+    {
+      this->Position[point] = 0;
+    }
+    this->Loop = loop;
+    for (std::size_t n = 0; n < loop.size(); ++n)
+    {
+      this->Position[loop[n]] = visits[loop[n]] > 1 ? 0 : n + 1;
+    }
+  }
 
   /// Points of the loop between the three positions do not count. `after` may be the length of the loop, for its first
   /// point.
-  bool IsClear(std::size_t before, std::size_t middle, std::size_t after) const;
+  bool IsClear(std::size_t before, std::size_t middle, std::size_t after) const
+  {
+    const PointId a = this->Loop[before];
+    const PointId m = this->Loop[middle];
+    const PointId b = this->Loop[after % this->Loop.size()];
+    const std::array<FinePoint, 3> corner = { this->Fine(a), this->Fine(m), this->Fine(b) };
+    const auto isIn = [&](PointId point)
+    {
+      const bool isBetween = this->Position[point] > before + 1 && this->Position[point] <= after;
+      return point != a && point != m && point != b && !isBetween && this->IsIn(point, corner[0], corner[1], corner[2]);
+    };
+    const std::array<RowSegment, 3> sides = { this->Side(a, m), this->Side(m, b), this->Side(b, a) };
+    const double bottom = std::floor(std::min(sides[0].LeastY(), sides[1].LeastY()));
+    const std::int64_t firstRow = this->Grid.CellY(bottom);
+    const std::int64_t lastRow = this->Grid.CellY(std::max(sides[0].GreatestY(), sides[1].GreatestY()));
+    // Triangles can be long, but they are thin, so that they are searched row by row.
+    for (std::int64_t row = firstRow; row <= lastRow; ++row)
+    {
+      const double y = bottom + double(row - firstRow);
+      const RowSegment::Range range = RangeBetween(sides, y, y + 1.0);
+      for (std::int64_t x = this->Grid.CellX(range.First); x <= this->Grid.CellX(range.Last); ++x)
+      {
+        const std::int64_t cell = this->Grid.Index(x, row);
+        if (std::any_of(this->InColumn.begin(cell), this->InColumn.end(cell), isIn))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
 
 private:
   /// Coordinates are multiples of 1 / PartsPerColumn columns.
@@ -89,9 +137,28 @@ private:
     std::int64_t Y;
   };
 
-  FinePoint Fine(PointId point) const;
-  RowSegment Side(PointId a, PointId b) const;
-  bool IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const;
+  FinePoint Fine(PointId point) const
+  {
+    const SpacePoint place = this->Points[point];
+    return { std::llround(place.X * PartsPerColumn), std::llround(place.Y * PartsPerColumn) };
+  }
+
+  RowSegment Side(PointId a, PointId b) const
+  {
+    const SpacePoint from = this->Points[a];
+    const SpacePoint to = this->Points[b];
+    return RowSegment({ from.X, from.Y }, { to.X, to.Y });
+  }
+
+  bool IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const
+  {
+    const FinePoint p = this->Fine(point);
+    const int sides[3] = { TurnAt(a, m, p), TurnAt(m, b, p), TurnAt(b, a, p) };
+    const bool isInside = *std::min_element(sides, sides + 3) >= 0 || *std::max_element(sides, sides + 3) <= 0;
+    // In a triangle without area, turns do not show whether the point is beyond the ends of the line.
+    return isInside && p.X >= std::min({ a.X, m.X, b.X }) && p.X <= std::max({ a.X, m.X, b.X }) &&
+      p.Y >= std::min({ a.Y, m.Y, b.Y }) && p.Y <= std::max({ a.Y, m.Y, b.Y });
+  }
 
   const SpacePoints& Points;
   const std::vector<PlanePoint> Columns;
@@ -101,89 +168,6 @@ private:
   // The value is 0 for points elsewhere, and for points that must stay.
   std::vector<std::size_t> Position;
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-LoopGuard::LoopGuard(const SpacePoints& points)
-  : Points(points)
-  , Columns(FindColumns(points))
-  , Grid(this->Columns, 1, 1)
-  , InColumn(SortByCell(this->Grid, this->Columns))
-  , Position(points.size(), 0)
-{
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void LoopGuard::SetLoop(const std::vector<PointId>& loop, const std::vector<unsigned char>& visits)
-{
-  for (const PointId point : this->Loop)
-  {
-    this->Position[point] = 0;
-  }
-  this->Loop = loop;
-  for (std::size_t n = 0; n < loop.size(); ++n)
-  {
-    this->Position[loop[n]] = visits[loop[n]] > 1 ? 0 : n + 1;
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-LoopGuard::FinePoint LoopGuard::Fine(PointId point) const
-{
-  const SpacePoint place = this->Points[point];
-  return { std::llround(place.X * PartsPerColumn), std::llround(place.Y * PartsPerColumn) };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-RowSegment LoopGuard::Side(PointId a, PointId b) const
-{
-  const SpacePoint from = this->Points[a];
-  const SpacePoint to = this->Points[b];
-  return RowSegment({ from.X, from.Y }, { to.X, to.Y });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool LoopGuard::IsIn(PointId point, const FinePoint& a, const FinePoint& m, const FinePoint& b) const
-{
-  const FinePoint p = this->Fine(point);
-  const int sides[3] = { TurnAt(a, m, p), TurnAt(m, b, p), TurnAt(b, a, p) };
-  const bool isInside = *std::min_element(sides, sides + 3) >= 0 || *std::max_element(sides, sides + 3) <= 0;
-  // In a triangle without area, turns do not show whether the point is beyond the ends of the line.
-  return isInside && p.X >= std::min({ a.X, m.X, b.X }) && p.X <= std::max({ a.X, m.X, b.X }) &&
-    p.Y >= std::min({ a.Y, m.Y, b.Y }) && p.Y <= std::max({ a.Y, m.Y, b.Y });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool LoopGuard::IsClear(std::size_t before, std::size_t middle, std::size_t after) const
-{
-  const PointId a = this->Loop[before];
-  const PointId m = this->Loop[middle];
-  const PointId b = this->Loop[after % this->Loop.size()];
-  const std::array<FinePoint, 3> corner = { this->Fine(a), this->Fine(m), this->Fine(b) };
-  const auto isIn = [&](PointId point)
-  {
-    const bool isBetween = this->Position[point] > before + 1 && this->Position[point] <= after;
-    return point != a && point != m && point != b && !isBetween && this->IsIn(point, corner[0], corner[1], corner[2]);
-  };
-  const std::array<RowSegment, 3> sides = { this->Side(a, m), this->Side(m, b), this->Side(b, a) };
-  const double bottom = std::floor(std::min(sides[0].LeastY(), sides[1].LeastY()));
-  const std::int64_t firstRow = this->Grid.CellY(bottom);
-  const std::int64_t lastRow = this->Grid.CellY(std::max(sides[0].GreatestY(), sides[1].GreatestY()));
-  // Triangles can be long, but they are thin, so that they are searched row by row.
-  for (std::int64_t row = firstRow; row <= lastRow; ++row)
-  {
-    const double y = bottom + double(row - firstRow);
-    const RowSegment::Range range = RangeBetween(sides, y, y + 1.0);
-    for (std::int64_t x = this->Grid.CellX(range.First); x <= this->Grid.CellX(range.Last); ++x)
-    {
-      const std::int64_t cell = this->Grid.Index(x, row);
-      if (std::any_of(this->InColumn.begin(cell), this->InColumn.end(cell), isIn))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
 
 // ---- Loops ---------------------------------------------------------------------------------------------------------
 /// An edge may cross an empty band that an index would remove.

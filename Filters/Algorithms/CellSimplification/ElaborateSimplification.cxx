@@ -125,7 +125,15 @@ class PatchCubes
 public:
   using Ring = std::vector<std::size_t>;
 
-  PatchCubes(CellLeaves& leaves, int size, const Monitor& monitor);
+  PatchCubes(CellLeaves& leaves, int size, const Monitor& monitor)
+    : Leaves(leaves)
+    , CubeSize(size)
+    , Bottom(*std::min_element(leaves.Horizon().Height.begin(), leaves.Horizon().Height.end()))
+  {
+    this->MakeCubes(monitor);
+    this->MakeTowers();
+    this->NumberRings();
+  }
 
   std::size_t Size() const { return this->Cubes.size(); }
   PatchCube& operator[](std::size_t n) { return this->Cubes[n]; }
@@ -133,13 +141,39 @@ public:
 
   const std::vector<Ring>& Rings() const { return this->AllRings; }
 
-  void EndRing(const Ring& ring);
+  void EndRing(const Ring& ring)
+  {
+    for (const std::size_t cube : ring)
+    {
+      this->Towers[this->Cubes[cube].Tower].Sizes.Add(this->Cubes[cube].Sizes);
+    }
+  }
 
   /// Returns sizes of neighbours in the previous ring, or if there are none, of neighbours in plan in any earlier ring.
-  CellSizes SizesBefore(const PatchCube& cube) const;
+  CellSizes SizesBefore(const PatchCube& cube) const
+  {
+    CellSizes sizes;
+    this->ForEachNeighbour(cube,
+      [&](std::size_t n)
+      {
+        if (this->Cubes[n].Ring == cube.Ring - 1)
+        {
+          sizes.Add(this->Cubes[n].Sizes);
+        }
+      });
+    if (sizes.Number == 0)
+    {
+      this->ForEachTower(cube, [&](std::size_t tower) { sizes.Add(this->Towers[tower].Sizes); });
+    }
+    return sizes;
+  }
 
   CubeBox BoxOf(const PatchCube& cube) const { return this->BoxOf(this->Leaves.Square(cube.Cell), cube.Layer); }
-  CubeBox BoxOf(PointId point) const;
+
+  CubeBox BoxOf(PointId point) const
+  {
+    return this->BoxOf(this->Leaves.Grid().CellOf(this->Leaves.Plane(point)), this->LayerOf(point));
+  }
 
 private:
   struct PatchTower
@@ -151,20 +185,174 @@ private:
     CellSizes Sizes;
   };
 
-  std::int32_t LayerOf(PointId point) const;
-  CubeBox BoxOf(std::int64_t square, std::int32_t layer) const;
-  void MakeCubes(const Monitor& monitor);
-  void MakeTowers();
-  void NumberRings();
-  Ring FindNextRing();
+  std::int32_t LayerOf(PointId point) const
+  {
+    const double layer = std::floor((this->Leaves.Height(point) - this->Bottom) / this->CubeSize);
+    return std::int32_t(std::min(layer, double(std::numeric_limits<std::int32_t>::max())));
+  }
+
+  CubeBox BoxOf(std::int64_t square, std::int32_t layer) const
+  {
+    const PlanePoint corner = this->Leaves.Grid().Corner(square);
+    const double size = this->CubeSize;
+    return { corner.X, corner.Y, this->Bottom + size * layer, this->Leaves.CellSize(), size };
+  }
+
+  void MakeCubes(const Monitor& monitor)
+  {
+    this->Leaves.MakeGroups(
+      [this](PointId point)
+      {
+        const std::int64_t side = this->Leaves.SideOf(point);
+        return side * (std::int64_t(1) << 32) + this->LayerOf(point);
+      },
+      monitor);
+    this->Cubes.resize(this->Leaves.NumberOfGroups());
+    ParallelFor(this->Leaves.NumberOfCells(), CellLeaves::Grain,
+      [this](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t cell = begin; cell < end; ++cell)
+        {
+          std::size_t cube = this->Leaves.FirstGroup(cell);
+          this->Leaves.ForEachGroup(cell,
+            [&](PointId* first, PointId* last)
+            {
+              this->Cubes[cube] = { first, last, cell, this->LayerOf(*first), this->Leaves.Patch(*first),
+                this->Leaves.HasBoundary(first) ? 1 : 0, 0, CellSizes() };
+              ++cube;
+            });
+        }
+      });
+  }
+
+  void MakeTowers()
+  {
+    this->FirstTowers.assign(this->Leaves.NumberOfCells() + 1, 0);
+    for (std::size_t n = 0; n < this->Cubes.size(); ++n)
+    {
+      PatchCube& cube = this->Cubes[n];
+      if (n == 0 || cube.Cell != this->Cubes[n - 1].Cell ||
+        this->Leaves.SideOf(*cube.First) != this->Leaves.SideOf(*this->Cubes[n - 1].First))
+      {
+        this->Towers.push_back({ n, n, cube.Patch, false, CellSizes() });
+        ++this->FirstTowers[cube.Cell + 1];
+      }
+      this->Towers.back().End = n + 1;
+      cube.Tower = std::uint32_t(this->Towers.size() - 1);
+    }
+    std::partial_sum(this->FirstTowers.begin(), this->FirstTowers.end(), this->FirstTowers.begin());
+  }
+
+  void NumberRings()
+  {
+    this->AllRings.emplace_back();
+    for (std::size_t cube = 0; cube < this->Cubes.size(); ++cube)
+    {
+      if (this->Cubes[cube].Ring == 1)
+      {
+        this->AllRings.back().push_back(cube);
+      }
+    }
+    std::size_t reached = this->AllRings.back().size();
+    while (reached < this->Cubes.size())
+    {
+      Ring next = this->FindNextRing();
+      reached += next.size();
+      this->AllRings.push_back(std::move(next));
+    }
+  }
+
+  /// The next ring touches the last one; if nothing does, it touches any ring in plan; finally it is all remaining cubes.
+  Ring FindNextRing()
+  {
+    const std::int32_t number = std::int32_t(this->AllRings.size()) + 1;
+    Ring next;
+    const auto take = [&](std::size_t cube)
+    {
+      if (this->Cubes[cube].Ring == 0)
+      {
+        this->Cubes[cube].Ring = number;
+        next.push_back(cube);
+      }
+    };
+    for (const std::size_t cube : this->AllRings.back())
+    {
+      this->ForEachNeighbour(this->Cubes[cube], take);
+    }
+    if (next.empty())
+    {
+      this->TakeBeyondCliffs(take);
+    }
+    if (next.empty())
+    {
+      for (std::size_t cube = 0; cube < this->Cubes.size(); ++cube)
+      {
+        take(cube);
+      }
+    }
+    return next;
+  }
+
+  /// Rings that an earlier call has visited have no neighbours left to take.
   template <typename Take>
-  void TakeBeyondCliffs(Take&& take);
+  void TakeBeyondCliffs(Take&& take)
+  {
+    for (; this->FirstRingWithCliffs < this->AllRings.size(); ++this->FirstRingWithCliffs)
+    {
+      for (const std::size_t cube : this->AllRings[this->FirstRingWithCliffs])
+      {
+        this->ForEachTower(this->Cubes[cube], [&](std::size_t tower) { this->TakeTower(this->Towers[tower], take); });
+      }
+    }
+  }
+
   template <typename Take>
-  void TakeTower(PatchTower& tower, Take& take);
+  void TakeTower(PatchTower& tower, Take& take)
+  {
+    for (std::size_t cube = tower.First; !tower.IsTaken && cube < tower.End; ++cube)
+    {
+      take(cube);
+    }
+    tower.IsTaken = true;
+  }
+
   template <typename Visitor>
-  void ForEachTower(const PatchCube& cube, Visitor&& visit) const;
+  void ForEachTower(const PatchCube& cube, Visitor&& visit) const
+  {
+    const CellGrid& grid = this->Leaves.Grid();
+    const std::int64_t x = this->Leaves.Square(cube.Cell) % grid.SizeX();
+    const std::int64_t y = this->Leaves.Square(cube.Cell) / grid.SizeX();
+    for (std::int64_t row = std::max<std::int64_t>(0, y - 1); row <= std::min(grid.SizeY() - 1, y + 1); ++row)
+    {
+      const std::int64_t left = grid.Index(std::max<std::int64_t>(0, x - 1), row);
+      const std::int64_t right = grid.Index(std::min(grid.SizeX() - 1, x + 1), row);
+      const std::size_t end = this->FirstTowers[this->Leaves.FirstCellFrom(right + 1)];
+      for (std::size_t n = this->FirstTowers[this->Leaves.FirstCellFrom(left)]; n < end; ++n)
+      {
+        if (this->Towers[n].Patch == cube.Patch)
+        {
+          visit(n);
+        }
+      }
+    }
+  }
+
   template <typename Visitor>
-  void ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const;
+  void ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const
+  {
+    const std::int64_t lowest = std::int64_t(cube.Layer) - 1;
+    this->ForEachTower(cube,
+      [&](std::size_t tower)
+      {
+        const auto end = this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].End);
+        auto other = std::lower_bound(this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].First), end, lowest,
+          [](const PatchCube& a, std::int64_t layer) { return a.Layer < layer; });
+        for (; other != end && other->Layer <= lowest + 2; ++other)
+        {
+          visit(std::size_t(other - this->Cubes.begin()));
+        }
+      });
+  }
 
   CellLeaves& Leaves;
   const int CubeSize; // lattice units
@@ -175,230 +363,6 @@ private:
   std::vector<Ring> AllRings;
   std::size_t FirstRingWithCliffs = 0; // TakeBeyondCliffs continues here.
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-PatchCubes::PatchCubes(CellLeaves& leaves, int size, const Monitor& monitor)
-  : Leaves(leaves)
-  , CubeSize(size)
-  , Bottom(*std::min_element(leaves.Horizon().Height.begin(), leaves.Horizon().Height.end()))
-{
-  this->MakeCubes(monitor);
-  this->MakeTowers();
-  this->NumberRings();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::int32_t PatchCubes::LayerOf(PointId point) const
-{
-  const double layer = std::floor((this->Leaves.Height(point) - this->Bottom) / this->CubeSize);
-  return std::int32_t(std::min(layer, double(std::numeric_limits<std::int32_t>::max())));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PatchCubes::MakeCubes(const Monitor& monitor)
-{
-  this->Leaves.MakeGroups(
-    [this](PointId point)
-    {
-      const std::int64_t side = this->Leaves.SideOf(point);
-      return side * (std::int64_t(1) << 32) + this->LayerOf(point);
-    },
-    monitor);
-  this->Cubes.resize(this->Leaves.NumberOfGroups());
-  ParallelFor(this->Leaves.NumberOfCells(), CellLeaves::Grain,
-    [this](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t cell = begin; cell < end; ++cell)
-      {
-        std::size_t cube = this->Leaves.FirstGroup(cell);
-        this->Leaves.ForEachGroup(cell,
-          [&](PointId* first, PointId* last)
-          {
-            this->Cubes[cube] = { first, last, cell, this->LayerOf(*first), this->Leaves.Patch(*first),
-              this->Leaves.HasBoundary(first) ? 1 : 0, 0, CellSizes() };
-            ++cube;
-          });
-      }
-    });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PatchCubes::MakeTowers()
-{
-  this->FirstTowers.assign(this->Leaves.NumberOfCells() + 1, 0);
-  for (std::size_t n = 0; n < this->Cubes.size(); ++n)
-  {
-    PatchCube& cube = this->Cubes[n];
-    if (n == 0 || cube.Cell != this->Cubes[n - 1].Cell ||
-      this->Leaves.SideOf(*cube.First) != this->Leaves.SideOf(*this->Cubes[n - 1].First))
-    {
-      this->Towers.push_back({ n, n, cube.Patch, false, CellSizes() });
-      ++this->FirstTowers[cube.Cell + 1];
-    }
-    this->Towers.back().End = n + 1;
-    cube.Tower = std::uint32_t(this->Towers.size() - 1);
-  }
-  std::partial_sum(this->FirstTowers.begin(), this->FirstTowers.end(), this->FirstTowers.begin());
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Visitor>
-void PatchCubes::ForEachTower(const PatchCube& cube, Visitor&& visit) const
-{
-  const CellGrid& grid = this->Leaves.Grid();
-  const std::int64_t x = this->Leaves.Square(cube.Cell) % grid.SizeX();
-  const std::int64_t y = this->Leaves.Square(cube.Cell) / grid.SizeX();
-  for (std::int64_t row = std::max<std::int64_t>(0, y - 1); row <= std::min(grid.SizeY() - 1, y + 1); ++row)
-  {
-    const std::int64_t left = grid.Index(std::max<std::int64_t>(0, x - 1), row);
-    const std::int64_t right = grid.Index(std::min(grid.SizeX() - 1, x + 1), row);
-    const std::size_t end = this->FirstTowers[this->Leaves.FirstCellFrom(right + 1)];
-    for (std::size_t n = this->FirstTowers[this->Leaves.FirstCellFrom(left)]; n < end; ++n)
-    {
-      if (this->Towers[n].Patch == cube.Patch)
-      {
-        visit(n);
-      }
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Visitor>
-void PatchCubes::ForEachNeighbour(const PatchCube& cube, Visitor&& visit) const
-{
-  const std::int64_t lowest = std::int64_t(cube.Layer) - 1;
-  this->ForEachTower(cube,
-    [&](std::size_t tower)
-    {
-      const auto end = this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].End);
-      auto other = std::lower_bound(this->Cubes.begin() + std::ptrdiff_t(this->Towers[tower].First), end, lowest,
-        [](const PatchCube& a, std::int64_t layer) { return a.Layer < layer; });
-      for (; other != end && other->Layer <= lowest + 2; ++other)
-      {
-        visit(std::size_t(other - this->Cubes.begin()));
-      }
-    });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PatchCubes::NumberRings()
-{
-  this->AllRings.emplace_back();
-  for (std::size_t cube = 0; cube < this->Cubes.size(); ++cube)
-  {
-    if (this->Cubes[cube].Ring == 1)
-    {
-      this->AllRings.back().push_back(cube);
-    }
-  }
-  std::size_t reached = this->AllRings.back().size();
-  while (reached < this->Cubes.size())
-  {
-    Ring next = this->FindNextRing();
-    reached += next.size();
-    this->AllRings.push_back(std::move(next));
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// The next ring touches the last one; if nothing does, it touches any ring in plan; finally it is all remaining cubes.
-PatchCubes::Ring PatchCubes::FindNextRing()
-{
-  const std::int32_t number = std::int32_t(this->AllRings.size()) + 1;
-  Ring next;
-  const auto take = [&](std::size_t cube)
-  {
-    if (this->Cubes[cube].Ring == 0)
-    {
-      this->Cubes[cube].Ring = number;
-      next.push_back(cube);
-    }
-  };
-  for (const std::size_t cube : this->AllRings.back())
-  {
-    this->ForEachNeighbour(this->Cubes[cube], take);
-  }
-  if (next.empty())
-  {
-    this->TakeBeyondCliffs(take);
-  }
-  if (next.empty())
-  {
-    for (std::size_t cube = 0; cube < this->Cubes.size(); ++cube)
-    {
-      take(cube);
-    }
-  }
-  return next;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// Rings that an earlier call has visited have no neighbours left to take.
-template <typename Take>
-void PatchCubes::TakeBeyondCliffs(Take&& take)
-{
-  for (; this->FirstRingWithCliffs < this->AllRings.size(); ++this->FirstRingWithCliffs)
-  {
-    for (const std::size_t cube : this->AllRings[this->FirstRingWithCliffs])
-    {
-      this->ForEachTower(this->Cubes[cube], [&](std::size_t tower) { this->TakeTower(this->Towers[tower], take); });
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Take>
-void PatchCubes::TakeTower(PatchTower& tower, Take& take)
-{
-  for (std::size_t cube = tower.First; !tower.IsTaken && cube < tower.End; ++cube)
-  {
-    take(cube);
-  }
-  tower.IsTaken = true;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PatchCubes::EndRing(const Ring& ring)
-{
-  for (const std::size_t cube : ring)
-  {
-    this->Towers[this->Cubes[cube].Tower].Sizes.Add(this->Cubes[cube].Sizes);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-CellSizes PatchCubes::SizesBefore(const PatchCube& cube) const
-{
-  CellSizes sizes;
-  this->ForEachNeighbour(cube,
-    [&](std::size_t n)
-    {
-      if (this->Cubes[n].Ring == cube.Ring - 1)
-      {
-        sizes.Add(this->Cubes[n].Sizes);
-      }
-    });
-  if (sizes.Number == 0)
-  {
-    this->ForEachTower(cube, [&](std::size_t tower) { sizes.Add(this->Towers[tower].Sizes); });
-  }
-  return sizes;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-CubeBox PatchCubes::BoxOf(PointId point) const
-{
-  return this->BoxOf(this->Leaves.Grid().CellOf(this->Leaves.Plane(point)), this->LayerOf(point));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-CubeBox PatchCubes::BoxOf(std::int64_t square, std::int32_t layer) const
-{
-  const PlanePoint corner = this->Leaves.Grid().Corner(square);
-  const double size = this->CubeSize;
-  return { corner.X, corner.Y, this->Bottom + size * layer, this->Leaves.CellSize(), size };
-}
 
 //----------------------------------------------------------------------------------------------------------------------
 // Cutting
@@ -445,18 +409,137 @@ public:
   }
 
   /// `leastLevel` applies to leaves without boundary points.
-  CellSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel);
+  CellSizes Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel)
+  {
+    this->Sizes = CellSizes();
+    this->LeastLevel = leastLevel;
+    this->CutAny(first, last, cube, 0);
+    return this->Sizes;
+  }
 
 private:
-  void CutAny(PointId* first, PointId* last, const CubeBox& box, int level);
-  void CutInner(PointId* first, PointId* last, const CubeBox& box, int level);
-  void CutFlat(PointId* first, PointId* last, const CubeBox& box, int level);
+  void CutAny(PointId* first, PointId* last, const CubeBox& box, int level)
+  {
+    const std::ptrdiff_t boundaryPoints =
+      std::count_if(first, last, [this](PointId point) { return this->Leaves.IsOnBoundary(point); });
+    if (boundaryPoints == 0)
+    {
+      this->CutInner(first, last, box, level);
+    }
+    else if (level == this->Deepest || this->StaysWhole(first, last, boundaryPoints, box.Size))
+    {
+      const bool keepsInner = boundaryPoints < last - first && box.Size > this->Options.BoundaryCellSizeThreshold;
+      this->MakeLeaf(first, level, true, keepsInner);
+    }
+    else
+    {
+      this->Halve(first, last, box,
+        [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutAny(begin, end, octant, level + 1); });
+    }
+  }
 
-  bool StaysWhole(const PointId* first, const PointId* last, std::ptrdiff_t boundaryPoints, double size);
-  bool AnyApart(double extent, double size) const;
+  void CutInner(PointId* first, PointId* last, const CubeBox& box, int level)
+  {
+    if (level == this->Deepest || AreFlat(this->Leaves, first, last, this->Options.FlatnessThreshold))
+    {
+      this->CutFlat(first, last, box, level);
+    }
+    else
+    {
+      this->Halve(first, last, box,
+        [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutInner(begin, end, octant, level + 1); });
+    }
+  }
+
+  void CutFlat(PointId* first, PointId* last, const CubeBox& box, int level)
+  {
+    if (level >= this->LeastLevel)
+    {
+      this->MakeLeaf(first, level, false, false);
+    }
+    else if (last - first == 1) // A single point needs no cutting, since its cell at the least level is known.
+    {
+      this->MakeLeaf(first, this->LeastLevel, false, false);
+    }
+    else
+    {
+      this->Halve(first, last, box,
+        [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutFlat(begin, end, octant, level + 1); });
+    }
+  }
+
+  /// A cell with dense and extended boundary points stays a leaf (thesis eq. 4.2).
+  bool StaysWhole(const PointId* first, const PointId* last, std::ptrdiff_t boundaryPoints, double size)
+  {
+    if (!(double(boundaryPoints) / size > this->Options.BoundaryDensityThreshold))
+    {
+      return false;
+    }
+    this->BoundaryPoints.clear();
+    std::copy_if(first, last, std::back_inserter(this->BoundaryPoints),
+      [this](PointId point) { return this->Leaves.IsOnBoundary(point); });
+    return this->AnyApart(this->Options.BoundaryExtentThreshold, size);
+  }
+
+  bool AnyApart(double extent, double size) const
+  {
+    if (extent > 2.0 * size)
+    {
+      return false;
+    }
+    double reach = 0.0;
+    for (std::size_t a = 0; a < this->BoundaryPoints.size(); ++a)
+    {
+      for (std::size_t b = a + 1; b < this->BoundaryPoints.size(); ++b)
+      {
+        const double distance =
+          Distance(this->Leaves.Place(this->BoundaryPoints[a]), this->Leaves.Place(this->BoundaryPoints[b]));
+        if (distance > extent)
+        {
+          return true;
+        }
+        reach = std::max(reach, distance);
+      }
+      if (a == 0 && 2.0 * reach <= extent) // All points are so close to the first one that no two can be far apart.
+      {
+        return false;
+      }
+    }
+    return false;
+  }
+
   template <typename Visitor>
-  void Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit);
-  void MakeLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner);
+  void Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit)
+  {
+    SmallCountingSort<std::ptrdiff_t, NumberOfOctants> sort;
+    this->Octants.clear();
+    for (const PointId* point = first; point != last; ++point)
+    {
+      const int octant = box.OctantOf(this->Leaves.Plane(*point), this->Leaves.Height(*point));
+      this->Octants.push_back(static_cast<unsigned char>(octant));
+      sort.Count(octant);
+    }
+    sort.EndCounting();
+    this->Order.assign(first, last);
+    for (std::size_t n = 0; n < this->Order.size(); ++n)
+    {
+      first[sort.NextPosition(this->Octants[n])] = this->Order[n];
+    }
+    for (int octant = 0; octant < NumberOfOctants; ++octant)
+    {
+      if (sort.First(octant) != sort.End(octant))
+      {
+        visit(first + sort.First(octant), first + sort.End(octant), box.Octant(octant));
+      }
+    }
+  }
+
+  void MakeLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner)
+  {
+    this->Leaves.MarkLeaf(first, level, hasBoundary, keepsInner);
+    this->Sizes.Sum += double(std::int64_t(1) << (this->Deepest - level));
+    ++this->Sizes.Number;
+  }
 
   CellLeaves& Leaves;
   const ElaborateOptions& Options;
@@ -467,145 +550,6 @@ private:
   std::vector<PointId> Order;
   std::vector<unsigned char> Octants;
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-CellSizes OctreeCutter::Cut(PointId* first, PointId* last, const CubeBox& cube, int leastLevel)
-{
-  this->Sizes = CellSizes();
-  this->LeastLevel = leastLevel;
-  this->CutAny(first, last, cube, 0);
-  return this->Sizes;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void OctreeCutter::CutAny(PointId* first, PointId* last, const CubeBox& box, int level)
-{
-  const std::ptrdiff_t boundaryPoints =
-    std::count_if(first, last, [this](PointId point) { return this->Leaves.IsOnBoundary(point); });
-  if (boundaryPoints == 0)
-  {
-    this->CutInner(first, last, box, level);
-  }
-  else if (level == this->Deepest || this->StaysWhole(first, last, boundaryPoints, box.Size))
-  {
-    const bool keepsInner = boundaryPoints < last - first && box.Size > this->Options.BoundaryCellSizeThreshold;
-    this->MakeLeaf(first, level, true, keepsInner);
-  }
-  else
-  {
-    this->Halve(first, last, box,
-      [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutAny(begin, end, octant, level + 1); });
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void OctreeCutter::CutInner(PointId* first, PointId* last, const CubeBox& box, int level)
-{
-  if (level == this->Deepest || AreFlat(this->Leaves, first, last, this->Options.FlatnessThreshold))
-  {
-    this->CutFlat(first, last, box, level);
-  }
-  else
-  {
-    this->Halve(first, last, box,
-      [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutInner(begin, end, octant, level + 1); });
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void OctreeCutter::CutFlat(PointId* first, PointId* last, const CubeBox& box, int level)
-{
-  if (level >= this->LeastLevel)
-  {
-    this->MakeLeaf(first, level, false, false);
-  }
-  else if (last - first == 1) // A single point needs no cutting, since its cell at the least level is known.
-  {
-    this->MakeLeaf(first, this->LeastLevel, false, false);
-  }
-  else
-  {
-    this->Halve(first, last, box,
-      [&](PointId* begin, PointId* end, const CubeBox& octant) { this->CutFlat(begin, end, octant, level + 1); });
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-/// A cell with dense and extended boundary points stays a leaf (thesis eq. 4.2).
-bool OctreeCutter::StaysWhole(const PointId* first, const PointId* last, std::ptrdiff_t boundaryPoints, double size)
-{
-  if (!(double(boundaryPoints) / size > this->Options.BoundaryDensityThreshold))
-  {
-    return false;
-  }
-  this->BoundaryPoints.clear();
-  std::copy_if(first, last, std::back_inserter(this->BoundaryPoints),
-    [this](PointId point) { return this->Leaves.IsOnBoundary(point); });
-  return this->AnyApart(this->Options.BoundaryExtentThreshold, size);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool OctreeCutter::AnyApart(double extent, double size) const
-{
-  if (extent > 2.0 * size)
-  {
-    return false;
-  }
-  double reach = 0.0;
-  for (std::size_t a = 0; a < this->BoundaryPoints.size(); ++a)
-  {
-    for (std::size_t b = a + 1; b < this->BoundaryPoints.size(); ++b)
-    {
-      const double distance =
-        Distance(this->Leaves.Place(this->BoundaryPoints[a]), this->Leaves.Place(this->BoundaryPoints[b]));
-      if (distance > extent)
-      {
-        return true;
-      }
-      reach = std::max(reach, distance);
-    }
-    if (a == 0 && 2.0 * reach <= extent) // All points are so close to the first one that no two can be far apart.
-    {
-      return false;
-    }
-  }
-  return false;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Visitor>
-void OctreeCutter::Halve(PointId* first, PointId* last, const CubeBox& box, Visitor&& visit)
-{
-  SmallCountingSort<std::ptrdiff_t, NumberOfOctants> sort;
-  this->Octants.clear();
-  for (const PointId* point = first; point != last; ++point)
-  {
-    const int octant = box.OctantOf(this->Leaves.Plane(*point), this->Leaves.Height(*point));
-    this->Octants.push_back(static_cast<unsigned char>(octant));
-    sort.Count(octant);
-  }
-  sort.EndCounting();
-  this->Order.assign(first, last);
-  for (std::size_t n = 0; n < this->Order.size(); ++n)
-  {
-    first[sort.NextPosition(this->Octants[n])] = this->Order[n];
-  }
-  for (int octant = 0; octant < NumberOfOctants; ++octant)
-  {
-    if (sort.First(octant) != sort.End(octant))
-    {
-      visit(first + sort.First(octant), first + sort.End(octant), box.Octant(octant));
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void OctreeCutter::MakeLeaf(PointId* first, int level, bool hasBoundary, bool keepsInner)
-{
-  this->Leaves.MarkLeaf(first, level, hasBoundary, keepsInner);
-  this->Sizes.Sum += double(std::int64_t(1) << (this->Deepest - level));
-  ++this->Sizes.Number;
-}
 
 //----------------------------------------------------------------------------------------------------------------------
 // Simplification
