@@ -6,7 +6,6 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Filters/Marshalling/CrackData.h"
 #include "Filters/Marshalling/HorizonCells.h"

@@ -22,7 +22,7 @@
  * Every boundary edge is an edge of the mesh, but those of spurs have no triangles. Every point inside is a vertex; no
  * triangle lies outside; every other edge is locally Delaunay, seen from above in lattice units. Holes without loops
  * are closed. With ConvexHull, MaximumBoundaryAngle and MaximumBoundaryEdgeLength remove triangles from the outside
- * inwards (OutsideTriangles.h).
+ * inwards (OutsideTriangles.cxx).
  *
  * Triangles grow inwards from the boundary; the third point for an edge is searched in a grid of cells (thesis chapter
  * 5). Full lattices need no search. All decisions are exact, and ties between points on one circle are settled by their

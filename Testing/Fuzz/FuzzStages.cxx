@@ -8,7 +8,7 @@
 #include "StageProperties.h"
 
 #include "Filters/Algorithms/CellSimplification/CellSimplification.h"
-#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/ReductionChecker.h"
 
 #include <algorithm>

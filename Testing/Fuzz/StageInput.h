@@ -12,7 +12,7 @@
 #include "Filters/Algorithms/Decimation/Decimation.h"
 #include "Filters/Algorithms/Surface/Surface.h"
 #include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
-#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
+#include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "Tools/Patches.h"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 // order and the rule for connectivity are from Duckham et al., "Efficient generation of simple polygons for
 // characterizing the shape of a set of points in the plane", 2008.
 
-#include "OutsideTriangles.h"
+#include "Triangulation.h"
 
 #include "Common/Base/CountingSort.h"
 #include "Common/Base/Parameters.h"
@@ -22,6 +22,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -29,6 +30,22 @@ namespace SeismicHorizons
 {
 namespace
 {
+/// The chain turns only right, with all other points on it or to its right.
+template <typename Iterator>
+std::vector<PointId> MakeHullChain(Iterator first, Iterator last, const std::vector<PlanePoint>& places)
+{
+  std::vector<PointId> chain;
+  for (; first != last; ++first)
+  {
+    while (chain.size() > 1 && SignedArea(places[chain[chain.size() - 2]], places[chain.back()], places[*first]) > 0)
+    {
+      chain.pop_back();
+    }
+    chain.push_back(*first);
+  }
+  return chain;
+}
+
 // Angles are rounded to 2^-30 radians, which is finer than the 10^-7 degrees of BoundaryLimits, and products with
 // squared distances fit into 128 bits.
 constexpr double DirectionLength = 1 << 30;
@@ -213,6 +230,26 @@ private:
   std::vector<PointId> Next; // along the boundary, or NoPoint
   std::priority_queue<Candidate> Outside;
 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
+Loops FindConvexHull(const std::vector<PlanePoint>& places)
+{
+  assert(!places.empty());
+  std::vector<PointId> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&places](PointId a, PointId b) { return places[a] < places[b]; });
+  const std::vector<PointId> upper = MakeHullChain(order.begin(), order.end(), places);
+  const std::vector<PointId> lower = MakeHullChain(order.rbegin(), order.rend(), places);
+  Loops hull;
+  std::for_each(upper.begin(), upper.end(), [&hull](PointId point) { hull.Append(point); });
+  for (std::size_t n = 1; n + 1 < lower.size(); ++n)
+  {
+    hull.Append(lower[n]);
+  }
+  hull.Close();
+  return hull;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

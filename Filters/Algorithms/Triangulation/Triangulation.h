@@ -59,6 +59,26 @@ struct Triangulation
 /// places, points on or outside the boundary, and boundary edges that cross or do not close.
 Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options = TriangulationOptions(),
   const Monitor& monitor = Monitor());
+
+// ---- Points without an outline --------------------------------------------------------------------------------------
+
+/// The loop is clockwise from the least x, then y, and includes all places on its edges; places on one line give a loop
+/// out and back. `places` must be distinct and not empty.
+Loops FindConvexHull(const std::vector<PlanePoint>& places);
+
+/// A triangle with a boundary edge beyond one of these limits is outside.
+struct BoundaryLimits
+{
+  /// This is the angle opposite to the edge, in degrees from 0 to 180, with a resolution of 10^-7; 180 means no limit.
+  double LargestAngle = 180.0;
+  /// This is in plan, in lattice units; 0 means no limit.
+  double LongestEdge = 0.0;
+};
+
+/// `mesh` must triangulate `hull`, one loop that passes no point twice; both are changed. Every point keeps a triangle,
+/// and the mesh stays connected, with strips between separate groups of points. Delaunay edges stay Delaunay.
+void RemoveOutsideTriangles(
+  BoundedHorizon& hull, Triangulation& mesh, const BoundaryLimits& limits, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "Check.h"
 #include "Common/Horizon/MeshChecker.h"
-#include "Filters/Algorithms/Triangulation/OutsideTriangles.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "TestHorizons.h"
 
