@@ -55,8 +55,8 @@ struct Triangulation
   std::vector<TracedCell> Walk; // of the last triangle, if MostTriangles is set
 };
 
-/// Boundary edges are in the mesh, except along spurs, and other edges are locally Delaunay. Throws InputError for shared
-/// places, points on or outside the boundary, and boundary edges that cross or do not close.
+/// Boundary edges are in the mesh, except along spurs, and other edges are locally Delaunay. Throws InputError for
+/// shared places, points on or outside the boundary, and boundary edges that cross or do not close.
 Triangulation Triangulate(const BoundedHorizon& horizon, const TriangulationOptions& options = TriangulationOptions(),
   const Monitor& monitor = Monitor());
 
