@@ -6,7 +6,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Types.h"
-#include "Common/Survey/ColumnRole.h"
+#include "Common/Survey/FieldRole.h"
 #include "Common/Survey/NullValues.h"
 #include "Common/Survey/PickTable.h"
 #include "Common/Survey/VerticalSense.h"
@@ -38,7 +38,7 @@ namespace SeismicHorizons
 namespace
 {
 /// Array names by role; roles not listed are found by the usual names.
-using ColumnChoice = std::map<ColumnRole, std::string>;
+using ColumnChoice = std::map<FieldRole, std::string>;
 
 class Rows
 {
@@ -132,16 +132,16 @@ public:
   {
     this->FindArrays();
     this->AddNames();
-    this->Table.Z = this->NullableValues(ColumnRole::Z, 2);
-    this->AddPair(ColumnRole::X, ColumnRole::Y, this->Table.X, this->Table.Y);
-    this->AddPair(ColumnRole::Inline, ColumnRole::Crossline, this->Table.Inline, this->Table.Crossline);
+    this->Table.Z = this->NullableValues(FieldRole::Z, 2);
+    this->AddPair(FieldRole::X, FieldRole::Y, this->Table.X, this->Table.Y);
+    this->AddPair(FieldRole::Inline, FieldRole::Crossline, this->Table.Inline, this->Table.Crossline);
     if (this->Table.Z.empty() || !(this->Table.HasPlaces() || this->Table.HasLines()))
     {
       throw InputError(
         "arrays " + this->ListArrays() + ", expected Z, and X and Y or Inline and Crossline, of numbers");
     }
     this->AddAttributes();
-    const auto z = this->Arrays.find(ColumnRole::Z);
+    const auto z = this->Arrays.find(FieldRole::Z);
     if (z != this->Arrays.end() && IsElevation(z->second->GetName()))
     {
       this->Table.Survey.IsUpright = true;
@@ -156,7 +156,7 @@ private:
     for (const auto& [role, name] : this->Choice)
     {
       vtkAbstractArray* const array = this->Source.Arrays()->GetAbstractArray(name.c_str());
-      const bool isUsable = array && (vtkDataArray::SafeDownCast(array) || role == ColumnRole::HorizonName);
+      const bool isUsable = array && (vtkDataArray::SafeDownCast(array) || role == FieldRole::HorizonName);
       if (!isUsable)
       {
         throw InputError(
@@ -168,29 +168,29 @@ private:
     for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
     {
       vtkAbstractArray* const array = this->Source.Arrays()->GetAbstractArray(n);
-      const ColumnRole role = RoleOfName(array->GetName() ? array->GetName() : "");
-      const bool isPlace = role == ColumnRole::X || role == ColumnRole::Y || role == ColumnRole::Z;
+      const FieldRole role = RoleOfName(array->GetName() ? array->GetName() : "");
+      const bool isPlace = role == FieldRole::X || role == FieldRole::Y || role == FieldRole::Z;
       const bool isNumber = vtkDataArray::SafeDownCast(array) && array->GetNumberOfComponents() == 1;
-      if (role != ColumnRole::Attribute && role != ColumnRole::Ignored &&
-        (role == ColumnRole::HorizonName ? CanName(array) : isNumber) && !(isPlace && this->Source.Points()))
+      if (role != FieldRole::Attribute && role != FieldRole::Ignored &&
+        (role == FieldRole::HorizonName ? CanName(array) : isNumber) && !(isPlace && this->Source.Points()))
       {
         this->Arrays.emplace(role, array);
-        if (role == ColumnRole::Z)
+        if (role == FieldRole::Z)
         {
           zNames.emplace_back(array->GetName());
         }
       }
     }
     const bool isChosen = std::any_of(
-      this->Choice.begin(), this->Choice.end(), [](const auto& chosen) { return chosen.first == ColumnRole::Z; });
+      this->Choice.begin(), this->Choice.end(), [](const auto& chosen) { return chosen.first == FieldRole::Z; });
     if (zNames.size() > 1 && !isChosen)
     {
-      this->Arrays[ColumnRole::Z] = this->Source.Arrays()->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
+      this->Arrays[FieldRole::Z] = this->Source.Arrays()->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
     }
   }
 
   /// Empty without an array or a coordinate.
-  std::vector<double> Values(ColumnRole role, int coordinate) const
+  std::vector<double> Values(FieldRole role, int coordinate) const
   {
     const auto found = this->Arrays.find(role);
     if (found != this->Arrays.end())
@@ -201,7 +201,7 @@ private:
                                                     : std::vector<double>();
   }
 
-  std::vector<double> NullableValues(ColumnRole role, int coordinate) const
+  std::vector<double> NullableValues(FieldRole role, int coordinate) const
   {
     std::vector<double> values = this->Values(role, coordinate);
     this->MarkNulls(values);
@@ -216,9 +216,9 @@ private:
     }
   }
 
-  void AddPair(ColumnRole firstRole, ColumnRole secondRole, std::vector<double>& first, std::vector<double>& second)
+  void AddPair(FieldRole firstRole, FieldRole secondRole, std::vector<double>& first, std::vector<double>& second)
   {
-    const bool mayBeCoordinates = firstRole == ColumnRole::X;
+    const bool mayBeCoordinates = firstRole == FieldRole::X;
     first = this->Values(firstRole, mayBeCoordinates ? 0 : -1);
     second = this->Values(secondRole, mayBeCoordinates ? 1 : -1);
     if (first.size() != second.size())
@@ -238,7 +238,7 @@ private:
 
   void AddNames()
   {
-    const auto found = this->Arrays.find(ColumnRole::HorizonName);
+    const auto found = this->Arrays.find(FieldRole::HorizonName);
     if (found == this->Arrays.end())
     {
       this->Table.Names = { "" };
@@ -304,7 +304,7 @@ private:
   const Rows& Source;
   const ColumnChoice& Choice;
   const NullValues& Nulls;
-  std::map<ColumnRole, vtkAbstractArray*> Arrays;
+  std::map<FieldRole, vtkAbstractArray*> Arrays;
   PickTable Table;
 };
 
@@ -360,9 +360,9 @@ std::vector<std::string> vtkHorizonFromPoints::ListNames(const Monitor& monitor)
 {
   monitor.Progress(0.0);
   ColumnChoice choice;
-  const std::pair<ColumnRole, const char*> given[] = { { ColumnRole::X, this->XArray }, { ColumnRole::Y, this->YArray },
-    { ColumnRole::Z, this->ZArray }, { ColumnRole::Inline, this->InlineArray },
-    { ColumnRole::Crossline, this->CrosslineArray }, { ColumnRole::HorizonName, this->NameArray } };
+  const std::pair<FieldRole, const char*> given[] = { { FieldRole::X, this->XArray }, { FieldRole::Y, this->YArray },
+    { FieldRole::Z, this->ZArray }, { FieldRole::Inline, this->InlineArray },
+    { FieldRole::Crossline, this->CrosslineArray }, { FieldRole::HorizonName, this->NameArray } };
   for (const auto& [role, name] : given)
   {
     if (name && *name)

@@ -251,7 +251,7 @@ int vtkHorizonSource::RequestInformation(
   }
   const int done = RunRequest(this, { vtkDataObject::GetData(outputVector) },
     this->ErrorPrefix() + "more data than memory, expected fewer or smaller horizons",
-    TellLater(request,
+    AnnounceLater(request,
       WatchInformation(this, this->IsInformationStopped,
         [this, info](std::string&, const Monitor& monitor)
         {

@@ -4,8 +4,8 @@
 #include "vtkPickHorizonSource.h"
 
 #include "Common/Base/Monitor.h"
-#include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/PickPlacement.h"
+#include "Common/Survey/PickWarnings.h"
 #include "Common/Survey/VerticalSense.h"
 #include "Common/Text/FileErrors.h"
 #include "Filters/Algorithms/Gridding/Gridding.h"
@@ -146,6 +146,6 @@ SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
   const auto place = [&]() { return this->Place(std::move(picks), monitor.Step(0.6, 1.0)); };
   FileSeries* const files = this->GetFiles();
   SurveyHorizons placed = files ? PrefixFileErrors(files->GetCurrent(), place) : place();
-  placed.Doubts = FindDoubts(placed, SeismicHorizons::DuplicatePolicy(this->DuplicatePolicy));
+  placed.Warnings = FindWarnings(placed, SeismicHorizons::DuplicatePolicy(this->DuplicatePolicy));
   return placed;
 }

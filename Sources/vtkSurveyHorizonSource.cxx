@@ -131,9 +131,9 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const std::vector<int>& numbers, const Monitor& monitor)
 {
   SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
-  for (const std::string& doubt : survey.Doubts)
+  for (const std::string& warning : survey.Warnings)
   {
-    vtkWarningMacro(<< this->ErrorPrefix() << doubt);
+    vtkWarningMacro(<< this->ErrorPrefix() << warning);
   }
   RequireAnyPoints(survey.Horizons, this->ErrorPrefix());
   LatticeFrame frame;

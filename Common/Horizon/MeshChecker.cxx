@@ -29,7 +29,7 @@ struct MeshEdge
   std::pair<PointId, PointId> Ends() const { return { this->From, this->To }; }
 };
 
-std::string TellTriangle(const Triangles& triangles, std::size_t triangle)
+std::string ReportTriangle(const Triangles& triangles, std::size_t triangle)
 {
   const PointId* const corner = triangles.data() + 3 * triangle;
   return "triangle " + std::to_string(triangle) + " of points " + std::to_string(corner[0]) + ", " +
@@ -97,7 +97,7 @@ private:
   bool Fail(const char* what, const MeshEdge& edge)
   {
     return this->Fail(std::string(what) + " " + std::to_string(edge.From) + " - " + std::to_string(edge.To) + ", " +
-      TellTriangle(this->Corners, edge.Triangle));
+      ReportTriangle(this->Corners, edge.Triangle));
   }
 
   bool LookAtTriangles()
@@ -113,7 +113,7 @@ private:
       const auto isPoint = [&](PointId point) { return point >= 0 && std::size_t(point) < this->Plane.size(); };
       if (!std::all_of(corner, corner + 3, isPoint))
       {
-        return this->Fail("no point of the plane in " + TellTriangle(this->Corners, triangle));
+        return this->Fail("no point of the plane in " + ReportTriangle(this->Corners, triangle));
       }
       for (int n = 0; n < 3; ++n)
       {

@@ -6,7 +6,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/Lattice.h"
 #include "LatticeFrame.h"
-#include "PickDoubts.h"
+#include "PickWarnings.h"
 #include "VerticalSense.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ SurveyHorizons PlaceGrid(HorizonGrid grid, const NullValues& nulls)
       attribute.Name, Gather<HeapArray<double>>(std::exchange(attribute.Values, {}), nodes));
   }
   SurveyHorizons survey;
-  DoubtNulls({ horizon.RealZ.begin(), horizon.RealZ.end() }, survey.Doubts);
+  WarnOfNulls({ horizon.RealZ.begin(), horizon.RealZ.end() }, survey.Warnings);
   survey.Survey = grid.Survey;
   survey.Sense = std::move(sense);
   survey.Lattice = grid.Lattice;

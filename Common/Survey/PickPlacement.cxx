@@ -9,7 +9,7 @@
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Median.h"
 #include "LineLattice.h"
-#include "PickDoubts.h"
+#include "PickWarnings.h"
 #include "ShortSteps.h"
 #include "StrayPicks.h"
 #include "SurveyMap.h"
@@ -139,7 +139,7 @@ void CheckRange(const ColumnRange& range, const PickTable& picks, const SurveyLa
     std::ostringstream text;
     text << range.OffLattice << " of " << picks.Size() << " picks off the lattice with the steps "
          << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest, "
-         << SayPicks(picks, { range.Farthest }) << ", by " << range.LargestDistance
+         << PicksText(picks, { range.Farthest }) << ", by " << range.LargestDistance
          << " columns; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut, or Gridding";
     throw InputError(text.str());
   }
@@ -186,7 +186,7 @@ void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const Pic
     std::ostringstream text;
     text.precision(15);
     text << "lattice of " << columns.x() << " x " << columns.y() << " columns for " << picks.Size()
-         << " picks, expected at most " << MostColumnsPerPick << " columns a pick; " << SayPicks(picks, { farthest })
+         << " picks, expected at most " << MostColumnsPerPick << " columns a pick; " << PicksText(picks, { farthest })
          << ", in column " << ToText(finder.Index(farthest) - range.First) << ", is the farthest from the others";
     throw InputError(text.str());
   }
@@ -198,7 +198,7 @@ void CheckLines(const PickTable& picks, const SurveyLattice& lattice, const Moni
   if (!between.empty())
   {
     throw InputError(std::to_string(between.size()) + " of " + std::to_string(picks.Size()) +
-      " picks between the lines of the others, " + SayPicks(picks, between) +
+      " picks between the lines of the others, " + PicksText(picks, between) +
       "; expected line numbers in equal steps, or StrayPicks LeaveOut");
   }
 }
@@ -249,7 +249,7 @@ std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions
 /// Distant picks can rotate the fitted lattice onto themselves. If they are off the lattice of the other picks, throws
 /// InputError; otherwise adds a warning. Returns true if there are any.
 bool CheckFarPicks(
-  const PickTable& picks, const ColumnRange& range, const PlacementOptions& options, std::vector<std::string>& doubts)
+  const PickTable& picks, const ColumnRange& range, const PlacementOptions& options, std::vector<std::string>& warnings)
 {
   if (range.Columns().prod() <= FewColumnsPerPick * double(picks.Size()))
   {
@@ -271,11 +271,11 @@ bool CheckFarPicks(
   {
     std::ostringstream text;
     text << off.size() << " of " << picks.Size() << " picks off the lattice of the others, far from these, "
-         << SayPicks(picks, off) << "; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut";
+         << PicksText(picks, off) << "; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut";
     throw InputError(text.str());
   }
-  doubts.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
-    " far from all others, " + SayPicks(picks, strays) + ": StrayPicks leaves them out");
+  warnings.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
+    " far from all others, " + PicksText(picks, strays) + ": StrayPicks leaves them out");
   return true;
 }
 
@@ -335,15 +335,15 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   }
   CheckNumber(picks.Names.size(), size, " horizons, expected at most ");
   SurveyHorizons placed;
-  placed.Doubts = std::move(picks.Doubts);
+  placed.Warnings = std::move(picks.Warnings);
   if (options.LeaveOutStrays)
   {
     const std::vector<std::size_t> strays = LeaveOutStrays(picks, options, monitor.Step(0.0, 0.4));
     size = std::int64_t(picks.Size());
     if (!strays.empty())
     {
-      placed.Doubts.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
-        " left out as strays: " + SayPicks(picks, strays));
+      placed.Warnings.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
+        " left out as strays: " + PicksText(picks, strays));
     }
   }
   const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
@@ -353,12 +353,12 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
   CheckRange(range, picks, lattice, tolerance);
   CheckSpread(finder, range, picks);
-  const bool hasFarPicks = !options.LeaveOutStrays && CheckFarPicks(picks, range, options, placed.Doubts);
+  const bool hasFarPicks = !options.LeaveOutStrays && CheckFarPicks(picks, range, options, placed.Warnings);
   placed.Survey = picks.Survey;
   placed.Lattice = MakeLattice(lattice, range);
   placed.LargestDistance = range.LargestDistance;
   const std::vector<PlanePoint> columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
-  FindMoves(picks, columns, placed);
+  WarnOfMoves(picks, columns, placed);
   if (options.Source == LatticeSource::Picks && !hasFarPicks)
   {
     RequireEvidence(columns, placed.Lattice, picks);
@@ -369,7 +369,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
   {
     monitor.Progress(0.7 + 0.3 * double(number) / double(picks.Names.size()));
     ColumnOrder order = std::exchange(orders[number], ColumnOrder());
-    DoubtNulls(Gather<std::vector<double>>(picks.Z, order.Picks), placed.Doubts);
+    WarnOfNulls(Gather<std::vector<double>>(picks.Z, order.Picks), placed.Warnings);
     OrderPicks(order, picks, columns, options);
     ConflictCount conflicts = CountConflicts(order);
     const bool isSplit = options.Policy == DuplicatePolicy::Sheets;

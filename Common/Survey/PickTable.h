@@ -37,7 +37,7 @@ struct PickTable
   std::vector<double> Z; // In the unit and with the sign of the file, or nan.
   std::vector<PickAttribute> Attributes;
   std::vector<PickLine> Lines; // Sorted; empty unless the picks come from a text file.
-  std::vector<std::string> Doubts;
+  std::vector<std::string> Warnings;
   bool AreLinesGuessed = false; // Unnamed fields were guessed to be line numbers.
 
   std::size_t Size() const { return this->Z.size(); }

@@ -192,7 +192,7 @@ std::vector<std::size_t> FindBetweenLines(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string SayPicks(const PickTable& picks, const std::vector<std::size_t>& numbers)
+std::string PicksText(const PickTable& picks, const std::vector<std::size_t>& numbers)
 {
   constexpr std::size_t mostNamed = 5;
   std::string text = picks.Lines.empty() ? "pick" : "line";

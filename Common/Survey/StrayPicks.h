@@ -40,7 +40,7 @@ std::vector<std::size_t> FindBetweenLines(
   const PickTable& picks, const std::optional<LineNumbering>& lines, const Monitor& monitor = Monitor());
 
 /// Without lines the text is "pick" and numbers from 1.
-std::string SayPicks(const PickTable& picks, const std::vector<std::size_t>& numbers);
+std::string PicksText(const PickTable& picks, const std::vector<std::size_t>& numbers);
 
 PickTable WithoutPicks(PickTable picks, const std::vector<std::size_t>& dropped);
 }

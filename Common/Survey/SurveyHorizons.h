@@ -31,7 +31,7 @@ struct SurveyHorizons
   std::vector<LatticeHorizon> Horizons;
   std::string Sense; // Reason for the direction of z.
   std::vector<ConflictCount> Conflicts;
-  std::vector<std::string> Doubts;
+  std::vector<std::string> Warnings;
 };
 }
 

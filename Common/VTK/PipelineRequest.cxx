@@ -197,7 +197,7 @@ bool IsForTime(vtkInformation* request)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-RequestWork TellLater(vtkInformation* request, RequestWork work)
+RequestWork AnnounceLater(vtkInformation* request, RequestWork work)
 {
   if (!IsForTime(request))
   {

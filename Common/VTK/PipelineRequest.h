@@ -44,7 +44,7 @@ RequestWork WatchInformation(vtkAlgorithm* algorithm, bool& isStopped, RequestWo
 void StopLikeInformation(vtkAlgorithm* algorithm, bool& isStopped);
 
 /// The request for data reports an InputError on information for a certain time.
-RequestWork TellLater(vtkInformation* request, RequestWork work);
+RequestWork AnnounceLater(vtkInformation* request, RequestWork work);
 
 /// Subsets of the extent can be requested. Requests for the whole previous extent, or beyond this extent, become
 /// requests for all of it, because they precede information on files of other times.

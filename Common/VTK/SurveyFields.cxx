@@ -17,7 +17,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<std::pair<const char*, std::string SurveyDescription::*>, 4> FieldNames = {
+constexpr std::array<std::pair<const char*, std::string SurveyDescription::*>, 4> SurveyTexts = {
   { { FieldArray::VerticalUnit, &SurveyDescription::VerticalUnit },
     { FieldArray::VerticalDomain, &SurveyDescription::VerticalDomain },
     { FieldArray::HorizontalUnit, &SurveyDescription::HorizontalUnit },
@@ -28,7 +28,7 @@ constexpr std::array<std::pair<const char*, std::string SurveyDescription::*>, 4
 //----------------------------------------------------------------------------------------------------------------------
 void AddSurveyFields(const SurveyDescription& survey, vtkFieldData* data)
 {
-  for (const auto& [name, text] : FieldNames)
+  for (const auto& [name, text] : SurveyTexts)
   {
     if (!(survey.*text).empty())
     {
@@ -44,7 +44,7 @@ void AddSurveyFields(const SurveyDescription& survey, vtkFieldData* data)
 SurveyDescription ReadSurveyFields(vtkFieldData* data)
 {
   SurveyDescription survey;
-  for (const auto& [name, text] : FieldNames)
+  for (const auto& [name, text] : SurveyTexts)
   {
     auto* const array = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));
     if (array && array->GetNumberOfValues() > 0)

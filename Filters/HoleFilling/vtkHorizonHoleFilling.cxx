@@ -284,9 +284,9 @@ void WriteFilledHorizon(vtkPolyData* input, const Lattice& lattice, const std::v
   AddMark<vtkIdTypeArray>(input, PointArray::PointCount, 1, 0, 0, outside, output);
   AddMark<vtkUnsignedCharArray>(input, PointArray::Filled, 0, 1, 2, outside, output);
   vtkFieldData* const figures = output->GetFieldData();
-  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfFilledHoles, vtkIdType(filled.FilledGaps));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfFilledHoles, vtkIdType(filled.FilledHoles));
   AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfFilledPoints, vtkIdType(filled.Column.size()));
-  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOpenHoles, vtkIdType(filled.OpenGaps));
+  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOpenHoles, vtkIdType(filled.OpenHoles));
 }
 }
 }
@@ -344,7 +344,7 @@ void vtkHorizonHoleFilling::ProcessHorizon(vtkPolyData* horizon, const Outputs& 
     AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::RimSmoothing, filled.RimSmoothing);
     AddValue<vtkIdTypeArray>(outputs.front()->GetFieldData(), FieldArray::RimWidth, vtkIdType(filled.RimWidth));
   }
-  this->NumberOfFilledHoles += vtkIdType(filled.FilledGaps);
+  this->NumberOfFilledHoles += vtkIdType(filled.FilledHoles);
   this->NumberOfFilledPoints += vtkIdType(filled.Column.size());
-  this->NumberOfOpenHoles += vtkIdType(filled.OpenGaps);
+  this->NumberOfOpenHoles += vtkIdType(filled.OpenHoles);
 }

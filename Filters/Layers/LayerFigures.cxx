@@ -207,7 +207,8 @@ std::string UnitOfVolumes(const HorizonStack& stack)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack, const std::string& advice)
+std::vector<std::string> ReportMissing(
+  const LayerLedgers& ledgers, const HorizonStack& stack, const std::string& advice)
 {
   const std::vector<std::string> names = NamesOfLayers(stack);
   std::vector<std::string> lines;
@@ -243,7 +244,7 @@ std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonS
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack)
+std::string ReportLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack)
 {
   std::ostringstream text;
   const double height = WorldPerIndex(stack.CommonLattice());
@@ -267,7 +268,7 @@ std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& vol
       text << "  left out at faults: volume " << own.FaultVolume * VolumeOfUnit(stack) << '\n';
     }
   }
-  for (const std::string& line : TellMissing(layers.Ledgers, stack, ""))
+  for (const std::string& line : ReportMissing(layers.Ledgers, stack, ""))
   {
     text << line << '\n';
   }

@@ -43,10 +43,11 @@ void WriteVolumeCurve(
 void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data);
 
 /// Returns warnings of layers with heights that were not read, or parts left out; these end with the advice.
-std::vector<std::string> TellMissing(const LayerLedgers& ledgers, const HorizonStack& stack, const std::string& advice);
+std::vector<std::string> ReportMissing(
+  const LayerLedgers& ledgers, const HorizonStack& stack, const std::string& advice);
 
 /// Lists volume and thickness of each layer, and points outside of each horizon.
-std::string TellLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack);
+std::string ReportLayers(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack);
 }
 
 #endif

@@ -71,7 +71,7 @@ void WriteRepaired(
 }
 
 /// Lists crossings of neighbours, and moved horizons.
-std::string TellRepair(const CrossingRepair& repair, const HorizonStack& stack)
+std::string ReportRepair(const CrossingRepair& repair, const HorizonStack& stack)
 {
   std::ostringstream text;
   for (std::size_t n = 0; n < repair.Interfaces.size(); ++n)
@@ -151,7 +151,7 @@ int vtkHorizonCrossings::RequestData(
         WriteRepaired(repaired, horizon, stack, BlockOf(outputs.front(), horizon));
         monitor.Progress(0.8 + 0.15 * double(horizon + 1) / double(stack.Size()));
       }
-      this->Results = TellRepair(repaired.Repair, stack);
+      this->Results = ReportRepair(repaired.Repair, stack);
     };
     ranks.Together(repair);
   };

@@ -209,11 +209,11 @@ void vtkHorizonLayers::Write(
   vtkTable* const curve = vtkTable::SafeDownCast(outputs[CurvePort]);
   WriteVolumeCurve(plan, stack, curve, monitor.Step(0.85, 1.0));
   this->WarnOfContact(curve);
-  this->Results = TellLayers(layers, volumes, stack);
+  this->Results = ReportLayers(layers, volumes, stack);
   this->WarnOfEmpty(volumes, stack);
   const char* const ofDomain = this->Domain == EachLayer ? "" : ": Domain EachLayer leaves out less";
   const char* const advice = this->Missing == Follow ? ofDomain : ": Missing Follow leaves out less";
-  for (const std::string& text : TellMissing(layers.Ledgers, stack, advice))
+  for (const std::string& text : ReportMissing(layers.Ledgers, stack, advice))
   {
     vtkWarningMacro(<< text);
   }

@@ -259,7 +259,7 @@ private:
     }
     else
     {
-      this->TellDeviation(placement.Deviation);
+      this->ReportDeviation(placement.Deviation);
     }
     this->Result.Horizon = horizon;
     this->Result.Column = { columns, std::size_t(this->Size) };
@@ -282,7 +282,7 @@ private:
       });
   }
 
-  void TellDeviation(double deviation) const
+  void ReportDeviation(double deviation) const
   {
     for (vtkPolyData* const output : this->Outputs)
     {

@@ -190,7 +190,7 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string DoubtDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names)
+std::string WarnOfDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names)
 {
   const auto isUp = [](vtkPolyData* horizon) -> std::optional<bool>
   {

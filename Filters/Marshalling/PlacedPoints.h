@@ -46,7 +46,7 @@ PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNa
 SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other, const HorizonNames& names);
 
 /// Returns a warning if z of the files increases in different directions, which readers often infer from signs.
-std::string DoubtDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names);
+std::string WarnOfDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names);
 }
 
 #endif

@@ -96,7 +96,7 @@ std::ostringstream MakeStream()
 }
 
 /// Returns the unit, and a height in the unit of z as well.
-std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
+std::string ReportUnit(const Figure& figure, double height, vtkPolyData* horizon)
 {
   const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
   if (figure.Unit != Heights && figure.Unit != WorldHeights)
@@ -113,7 +113,7 @@ std::string TellUnit(const Figure& figure, double height, vtkPolyData* horizon)
   return text.str();
 }
 
-std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
+std::string ReportCuts(vtkPolyData* input, vtkPolyData* output)
 {
   vtkDataArray* const lines = output->GetFieldData()->GetArray(FieldArray::FaultLine);
   const bool isOfStage = lines && lines != input->GetFieldData()->GetArray(FieldArray::FaultLine);
@@ -127,7 +127,7 @@ std::string TellCuts(vtkPolyData* input, vtkPolyData* output)
 }
 
 /// Entries that are a large fraction of the columns are a warning.
-std::string TellLedger(vtkPolyData* input, vtkPolyData* output)
+std::string ReportLedger(vtkPolyData* input, vtkPolyData* output)
 {
   vtkFieldData* const figures = output->GetFieldData();
   const auto ledger = ReadLedger(figures);
@@ -181,7 +181,7 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
   std::ostringstream line = MakeStream();
   line << (name.empty() ? "" : name + ": ") << input->GetNumberOfPoints() << " points in, "
        << output->GetNumberOfPoints() << " out";
-  line << TellCuts(input, output);
+  line << ReportCuts(input, output);
   for (const Figure& figure : Figures)
   {
     if (vtkDataArray* const array = FindFigure(figure, input, output))
@@ -195,10 +195,10 @@ void StageReport::Add(int position, const std::string& name, vtkPolyData* input,
       {
         line << vtkIdType(array->GetTuple1(0)); // Counts have all digits.
       }
-      line << TellUnit(figure, array->GetTuple1(0), output);
+      line << ReportUnit(figure, array->GetTuple1(0), output);
     }
   }
-  line << TellLedger(input, output);
+  line << ReportLedger(input, output);
   this->Entries.back().Lines = line.str() + "\n";
 }
 

@@ -150,7 +150,7 @@ void WriteThicknessFigures(const Thickness& found, double bin, vtkFieldData* fig
 }
 
 /// Empty without a warning.
-std::string TellDoubts(const Thickness& found)
+std::string ReportWarnings(const Thickness& found)
 {
   std::ostringstream text;
   if (Few * found.Crossings > found.Columns)
@@ -283,7 +283,7 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   }
   data->SetActiveScalars(PointArray::Isochore);
   WriteThicknessFigures(found, ReadLattice(output).ColumnArea(), output->GetFieldData());
-  for (const std::string& warning : { TellDoubts(found), DoubtDirections(horizon, other, OfOther) })
+  for (const std::string& warning : { ReportWarnings(found), WarnOfDirections(horizon, other, OfOther) })
   {
     if (!warning.empty())
     {

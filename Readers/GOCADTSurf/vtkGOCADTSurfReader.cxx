@@ -41,7 +41,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-vtkSmartPointer<vtkPoints> MakeVertices(const TSurf& surface)
+vtkSmartPointer<vtkPoints> MakeSurfaceVertices(const TSurf& surface)
 {
   const double upwards = surface.Positive == VerticalPositive::Depth ? -1.0 : 1.0;
   vtkNew<vtkDoubleArray> coordinates;
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkPoints> MakeVertices(const TSurf& surface)
   return points;
 }
 
-vtkSmartPointer<vtkCellArray> MakeCells(const TSurf& surface)
+vtkSmartPointer<vtkCellArray> MakeSurfaceCells(const TSurf& surface)
 {
   const bool isTurned = surface.Positive == VerticalPositive::Depth;
   const auto size = static_cast<vtkIdType>(surface.Triangles.size());
@@ -104,8 +104,8 @@ void AddProperties(std::vector<TSurfProperty>& properties, vtkPointData* data)
 vtkSmartPointer<vtkPolyData> MakeTSurfDataSet(TSurf surface)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(MakeVertices(surface));
-  data->SetPolys(MakeCells(surface));
+  data->SetPoints(MakeSurfaceVertices(surface));
+  data->SetPolys(MakeSurfaceCells(surface));
   AddProperties(surface.Properties, data->GetPointData());
   if (!surface.Parts.empty())
   {

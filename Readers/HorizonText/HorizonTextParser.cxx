@@ -4,7 +4,7 @@
 #include "HorizonTextParser.h"
 
 #include "Common/Base/Parallel.h"
-#include "Common/Survey/PickDoubts.h"
+#include "Common/Survey/PickWarnings.h"
 #include "Common/Survey/VerticalSense.h"
 #include "Common/Text/LineBuffer.h"
 #include "Common/Text/LineErrors.h"
@@ -81,18 +81,18 @@ PickCollector::PickCollector(const TextLayout& layout)
   , Lines(layout.HeaderLines)
 {
   this->Table.Survey = layout.Survey;
-  this->Table.AreLinesGuessed = layout.IsGuessed && layout.Find(ColumnRole::Inline) >= 0;
+  this->Table.AreLinesGuessed = layout.IsGuessed && layout.Find(FieldRole::Inline) >= 0;
   if (!layout.Doubt.empty())
   {
-    this->Table.Doubts.push_back(layout.Doubt);
+    this->Table.Warnings.push_back(layout.Doubt);
   }
   for (const TextColumn& column : layout.Columns)
   {
-    if (column.Role == ColumnRole::Z && IsElevation(column.Name))
+    if (column.Role == FieldRole::Z && IsElevation(column.Name))
     {
       this->Table.Survey.IsUpright = true;
     }
-    if (column.Role == ColumnRole::Attribute)
+    if (column.Role == FieldRole::Attribute)
     {
       this->Table.Attributes.push_back({ column.Name, {} });
     }
@@ -103,15 +103,15 @@ std::vector<double>& PickCollector::Column(std::size_t column)
 {
   switch (this->Layout.Columns[column].Role)
   {
-    case ColumnRole::X:
+    case FieldRole::X:
       return this->Table.X;
-    case ColumnRole::Y:
+    case FieldRole::Y:
       return this->Table.Y;
-    case ColumnRole::Z:
+    case FieldRole::Z:
       return this->Table.Z;
-    case ColumnRole::Inline:
+    case FieldRole::Inline:
       return this->Table.Inline;
-    case ColumnRole::Crossline:
+    case FieldRole::Crossline:
       return this->Table.Crossline;
     default:
       break;
@@ -119,7 +119,7 @@ std::vector<double>& PickCollector::Column(std::size_t column)
   std::size_t attribute = 0;
   for (std::size_t before = 0; before < column; ++before)
   {
-    attribute += this->Layout.Columns[before].Role == ColumnRole::Attribute ? 1 : 0;
+    attribute += this->Layout.Columns[before].Role == FieldRole::Attribute ? 1 : 0;
   }
   return this->Table.Attributes[attribute].Values;
 }
@@ -128,12 +128,12 @@ void PickCollector::Reserve(std::size_t picks)
 {
   for (std::size_t column = 0; column < this->Layout.Columns.size(); ++column)
   {
-    const ColumnRole role = this->Layout.Columns[column].Role;
-    if (role == ColumnRole::HorizonName)
+    const FieldRole role = this->Layout.Columns[column].Role;
+    if (role == FieldRole::HorizonName)
     {
       this->Table.Horizon.reserve(picks);
     }
-    else if (role != ColumnRole::Ignored)
+    else if (role != FieldRole::Ignored)
     {
       this->Column(column).reserve(picks);
     }
@@ -157,7 +157,7 @@ void PickCollector::Add(const PickBlock& block)
   const bool isBetween = !this->Layout.HasNames() && (this->Picks > 0 || block.CommentLine > block.FirstLine);
   if (block.CommentLine >= 0 && isBetween && !std::exchange(this->HasComment, true))
   {
-    this->Table.Doubts.push_back("comments between picks, the first in line " +
+    this->Table.Warnings.push_back("comments between picks, the first in line " +
       std::to_string(this->Lines + block.CommentLine + 1) +
       ", are ignored: if they name horizons, put each horizon into its own file");
   }
@@ -191,7 +191,7 @@ void PickCollector::AddNames(const PickBlock& block)
       this->Table.Names.push_back(ToUtf8(name));
       if (this->Table.Names.back() != name && !std::exchange(this->IsLatin1, true))
       {
-        this->Table.Doubts.push_back("names of horizons that are not in UTF-8, taken for Latin-1, such as " +
+        this->Table.Warnings.push_back("names of horizons that are not in UTF-8, taken for Latin-1, such as " +
           Quote(this->Table.Names.back()) + ": convert the file, as with iconv, where they are in another encoding");
       }
     }
@@ -228,7 +228,7 @@ PickTable PickCollector::Take()
     this->Table.Names = { this->Layout.HorizonName };
   }
   this->CheckNames();
-  DoubtNulls(this->Nulls, this->Table.Z, this->Table.Doubts);
+  WarnOfNulls(this->Nulls, this->Table.Z, this->Table.Warnings);
   return std::move(this->Table);
 }
 
@@ -250,7 +250,7 @@ void PickCollector::CheckNames()
   }
   if (names.size() > 1 && horizon.size() > few && 3 * changes > horizon.size())
   {
-    this->Table.Doubts.push_back("names of horizons that change from line to line, such as " + Quote(names[0]) +
+    this->Table.Warnings.push_back("names of horizons that change from line to line, such as " + Quote(names[0]) +
       " and " + Quote(names[1]) + ": if these are not names of horizons, set Columns with - for them");
   }
 }
@@ -265,7 +265,8 @@ std::string_view SkipLines(std::string_view text, std::int64_t& count)
   return text;
 }
 
-PickTable ParsePicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
+PickTable ParsePickRows(
+  std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
   PickCollector picks(layout);
   std::int64_t headerLines = layout.HeaderLines;
@@ -378,6 +379,6 @@ PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout)
 PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
   return layout.Kind == TextKind::Iesx ? ReadIesx(stream, layout, monitor, pieces)
-                                       : ParsePicks(stream, layout, monitor, pieces);
+                                       : ParsePickRows(stream, layout, monitor, pieces);
 }
 }

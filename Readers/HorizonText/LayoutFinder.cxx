@@ -3,12 +3,12 @@
 
 #include "LayoutFinder.h"
 
-#include "ColumnDoubts.h"
-#include "ColumnGuess.h"
-#include "ColumnNames.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
+#include "FieldGuess.h"
+#include "FieldNames.h"
+#include "FieldWarnings.h"
 #include "PickBlock.h"
 
 #include <algorithm>
@@ -110,21 +110,21 @@ bool LeaveOutText(TextLayout& layout, const TextLines& sample)
 {
   for (std::size_t column = 0; column < layout.Columns.size(); ++column)
   {
-    ColumnRole& role = layout.Columns[column].Role;
+    FieldRole& role = layout.Columns[column].Role;
     const ColumnValues values = LookAt(sample, layout, column);
-    if (role == ColumnRole::HorizonName && RoleOfExactName(layout.Columns[column].Name) != role && !values.AreNames)
+    if (role == FieldRole::HorizonName && RoleOfExactName(layout.Columns[column].Name) != role && !values.AreNames)
     {
-      role = values.AreText ? ColumnRole::Ignored : ColumnRole::Attribute; // A field "Event" may contain heights.
+      role = values.AreText ? FieldRole::Ignored : FieldRole::Attribute; // A field "Event" may contain heights.
     }
-    if (role == ColumnRole::HorizonName || role == ColumnRole::Ignored || !values.AreText)
+    if (role == FieldRole::HorizonName || role == FieldRole::Ignored || !values.AreText)
     {
       continue;
     }
-    if (role != ColumnRole::Attribute)
+    if (role != FieldRole::Attribute)
     {
       return false;
     }
-    role = ColumnRole::Ignored;
+    role = FieldRole::Ignored;
   }
   return true;
 }
@@ -136,7 +136,7 @@ void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
   if (fields == layout.Columns.size() + 1 && !IsNumber(Split(sample.front(), layout.Separator).front()))
   {
     // OpendTect does not list the field of names that precedes its picks.
-    layout.Columns.insert(layout.Columns.begin(), { ColumnRole::HorizonName, "Name" });
+    layout.Columns.insert(layout.Columns.begin(), { FieldRole::HorizonName, "Name" });
   }
   if (fields != layout.Columns.size() && !HaveFields(sample, layout.Separator, layout.Columns.size()))
   {
@@ -182,10 +182,10 @@ bool IsLatticeSize(const TextLines& sample, double first = 0.0)
 /// Words above picks may be a title such as "North East Frigg".
 bool MayBeNames(const TextLayout& layout)
 {
-  const int x = layout.Find(ColumnRole::X);
+  const int x = layout.Find(FieldRole::X);
   const std::string name = x >= 0 ? ToLower(layout.Columns[std::size_t(x)].Name) : "";
   const bool isTitle = name.size() <= 5 && name.find("st") != std::string::npos; // east, este, oost
-  return layout.Find(ColumnRole::Z) >= 0 || (layout.HasLineOfNames && !isTitle);
+  return layout.Find(FieldRole::Z) >= 0 || (layout.HasLineOfNames && !isTitle);
 }
 
 /// With columns from 1 the line of sizes would be read as a pick.
@@ -209,7 +209,7 @@ void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const Tex
 /// Returns false if the first line does not determine the layout.
 bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
 {
-  using Role = ColumnRole;
+  using Role = FieldRole;
   if (Split(sample.front(), FieldSeparator::Blanks).front() == "PROFILE")
   {
     layout.Kind = TextKind::Iesx;
@@ -244,17 +244,17 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
 /// Columns whose names say no place are taken in order. Words between blanks may be a title.
 std::string DoubtOfNames(const TextLayout& layout, const std::vector<TextColumn>& names)
 {
-  const auto isZ = [](const TextColumn& name) { return name.Role == ColumnRole::Z; };
+  const auto isZ = [](const TextColumn& name) { return name.Role == FieldRole::Z; };
   const bool areNames = layout.Separator != FieldSeparator::Blanks || std::any_of(names.begin(), names.end(), isZ);
-  const std::string doubt = "columns " + ListNames(names) + " taken in order as " + ListNames(layout.Columns) +
+  const std::string warning = "columns " + ListNames(names) + " taken in order as " + ListNames(layout.Columns) +
     ", as their names do not say the place: set Columns if this is wrong";
-  return areNames && names.size() == layout.Columns.size() ? doubt : "";
+  return areNames && names.size() == layout.Columns.size() ? warning : "";
 }
 
 /// z has the unit and domain of its own name; the first field, of names of horizons, may have no name.
 void DescribeZ(TextLayout& layout, const std::vector<TextColumn>& names)
 {
-  const auto z = std::size_t(layout.Find(ColumnRole::Z));
+  const auto z = std::size_t(layout.Find(FieldRole::Z));
   const std::size_t unnamed = layout.Columns.size() - names.size();
   const bool isNamed = unnamed <= std::min<std::size_t>(z, 1);
   const std::string name = isNamed ? names[z - unnamed].Name : layout.Columns[z].Name;

@@ -3,9 +3,9 @@
 
 #include "NameLine.h"
 
-#include "ColumnGuess.h"
-#include "ColumnNames.h"
 #include "Common/Text/TextFields.h"
+#include "FieldGuess.h"
+#include "FieldNames.h"
 
 #include <algorithm>
 #include <array>
@@ -50,7 +50,7 @@ private:
       const std::string_view names = Trim(this->Lines[line]);
       const FieldSeparator separator = SeparatorOfNames(names);
       if (!HasNumber(names) && Split(names, separator).size() == Split(this->Lines[pick], separator).size() &&
-        SayPlaces(names, separator))
+        PlacesText(names, separator))
       {
         this->Names = names;
         this->Layout.HasLineOfNames = true;
@@ -114,7 +114,7 @@ private:
     return pick < end ? pick : this->Line;
   }
 
-  static bool SayPlaces(std::string_view names, FieldSeparator separator)
+  static bool PlacesText(std::string_view names, FieldSeparator separator)
   {
     TextLayout layout;
     for (const std::string_view field : Split(names, separator))

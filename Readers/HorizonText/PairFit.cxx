@@ -3,10 +3,10 @@
 
 #include "PairFit.h"
 
-#include "ColumnGuess.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Survey/PlaneFit.h"
 #include "Common/Text/TextFields.h"
+#include "FieldGuess.h"
 
 #include <algorithm>
 #include <array>

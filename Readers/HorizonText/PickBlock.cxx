@@ -3,10 +3,10 @@
 
 #include "PickBlock.h"
 
-#include "ColumnNames.h"
 #include "Common/Horizon/Types.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
+#include "FieldNames.h"
 
 #include <algorithm>
 #include <cctype>
@@ -36,9 +36,9 @@ class BlockParser
 public:
   explicit BlockParser(const TextLayout& layout)
     : Layout(layout)
-    , X(layout.Find(ColumnRole::X))
-    , Y(layout.Find(ColumnRole::Y))
-    , Z(layout.Find(ColumnRole::Z))
+    , X(layout.Find(FieldRole::X))
+    , Y(layout.Find(FieldRole::Y))
+    , Z(layout.Find(FieldRole::Z))
   {
     this->Block.Values.resize(layout.Columns.size());
   }
@@ -156,12 +156,12 @@ private:
 
   bool ParseField(std::size_t column, std::string_view field)
   {
-    const ColumnRole role = this->Layout.Columns[column].Role;
-    if (role == ColumnRole::Ignored)
+    const FieldRole role = this->Layout.Columns[column].Role;
+    if (role == FieldRole::Ignored)
     {
       return true;
     }
-    if (role == ColumnRole::HorizonName)
+    if (role == FieldRole::HorizonName)
     {
       return this->ParseName(field);
     }
@@ -175,10 +175,10 @@ private:
         (isDecimal ? ", expected a decimal point: replace the commas" : ", expected a number"));
       return false;
     }
-    const bool mayBeNull = role == ColumnRole::Z || role == ColumnRole::Attribute;
+    const bool mayBeNull = role == FieldRole::Z || role == FieldRole::Attribute;
     if (!isNumber || (mayBeNull && this->Layout.Nulls.IsNullNumber(value)))
     {
-      if (isNumber && role == ColumnRole::Z && this->Layout.AreNullsUsual)
+      if (isNumber && role == FieldRole::Z && this->Layout.AreNullsUsual)
       {
         this->Block.Nulls.push_back(value);
       }

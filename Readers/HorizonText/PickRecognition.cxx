@@ -3,11 +3,11 @@
 
 #include "PickRecognition.h"
 
-#include "ColumnGuess.h"
-#include "ColumnNames.h"
 #include "Common/Survey/PickPlacement.h"
 #include "Common/Text/InputFile.h"
 #include "Common/Text/TextFields.h"
+#include "FieldGuess.h"
+#include "FieldNames.h"
 #include "HorizonTextParser.h"
 
 #include <algorithm>
@@ -150,10 +150,10 @@ bool AreCertain(PickTable picks, const TextLayout& layout, const std::vector<std
   {
     return true;
   }
-  const int z = layout.Find(ColumnRole::Z);
+  const int z = layout.Find(FieldRole::Z);
   const bool hasNames = !layout.IsGuessed && layout.Kind == TextKind::Plain;
-  const ColumnRole named = hasNames && z >= 0 ? ColumnOfName(layout.Columns[std::size_t(z)].Name).Role : ColumnRole::Z;
-  if (z < 0 || (named != ColumnRole::Z && named != ColumnRole::HorizonName)) // "SURFACE" may name heights.
+  const FieldRole named = hasNames && z >= 0 ? ColumnOfName(layout.Columns[std::size_t(z)].Name).Role : FieldRole::Z;
+  if (z < 0 || (named != FieldRole::Z && named != FieldRole::HorizonName)) // "SURFACE" may name heights.
   {
     return false; // z is the only field left, whatever its name.
   }
@@ -181,7 +181,7 @@ bool ArePicks(std::istream& stream, const std::string& extension)
     {
       return AreCertain(std::move(picks), layout, lines);
     }
-    if (layout.IsGuessed && layout.Find(ColumnRole::Inline) < 0)
+    if (layout.IsGuessed && layout.Find(FieldRole::Inline) < 0)
     {
       PlacePicks(std::move(picks), PlacementOptions());
     }

@@ -3,10 +3,10 @@
 
 #include "TextHeader.h"
 
-#include "ColumnGuess.h"
-#include "ColumnNames.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/TextFields.h"
+#include "FieldGuess.h"
+#include "FieldNames.h"
 #include "NameLine.h"
 
 #include <algorithm>
@@ -95,9 +95,9 @@ private:
     if (this->Layout.Kind != TextKind::RmsAttributes)
     {
       this->Layout.Kind = TextKind::RmsAttributes;
-      this->Layout.Columns = { { ColumnRole::X, "X" }, { ColumnRole::Y, "Y" }, { ColumnRole::Z, "Z" } };
+      this->Layout.Columns = { { FieldRole::X, "X" }, { FieldRole::Y, "Y" }, { FieldRole::Z, "Z" } };
     }
-    const ColumnRole role = type == "String" ? ColumnRole::Ignored : ColumnRole::Attribute;
+    const FieldRole role = type == "String" ? FieldRole::Ignored : FieldRole::Attribute;
     this->Layout.Columns.push_back({ role, std::string(Trim(line.substr(type.size()))) });
     return true;
   }
@@ -227,7 +227,7 @@ private:
   {
     this->Layout.Columns.push_back(ColumnOfName(Trim(name)));
     std::string& unit = this->Layout.Survey.HorizontalUnit;
-    if (this->Layout.Columns.back().Role == ColumnRole::X && unit.empty())
+    if (this->Layout.Columns.back().Role == FieldRole::X && unit.empty())
     {
       unit = ShortUnit(UnitOfName(name));
     }
@@ -251,9 +251,9 @@ private:
   {
     for (TextColumn& column : this->Layout.Columns)
     {
-      const bool mayBe = column.Role == ColumnRole::Attribute && !this->Layout.HasPlaces();
+      const bool mayBe = column.Role == FieldRole::Attribute && !this->Layout.HasPlaces();
       const std::string name = mayBe ? ToLower(column.Name).substr(0, 3) : "";
-      column.Role = name == "lon" ? ColumnRole::X : name == "lat" ? ColumnRole::Y : column.Role;
+      column.Role = name == "lon" ? FieldRole::X : name == "lat" ? FieldRole::Y : column.Role;
     }
   }
 

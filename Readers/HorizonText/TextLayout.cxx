@@ -3,7 +3,7 @@
 
 #include "TextLayout.h"
 
-#include "ColumnNames.h"
+#include "FieldNames.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ constexpr std::array<const char*, 5> SeparatorNames = { "blanks", "blanks and co
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int TextLayout::Find(ColumnRole role) const
+int TextLayout::Find(FieldRole role) const
 {
   const auto found = std::find_if(
     this->Columns.begin(), this->Columns.end(), [role](const TextColumn& column) { return column.Role == role; });

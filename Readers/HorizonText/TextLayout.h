@@ -4,7 +4,7 @@
 #ifndef SeismicHorizonsTextLayout_h
 #define SeismicHorizonsTextLayout_h
 
-#include "Common/Survey/ColumnRole.h"
+#include "Common/Survey/FieldRole.h"
 #include "Common/Survey/NullValues.h"
 #include "Common/Survey/SurveyDescription.h"
 #include "Common/Text/FieldSeparator.h"
@@ -17,7 +17,7 @@ namespace SeismicHorizons
 {
 struct TextColumn
 {
-  ColumnRole Role = ColumnRole::Ignored;
+  FieldRole Role = FieldRole::Ignored;
   std::string Name;
 };
 
@@ -53,15 +53,15 @@ struct TextLayout
   NullValues Nulls;
   bool AreNullsUsual = false; // The user did not choose them.
 
-  int Find(ColumnRole role) const;
+  int Find(FieldRole role) const;
 
   bool HasPlaces() const
   {
-    return (this->Find(ColumnRole::X) >= 0 && this->Find(ColumnRole::Y) >= 0) ||
-      (this->Find(ColumnRole::Inline) >= 0 && this->Find(ColumnRole::Crossline) >= 0);
+    return (this->Find(FieldRole::X) >= 0 && this->Find(FieldRole::Y) >= 0) ||
+      (this->Find(FieldRole::Inline) >= 0 && this->Find(FieldRole::Crossline) >= 0);
   }
 
-  bool HasNames() const { return this->Kind == TextKind::Iesx || this->Find(ColumnRole::HorizonName) >= 0; }
+  bool HasNames() const { return this->Kind == TextKind::Iesx || this->Find(FieldRole::HorizonName) >= 0; }
 
   std::string Describe() const;
 };

@@ -3,10 +3,10 @@
 
 #include "vtkHorizonTextReader.h"
 
-#include "ColumnNames.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/InputFile.h"
+#include "FieldNames.h"
 #include "HorizonTextParser.h"
 #include "PickRecognition.h"
 

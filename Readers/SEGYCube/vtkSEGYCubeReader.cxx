@@ -311,7 +311,7 @@ int vtkSEGYCubeReader::RequestInformation(
   vtkInformation* const info = outputVector->GetInformationObject(0);
   this->Files.Announce(info);
   return RunRequest(this, { vtkDataObject::GetData(outputVector) }, NoMemory(this->Files.GetCurrent()),
-    TellLater(request,
+    AnnounceLater(request,
       WatchInformation(this, this->IsInformationStopped,
         [&](std::string&, const Monitor& monitor)
         {

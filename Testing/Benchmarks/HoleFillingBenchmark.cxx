@@ -28,7 +28,7 @@ struct Lattice
 };
 
 /// Noise on folds, in a square without the columns that are marked.
-Lattice WithoutMarked(int side, const std::vector<bool>& isGap)
+Lattice WithoutMarked(int side, const std::vector<bool>& isHole)
 {
   Patches::Random random(1);
   Lattice lattice;
@@ -36,7 +36,7 @@ Lattice WithoutMarked(int side, const std::vector<bool>& isGap)
   {
     const std::int32_t x = n % side;
     const std::int32_t y = n / side;
-    if (!isGap[std::size_t(n)])
+    if (!isHole[std::size_t(n)])
     {
       lattice.Columns.push_back({ x, y });
       lattice.Heights.push_back(10.0 * std::sin(0.01 * x) + 7.0 * std::cos(0.013 * y) + random.Fraction());
@@ -48,12 +48,12 @@ Lattice WithoutMarked(int side, const std::vector<bool>& isGap)
 Lattice OneHole(int width)
 {
   const int side = width + 20;
-  std::vector<bool> isGap(std::size_t(side * side), false);
+  std::vector<bool> isHole(std::size_t(side * side), false);
   for (int n = 0; n < width * width; ++n)
   {
-    isGap[std::size_t((10 + n / width) * side + 10 + n % width)] = true;
+    isHole[std::size_t((10 + n / width) * side + 10 + n % width)] = true;
   }
-  return WithoutMarked(side, isGap);
+  return WithoutMarked(side, isHole);
 }
 
 /// Square holes at random places, which may overlap.
@@ -61,7 +61,7 @@ Lattice ManyHoles(int width)
 {
   const int side = 3162;
   Patches::Random random(2);
-  std::vector<bool> isGap(std::size_t(side * side), false);
+  std::vector<bool> isHole(std::size_t(side * side), false);
   for (std::int64_t missing = 0; missing < std::int64_t(side) * side / 100;)
   {
     const int x = 6 + random.Below(side - 12 - width);
@@ -69,11 +69,11 @@ Lattice ManyHoles(int width)
     for (int n = 0; n < width * width; ++n)
     {
       const std::size_t place = std::size_t((y + n / width) * side + x + n % width);
-      missing += isGap[place] ? 0 : 1;
-      isGap[place] = true;
+      missing += isHole[place] ? 0 : 1;
+      isHole[place] = true;
     }
   }
-  return WithoutMarked(side, isGap);
+  return WithoutMarked(side, isHole);
 }
 
 void Measure(const std::string& name, const Lattice& lattice)

@@ -5,7 +5,7 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Text/TextPrinter.h"
-#include "Readers/HorizonText/ColumnNames.h"
+#include "Readers/HorizonText/FieldNames.h"
 
 #include <algorithm>
 #include <cmath>

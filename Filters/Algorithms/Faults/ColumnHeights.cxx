@@ -56,9 +56,9 @@ std::int64_t FindIn(const std::vector<std::int64_t>& kept, std::int64_t coordina
   return found != kept.end() && *found == coordinate ? found - kept.begin() : -1;
 }
 
-LinkGrid MakeRaster(const std::vector<std::int64_t>& files, const std::vector<std::int64_t>& rows)
+LinkGrid MakeRaster(const std::vector<std::int64_t>& gridColumns, const std::vector<std::int64_t>& rows)
 {
-  return LinkGrid(PlaneBox({ { 0, 0 }, { std::int32_t(files.size() - 1), std::int32_t(rows.size() - 1) } }));
+  return LinkGrid(PlaneBox({ { 0, 0 }, { std::int32_t(gridColumns.size() - 1), std::int32_t(rows.size() - 1) } }));
 }
 
 std::string DescribeBox(const PlanePoint& column)
@@ -75,9 +75,9 @@ ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& hei
   assert(height.size() == columns.size());
   if (AreScattered(columns))
   {
-    this->FilesKept = FindKept(columns, &PlanePoint::X, this->Box.Origin().X);
+    this->ColumnsKept = FindKept(columns, &PlanePoint::X, this->Box.Origin().X);
     this->RowsKept = FindKept(columns, &PlanePoint::Y, this->Box.Origin().Y);
-    this->Places = MakeRaster(this->FilesKept, this->RowsKept);
+    this->Places = MakeRaster(this->ColumnsKept, this->RowsKept);
   }
   this->Values.assign(this->Places.NumberOfColumns(), std::numeric_limits<double>::quiet_NaN());
   constexpr double Tolerance = 1e-3; // Integer heights that passed through world coordinates are rounded.
@@ -102,7 +102,7 @@ ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& hei
 //----------------------------------------------------------------------------------------------------------------------
 std::int64_t ColumnHeights::FindPlace(std::int64_t column) const
 {
-  const std::int64_t x = FindIn(this->FilesKept, column % this->Box.Width());
+  const std::int64_t x = FindIn(this->ColumnsKept, column % this->Box.Width());
   const std::int64_t y = FindIn(this->RowsKept, column / this->Box.Width());
   return x < 0 || y < 0 ? -1 : y * this->Places.Width() + x;
 }

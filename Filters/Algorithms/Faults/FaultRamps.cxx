@@ -184,12 +184,12 @@ struct RampPeak
 // If a link has this fraction of the throw, the fault is a step.
 constexpr double StepShare = 0.6;
 // Links beside a step have less than this fraction of it.
-constexpr double StepAlone = 0.5;
-// A ramp keeps this fraction of its net rise with the dip of either shoulder, and loses LeastFall half way to them.
-constexpr double LeastOfSides = 0.2;
-constexpr double LeastFall = 0.25;
+constexpr double MaxNeighbourShare = 0.5;
+// A ramp keeps this fraction of its net rise with the dip of either shoulder, and loses MinFall half way to them.
+constexpr double MinShoulderShare = 0.2;
+constexpr double MinFall = 0.25;
 // A rise must not be smaller than this fraction of the rise along the other axis.
-constexpr double LeastOfOther = 0.85;
+constexpr double MinCrossShare = 0.85;
 
 class PeakSearch
 {
@@ -252,7 +252,7 @@ private:
       }
     }
     return number == 0 ||
-      double(std::abs(this->Rises[lanes.Link(along, lane)])) >= LeastOfOther * std::abs(sum) / number;
+      double(std::abs(this->Rises[lanes.Link(along, lane)])) >= MinCrossShare * std::abs(sum) / number;
   }
 
   void Append(const Lanes& lanes, std::int64_t along, std::int64_t lane, std::vector<RampPeak>& peaks) const
@@ -278,7 +278,7 @@ private:
     const NetRise net = strip.Net(middle, this->Scale.Shoulder);
     const NetRise near = strip.Net(middle, this->Scale.Half);
     const double fall = near.Height / net.Height;
-    if (net.LeastOfSides / net.Height < LeastOfSides || !(fall >= LeastFall))
+    if (net.LeastOfSides / net.Height < MinShoulderShare || !(fall >= MinFall))
     {
       return;
     }
@@ -326,7 +326,7 @@ private:
         peak.IsStep = true;
       }
       const double beside = std::max(this->StepAt(lanes, n - 1, lane, sign), this->StepAt(lanes, n + 1, lane, sign));
-      alone += beside < StepAlone * step ? step : 0.0;
+      alone += beside < MaxNeighbourShare * step ? step : 0.0;
     }
     return peak.IsStep || alone < least;
   }

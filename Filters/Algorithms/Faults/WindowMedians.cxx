@@ -144,17 +144,17 @@ public:
     static const Network toFour = MakeMerge(2 * Side, 2 * Side);
     for (std::size_t n = 0; n < Side; ++n)
     {
-      std::copy_n(rows[n], NumberOfLanes, this->File[n].begin());
+      std::copy_n(rows[n], NumberOfLanes, this->GridColumn[n].begin());
     }
-    sort.Run(this->File.data());
-    Copy(this->File.data(), sort, 0, this->Pair.data());
-    Copy(this->File.data(), sort, 1, this->Pair.data() + Side);
+    sort.Run(this->GridColumn.data());
+    Copy(this->GridColumn.data(), sort, 0, this->Pair.data());
+    Copy(this->GridColumn.data(), sort, 1, this->Pair.data() + Side);
     toPairs.Run(this->Pair.data());
     Copy(this->Pair.data(), toPairs, 0, this->Four.data());
     Copy(this->Pair.data(), toPairs, 2, this->Four.data() + 2 * Side);
     toFour.Run(this->Four.data());
     Copy(this->Pair.data(), toPairs, 4, this->Three.data());
-    Copy(this->File.data(), sort, 6, this->Three.data() + 2 * Side);
+    Copy(this->GridColumn.data(), sort, 6, this->Three.data() + 2 * Side);
     toThree.Run(this->Three.data());
     this->Select(toFour.Order, toThree.Order, medians);
   }
@@ -189,7 +189,7 @@ private:
   }
 
   // The last lanes are not used after a merge.
-  std::array<LaneValues, Side> File = {};
+  std::array<LaneValues, Side> GridColumn = {};
   std::array<LaneValues, 2 * Side> Pair = {};
   std::array<LaneValues, 3 * Side> Three = {};
   std::array<LaneValues, 4 * Side> Four = {};
@@ -198,7 +198,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 // Other windows
 
-struct SortedFile
+struct SortedColumn
 {
   std::array<float, std::size_t(WindowSide)> Values;
   int Size = 0;
@@ -217,7 +217,7 @@ struct SortedFile
 class SortedWindow
 {
 public:
-  void Replace(const SortedFile& leaving, const SortedFile& coming)
+  void Replace(const SortedColumn& leaving, const SortedColumn& coming)
   {
     std::array<float, std::size_t(Numbers)> next;
     std::size_t size = 0;
@@ -255,11 +255,11 @@ private:
 void FindOneByOne(const std::array<const float*, WindowSide>& rows, std::int64_t width, std::int64_t first,
   std::int64_t last, float* medians)
 {
-  std::array<SortedFile, WindowSide> files; // a ring
+  std::array<SortedColumn, WindowSide> gridColumns; // a ring
   SortedWindow window;
   for (std::int64_t x = first - 2 * WindowReach; x < last; ++x)
   {
-    SortedFile coming;
+    SortedColumn coming;
     const std::int64_t place = x + WindowReach;
     for (std::size_t n = 0; n < rows.size() && place >= 0 && place < width; ++n)
     {
@@ -268,7 +268,7 @@ void FindOneByOne(const std::array<const float*, WindowSide>& rows, std::int64_t
         coming.Insert(rows[n][place]);
       }
     }
-    SortedFile& oldest = files[std::size_t(x - first + 2 * WindowReach) % files.size()];
+    SortedColumn& oldest = gridColumns[std::size_t(x - first + 2 * WindowReach) % gridColumns.size()];
     window.Replace(oldest, coming);
     oldest = coming;
     if (x >= first)
@@ -317,10 +317,10 @@ void FindWindowMedians(const std::array<const float*, WindowSide>& rows, std::in
     for (std::int64_t x = first; x < last; x += LanesPerBlock)
     {
       const std::int64_t start = std::min(x, last - LanesPerBlock);
-      std::array<const float*, WindowSide> files;
+      std::array<const float*, WindowSide> gridColumns;
       std::transform(
-        rows.begin(), rows.end(), files.begin(), [&](const float* row) { return row + start - WindowReach; });
-      block.Find(files, medians + start);
+        rows.begin(), rows.end(), gridColumns.begin(), [&](const float* row) { return row + start - WindowReach; });
+      block.Find(gridColumns, medians + start);
     }
     done = last;
   }

@@ -10,7 +10,7 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Survey/ColumnOrder.h"
-#include "Common/Survey/PickDoubts.h"
+#include "Common/Survey/PickWarnings.h"
 #include "Common/Survey/StrayPicks.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 
@@ -760,7 +760,7 @@ std::vector<PlanePoint> NumberPlaces(const std::vector<Eigen::Vector2d>& places)
 
 /// Removes distant picks, refuses them, or, with a given lattice, warns, as they would stretch the steps. Returns a
 /// text about picks that stay.
-std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::vector<std::string>& doubts)
+std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::vector<std::string>& warnings)
 {
   std::vector<std::size_t> withZ;
   std::vector<Eigen::Vector2d> places = PlacesOf(picks);
@@ -779,11 +779,11 @@ std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::
   {
     return {};
   }
-  const std::string said = SayPicks(picks, strays);
+  const std::string said = PicksText(picks, strays);
   const std::string number = std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks");
   if (options.LeaveOutStrays)
   {
-    doubts.push_back(number + " left out as strays: " + said);
+    warnings.push_back(number + " left out as strays: " + said);
     picks = WithoutPicks(std::move(picks), strays);
     return {};
   }
@@ -792,7 +792,7 @@ std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::
     throw InputError(std::to_string(strays.size()) + " of " + std::to_string(picks.Size()) +
       " picks far from all others, " + said + "; expected StrayPicks LeaveOut, or LatticeSource OriginAndSteps");
   }
-  doubts.push_back(number + " far from all others, " + said + ": StrayPicks leaves them out");
+  warnings.push_back(number + " far from all others, " + said + ": StrayPicks leaves them out");
   return said;
 }
 }
@@ -803,15 +803,15 @@ SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const 
   CheckGriddingOptions(options);
   SurveyHorizons gridded;
   gridded.Survey = picks.Survey;
-  gridded.Doubts = std::move(picks.Doubts);
-  const std::string strays = TreatStrays(picks, options.Placement, gridded.Doubts);
+  gridded.Warnings = std::move(picks.Warnings);
+  const std::string strays = TreatStrays(picks, options.Placement, gridded.Warnings);
   const std::vector<Eigen::Vector2d> places = PlacesOf(picks);
   std::vector<ColumnOrder> orders = ListPicks(picks);
   const std::vector<PlanePoint> numbers = NumberPlaces(places);
   std::vector<Eigen::Vector2d> used;
   for (ColumnOrder& order : orders)
   {
-    DoubtNulls(Gather<std::vector<double>>(picks.Z, order.Picks), gridded.Doubts);
+    WarnOfNulls(Gather<std::vector<double>>(picks.Z, order.Picks), gridded.Warnings);
     OrderPicks(order, picks, numbers, options.Placement);
     gridded.Conflicts.push_back(CountConflicts(order));
     gridded.Conflicts.back().InLines = 0; // places have no lines

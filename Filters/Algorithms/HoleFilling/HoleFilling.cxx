@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Holes are found by runs of empty columns and divided where cuts cross them; each section is cut out (GapRegion.h) and
-// filled (GapFiller.h). Sections without a link to a known column stay open. Threads share small holes; large holes,
+// Holes are found by runs of empty columns and divided where cuts cross them; each section is cut out (HoleRegion.h) and
+// filled (HoleFiller.h). Sections without a link to a known column stay open. Threads share small holes; large holes,
 // which take seconds, are filled one by one.
 
 #include "HoleFilling.h"
@@ -14,8 +14,8 @@
 #include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/PlaneGeometry.h"
-#include "GapFiller.h"
-#include "GapRegion.h"
+#include "HoleFiller.h"
+#include "HoleRegion.h"
 #include "SiteSolver.h"
 
 #include <algorithm>
@@ -196,16 +196,16 @@ RasterFrame FindFrame(PlanePoints columns, const ColumnIndex& index)
 //----------------------------------------------------------------------------------------------------------------------
 // Holes are groups of empty columns, connected by edges, that patches enclose, as with a radius of 1.
 
-struct GapRun
+struct HoleRun
 {
   std::int64_t First;
   std::int64_t Last;
 };
 
 /// Holes are numbered row by row from the least y.
-struct GapList
+struct HoleList
 {
-  ItemLists<GapRun> Runs;
+  ItemLists<HoleRun> Runs;
   std::vector<std::int64_t> Columns;
 };
 
@@ -227,10 +227,10 @@ public:
     }
   }
 
-  GapList Gaps()
+  HoleList FoundHoles()
   {
-    GapList result;
-    std::vector<std::int32_t> gap(this->Runs.size(), NoGap);
+    HoleList result;
+    std::vector<std::int32_t> gap(this->Runs.size(), NoHole);
     for (std::size_t run = 0; run < this->Runs.size(); ++run)
     {
       const std::size_t root = std::size_t(this->Sets.Find(std::int32_t(run)));
@@ -246,12 +246,12 @@ public:
       gap[run] = gap[root]; // The root has the least number of its set, and therefore came before.
       result.Columns[gap[run]] += this->Runs[run].Last - this->Runs[run].First + 1;
     }
-    result.Runs = ItemLists<GapRun>(std::int64_t(result.Columns.size()),
+    result.Runs = ItemLists<HoleRun>(std::int64_t(result.Columns.size()),
       [&](auto&& add)
       {
         for (std::size_t run = 0; run < gap.size(); ++run)
         {
-          if (gap[run] != NoGap)
+          if (gap[run] != NoHole)
           {
             add(gap[run], this->Runs[run]);
           }
@@ -274,7 +274,7 @@ public:
   }
 
 private:
-  static constexpr std::int32_t NoGap = -1;
+  static constexpr std::int32_t NoHole = -1;
 
   void AddRow(std::int64_t row)
   {
@@ -302,8 +302,8 @@ private:
     std::size_t b = begin;
     while (a < begin && b < this->Runs.size())
     {
-      const GapRun below = { this->Runs[a].First + this->Index.Width(), this->Runs[a].Last + this->Index.Width() };
-      const GapRun& run = this->Runs[b];
+      const HoleRun below = { this->Runs[a].First + this->Index.Width(), this->Runs[a].Last + this->Index.Width() };
+      const HoleRun& run = this->Runs[b];
       if (below.First <= run.Last && run.First <= below.Last)
       {
         this->Sets.Join(std::int32_t(a), std::int32_t(b));
@@ -314,7 +314,7 @@ private:
 
   const ColumnIndex& Index;
   const std::vector<bool>* const Some;
-  std::vector<GapRun> Runs;
+  std::vector<HoleRun> Runs;
   DisjointSets Sets;
 };
 
@@ -352,28 +352,28 @@ std::vector<bool> FindNearOutside(const ColumnIndex& index, const RasterFrame& f
   return near;
 }
 
-struct AllGaps
+struct AllHoles
 {
-  GapList Enclosed;
-  GapList Outside;
+  HoleList Enclosed;
+  HoleList Outside;
 };
 
-AllGaps FindGaps(const ColumnIndex& index, const RasterFrame& frame, const HoleFillingOptions& options)
+AllHoles FindHoles(const ColumnIndex& index, const RasterFrame& frame, const HoleFillingOptions& options)
 {
   EmptyRuns all(index);
-  AllGaps gaps;
-  gaps.Enclosed = all.Gaps();
+  AllHoles gaps;
+  gaps.Enclosed = all.FoundHoles();
   if (options.ExtrapolationDistance > 0 && index.NumberOfPlaces() > 0)
   {
     const std::vector<bool> near =
       FindNearOutside(index, frame, all.Outside(), options.ExtrapolationDistance, options.Survey);
-    gaps.Outside = EmptyRuns(index, &near).Gaps();
+    gaps.Outside = EmptyRuns(index, &near).FoundHoles();
   }
   return gaps;
 }
 
 /// Sections are in the order of their first places.
-std::vector<std::vector<std::int64_t>> SplitGap(
+std::vector<std::vector<std::int64_t>> SplitHole(
   const ColumnIndex& index, const RasterFrame& frame, const LinkCuts& cuts, const std::vector<std::int64_t>& gap)
 {
   DisjointSets sets(gap.size());
@@ -426,7 +426,7 @@ public:
     , Attributes(attributes)
     , Options(options)
     , Cuts(cuts)
-    , Gaps(FindGaps(index, frame, options))
+    , Gaps(FindHoles(index, frame, options))
   {
   }
 
@@ -451,7 +451,7 @@ public:
           this->Fill(this->Closed[large + std::size_t(n)], Monitor());
         }
       });
-    return this->WithoutOpenGaps();
+    return this->WithoutOpenHoles();
   }
 
 private:
@@ -493,9 +493,9 @@ private:
   {
     std::vector<std::int64_t> places;
     places.reserve(std::size_t(this->SizeOf(gap)));
-    const ItemLists<GapRun>& runs = this->IsOutside(gap) ? this->Gaps.Outside.Runs : this->Gaps.Enclosed.Runs;
+    const ItemLists<HoleRun>& runs = this->IsOutside(gap) ? this->Gaps.Outside.Runs : this->Gaps.Enclosed.Runs;
     const std::size_t own = this->IsOutside(gap) ? gap - this->NumberOfHoles() : gap;
-    for (const GapRun* run = runs.begin(own); run != runs.end(own); ++run)
+    for (const HoleRun* run = runs.begin(own); run != runs.end(own); ++run)
     {
       for (std::int64_t place = run->First; place <= run->Last; ++place)
       {
@@ -514,7 +514,7 @@ private:
       return;
     }
     std::size_t begin = this->Begin[gap];
-    for (const std::vector<std::int64_t>& part : SplitGap(this->Index, this->Frame, *this->Cuts, places))
+    for (const std::vector<std::int64_t>& part : SplitHole(this->Index, this->Frame, *this->Cuts, places))
     {
       this->FillPart(part, begin, monitor);
       begin += part.size();
@@ -523,8 +523,8 @@ private:
 
   void FillPart(const std::vector<std::int64_t>& places, std::size_t begin, const Monitor& monitor)
   {
-    const GapRegion region(this->Index, this->Frame, this->Cuts, places, this->Options.RimWidth);
-    const GapFill fill = FillGap(region, this->Heights, this->Attributes, this->Options, this->Plates, monitor);
+    const HoleRegion region(this->Index, this->Frame, this->Cuts, places, this->Options.RimWidth);
+    const HoleFill fill = FillHole(region, this->Heights, this->Attributes, this->Options, this->Plates, monitor);
     if (fill.Nearest.empty())
     {
       return;
@@ -542,17 +542,17 @@ private:
     }
   }
 
-  FilledColumns WithoutOpenGaps()
+  FilledColumns WithoutOpenHoles()
   {
     bool isAnyCutOff = false;
     for (const std::size_t gap : this->Closed)
     {
       const auto begin = this->Result.Nearest.begin() + std::ptrdiff_t(this->Begin[gap]);
       const bool isCutOff = std::count(begin, begin + this->SizeOf(gap), NoPoint) > 0;
-      this->Result.FilledGaps += isCutOff || this->IsOutside(gap) ? 0 : 1;
+      this->Result.FilledHoles += isCutOff || this->IsOutside(gap) ? 0 : 1;
       isAnyCutOff = isAnyCutOff || isCutOff;
     }
-    this->Result.OpenGaps = std::int64_t(this->NumberOfHoles()) - this->Result.FilledGaps;
+    this->Result.OpenHoles = std::int64_t(this->NumberOfHoles()) - this->Result.FilledHoles;
     if (isAnyCutOff)
     {
       this->DropCutOff();
@@ -595,8 +595,8 @@ private:
   const std::vector<PointValue>& Attributes;
   const HoleFillingOptions& Options;
   const LinkCuts* const Cuts;
-  const AllGaps Gaps;
-  GapPlates Plates;
+  const AllHoles Gaps;
+  HolePlates Plates;
   std::vector<std::size_t> Closed;
   std::vector<std::size_t> Begin;
   FilledColumns Result;

@@ -66,9 +66,9 @@ struct FilledColumns
   /// Values are NaN if none is known on the rim.
   std::vector<std::vector<double>> Attribute;
   std::size_t FirstOutside = 0; // the first extrapolated entry
-  std::int64_t FilledGaps = 0;
+  std::int64_t FilledHoles = 0;
   /// These are too large, or a section has no link to a known column.
-  std::int64_t OpenGaps = 0;
+  std::int64_t OpenHoles = 0;
   double RimSmoothing = 0.0; // as given or chosen
   int RimWidth = 0;
 };

@@ -257,7 +257,7 @@ int LongestSide(const Middle* first, const Middle* last)
 }
 
 /// The first `count` triangles are least along the longest side.
-void Split(Middle* first, std::size_t count, Middle* last)
+void SplitNode(Middle* first, std::size_t count, Middle* last)
 {
   if (count < std::size_t(last - first))
   {
@@ -272,9 +272,9 @@ void SplitIntoChildren(Middle* first, Middle* last, std::size_t capacity)
 {
   const std::size_t children = (std::size_t(last - first) + capacity - 1) / capacity;
   Middle* const half = std::min(last, first + (children + 1) / 2 * capacity);
-  Split(first, half - first, last);
-  Split(first, capacity, half);
-  Split(half, capacity, last);
+  SplitNode(first, half - first, last);
+  SplitNode(first, capacity, half);
+  SplitNode(half, capacity, last);
 }
 
 /// On the level below the last, nodes are leaves.

@@ -6,7 +6,7 @@
 #ifndef GriddingFixtures_h
 #define GriddingFixtures_h
 
-#include "Common/Survey/PickDoubts.h"
+#include "Common/Survey/PickWarnings.h"
 #include "Filters/Algorithms/Gridding/Gridding.h"
 
 #include <algorithm>

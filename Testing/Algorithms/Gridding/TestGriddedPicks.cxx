@@ -130,17 +130,17 @@ void TestStrays()
     options.Placement.LeaveOutStrays = true;
     const SurveyHorizons gridded = GridPicks(stray, options);
     CHECK_EQUAL(gridded.Lattice.ColumnStep.x(), step);
-    CHECK_EQUAL(gridded.Doubts.front(), std::string("1 pick left out as strays: line 73"));
+    CHECK_EQUAL(gridded.Warnings.front(), std::string("1 pick left out as strays: line 73"));
     CHECK_THROWS_WITH(GridPicks(stray, Turned(GriddingMethod::Plate)), "far from all others, line 73");
   }
   // Where the lattice is given, only a warning.
   picks.X[70] += 9000.0;
   const SurveyHorizons gridded = GridPicks(picks, Turned(GriddingMethod::Nearest));
-  CHECK_EQUAL(gridded.Doubts.front(), std::string("1 pick far from all others, line 73: StrayPicks leaves them out"));
+  CHECK_EQUAL(gridded.Warnings.front(), std::string("1 pick far from all others, line 73: StrayPicks leaves them out"));
   // Another area is none, and of ten picks one that is far enough.
   picks = Scatter(2000, Plane);
   std::for_each(picks.X.begin(), picks.X.begin() + 400, [](double& x) { x += 20000.0; });
-  CHECK(GridPicks(picks, GriddingOptions()).Doubts.empty());
+  CHECK(GridPicks(picks, GriddingOptions()).Warnings.empty());
   picks = Scatter(10, Plane);
   picks.X[4] = picks.Y[4] = 0.0;
   CHECK_THROWS_WITH(GridPicks(picks, GriddingOptions()), "1 of 10 picks far from all others, pick 5");
@@ -156,10 +156,10 @@ void TestNulls()
     {
       PickTable picks = Scatter(500, [](double x, double) { return 1500.0 + 0.01 * x; });
       picks.Z[17] = null;
-      const std::vector<std::string> doubts =
-        FindDoubts(GridPicks(picks, Turned(method)), DuplicatePolicy::StrongestAmplitude);
-      CHECK_EQUAL(doubts.size(), std::size_t(1));
-      CHECK(!doubts.empty() && doubts.front().find("1 of 500 points with z " + said) == 0);
+      const std::vector<std::string> warnings =
+        FindWarnings(GridPicks(picks, Turned(method)), DuplicatePolicy::StrongestAmplitude);
+      CHECK_EQUAL(warnings.size(), std::size_t(1));
+      CHECK(!warnings.empty() && warnings.front().find("1 of 500 points with z " + said) == 0);
     }
   }
 }

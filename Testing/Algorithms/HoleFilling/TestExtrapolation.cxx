@@ -3,7 +3,7 @@
 //
 // Columns outside that are filled.
 
-#include "GapFixtures.h"
+#include "HoleFixtures.h"
 
 #include "Tools/Check.h"
 
@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-using namespace GapFixtures;
+using namespace HoleFixtures;
 
 namespace
 {
@@ -90,8 +90,8 @@ void TestWhichAndPlane()
         options.ExtrapolationDistance = distance;
         options.Survey = isClipped ? std::optional<PlaneBox>(survey) : std::nullopt;
         const FilledColumns filled = Fill(horizon, options);
-        CHECK_EQUAL(filled.FilledGaps, 1);
-        CHECK_EQUAL(filled.OpenGaps, 0);
+        CHECK_EQUAL(filled.FilledHoles, 1);
+        CHECK_EQUAL(filled.OpenHoles, 0);
         CHECK_EQUAL(filled.FirstOutside, 4u);
         Places expected = NearPoints(columns, distance, isClipped ? survey : all);
         for (const auto& place : PlacesOf({ filled.Column.begin(), filled.Column.begin() + 4 }, 0))
@@ -113,8 +113,8 @@ void TestMembraneAndLimits()
   options.LargestHoleSize = 3;
   options.ExtrapolationDistance = 5;
   const FilledColumns filled = Fill(horizon, options);
-  CHECK_EQUAL(filled.OpenGaps, 1);
-  CHECK_EQUAL(filled.FilledGaps, 0);
+  CHECK_EQUAL(filled.OpenHoles, 1);
+  CHECK_EQUAL(filled.FilledHoles, 0);
   CHECK_EQUAL(filled.FirstOutside, 0u);
   const auto ends = std::minmax_element(horizon.Heights.begin(), horizon.Heights.end());
   for (const double height : filled.Height)

@@ -3,18 +3,18 @@
 //
 // What filled holes are: polynomials come out as they are, and everything around stays what it was.
 
-#include "GapFixtures.h"
+#include "HoleFixtures.h"
 
 #include "Common/Base/Parallel.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
-#include "Filters/Algorithms/HoleFilling/GapRegion.h"
+#include "Filters/Algorithms/HoleFilling/HoleRegion.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 
 #include <limits>
 #include <utility>
 
-using namespace GapFixtures;
+using namespace HoleFixtures;
 
 namespace
 {
@@ -144,8 +144,8 @@ void TestSizes()
     HoleFillingOptions options;
     options.LargestHoleSize = largest;
     const FilledColumns filled = Fill(horizon, options);
-    CHECK_EQUAL(filled.FilledGaps, gaps);
-    CHECK_EQUAL(filled.OpenGaps, 5 - gaps);
+    CHECK_EQUAL(filled.FilledHoles, gaps);
+    CHECK_EQUAL(filled.OpenHoles, 5 - gaps);
     CHECK_EQUAL(filled.Column.size(), std::size_t(points));
   }
 }
@@ -190,7 +190,7 @@ void TestOutlines()
     all.insert(all.end(), filled.Column.begin(), filled.Column.end());
     const ExteriorBoundary after = FindExteriorBoundary(all, withHoles); // throws when a column comes twice
     CHECK_EQUAL(after.Boundary.Size(), after.NumberOfPatches);
-    CHECK_EQUAL(std::size_t(filled.FilledGaps), before.Boundary.Size() - before.NumberOfPatches);
+    CHECK_EQUAL(std::size_t(filled.FilledHoles), before.Boundary.Size() - before.NumberOfPatches);
     const ExteriorBoundary closed = FindExteriorBoundary(columns);
     CHECK_EQUAL(after.NumberOfPatches, closed.NumberOfPatches);
     for (std::size_t loop = 0; loop < after.NumberOfPatches; ++loop)
@@ -237,7 +237,7 @@ void TestDiagonal()
   const Surface plane = [](double x, double y) { return 0.3 * x - 0.7 * y; };
   HoleFillingOptions options = AllHoles(FillMethod::Plate, 1.0);
   const FilledColumns filled = Fill(OnSurface(columns, plane), options);
-  CHECK_EQUAL(filled.FilledGaps, 1);
+  CHECK_EQUAL(filled.FilledHoles, 1);
   CHECK_EQUAL(filled.Column.size(), 2u * length);
   CHECK(LargestError(filled, plane) < 1e-8);
 
@@ -249,7 +249,7 @@ void TestDiagonal()
   }
   const RasterFrame frame(index, std::vector<std::int32_t>(std::size_t(index.Width())),
     std::vector<std::int32_t>(std::size_t(index.Height())));
-  const GapRegion region(index, frame, nullptr, gap, options.RimWidth);
+  const HoleRegion region(index, frame, nullptr, gap, options.RimWidth);
   CHECK(region.Kind.size() < 15 * gap.size());
 }
 
@@ -310,7 +310,7 @@ void TestNothingToFill()
   {
     const FilledColumns filled = Fill(OnSurface(columns, [](double x, double) { return x; }), {});
     CHECK(filled.Column.empty() && filled.Height.empty());
-    CHECK_EQUAL(filled.FilledGaps + filled.OpenGaps, 0);
+    CHECK_EQUAL(filled.FilledHoles + filled.OpenHoles, 0);
   }
 }
 

@@ -3,11 +3,11 @@
 //
 // Gaps that are crossed by cuts, as faults are: each side goes on for itself.
 
-#include "GapFixtures.h"
+#include "HoleFixtures.h"
 
 #include "Tools/Check.h"
 
-using namespace GapFixtures;
+using namespace HoleFixtures;
 
 namespace
 {
@@ -55,7 +55,7 @@ void TestEachSideAlone()
   {
     const HoleFillingOptions options = AllHoles(FillMethod::Plate, smoothing);
     const FilledColumns filled = Fill(OnSurface(columns, Faulted), options, &cuts);
-    CHECK_EQUAL(filled.FilledGaps, 1);
+    CHECK_EQUAL(filled.FilledHoles, 1);
     CHECK_EQUAL(filled.Column.size(), 14u * 14u);
     CHECK(LargestError(filled, Faulted) < 1e-9);
     // Along a cut the plate is free, so that what is not a plane comes out nearly.
@@ -108,8 +108,8 @@ void TestCutOff()
     const Horizon horizon = OnSurface(Square(Size, IsGap), [](double x, double) { return x; });
     const auto attribute = [&](PointId point) { return 2.0 * horizon.Columns[std::size_t(point)].X; };
     const FilledColumns filled = FillHoles(horizon.Columns, horizon.Heights, { attribute }, AllHoles(method), &cuts);
-    CHECK_EQUAL(filled.FilledGaps, 0);
-    CHECK_EQUAL(filled.OpenGaps, 1);
+    CHECK_EQUAL(filled.FilledHoles, 0);
+    CHECK_EQUAL(filled.OpenHoles, 1);
     CHECK_EQUAL(filled.Column.size(), 14u * 14u - 16u);
     CHECK_EQUAL(filled.Height.size(), filled.Column.size());
     CHECK_EQUAL(filled.Attribute.front().size(), filled.Column.size());
@@ -145,7 +145,7 @@ void TestRimOnALine()
 /// that it has the height of that column.
 void TestOneLinkLeft()
 {
-  const auto isGap = [](int x, int y) { return x == 10 && y == 10; };
+  const auto isHole = [](int x, int y) { return x == 10 && y == 10; };
   const Surface slope = [](double x, double y) { return 2.0 * x + 3.0 * y; };
   LinkCuts cuts = NoCuts();
   cuts.CutEast({ 9, 10 });
@@ -155,7 +155,7 @@ void TestOneLinkLeft()
   for (const double smoothing : { 0.0, 1.0 })
   {
     const FilledColumns filled =
-      Fill(OnSurface(Square(Size, isGap), slope), AllHoles(FillMethod::Plate, smoothing), &cuts);
+      Fill(OnSurface(Square(Size, isHole), slope), AllHoles(FillMethod::Plate, smoothing), &cuts);
     CHECK_EQUAL(filled.Column.size(), 1u);
     CHECK(LargestError(filled, [](double, double) { return 2.0 * 10 + 3.0 * 11; }) < 1e-9);
   }

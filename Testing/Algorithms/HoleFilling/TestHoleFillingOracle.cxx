@@ -4,7 +4,7 @@
 // Random lattices with random cuts, filled again by the definitions: dense matrices of all columns of a part, without
 // boxes, bands and levels.
 
-#include "GapFixtures.h"
+#include "HoleFixtures.h"
 
 #include "Tools/Check.h"
 
@@ -14,7 +14,7 @@
 #include <map>
 #include <set>
 
-using namespace GapFixtures;
+using namespace HoleFixtures;
 
 namespace
 {

@@ -3,11 +3,11 @@
 //
 // Which plate a horizon gets, by how rough it is.
 
-#include "GapFixtures.h"
+#include "HoleFixtures.h"
 
 #include "Tools/Check.h"
 
-using namespace GapFixtures;
+using namespace HoleFixtures;
 
 namespace
 {

@@ -70,11 +70,11 @@ void TestHeaderLines()
 
 void TestLatin1()
 {
-  CHECK(Read("Top 1.5 2.5 3.5\nTop 4.5 2.5 3.75\n").Doubts.empty());
+  CHECK(Read("Top 1.5 2.5 3.5\nTop 4.5 2.5 3.75\n").Warnings.empty());
   const PickTable picks = Read("H\xF6he 1.5 2.5 3.5\nS\xFC"
                                "d 4.5 2.5 3.75\n");
   CHECK_EQUAL(picks.Names.front(), std::string("H\xC3\xB6he"));
-  CHECK_EQUAL(picks.Doubts.size(), std::size_t(1));
+  CHECK_EQUAL(picks.Warnings.size(), std::size_t(1));
 }
 
 /// Points of RMS whose coordinates are all 999 end a line of points; others with such a number are points.
@@ -229,13 +229,13 @@ void TestForeignNames()
          "Norte;Leste;Profundidade", "Lat;Lon;Depth", "Latitude;Longitude;Elevation" })
   {
     CHECK_EQUAL(Table(names + picks), std::string("x y z\n100.5 2000.5 7\n110.5 2010.5 8\n"));
-    CHECK(Read(names + picks).Doubts.empty());
+    CHECK(Read(names + picks).Warnings.empty());
   }
   CHECK_EQUAL(Table("Lat;Lon;X;Y;Z\n1;2;3.5;4.5;5\n"), std::string("x y z Lat Lon\n3.5 4.5 5 1 2\n"));
   const PickTable guessed = Read("Foo;Bar;Depth" + picks);
   CHECK_EQUAL(guessed.X.front(), 2000.5);
-  CHECK(guessed.Doubts.front().find("columns Foo, Bar, Z taken in order as X, Y, Z") == 0);
-  CHECK(Read("Top of Frigg\n2000.5 100.5 7\n2010.5 110.5 8\n").Doubts.empty());
+  CHECK(guessed.Warnings.front().find("columns Foo, Bar, Z taken in order as X, Y, Z") == 0);
+  CHECK(Read("Top of Frigg\n2000.5 100.5 7\n2010.5 110.5 8\n").Warnings.empty());
 }
 
 /// A number that usually means no z may be a depth. Formats with a number of their own have no other.
@@ -246,14 +246,14 @@ void TestUsualNulls()
   const std::string picks = "1\t1\t-999\n1\t2\t-999.25\n1\t3\t-999.5\n";
   const PickTable doubtful = Read(picks, usual);
   CHECK(std::isnan(doubtful.Z[1]));
-  CHECK(doubtful.Doubts.front().find(
+  CHECK(doubtful.Warnings.front().find(
           "-999.25 at 1 of 3 points taken for no z, as is usual, but others have z from -999.5 to -999") == 0);
   const PickTable own = Read("# \"Inline\"\t\"Crossline\"\t\"Z\"\n# - -\n" + picks, usual);
   CHECK_EQUAL(own.Z[1], -999.25);
-  CHECK(own.Doubts.empty());
-  CHECK(Read("1 1 500\n1 2 -999.25\n1 3 510\n", usual).Doubts.empty());
+  CHECK(own.Warnings.empty());
+  CHECK(Read("1 1 500\n1 2 -999.25\n1 3 510\n", usual).Warnings.empty());
   usual.NullValues += " -999.5";
-  CHECK(Read(picks, usual).Doubts.empty());
+  CHECK(Read(picks, usual).Warnings.empty());
 }
 
 void TestGivenColumns()

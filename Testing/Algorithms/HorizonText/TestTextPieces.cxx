@@ -104,7 +104,7 @@ void TestLines()
     CHECK_EQUAL(picks.Size(), expected.size());
     for (std::size_t pick = 0; pick < picks.Size(); ++pick)
     {
-      CHECK_EQUAL(SayPicks(picks, { pick }), "line " + std::to_string(expected[pick]));
+      CHECK_EQUAL(PicksText(picks, { pick }), "line " + std::to_string(expected[pick]));
     }
   }
 }

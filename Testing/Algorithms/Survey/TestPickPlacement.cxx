@@ -269,8 +269,8 @@ void TestOffLattice()
   options.Tolerance = 0.3;
   const SurveyHorizons moved = PlacePicks(picks, options);
   CHECK(moved.LargestDistance > 0.15);
-  CHECK_EQUAL(moved.Doubts.size(), std::size_t(1));
-  CHECK_EQUAL(moved.Doubts.front(),
+  CHECK_EQUAL(moved.Warnings.size(), std::size_t(1));
+  CHECK_EQUAL(moved.Warnings.front(),
     "picks are moved by up to 9.333, in the unit of x and y, onto the lattice with the steps (0, 50) and (50, 0): "
     "LatticeSource OriginAndSteps sets another lattice, Gridding needs none");
   options.Tolerance = 0.5;

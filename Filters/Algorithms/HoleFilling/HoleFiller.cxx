@@ -9,7 +9,7 @@
 // spring of this strength; otherwise its heights are fixed. A ring that cannot hold a plate, as it is a line or cuts
 // leave too few stencils, leaves all to the membrane.
 
-#include "GapFiller.h"
+#include "HoleFiller.h"
 
 #include "PlateEnergy.h"
 
@@ -31,7 +31,7 @@ constexpr double LeastRimSmoothing = 1e-6;
 
 /// A breadth-first search follows uncut links to four neighbours; among equally near points the lowest number wins. The
 /// result is empty if a column of the hole reaches none.
-std::vector<PointId> FindNearestRim(const GapRegion& region)
+std::vector<PointId> FindNearestRim(const HoleRegion& region)
 {
   std::vector<PointId> nearest(region.Kind.size(), NoPoint);
   std::vector<std::int32_t> distance(region.Kind.size(), 0);
@@ -50,7 +50,7 @@ std::vector<PointId> FindNearestRim(const GapRegion& region)
       nearest[place] = std::min(nearest[place], point);
     }
   };
-  for (const std::int64_t place : region.GapPlaces)
+  for (const std::int64_t place : region.HolePlaces)
   {
     region.ForEachLinked(place,
       [&](std::int64_t neighbour)
@@ -70,15 +70,15 @@ std::vector<PointId> FindNearestRim(const GapRegion& region)
       region.ForEachLinked(place,
         [&](std::int64_t neighbour)
         {
-          if (region.Kind[neighbour] == PlaceKind::Gap)
+          if (region.Kind[neighbour] == PlaceKind::Hole)
           {
             offer(neighbour, nearest[place], steps);
           }
         });
     }
   }
-  std::vector<PointId> result(region.GapPlaces.size());
-  std::transform(region.GapPlaces.begin(), region.GapPlaces.end(), result.begin(),
+  std::vector<PointId> result(region.HolePlaces.size());
+  std::transform(region.HolePlaces.begin(), region.HolePlaces.end(), result.begin(),
     [&](std::int64_t place) { return nearest[place]; });
   return std::find(result.begin(), result.end(), NoPoint) == result.end() ? result : std::vector<PointId>();
 }
@@ -86,7 +86,7 @@ std::vector<PointId> FindNearestRim(const GapRegion& region)
 //----------------------------------------------------------------------------------------------------------------------
 
 template <typename Visitor>
-void ForEachStencil(const GapRegion& region, Visitor&& visit)
+void ForEachStencil(const HoleRegion& region, Visitor&& visit)
 {
   ForEachPlateStencil(
     *region.Near, [&](std::int64_t place) { return region.Kind[place] != PlaceKind::Other; },
@@ -94,7 +94,7 @@ void ForEachStencil(const GapRegion& region, Visitor&& visit)
     [&](std::int64_t place) { return region.IsWholeBlock(place); }, visit);
 }
 
-SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
+SiteSystem<2> MakePlate(const HoleRegion& region, double ringWeight)
 {
   SiteSystem<2> plate(region.MakeSites(ringWeight > 0.0));
   ForEachStencil(
@@ -110,7 +110,7 @@ SiteSystem<2> MakePlate(const GapRegion& region, double ringWeight)
 }
 
 /// Plates with equal places and kinds of places are equal.
-std::string KeyOf(const GapRegion& region)
+std::string KeyOf(const HoleRegion& region)
 {
   const std::vector<BoxRun>& runs = region.Near->GetRuns();
   std::string key(reinterpret_cast<const char*>(runs.data()), runs.size() * sizeof(BoxRun));
@@ -119,7 +119,7 @@ std::string KeyOf(const GapRegion& region)
 }
 
 std::vector<double> PlateRightSide(
-  const GapRegion& region, const SiteBox& sites, double ringWeight, const std::vector<double>& height)
+  const HoleRegion& region, const SiteBox& sites, double ringWeight, const std::vector<double>& height)
 {
   std::vector<double> side(sites.Size(), 0.0);
   if (ringWeight > 0.0)
@@ -153,7 +153,7 @@ std::vector<double> PlateRightSide(
 }
 
 /// A plate needs three columns that are not on one line.
-bool HoldsPlate(const GapRegion& region)
+bool HoldsPlate(const HoleRegion& region)
 {
   std::vector<PlanePoint> ends;
   for (std::size_t place = 0; place < region.Kind.size(); ++place)
@@ -181,7 +181,7 @@ bool HoldsPlate(const GapRegion& region)
 //----------------------------------------------------------------------------------------------------------------------
 
 /// Each column is the mean of its neighbours along rows and columns that are in the hole or known, and not cut off.
-SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isKnown)
+SiteSystem<1> MakeMembrane(const HoleRegion& region, const std::vector<bool>& isKnown)
 {
   using Stencil = StencilMatrix<1>;
   SiteSystem<1> membrane(region.MakeSites(false));
@@ -191,13 +191,13 @@ SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isK
     region.ForEachLinked(place,
       [&](std::int64_t neighbour)
       {
-        const bool isGap = region.Kind[neighbour] == PlaceKind::Gap;
-        if (isGap || isKnown[neighbour])
+        const bool isHole = region.Kind[neighbour] == PlaceKind::Hole;
+        if (isHole || isKnown[neighbour])
         {
           const std::int64_t step = neighbour - place;
           const std::size_t beside = step * step == 1 ? Stencil::Index(step, 0) : Stencil::Index(0, step > 0 ? 1 : -1);
           membrane.Matrix[site][Stencil::Centre] += 1.0;
-          membrane.Matrix[site][beside] = isGap ? -1.0 : 0.0;
+          membrane.Matrix[site][beside] = isHole ? -1.0 : 0.0;
         }
       });
   }
@@ -207,7 +207,7 @@ SiteSystem<1> MakeMembrane(const GapRegion& region, const std::vector<bool>& isK
 class Membrane
 {
 public:
-  Membrane(const GapRegion& region, std::vector<bool> isKnown)
+  Membrane(const HoleRegion& region, std::vector<bool> isKnown)
     : Region(region)
     , IsKnown(std::move(isKnown))
     , System(MakeMembrane(region, this->IsKnown))
@@ -227,12 +227,12 @@ public:
     this->Solver.Solve(values, monitor);
     for (std::size_t n = 0; n < filled.size(); ++n)
     {
-      filled[n] += values[this->System.Sites.Number[this->Region.GapPlaces[n]]];
+      filled[n] += values[this->System.Sites.Number[this->Region.HolePlaces[n]]];
     }
   }
 
 private:
-  const GapRegion& Region;
+  const HoleRegion& Region;
   const std::vector<bool> IsKnown;
   const SiteSystem<1> System;
   const SiteSolver<1> Solver;
@@ -240,10 +240,10 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 
-class GapFiller
+class RegionFiller
 {
 public:
-  GapFiller(const GapRegion& region, const HoleFillingOptions& options, GapPlates& plates)
+  RegionFiller(const HoleRegion& region, const HoleFillingOptions& options, HolePlates& plates)
     : Region(region)
     , Options(options)
     , Plates(plates)
@@ -253,7 +253,7 @@ public:
     {
       this->IsRing[place] = region.Kind[place] == PlaceKind::Ring;
     }
-    for (const std::int64_t place : region.GapPlaces)
+    for (const std::int64_t place : region.HolePlaces)
     {
       region.ForEachLinked(place,
         [&](std::int64_t neighbour)
@@ -276,7 +276,7 @@ public:
     {
       height -= base;
     }
-    std::vector<double> filled(this->Region.GapPlaces.size(), base);
+    std::vector<double> filled(this->Region.HolePlaces.size(), base);
     const bool isPlate = this->Options.Method == FillMethod::Plate && HoldsPlate(this->Region) &&
       this->AddPlate(known, filled, monitor.Step(0.0, 0.8));
     if (!isPlate || this->RingWeight() > 0.0)
@@ -296,7 +296,7 @@ public:
       known[place] = attribute(this->Region.Point[place]);
       finite += std::isfinite(known[place]) ? 1 : 0;
     }
-    std::vector<double> filled(this->Region.GapPlaces.size(), 0.0);
+    std::vector<double> filled(this->Region.HolePlaces.size(), 0.0);
     if (finite == this->Rim.size() && this->IsLevel(known))
     {
       filled.assign(filled.size(), known[this->Rim.front()]);
@@ -366,7 +366,7 @@ private:
   bool AddPlate(std::vector<double>& known, std::vector<double>& filled, const Monitor& monitor) const
   {
     const double weight = this->RingWeight();
-    const std::shared_ptr<const GapPlate> plate = this->Plates.Get(this->Region, weight);
+    const std::shared_ptr<const HolePlate> plate = this->Plates.Get(this->Region, weight);
     if (!plate->Solver.IsDefinite())
     {
       return false;
@@ -376,7 +376,7 @@ private:
     plate->Solver.Solve(values, monitor);
     for (std::size_t n = 0; n < filled.size(); ++n)
     {
-      filled[n] += values[sites.Number[this->Region.GapPlaces[n]]];
+      filled[n] += values[sites.Number[this->Region.HolePlaces[n]]];
     }
     for (std::size_t site = 0; site < values.size(); ++site)
     {
@@ -432,9 +432,9 @@ private:
     return *this->HeldByRing;
   }
 
-  const GapRegion& Region;
+  const HoleRegion& Region;
   const HoleFillingOptions& Options;
-  GapPlates& Plates;
+  HolePlates& Plates;
   std::vector<bool> IsRing;
   std::vector<std::int64_t> Rim; // places beside the hole, once for each link to it
   std::optional<Membrane> HeldByRing;
@@ -442,18 +442,18 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-GapPlate::GapPlate(const GapRegion& region, double ringWeight)
+HolePlate::HolePlate(const HoleRegion& region, double ringWeight)
   : System(MakePlate(region, ringWeight))
   , Solver(this->System)
 {
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::shared_ptr<const GapPlate> GapPlates::Get(const GapRegion& region, double ringWeight)
+std::shared_ptr<const HolePlate> HolePlates::Get(const HoleRegion& region, double ringWeight)
 {
   if (region.HasCuts() || region.Near->Size() > LargestKept)
   {
-    return std::make_shared<const GapPlate>(region, ringWeight);
+    return std::make_shared<const HolePlate>(region, ringWeight);
   }
   const std::string key = KeyOf(region);
   {
@@ -464,7 +464,7 @@ std::shared_ptr<const GapPlate> GapPlates::Get(const GapRegion& region, double r
       return found->second;
     }
   }
-  auto plate = std::make_shared<const GapPlate>(region, ringWeight);
+  auto plate = std::make_shared<const HolePlate>(region, ringWeight);
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->Kept.size() < MostKept)
   {
@@ -474,16 +474,17 @@ std::shared_ptr<const GapPlate> GapPlates::Get(const GapRegion& region, double r
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-GapFill FillGap(const GapRegion& region, const std::vector<double>& heights, const std::vector<PointValue>& attributes,
-  const HoleFillingOptions& options, GapPlates& plates, const Monitor& monitor)
+HoleFill FillHole(const HoleRegion& region, const std::vector<double>& heights,
+  const std::vector<PointValue>& attributes, const HoleFillingOptions& options, HolePlates& plates,
+  const Monitor& monitor)
 {
-  GapFill result;
+  HoleFill result;
   result.Nearest = FindNearestRim(region);
   if (result.Nearest.empty())
   {
     return result;
   }
-  GapFiller filler(region, options, plates);
+  RegionFiller filler(region, options, plates);
   const double parts = double(attributes.size()) + 5.0; // A plate takes about as long as four membranes.
   result.Height = filler.FillHeights(heights, monitor.Step(0.0, 5.0 / parts));
   for (std::size_t n = 0; n < attributes.size(); ++n)

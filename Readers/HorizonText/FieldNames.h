@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef SeismicHorizonsColumnNames_h
-#define SeismicHorizonsColumnNames_h
+#ifndef SeismicHorizonsFieldNames_h
+#define SeismicHorizonsFieldNames_h
 
 #include "TextLayout.h"
 

@@ -3,8 +3,8 @@
 //
 // Horizons with gaps, and the options of tests.
 
-#ifndef SeismicHorizonsGapFixtures_h
-#define SeismicHorizonsGapFixtures_h
+#ifndef SeismicHorizonsHoleFixtures_h
+#define SeismicHorizonsHoleFixtures_h
 
 #include "Filters/Algorithms/HoleFilling/HoleFilling.h"
 #include "Tools/Patches.h"
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace GapFixtures
+namespace HoleFixtures
 {
 using namespace SeismicHorizons;
 using Surface = std::function<double(double, double)>;
@@ -38,16 +38,16 @@ inline Horizon OnSurface(const Patches::Columns& columns, const Surface& surface
   return horizon;
 }
 
-/// A square of that size whose columns are missing where isGap(x, y) says so.
+/// A square of that size whose columns are missing where isHole(x, y) says so.
 template <typename IsGap>
-Patches::Columns Square(int size, IsGap&& isGap)
+Patches::Columns Square(int size, IsGap&& isHole)
 {
   Patches::Columns columns;
   for (std::int32_t y = 0; y < size; ++y)
   {
     for (std::int32_t x = 0; x < size; ++x)
     {
-      if (!isGap(x, y))
+      if (!isHole(x, y))
       {
         columns.push_back({ x, y });
       }

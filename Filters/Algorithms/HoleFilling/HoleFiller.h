@@ -3,12 +3,12 @@
 //
 // The surface over one hole, or over one of the sections into which cuts divide it.
 
-#ifndef SeismicHorizonsGapFiller_h
-#define SeismicHorizonsGapFiller_h
+#ifndef SeismicHorizonsHoleFiller_h
+#define SeismicHorizonsHoleFiller_h
 
 #include "Common/Base/Monitor.h"
-#include "GapRegion.h"
 #include "HoleFilling.h"
+#include "HoleRegion.h"
 #include "SiteSolver.h"
 
 #include <cstddef>
@@ -21,17 +21,17 @@
 
 namespace SeismicHorizons
 {
-/// Entries are in the order of GapRegion::GapPlaces, and empty if no known column is linked to them.
-struct GapFill
+/// Entries are in the order of HoleRegion::HolePlaces, and empty if no known column is linked to them.
+struct HoleFill
 {
   std::vector<double> Height;
   std::vector<PointId> Nearest;
   std::vector<std::vector<double>> Attribute;
 };
 
-struct GapPlate
+struct HolePlate
 {
-  GapPlate(const GapRegion& region, double ringWeight);
+  HolePlate(const HoleRegion& region, double ringWeight);
 
   const SiteSystem<2> System;
   const SiteSolver<2> Solver;
@@ -39,21 +39,22 @@ struct GapPlate
 
 /// Plates of small holes are cached, since many have the same shape, mostly a single column. Threads share the cache
 /// and must use one ring weight.
-class GapPlates
+class HolePlates
 {
 public:
-  std::shared_ptr<const GapPlate> Get(const GapRegion& region, double ringWeight);
+  std::shared_ptr<const HolePlate> Get(const HoleRegion& region, double ringWeight);
 
 private:
   static constexpr std::int64_t LargestKept = 256; // places of a plate
   static constexpr std::size_t MostKept = 256; // plates, about 20 MB in all
 
   std::mutex Mutex;
-  std::unordered_map<std::string, std::shared_ptr<const GapPlate>> Kept;
+  std::unordered_map<std::string, std::shared_ptr<const HolePlate>> Kept;
 };
 
-GapFill FillGap(const GapRegion& region, const std::vector<double>& heights, const std::vector<PointValue>& attributes,
-  const HoleFillingOptions& options, GapPlates& plates, const Monitor& monitor);
+HoleFill FillHole(const HoleRegion& region, const std::vector<double>& heights,
+  const std::vector<PointValue>& attributes, const HoleFillingOptions& options, HolePlates& plates,
+  const Monitor& monitor);
 }
 
 #endif

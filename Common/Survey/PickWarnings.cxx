@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "PickDoubts.h"
+#include "PickWarnings.h"
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/Lattice.h"
@@ -84,7 +84,7 @@ bool IsNull(double null, std::ptrdiff_t count, Heights others, Heights end)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void DoubtNulls(std::vector<double> z, std::vector<std::string>& doubts)
+void WarnOfNulls(std::vector<double> z, std::vector<std::string>& warnings)
 {
   const std::size_t all = z.size();
   std::ostringstream nulls;
@@ -109,12 +109,12 @@ void DoubtNulls(std::vector<double> z, std::vector<std::string>& doubts)
     const std::string found = nulls.str();
     nulls << ", far from all others, " << *ends.first << " to " << *ends.second << ": add " << found
           << " to NullValues if it means that there is no z";
-    doubts.push_back(std::to_string(all - z.size()) + " of " + std::to_string(all) + " points with z " + nulls.str());
+    warnings.push_back(std::to_string(all - z.size()) + " of " + std::to_string(all) + " points with z " + nulls.str());
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void DoubtNulls(const std::vector<double>& nulls, const std::vector<double>& z, std::vector<std::string>& doubts)
+void WarnOfNulls(const std::vector<double>& nulls, const std::vector<double>& z, std::vector<std::string>& warnings)
 {
   double least = std::numeric_limits<double>::infinity();
   double greatest = -least;
@@ -132,12 +132,12 @@ void DoubtNulls(const std::vector<double>& nulls, const std::vector<double>& z, 
     text << *null << " at " << std::count_if(null, nulls.end(), isNear) << " of " << z.size()
          << " points taken for no z, as is usual, but others have z from " << least << " to " << greatest
          << ": NullValues without this number keeps it";
-    doubts.push_back(text.str());
+    warnings.push_back(text.str());
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FindMoves(const PickTable& picks, const std::vector<PlanePoint>& columns, SurveyHorizons& placed)
+void WarnOfMoves(const PickTable& picks, const std::vector<PlanePoint>& columns, SurveyHorizons& placed)
 {
   constexpr double fewColumns = 0.02;
   double farthest = 0.0;
@@ -154,15 +154,15 @@ void FindMoves(const PickTable& picks, const std::vector<PlanePoint>& columns, S
     text << "picks are moved by up to " << farthest << ", in the unit of x and y, onto the lattice with the steps "
          << ToText(placed.Lattice.ColumnStep) << " and " << ToText(placed.Lattice.RowStep)
          << ": LatticeSource OriginAndSteps sets another lattice, Gridding needs none";
-    placed.Doubts.push_back(text.str());
+    placed.Warnings.push_back(text.str());
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePolicy policy)
+std::vector<std::string> FindWarnings(const SurveyHorizons& horizons, DuplicatePolicy policy)
 {
   constexpr std::int64_t least = 1000; // columns per column in conflict
-  std::vector<std::string> doubts = horizons.Doubts;
+  std::vector<std::string> warnings = horizons.Warnings;
   std::int64_t columns = 0;
   for (const LatticeHorizon& horizon : horizons.Horizons)
   {
@@ -179,7 +179,7 @@ std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePol
   const bool isChosen = policy != DuplicatePolicy::StrongestAmplitude && !(policy == DuplicatePolicy::Mean && areLines);
   if (least * conflicts.Columns <= columns || isChosen)
   {
-    return doubts;
+    return warnings;
   }
   std::ostringstream text;
   text << conflicts.Columns << " of " << columns << " columns with several z, up to " << conflicts.Largest << " apart";
@@ -196,8 +196,8 @@ std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePol
       << ": DuplicatePolicy says which is kept, as Mean for surveys that overlap, Sheets for a horizon that overlies "
          "itself; for several horizons in one file, name the column that distinguishes them";
   }
-  doubts.push_back(text.str());
-  return doubts;
+  warnings.push_back(text.str());
+  return warnings;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 //
 // Which columns are gaps, and their order.
 
-#include "GapFixtures.h"
+#include "HoleFixtures.h"
 
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Tools/Check.h"
@@ -11,7 +11,7 @@
 #include <array>
 #include <utility>
 
-using namespace GapFixtures;
+using namespace HoleFixtures;
 
 namespace
 {
@@ -100,14 +100,14 @@ void TestRandomPatches()
     }
     const FilledColumns found = Search(columns, std::int64_t(largest));
     CHECK(found.Column == expected);
-    CHECK_EQUAL(found.FilledGaps, closed);
-    CHECK_EQUAL(found.OpenGaps, open);
+    CHECK_EQUAL(found.FilledHoles, closed);
+    CHECK_EQUAL(found.OpenHoles, open);
   }
 }
 
 std::int64_t CountGaps(const std::vector<std::string>& picture)
 {
-  return Search(Patches::FromPicture(picture), 1000000).FilledGaps;
+  return Search(Patches::FromPicture(picture), 1000000).FilledHoles;
 }
 
 void TestDiagonals()
@@ -121,7 +121,7 @@ void TestDiagonals()
 }
 }
 
-int TestGapSearch(int, char*[])
+int TestHoleSearch(int, char*[])
 {
   TestRandomPatches();
   TestDiagonals();

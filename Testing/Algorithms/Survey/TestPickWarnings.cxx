@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Common/Survey/GridPlacement.h"
-#include "Common/Survey/PickDoubts.h"
 #include "Common/Survey/PickPlacement.h"
+#include "Common/Survey/PickWarnings.h"
 #include "Common/Survey/ShortSteps.h"
 #include "Common/Survey/StrayPicks.h"
 #include "Tools/Check.h"
@@ -37,7 +37,7 @@ PickTable Dip()
 
 std::vector<std::string> DoubtsOf(const PickTable& picks, const PlacementOptions& options = PlacementOptions())
 {
-  return FindDoubts(PlacePicks(picks, options), options.Policy);
+  return FindWarnings(PlacePicks(picks, options), options.Policy);
 }
 
 /// Another pick in the column of one, deeper by a difference.
@@ -48,19 +48,19 @@ void Double(PickTable& picks, std::size_t pick, double difference)
   picks.Z.push_back(picks.Z[pick] + difference);
 }
 
-bool IsOne(const std::vector<std::string>& doubts, const std::string& begins)
+bool IsOne(const std::vector<std::string>& warnings, const std::string& begins)
 {
-  return doubts.size() == 1 && doubts.front().compare(0, begins.size(), begins) == 0;
+  return warnings.size() == 1 && warnings.front().compare(0, begins.size(), begins) == 0;
 }
 
 void TestNames()
 {
   PickTable picks = Dip();
-  CHECK_EQUAL(SayPicks(picks, { 0 }), std::string("line 3"));
-  CHECK_EQUAL(SayPicks(picks, { 99, 100, 101 }), std::string("lines 102, 104, 105"));
-  CHECK_EQUAL(SayPicks(picks, { 1, 2, 3, 4, 5, 6 }), std::string("lines 4, 5, 6, 7, 8, ..."));
+  CHECK_EQUAL(PicksText(picks, { 0 }), std::string("line 3"));
+  CHECK_EQUAL(PicksText(picks, { 99, 100, 101 }), std::string("lines 102, 104, 105"));
+  CHECK_EQUAL(PicksText(picks, { 1, 2, 3, 4, 5, 6 }), std::string("lines 4, 5, 6, 7, 8, ..."));
   picks.Lines.clear();
-  CHECK_EQUAL(SayPicks(picks, { 0 }), std::string("pick 1"));
+  CHECK_EQUAL(PicksText(picks, { 0 }), std::string("pick 1"));
 }
 
 void TestStrays()
@@ -187,7 +187,7 @@ void TestNullsOfGrids()
   HorizonGrid grid;
   grid.Lattice.Columns = { 3, 2 };
   grid.Z = { 1500.0, 1501.0, 9999.0, 1502.0, 1503.0, 1504.0 };
-  CHECK(IsOne(PlaceGrid(grid).Doubts, "1 of 6 points with z 9999, far from all others, 1500 to 1504"));
+  CHECK(IsOne(PlaceGrid(grid).Warnings, "1 of 6 points with z 9999, far from all others, 1500 to 1504"));
 }
 
 /// Exact repeats lose nothing; other duplicates do, and where these form lines a fault is likely.
@@ -199,7 +199,7 @@ void TestDuplicates()
     Double(picks, n, 0.0);
   }
   SurveyHorizons placed = PlacePicks(picks, {});
-  CHECK(FindDoubts(placed, DuplicatePolicy::StrongestAmplitude).empty());
+  CHECK(FindWarnings(placed, DuplicatePolicy::StrongestAmplitude).empty());
   CHECK_EQUAL(placed.Conflicts.front().Repeats, 40);
   CHECK_EQUAL(placed.Horizons.front().DroppedDuplicates, 40);
   PickTable survey = Dip(); // another one overlaps
@@ -316,7 +316,7 @@ void TestRounding()
 }
 }
 
-int TestPickDoubts(int, char*[])
+int TestPickWarnings(int, char*[])
 {
   TestNames();
   TestStrays();

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ColumnDoubts.h"
+#include "FieldWarnings.h"
 
-#include "ColumnGuess.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
 #include "Common/Text/TextNumbers.h"
+#include "FieldGuess.h"
 #include "PairFit.h"
 
 #include <algorithm>
@@ -152,7 +152,7 @@ void RefuseDecimalCommas(const TextLines& sample, const TextLayout& layout)
 
 void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
 {
-  if (layout.Find(ColumnRole::X) >= 0 && layout.Find(ColumnRole::Inline) >= 0)
+  if (layout.Find(FieldRole::X) >= 0 && layout.Find(FieldRole::Inline) >= 0)
   {
     return;
   }
@@ -162,7 +162,7 @@ void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
     for (std::size_t places = 0; places + 1 < count; ++places)
     {
       const bool areApart = lines + 1 < places || places + 1 < lines;
-      const bool arePlaces = layout.Columns[places].Role == ColumnRole::X;
+      const bool arePlaces = layout.Columns[places].Role == FieldRole::X;
       if (areApart && !arePlaces && FollowLines(sample, layout, lines, places))
       {
         throw InputError("columns " + Two(lines) + " look like line numbers, and columns " + Two(places) +
@@ -170,7 +170,7 @@ void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
       }
     }
   }
-  for (std::size_t column = 0; column + 1 < count && layout.Find(ColumnRole::X) < 0; ++column)
+  for (std::size_t column = 0; column + 1 < count && layout.Find(FieldRole::X) < 0; ++column)
   {
     if (AreLikeCoordinates(NumbersOf(sample, layout, column)) &&
       AreLikeCoordinates(NumbersOf(sample, layout, column + 1)))
@@ -182,19 +182,19 @@ void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
 
 void RefuseCounters(const TextLines& sample, const TextLayout& layout)
 {
-  const int z = layout.Find(ColumnRole::Z);
+  const int z = layout.Find(FieldRole::Z);
   const std::vector<double> heights = NumbersOf(sample, layout, std::size_t(z));
   for (std::size_t column = std::size_t(z) + 1; column < std::min(MostColumns, layout.Columns.size()); ++column)
   {
     const std::vector<double> other = NumbersOf(sample, layout, column);
-    if (layout.Columns[column].Role == ColumnRole::Attribute && IsCounter(heights) && !IsCounter(other))
+    if (layout.Columns[column].Role == FieldRole::Attribute && IsCounter(heights) && !IsCounter(other))
     {
       throw InputError("column " + std::to_string(z + 1) +
         (IsConstant(heights) ? " is the same in all lines" : " counts lines") + ", expected Z" + Remedy);
     }
   }
   const bool hasMore = layout.Columns.size() >= 4;
-  const int first = std::max(layout.Find(ColumnRole::X), layout.Find(ColumnRole::Inline));
+  const int first = std::max(layout.Find(FieldRole::X), layout.Find(FieldRole::Inline));
   if (first == 0 && hasMore)
   {
     const std::vector<double> numbers = NumbersOf(sample, layout, 0);
@@ -212,8 +212,8 @@ void RefuseSmallPlaces(const TextLines& sample, const TextLayout& layout)
 {
   constexpr std::size_t fewest = 4; // Different values that determine a step.
   constexpr std::int64_t longest = 4;
-  const int lines = layout.Find(ColumnRole::Inline);
-  for (int column = lines; lines >= 0 && layout.Find(ColumnRole::X) < 0 && column <= lines + 1; ++column)
+  const int lines = layout.Find(FieldRole::Inline);
+  for (int column = lines; lines >= 0 && layout.Find(FieldRole::X) < 0 && column <= lines + 1; ++column)
   {
     std::set<std::int64_t> numbers;
     for (const double number : NumbersOf(sample, layout, std::size_t(column)))
@@ -300,7 +300,7 @@ void RefuseDoubtfulColumns(const TextLines& sample, const TextLayout& layout)
   RefuseDecimalCommas(sample, layout);
   RefuseOtherPlaces(sample, layout);
   RefuseSmallPlaces(sample, layout);
-  if (layout.Find(ColumnRole::Z) >= 0)
+  if (layout.Find(FieldRole::Z) >= 0)
   {
     RefuseCounters(sample, layout);
   }
@@ -309,8 +309,8 @@ void RefuseDoubtfulColumns(const TextLines& sample, const TextLayout& layout)
 //----------------------------------------------------------------------------------------------------------------------
 std::string DoubtOfColumns(const TextLines& sample, const TextLayout& layout)
 {
-  const int x = layout.Find(ColumnRole::X);
-  const int y = layout.Find(ColumnRole::Y);
+  const int x = layout.Find(FieldRole::X);
+  const int y = layout.Find(FieldRole::Y);
   if (x < 0 || y < 0)
   {
     return {};

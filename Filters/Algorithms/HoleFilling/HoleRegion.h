@@ -3,8 +3,8 @@
 //
 // A hole with the known columns around it, cut out of the lattice.
 
-#ifndef SeismicHorizonsGapRegion_h
-#define SeismicHorizonsGapRegion_h
+#ifndef SeismicHorizonsHoleRegion_h
+#define SeismicHorizonsHoleRegion_h
 
 #include "BoxPlaces.h"
 #include "Common/Horizon/ColumnIndex.h"
@@ -43,23 +43,23 @@ private:
 enum class PlaceKind : unsigned char
 {
   Other = 0,
-  Gap = 1,
+  Hole = 1,
   Ring = 2
 };
 
 /// The box is transposed if the hole is wider than high, since systems with short rows are faster to solve.
-class GapRegion
+class HoleRegion
 {
 public:
   /// `gap` is ascending. The ring consists of known columns within `ringWidth` steps to eight neighbours, over no
   /// faulted link and through no block with one.
-  GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
+  HoleRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
     const std::vector<std::int64_t>& gap, int ringWidth);
 
   std::shared_ptr<const BoxPlaces> Near;
   std::vector<PlaceKind> Kind; // by place
   std::vector<PointId> Point; // by place, for the ring
-  std::vector<std::int64_t> GapPlaces; // in the order given
+  std::vector<std::int64_t> HolePlaces; // in the order given
 
   bool IsCutEast(std::int64_t place) const { return (this->Cuts[place] & EastBit) != 0; }
   bool IsCutNorth(std::int64_t place) const { return (this->Cuts[place] & NorthBit) != 0; }

@@ -3,8 +3,8 @@
 //
 // Warns of input that can be read but is probably wrong.
 
-#ifndef SeismicHorizonsPickDoubts_h
-#define SeismicHorizonsPickDoubts_h
+#ifndef SeismicHorizonsPickWarnings_h
+#define SeismicHorizonsPickWarnings_h
 
 #include "ColumnOrder.h"
 #include "DuplicatePolicy.h"
@@ -18,10 +18,10 @@ namespace SeismicHorizons
 {
 /// Warns of z such as -999, or of a repeated number, that are farther from all other z than these are from each other;
 /// an unusual number must also be half as far away as 0, and of at most half of the picks.
-void DoubtNulls(std::vector<double> z, std::vector<std::string>& doubts);
+void WarnOfNulls(std::vector<double> z, std::vector<std::string>& warnings);
 
 /// Warns if numbers that were dropped, as they usually mean no z, are among the z, or off by a tenth of their range.
-void DoubtNulls(const std::vector<double>& nulls, const std::vector<double>& z, std::vector<std::string>& doubts);
+void WarnOfNulls(const std::vector<double>& nulls, const std::vector<double>& z, std::vector<std::string>& warnings);
 
 /// Conflicts on lines are faults, where programs give nodes the z of both sides. Overlapping surveys have conflicts
 /// over areas, and wrong picks scattered conflicts.
@@ -33,11 +33,11 @@ void RequireEvidence(std::vector<PlanePoint> columns, const SurveyLattice& latti
 
 /// Adds a warning if picks are moved by more than a fiftieth of a step, and more than by coordinates rounded to a unit of
 /// 1 or less. `columns` are those of the picks.
-void FindMoves(const PickTable& picks, const std::vector<PlanePoint>& columns, SurveyHorizons& placed);
+void WarnOfMoves(const PickTable& picks, const std::vector<PlanePoint>& columns, SurveyHorizons& placed);
 
 /// Adds warnings if more than a thousandth of the columns have several z, and the policy was not chosen: faults,
 /// overlapping surveys, several unnamed horizons.
-std::vector<std::string> FindDoubts(const SurveyHorizons& horizons, DuplicatePolicy policy);
+std::vector<std::string> FindWarnings(const SurveyHorizons& horizons, DuplicatePolicy policy);
 }
 
 #endif

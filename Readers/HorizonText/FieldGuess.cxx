@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ColumnGuess.h"
+#include "FieldGuess.h"
 
 #include "Common/Survey/Units.h"
 #include "Common/Text/LineErrors.h"
@@ -96,7 +96,7 @@ void RefuseLargeZ(const TextLines& sample, const TextLayout& layout, const std::
 {
   for (std::size_t column = 0; column < columns.size(); ++column)
   {
-    const double largest = columns[column].Role == ColumnRole::Z ? LargestOf(sample, layout, column) : 0.0;
+    const double largest = columns[column].Role == FieldRole::Z ? LargestOf(sample, layout, column) : 0.0;
     if (largest > LargestLineNumber && largest < LargestPlace)
     {
       std::ostringstream text;
@@ -186,14 +186,14 @@ bool FollowLines(const TextLines& sample, const TextLayout& layout, std::size_t 
 //----------------------------------------------------------------------------------------------------------------------
 void NameByText(TextLayout& layout, const TextLines& sample)
 {
-  for (std::size_t column = 0; column < layout.Columns.size() && layout.Find(ColumnRole::HorizonName) < 0; ++column)
+  for (std::size_t column = 0; column < layout.Columns.size() && layout.Find(FieldRole::HorizonName) < 0; ++column)
   {
     TextColumn& text = layout.Columns[column];
     const ColumnValues values = LookAt(sample, layout, column);
-    if (text.Role == ColumnRole::Ignored && values.AreText && values.AreNames && !values.AreAllDifferent &&
+    if (text.Role == FieldRole::Ignored && values.AreText && values.AreNames && !values.AreAllDifferent &&
       !IsNeverZ(text.Name))
     {
-      text = { ColumnRole::HorizonName, "Name" };
+      text = { FieldRole::HorizonName, "Name" };
     }
   }
 }
@@ -207,14 +207,14 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
   if (count > 0 && LookAt(sample, layout, 0).AreText)
   {
     const bool areIds = LookAt(sample, layout, 0).AreAllDifferent;
-    columns.push_back({ areIds ? ColumnRole::Ignored : ColumnRole::HorizonName, areIds ? "-" : "Name" });
+    columns.push_back({ areIds ? FieldRole::Ignored : FieldRole::HorizonName, areIds ? "-" : "Name" });
     first = 1;
   }
   const auto areLines = [&](std::size_t column)
   { return LookAt(sample, layout, first + column).AreLines && LookAt(sample, layout, first + column + 1).AreLines; };
   const auto areBoth = [&](std::size_t lines, std::size_t places)
   { return count >= first + 5 && AreLinesAndPlaces(sample, layout, first + lines, first + places); };
-  using Role = ColumnRole;
+  using Role = FieldRole;
   std::vector<Role> roles = { Role::X, Role::Y, Role::Z };
   if (areBoth(0, 2))
   {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "GapRegion.h"
+#include "HoleRegion.h"
 
 #include <algorithm>
 
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-GapRegion::GapRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
+HoleRegion::HoleRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
   const std::vector<std::int64_t>& gap, int ringWidth)
 {
   std::int64_t leftmost = index.Width();
@@ -38,11 +38,11 @@ GapRegion::GapRegion(const ColumnIndex& index, const RasterFrame& frame, const L
   this->Near = std::make_shared<const BoxPlaces>(runs, int(margin));
   this->Kind.assign(std::size_t(this->Near->Size()), PlaceKind::Other);
   this->Point.assign(this->Kind.size(), NoPoint);
-  this->GapPlaces.reserve(gap.size());
+  this->HolePlaces.reserve(gap.size());
   for (const std::int64_t place : gap)
   {
-    this->GapPlaces.push_back(this->Near->Find(inBox(place)));
-    this->Kind[this->GapPlaces.back()] = PlaceKind::Gap;
+    this->HolePlaces.push_back(this->Near->Find(inBox(place)));
+    this->Kind[this->HolePlaces.back()] = PlaceKind::Hole;
   }
   if (cuts)
   {
@@ -52,7 +52,7 @@ GapRegion::GapRegion(const ColumnIndex& index, const RasterFrame& frame, const L
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void GapRegion::ReadCuts(const RasterFrame& frame, const LinkCuts& cuts, std::int64_t rasterWidth)
+void HoleRegion::ReadCuts(const RasterFrame& frame, const LinkCuts& cuts, std::int64_t rasterWidth)
 {
   this->Cuts.resize(this->Kind.size());
   for (std::size_t place = 0; place < this->Cuts.size(); ++place)
@@ -66,7 +66,7 @@ void GapRegion::ReadCuts(const RasterFrame& frame, const LinkCuts& cuts, std::in
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool GapRegion::CanStep(std::int64_t place, int dx, int dy) const
+bool HoleRegion::CanStep(std::int64_t place, int dx, int dy) const
 {
   if (!this->HasCuts() || (dx == 0 && dy == 0))
   {
@@ -80,10 +80,10 @@ bool GapRegion::CanStep(std::int64_t place, int dx, int dy) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void GapRegion::AddRing(const ColumnIndex& index, int ringWidth)
+void HoleRegion::AddRing(const ColumnIndex& index, int ringWidth)
 {
   std::vector<bool> reached(this->Kind.size(), false);
-  std::vector<std::int64_t> front = this->GapPlaces;
+  std::vector<std::int64_t> front = this->HolePlaces;
   for (const std::int64_t place : front)
   {
     reached[place] = true;
@@ -112,12 +112,12 @@ void GapRegion::AddRing(const ColumnIndex& index, int ringWidth)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SiteBox GapRegion::MakeSites(bool withRing) const
+SiteBox HoleRegion::MakeSites(bool withRing) const
 {
   SiteBox box(this->Near);
   for (std::size_t place = 0; place < this->Kind.size(); ++place)
   {
-    if (this->Kind[place] == PlaceKind::Gap || (withRing && this->Kind[place] == PlaceKind::Ring))
+    if (this->Kind[place] == PlaceKind::Hole || (withRing && this->Kind[place] == PlaceKind::Ring))
     {
       box.Add(std::int64_t(place));
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef SeismicHorizonsColumnRole_h
-#define SeismicHorizonsColumnRole_h
+#ifndef SeismicHorizonsFieldRole_h
+#define SeismicHorizonsFieldRole_h
 
 #include <cstddef>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace SeismicHorizons
 {
-enum class ColumnRole
+enum class FieldRole
 {
   X,
   Y,
@@ -23,13 +23,13 @@ enum class ColumnRole
   Ignored
 };
 
-const char* RoleWord(ColumnRole role);
+const char* RoleWord(FieldRole role);
 
 /// Recognises names such as "Easting (m)" for X, "IL" for Inline, "Depth" for Z and "-" for Ignored, or words within
 /// names: "HORIZON_TWT" is Z, "POINT_X" X, "Formation" a name; "THICKNESS_TWT" and unknown names are attributes.
-ColumnRole RoleOfName(std::string_view name);
+FieldRole RoleOfName(std::string_view name);
 
-ColumnRole RoleOfExactName(std::string_view name);
+FieldRole RoleOfExactName(std::string_view name);
 
 /// Amplitudes and line numbers are never z.
 bool IsNeverZ(std::string_view name);

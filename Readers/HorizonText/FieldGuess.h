@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef SeismicHorizonsColumnGuess_h
-#define SeismicHorizonsColumnGuess_h
+#ifndef SeismicHorizonsFieldGuess_h
+#define SeismicHorizonsFieldGuess_h
 
 #include "TextHeader.h"
 #include "TextLayout.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ColumnNames.h"
+#include "FieldNames.h"
 
 #include "Common/Survey/Units.h"
 #include "Common/Text/LineErrors.h"
@@ -16,7 +16,7 @@ namespace
 {
 std::string Word(const TextColumn& column)
 {
-  return column.Role == ColumnRole::Attribute ? column.Name : RoleWord(column.Role);
+  return column.Role == FieldRole::Attribute ? column.Name : RoleWord(column.Role);
 }
 
 /// Repeated names of attributes get a number: "Amplitude 2".
@@ -26,7 +26,7 @@ void NumberDoubles(std::vector<TextColumn>& columns)
   for (TextColumn& column : columns)
   {
     const std::string name = column.Name;
-    for (int number = 2; column.Role == ColumnRole::Attribute && !names.insert(column.Name).second; ++number)
+    for (int number = 2; column.Role == FieldRole::Attribute && !names.insert(column.Name).second; ++number)
     {
       column.Name = name + " " + std::to_string(number);
     }
@@ -39,7 +39,7 @@ void KeepOneZ(std::vector<TextColumn>& columns)
   std::vector<TextColumn*> candidates;
   for (TextColumn& column : columns)
   {
-    if (column.Role == ColumnRole::Z)
+    if (column.Role == FieldRole::Z)
     {
       names.push_back(column.Name);
       candidates.push_back(&column);
@@ -48,7 +48,7 @@ void KeepOneZ(std::vector<TextColumn>& columns)
   const std::size_t chosen = names.size() > 1 ? ChooseZ(names, "Columns") : 0;
   for (std::size_t n = 0; n < candidates.size(); ++n)
   {
-    candidates[n]->Role = n == chosen ? ColumnRole::Z : ColumnRole::Attribute;
+    candidates[n]->Role = n == chosen ? FieldRole::Z : FieldRole::Attribute;
   }
 }
 
@@ -56,7 +56,7 @@ void KeepOneZ(std::vector<TextColumn>& columns)
 void NameOnlyZ(std::vector<TextColumn>& columns)
 {
   const auto mayBe = [](const TextColumn& column)
-  { return column.Role == ColumnRole::Attribute && !IsNeverZ(column.Name); };
+  { return column.Role == FieldRole::Attribute && !IsNeverZ(column.Name); };
   const auto first = std::find_if(columns.begin(), columns.end(), mayBe);
   const auto second = first == columns.end() ? first : std::find_if(first + 1, columns.end(), mayBe);
   if (second != columns.end())
@@ -66,22 +66,22 @@ void NameOnlyZ(std::vector<TextColumn>& columns)
   }
   if (first != columns.end())
   {
-    first->Role = ColumnRole::Z;
+    first->Role = FieldRole::Z;
   }
 }
 
-bool Has(const std::vector<TextColumn>& columns, ColumnRole role)
+bool Has(const std::vector<TextColumn>& columns, FieldRole role)
 {
   return std::any_of(columns.begin(), columns.end(), [role](const TextColumn& column) { return column.Role == role; });
 }
 
 /// x without y becomes an attribute, as does y without x.
-void MakeAttributeOfHalf(std::vector<TextColumn>& columns, ColumnRole one, ColumnRole other)
+void MakeAttributeOfHalf(std::vector<TextColumn>& columns, FieldRole one, FieldRole other)
 {
   for (TextColumn& column : columns)
   {
     const bool isAlone = (column.Role == one && !Has(columns, other)) || (column.Role == other && !Has(columns, one));
-    column.Role = isAlone ? ColumnRole::Attribute : column.Role;
+    column.Role = isAlone ? FieldRole::Attribute : column.Role;
   }
 }
 }
@@ -91,7 +91,7 @@ TextColumn ColumnOfName(std::string_view name)
 {
   if (name.empty())
   {
-    return { ColumnRole::Ignored, "-" };
+    return { FieldRole::Ignored, "-" };
   }
   return { RoleOfName(name), std::string(name) };
 }
@@ -123,30 +123,30 @@ std::string_view DomainOfName(std::string_view name)
 void SettleRoles(std::vector<TextColumn>& columns)
 {
   KeepOneZ(columns);
-  std::set<ColumnRole> roles;
+  std::set<FieldRole> roles;
   for (TextColumn& column : columns)
   {
-    const bool isSingle = column.Role != ColumnRole::Attribute && column.Role != ColumnRole::Ignored;
+    const bool isSingle = column.Role != FieldRole::Attribute && column.Role != FieldRole::Ignored;
     if (isSingle && !roles.insert(column.Role).second)
     {
-      column.Role = ColumnRole::Attribute;
+      column.Role = FieldRole::Attribute;
     }
   }
-  if (!Has(columns, ColumnRole::Z))
+  if (!Has(columns, FieldRole::Z))
   {
     NameOnlyZ(columns);
   }
-  MakeAttributeOfHalf(columns, ColumnRole::X, ColumnRole::Y);
-  MakeAttributeOfHalf(columns, ColumnRole::Inline, ColumnRole::Crossline);
+  MakeAttributeOfHalf(columns, FieldRole::X, FieldRole::Y);
+  MakeAttributeOfHalf(columns, FieldRole::Inline, FieldRole::Crossline);
   NumberDoubles(columns);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void CheckRoles(const std::vector<TextColumn>& columns)
 {
-  const bool hasPlaces = Has(columns, ColumnRole::X) && Has(columns, ColumnRole::Y);
-  const bool hasLines = Has(columns, ColumnRole::Inline) && Has(columns, ColumnRole::Crossline);
-  if (!Has(columns, ColumnRole::Z) || !(hasPlaces || hasLines))
+  const bool hasPlaces = Has(columns, FieldRole::X) && Has(columns, FieldRole::Y);
+  const bool hasLines = Has(columns, FieldRole::Inline) && Has(columns, FieldRole::Crossline);
+  if (!Has(columns, FieldRole::Z) || !(hasPlaces || hasLines))
   {
     throw InputError("columns " + ListNames(columns) +
       ", expected Z, and X and Y or Inline and Crossline: set Columns, or "
@@ -166,7 +166,7 @@ std::vector<TextColumn> ParseColumnList(const std::string& list)
   {
     columns.push_back(ColumnOfName(Trim(field)));
     const std::string word = Word(columns.back());
-    if (columns.back().Role != ColumnRole::Ignored && !words.insert(word).second)
+    if (columns.back().Role != FieldRole::Ignored && !words.insert(word).second)
     {
       throw InputError("columns " + list + ", expected " + word + " once");
     }

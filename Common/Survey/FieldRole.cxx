@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ColumnRole.h"
+#include "FieldRole.h"
 
 #include "Common/Base/Errors.h"
 
@@ -16,38 +16,37 @@ namespace
 struct KnownName
 {
   std::string_view Name; // letters and digits in lower case
-  ColumnRole Role;
+  FieldRole Role;
 };
 
-constexpr std::array<KnownName, 95> KnownNames = { { { "x", ColumnRole::X }, { "easting", ColumnRole::X },
-  { "east", ColumnRole::X }, { "eastings", ColumnRole::X }, { "utmx", ColumnRole::X }, { "xutm", ColumnRole::X },
-  { "xcoord", ColumnRole::X }, { "xcoordinate", ColumnRole::X }, { "coordx", ColumnRole::X }, { "cdpx", ColumnRole::X },
-  { "xworld", ColumnRole::X }, { "worldx", ColumnRole::X }, { "xutme", ColumnRole::X }, { "y", ColumnRole::Y },
-  { "northing", ColumnRole::Y }, { "north", ColumnRole::Y }, { "northings", ColumnRole::Y }, { "utmy", ColumnRole::Y },
-  { "yutm", ColumnRole::Y }, { "ycoord", ColumnRole::Y }, { "ycoordinate", ColumnRole::Y }, { "coordy", ColumnRole::Y },
-  { "cdpy", ColumnRole::Y }, { "yworld", ColumnRole::Y }, { "worldy", ColumnRole::Y }, { "yutmn", ColumnRole::Y },
-  { "z", ColumnRole::Z }, { "depth", ColumnRole::Z }, { "time", ColumnRole::Z }, { "twt", ColumnRole::Z },
-  { "twtms", ColumnRole::Z }, { "tvd", ColumnRole::Z }, { "tvdss", ColumnRole::Z }, { "elevation", ColumnRole::Z },
-  { "elev", ColumnRole::Z }, { "zvalue", ColumnRole::Z }, { "zcoord", ColumnRole::Z }, { "msl", ColumnRole::Z },
-  { "inline", ColumnRole::Inline }, { "il", ColumnRole::Inline }, { "iline", ColumnRole::Inline },
-  { "inlineno", ColumnRole::Inline }, { "inlinenumber", ColumnRole::Inline }, { "iln", ColumnRole::Inline },
-  { "inl", ColumnRole::Inline }, { "line", ColumnRole::Inline }, { "row", ColumnRole::Inline },
-  { "crossline", ColumnRole::Crossline }, { "xl", ColumnRole::Crossline }, { "xline", ColumnRole::Crossline },
-  { "crosslineno", ColumnRole::Crossline }, { "crosslinenumber", ColumnRole::Crossline },
-  { "xln", ColumnRole::Crossline }, { "crl", ColumnRole::Crossline }, { "trace", ColumnRole::Crossline },
-  { "column", ColumnRole::Crossline }, { "columninteger", ColumnRole::Crossline }, { "rowinteger", ColumnRole::Inline },
-  { "name", ColumnRole::HorizonName }, { "horizon", ColumnRole::HorizonName }, { "rechtswert", ColumnRole::X },
-  { "hochwert", ColumnRole::Y }, { "ffid", ColumnRole::Inline }, { "cdp", ColumnRole::Crossline },
-  { "horizonname", ColumnRole::HorizonName }, { "horizonid", ColumnRole::HorizonName },
-  { "horizont", ColumnRole::HorizonName }, { "surfacename", ColumnRole::HorizonName },
-  { "surfaceid", ColumnRole::HorizonName }, { "sline", ColumnRole::Inline }, { "col", ColumnRole::Crossline },
-  { "oost", ColumnRole::X }, { "este", ColumnRole::X }, { "leste", ColumnRole::X }, { "ost", ColumnRole::X },
-  { "est", ColumnRole::X }, { "noord", ColumnRole::Y }, { "norte", ColumnRole::Y }, { "nord", ColumnRole::Y },
-  { "diepte", ColumnRole::Z }, { "profundidad", ColumnRole::Z }, { "profundidade", ColumnRole::Z },
-  { "tiefe", ColumnRole::Z }, { "profondeur", ColumnRole::Z }, { "dyp", ColumnRole::Z }, { "dybde", ColumnRole::Z },
-  { "tijd", ColumnRole::Z }, { "tiempo", ColumnRole::Z }, { "tempo", ColumnRole::Z }, { "zeit", ColumnRole::Z },
-  { "temps", ColumnRole::Z }, { "hoogte", ColumnRole::Z }, { "hoehe", ColumnRole::Z }, { "altitude", ColumnRole::Z },
-  { "cota", ColumnRole::Z } } };
+constexpr std::array<KnownName, 95> KnownNames = { { { "x", FieldRole::X }, { "easting", FieldRole::X },
+  { "east", FieldRole::X }, { "eastings", FieldRole::X }, { "utmx", FieldRole::X }, { "xutm", FieldRole::X },
+  { "xcoord", FieldRole::X }, { "xcoordinate", FieldRole::X }, { "coordx", FieldRole::X }, { "cdpx", FieldRole::X },
+  { "xworld", FieldRole::X }, { "worldx", FieldRole::X }, { "xutme", FieldRole::X }, { "y", FieldRole::Y },
+  { "northing", FieldRole::Y }, { "north", FieldRole::Y }, { "northings", FieldRole::Y }, { "utmy", FieldRole::Y },
+  { "yutm", FieldRole::Y }, { "ycoord", FieldRole::Y }, { "ycoordinate", FieldRole::Y }, { "coordy", FieldRole::Y },
+  { "cdpy", FieldRole::Y }, { "yworld", FieldRole::Y }, { "worldy", FieldRole::Y }, { "yutmn", FieldRole::Y },
+  { "z", FieldRole::Z }, { "depth", FieldRole::Z }, { "time", FieldRole::Z }, { "twt", FieldRole::Z },
+  { "twtms", FieldRole::Z }, { "tvd", FieldRole::Z }, { "tvdss", FieldRole::Z }, { "elevation", FieldRole::Z },
+  { "elev", FieldRole::Z }, { "zvalue", FieldRole::Z }, { "zcoord", FieldRole::Z }, { "msl", FieldRole::Z },
+  { "inline", FieldRole::Inline }, { "il", FieldRole::Inline }, { "iline", FieldRole::Inline },
+  { "inlineno", FieldRole::Inline }, { "inlinenumber", FieldRole::Inline }, { "iln", FieldRole::Inline },
+  { "inl", FieldRole::Inline }, { "line", FieldRole::Inline }, { "row", FieldRole::Inline },
+  { "crossline", FieldRole::Crossline }, { "xl", FieldRole::Crossline }, { "xline", FieldRole::Crossline },
+  { "crosslineno", FieldRole::Crossline }, { "crosslinenumber", FieldRole::Crossline }, { "xln", FieldRole::Crossline },
+  { "crl", FieldRole::Crossline }, { "trace", FieldRole::Crossline }, { "column", FieldRole::Crossline },
+  { "columninteger", FieldRole::Crossline }, { "rowinteger", FieldRole::Inline }, { "name", FieldRole::HorizonName },
+  { "horizon", FieldRole::HorizonName }, { "rechtswert", FieldRole::X }, { "hochwert", FieldRole::Y },
+  { "ffid", FieldRole::Inline }, { "cdp", FieldRole::Crossline }, { "horizonname", FieldRole::HorizonName },
+  { "horizonid", FieldRole::HorizonName }, { "horizont", FieldRole::HorizonName },
+  { "surfacename", FieldRole::HorizonName }, { "surfaceid", FieldRole::HorizonName }, { "sline", FieldRole::Inline },
+  { "col", FieldRole::Crossline }, { "oost", FieldRole::X }, { "este", FieldRole::X }, { "leste", FieldRole::X },
+  { "ost", FieldRole::X }, { "est", FieldRole::X }, { "noord", FieldRole::Y }, { "norte", FieldRole::Y },
+  { "nord", FieldRole::Y }, { "diepte", FieldRole::Z }, { "profundidad", FieldRole::Z },
+  { "profundidade", FieldRole::Z }, { "tiefe", FieldRole::Z }, { "profondeur", FieldRole::Z }, { "dyp", FieldRole::Z },
+  { "dybde", FieldRole::Z }, { "tijd", FieldRole::Z }, { "tiempo", FieldRole::Z }, { "tempo", FieldRole::Z },
+  { "zeit", FieldRole::Z }, { "temps", FieldRole::Z }, { "hoogte", FieldRole::Z }, { "hoehe", FieldRole::Z },
+  { "altitude", FieldRole::Z }, { "cota", FieldRole::Z } } };
 
 using Words = std::vector<std::string>;
 
@@ -113,51 +112,51 @@ bool HasWordOf(const List& list, const Words& words)
   return std::any_of(words.begin(), words.end(), [&list](const std::string& word) { return IsIn(list, word); });
 }
 
-ColumnRole RoleOfWords(const Words& words)
+FieldRole RoleOfWords(const Words& words)
 {
   if (HasWordOf(AttributeWords, words))
   {
-    return ColumnRole::Attribute;
+    return FieldRole::Attribute;
   }
   if (HasWordOf(CrosslineWords, words))
   {
-    return ColumnRole::Crossline;
+    return FieldRole::Crossline;
   }
   if (HasWordOf(InlineWords, words))
   {
-    return ColumnRole::Inline;
+    return FieldRole::Inline;
   }
   const bool isPlace = std::all_of(
     words.begin(), words.end(), [](const std::string& word) { return word.empty() || IsIn(PlaceWords, word); });
   const bool hasX = IsIn(words, "x");
   if (isPlace && hasX != IsIn(words, "y"))
   {
-    return hasX ? ColumnRole::X : ColumnRole::Y;
+    return hasX ? FieldRole::X : FieldRole::Y;
   }
-  return HasWordOf(ZWords, words)    ? ColumnRole::Z
-    : HasWordOf(HorizonWords, words) ? ColumnRole::HorizonName
-                                     : ColumnRole::Attribute;
+  return HasWordOf(ZWords, words)    ? FieldRole::Z
+    : HasWordOf(HorizonWords, words) ? FieldRole::HorizonName
+                                     : FieldRole::Attribute;
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-const char* RoleWord(ColumnRole role)
+const char* RoleWord(FieldRole role)
 {
   switch (role)
   {
-    case ColumnRole::X:
+    case FieldRole::X:
       return "X";
-    case ColumnRole::Y:
+    case FieldRole::Y:
       return "Y";
-    case ColumnRole::Z:
+    case FieldRole::Z:
       return "Z";
-    case ColumnRole::Inline:
+    case FieldRole::Inline:
       return "Inline";
-    case ColumnRole::Crossline:
+    case FieldRole::Crossline:
       return "Crossline";
-    case ColumnRole::HorizonName:
+    case FieldRole::HorizonName:
       return "Name";
-    case ColumnRole::Attribute:
+    case FieldRole::Attribute:
       return "Attribute";
     default:
       return "-";
@@ -165,23 +164,23 @@ const char* RoleWord(ColumnRole role)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ColumnRole RoleOfExactName(std::string_view name)
+FieldRole RoleOfExactName(std::string_view name)
 {
   const std::string essence = Essence(name);
   const auto found = std::find_if(
     KnownNames.begin(), KnownNames.end(), [&essence](const KnownName& known) { return known.Name == essence; });
-  return found == KnownNames.end() ? ColumnRole::Attribute : found->Role;
+  return found == KnownNames.end() ? FieldRole::Attribute : found->Role;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ColumnRole RoleOfName(std::string_view name)
+FieldRole RoleOfName(std::string_view name)
 {
   if (name == "-")
   {
-    return ColumnRole::Ignored;
+    return FieldRole::Ignored;
   }
-  const ColumnRole exact = RoleOfExactName(name);
-  return exact == ColumnRole::Attribute ? RoleOfWords(SplitName(name)) : exact;
+  const FieldRole exact = RoleOfExactName(name);
+  return exact == FieldRole::Attribute ? RoleOfWords(SplitName(name)) : exact;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -4,10 +4,10 @@
 // Fields without names are recognised by their values. Ambiguous fields are refused, since a wrong guess gives a wrong
 // horizon.
 
-#ifndef SeismicHorizonsColumnDoubts_h
-#define SeismicHorizonsColumnDoubts_h
+#ifndef SeismicHorizonsFieldWarnings_h
+#define SeismicHorizonsFieldWarnings_h
 
-#include "ColumnGuess.h"
+#include "FieldGuess.h"
 #include "TextLayout.h"
 
 #include <string>
