@@ -330,6 +330,7 @@ Spikes Find(
 //----------------------------------------------------------------------------------------------------------------------
 double MeasureNoise(PlanePoints columns, const std::vector<double>& heights)
 {
+  assert(heights.size() == columns.size());
   constexpr std::size_t enough = 100000;
   constexpr int radius = 2;
   if (columns.empty())
@@ -357,6 +358,7 @@ double MeasureNoise(PlanePoints columns, const std::vector<double>& heights)
 Spikes FindSpikes(
   PlanePoints columns, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
 {
+  assert(heights.size() == columns.size());
   CheckDespikingOptions(options);
   return Find(ColumnIndex(columns, options.Radius, options.Radius), heights, options, monitor);
 }

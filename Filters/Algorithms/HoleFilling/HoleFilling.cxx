@@ -19,6 +19,7 @@
 #include "SiteSolver.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -608,6 +609,7 @@ FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts,
   const Monitor& monitor)
 {
+  assert(heights.size() == columns.size());
   CheckFillingOptions(options);
   // The index has room for rings and stencils.
   const bool isChosen = options.Method == FillMethod::Automatic;

@@ -171,6 +171,7 @@ private:
 /// A column reaches as far as earlier columns, which change it; the columns of a block reach equally far.
 void EnvelopeCholesky::Allocate()
 {
+  assert(this->Offsets.empty() && !this->Ends.empty());
   const std::size_t size = this->Ends.size();
   std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin(),
     [](std::size_t a, std::size_t b) { return std::max(a, b); });
@@ -666,6 +667,7 @@ private:
 template <int Radius>
 void Multigrid<Radius>::Solve(std::vector<double>& values, const Monitor& monitor)
 {
+  assert(!this->Levels.empty());
   const GridLevel<Radius>& finest = *this->Levels.front();
   std::vector<double> residual = finest.AtPlaces(values);
   std::vector<double> solution(residual.size(), 0.0);

@@ -8,6 +8,7 @@
 #include "Common/Base/Parameters.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -238,6 +239,7 @@ CrossingRepair RepairCrossings(HeightStack& heights, const CrossingOptions& opti
   CheckAtLeast("minimum thickness", options.MinimumThickness, 0.0, " lattice units");
   const std::vector<int> weights = WeightOfEach(policies);
   const auto columns = std::int64_t(heights.front().size());
+  assert(HaveAll(heights, heights.front().size()));
   CrossingRepair sums = AddUpChunks<CrossingRepair>(columns, ColumnsOfChunk, monitor,
     [&](CrossingRepair& part, std::int64_t first, std::int64_t last)
     {
@@ -257,6 +259,7 @@ CrossingRepair RepairCrossings(HeightStack& heights, const CrossingOptions& opti
 void OrderColumn(
   std::vector<double>& heights, const std::vector<unsigned char>& isOneWithNext, bool heightsGrowDownwards)
 {
+  assert(isOneWithNext.size() + 1 >= heights.size());
   const double sign = heightsGrowDownwards ? 1.0 : -1.0;
   std::vector<Pool> pools;
   for (std::size_t horizon = 0; horizon < heights.size();)

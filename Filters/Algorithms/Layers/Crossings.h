@@ -86,6 +86,12 @@ struct CrossingRepair
 /// Heights by horizon, the uppermost first, then by column; nan where a horizon has none.
 using HeightStack = std::vector<std::vector<double>>;
 
+/// Holds for every stack.
+inline bool HaveAll(const HeightStack& heights, std::size_t columns)
+{
+  return std::all_of(heights.begin(), heights.end(), [columns](const auto& each) { return each.size() == columns; });
+}
+
 /// Puts heights in order. Throws InputError on fewer than two horizons, a wrong number of policies, and crossings with
 /// the policy Stop.
 CrossingRepair RepairCrossings(

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdlib>
 #include <iterator>
@@ -106,6 +107,7 @@ std::optional<double> PlaneHeight(
 std::vector<InnerHeights> FitCutoffs(const HeightMesh& mesh, const ColumnIndex& index, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const LinkCuts& cuts)
 {
+  assert(known.empty() || known.size() == heights.size());
   const PlanePoints columns = index.Columns();
   const CutoffSurroundings surroundings(index, cuts);
   std::vector<InnerHeights> fitted(heights.size());
@@ -267,6 +269,7 @@ bool KeptLines::IsFar(VertexId vertex, PointId from, PointId to) const
 //----------------------------------------------------------------------------------------------------------------------
 bool KeptLines::IsFar(TriangleId triangle, int side) const
 {
+  assert(side >= 0 && side < 3);
   const VertexId from = this->Mesh.Triangles().Corner(triangle, side);
   const VertexId to = this->Mesh.Triangles().Corner(triangle, NextCorner(side));
   return this->IsAnyFar(from,

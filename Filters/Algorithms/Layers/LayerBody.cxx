@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <utility>
 
 namespace SeismicHorizons
@@ -250,6 +251,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 LayerBody MakeLayerBody(const LayerPlan& plan, std::size_t layer, const Monitor& monitor)
 {
+  assert(layer < plan.NumberOfLayers());
   return BodyMaker(plan, layer).Run(monitor);
 }
 }

@@ -6,6 +6,7 @@
 #include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace SeismicHorizons
@@ -199,12 +200,16 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 LayerCells MakeLayerCells(const LayerPlan& plan, const Monitor& monitor)
 {
+  assert(HaveAll(plan.Heights, plan.Columns.size()));
+  assert(plan.Triangles.size() % 3 == 0 && plan.FaultTriangles.size() % 3 == 0);
+  assert(plan.IsIn.empty() || plan.IsIn.size() == plan.NumberOfLayers());
   return CellMaker(plan).Run(monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
 {
+  assert(layer < plan.NumberOfLayers());
   LayerVolume result;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t triangle = 0; triangle < plan.NumberOfTriangles(); ++triangle)
@@ -239,6 +244,7 @@ LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
 //----------------------------------------------------------------------------------------------------------------------
 double IntegrateAboveZero(double area, std::array<double, 3> values)
 {
+  assert(area >= 0.0);
   std::sort(values.begin(), values.end());
   const auto [least, middle, most] = values;
   if (most <= 0.0)
@@ -260,6 +266,7 @@ double IntegrateAboveZero(double area, std::array<double, 3> values)
 //----------------------------------------------------------------------------------------------------------------------
 double VolumeAbove(const LayerPlan& plan, std::size_t layer, double contact)
 {
+  assert(layer < plan.NumberOfLayers());
   const double sign = plan.HeightsGrowDownwards ? -1.0 : 1.0;
   const auto above = [&](std::size_t horizon, PointId vertex)
   { return sign * (plan.Heights[horizon][std::size_t(vertex)] - contact); };

@@ -9,6 +9,7 @@
 #include "LayerPlan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -312,6 +313,7 @@ private:
 LayerLedgers MakeLayerLedgers(const LayerPlan& plan, const OrderedStack& stack,
   const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices, const Monitor& monitor)
 {
+  assert(indices.size() == horizons.size() && HaveAll(stack.Heights, stack.Columns.size()));
   return LedgerMaker(plan, stack, horizons, indices).Run(monitor);
 }
 }

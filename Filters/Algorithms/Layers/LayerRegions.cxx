@@ -8,6 +8,7 @@
 #include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -195,6 +196,8 @@ LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
   const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, const LayerOutlineOptions& options,
   const Monitor& monitor)
 {
+  assert(HaveAll(heights, columns.size()) && indices.size() == horizons.size());
+  assert(known.empty() || known.size() == heights.size());
   return OutlineMaker(columns, heights, known, horizons, indices, options.MaximumError, options.Tolerance)
     .Run(boundary, options.Fixed, monitor);
 }
@@ -294,6 +297,7 @@ int LayerRegions::PartOfAll(std::int64_t x, std::int64_t y) const
 //----------------------------------------------------------------------------------------------------------------------
 bool LayerRegions::HasArea(std::size_t layer, PointId point) const
 {
+  assert(layer < this->IsIn.size());
   const PlanePoint& column = this->Columns[std::size_t(point)];
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -310,6 +314,7 @@ bool LayerRegions::HasArea(std::size_t layer, PointId point) const
 // The part with the centre of the triangle has all of it. If the centre is on a side of the part, no border is there.
 bool LayerRegions::Holds(std::size_t layer, const std::array<PlanePoint, 3>& corners) const
 {
+  assert(layer < this->IsIn.size());
   const std::int64_t sumX = std::int64_t(corners[0].X) + corners[1].X + corners[2].X;
   const std::int64_t sumY = std::int64_t(corners[0].Y) + corners[1].Y + corners[2].Y;
   const std::int64_t x = FloorOfThird(sumX);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -418,12 +419,14 @@ FilledHorizons FillHorizons(
 //----------------------------------------------------------------------------------------------------------------------
 void FillGaps(const HorizonView& horizon, const LinkCuts* cuts, PlanePoints columns, std::vector<double>& heights)
 {
+  assert(heights.size() == columns.size());
   GapInterpolation(horizon, cuts, columns).Fill(heights);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 OriginStack OriginsOf(const std::vector<HorizonView>& horizons, const CommonColumns& columns, HeightOrigin ofOthers)
 {
+  assert(columns.Points.size() == horizons.size());
   OriginStack origins(horizons.size());
   for (std::size_t n = 0; n < horizons.size(); ++n)
   {
@@ -458,6 +461,8 @@ OriginStack FindOrigins(
 void PutMissing(
   const OriginStack& origins, const HeightStack& given, const CrossingOptions& options, HeightStack& heights)
 {
+  assert(origins.size() == heights.size() && given.size() == heights.size());
+  assert(heights.empty() || (HaveAll(heights, heights.front().size()) && HaveAll(given, heights.front().size())));
   ParallelFor(heights.empty() ? 0 : std::int64_t(heights.front().size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -325,6 +326,7 @@ OrderedStack MakeStack(const std::vector<HorizonView>& horizons, const StackOpti
 CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, PlanePoints columns, const Loops& loops,
   bool withLoops, const LinkCuts* cuts, const CrossingOptions& options)
 {
+  assert(horizons.size() >= 2);
   const auto isComplete = [&](const HorizonView& horizon) { return horizon.Columns.size() == columns.size(); };
   if (std::all_of(horizons.begin(), horizons.end(), isComplete))
   {
@@ -370,6 +372,7 @@ CompletedColumns CompleteColumns(const std::vector<HorizonView>& horizons, Plane
 //----------------------------------------------------------------------------------------------------------------------
 Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first)
 {
+  assert(first <= columns.size());
   const ColumnIndex index(columns);
   Loops passing;
   for (std::size_t loop = 0; loop < loops.Size(); ++loop)
@@ -398,6 +401,8 @@ Loops PassThrough(const Loops& loops, PlanePoints columns, std::size_t first)
 //----------------------------------------------------------------------------------------------------------------------
 void CompletedColumns::AppendTo(std::vector<PlanePoint>& columns, HeightStack& heights) const
 {
+  assert(this->Heights.empty() || heights.empty() || this->Heights.size() == heights.size());
+  assert(HaveAll(this->Heights, this->Columns.size()));
   columns.insert(columns.end(), this->Columns.begin(), this->Columns.end());
   for (std::size_t n = 0; n < this->Heights.size(); ++n)
   {

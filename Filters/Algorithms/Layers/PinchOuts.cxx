@@ -9,6 +9,7 @@
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 
+#include <cassert>
 #include <cstddef>
 
 namespace SeismicHorizons
@@ -119,6 +120,7 @@ private:
 PinchOutLines FindPinchOutLines(PlanePoints columns, const HeightStack& heights,
   const std::vector<unsigned char>& isOnLoop, const PinchOutOptions& options, const Monitor& monitor)
 {
+  assert(isOnLoop.size() == columns.size() && HaveAll(heights, columns.size()));
   CheckAtLeast<std::int64_t>("smallest pinch-out", options.SmallestPinch, 1, " column");
   PinchOutLines lines;
   const auto layers = double(heights.size() - 1);

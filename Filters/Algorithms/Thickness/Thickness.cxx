@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -136,6 +137,8 @@ void Count(Thickness& result)
 Thickness MeasureThickness(
   const HorizonView& first, const HorizonView& other, const LatticeScale& scale, const Monitor& monitor)
 {
+  assert(first.Columns.empty() || first.Heights);
+  assert(other.Columns.empty() || other.Heights);
   monitor.Progress(0.0);
   const SteppedColumns columns = FindColumns(first, other);
   monitor.Progress(0.4);
