@@ -10,7 +10,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr NullRule IsNull = { -999.0 };
+constexpr NullRule IsStormNull = { -999.0 };
 constexpr std::size_t LongestWord = 64; // The longest number has 24 characters.
 
 /// Reads a single character after the word, because values may follow.
@@ -80,7 +80,7 @@ HorizonGrid ReadStorm(GridBytes& bytes)
   grid.Lattice = PrefixErrors(bytes.Place(), [&] { return TurnedLattice({ nx, ny }, { x, y }, { dx, dy }, 0.0); });
   const std::int64_t count = CountNodes(grid.Lattice.Columns);
   grid.Z.reserve(bytes.Room(count, sizeof(double)));
-  bytes.ReadValues<double>(count, IsNull, grid.Z);
+  bytes.ReadValues<double>(count, IsStormNull, grid.Z);
   bytes.RequireEnd();
   return grid;
 }

@@ -57,7 +57,7 @@ bool IsCounter(const std::vector<double>& numbers)
   return numbers.size() >= fewest;
 }
 
-struct Range
+struct NumberRange
 {
   double Least = std::numeric_limits<double>::infinity();
   double Largest = -Least;
@@ -69,7 +69,7 @@ struct Range
   }
 };
 
-struct Mean
+struct NumberMean
 {
   double Sum = 0.0;
   double Count = 0.0;
@@ -250,8 +250,8 @@ void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
   }
   constexpr double smooth = 0.25; // fraction of the range, from field to field
   constexpr double alike = 0.1; // fraction by which ranges of fields differ
-  std::vector<Range> ranges(count);
-  std::vector<Mean> steps(count);
+  std::vector<NumberRange> ranges(count);
+  std::vector<NumberMean> steps(count);
   for (const std::string_view line : sample)
   {
     const Fields fields = Split(line, layout.Separator);
@@ -266,13 +266,13 @@ void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
       before = number;
     }
   }
-  Range all;
-  Range common{ -all.Least, -all.Largest };
+  NumberRange all;
+  NumberRange common{ -all.Least, -all.Largest };
   double longest = 0.0;
   double narrowest = all.Least;
   for (std::size_t column = 0; column < count; ++column)
   {
-    const Range& own = ranges[column];
+    const NumberRange& own = ranges[column];
     if (own.Least <= own.Largest)
     {
       all.Add(own.Least);

@@ -28,7 +28,7 @@ const char* NameOf(int value, std::initializer_list<std::pair<int, const char*>>
   return found == names.end() ? "unknown" : found->second;
 }
 
-const char* TextOf(const char* text)
+const char* PrintedText(const char* text)
 {
   return text ? text : "(none)";
 }
@@ -50,7 +50,7 @@ def printed(name, kind, length, values):
     if kind in SWITCHES:
         return '(%s ? "on" : "off")' % member
     if kind == "text":
-        return "TextOf(this->Get%s())" % name
+        return "PrintedText(this->Get%s())" % name
     return " << ' ' << ".join("%s[%d]" % (member, n) for n in range(int(length))) if length != "1" else member
 
 

@@ -70,7 +70,7 @@ void WriteHeader(GridOutput& output, const SurveyLattice& lattice, const Written
 
 constexpr std::int32_t Mark = -996;
 
-std::uint32_t BitsOf(float number)
+std::uint32_t FloatBits(float number)
 {
   std::uint32_t bits = 0;
   static_assert(sizeof(bits) == sizeof(number));
@@ -108,7 +108,7 @@ float ToSingle(double number)
 void WriteBinaryHeader(GridOutput& output, const SurveyLattice& lattice, const WrittenLattice& irap)
 {
   const auto [columns, rows] = lattice.Columns;
-  const auto bits = [](double number) { return BitsOf(ToSingle(number)); };
+  const auto bits = [](double number) { return FloatBits(ToSingle(number)); };
   const std::uint32_t x = bits(lattice.Origin.x());
   const std::uint32_t y = bits(lattice.Origin.y());
   const double xLast = lattice.Origin.x() + (columns - 1) * irap.ColumnStep;
@@ -142,7 +142,7 @@ void WriteIrapBinary(std::ostream& stream, const HorizonGrid& grid, const Monito
   for (auto z = grid.Z.begin(); z != grid.Z.end(); z += grid.Lattice.Columns[0])
   {
     std::transform(z, z + grid.Lattice.Columns[0], row.begin(),
-      [](double value) { return BitsOf(std::isnan(value) ? BinaryNull : static_cast<float>(value)); });
+      [](double value) { return FloatBits(std::isnan(value) ? BinaryNull : static_cast<float>(value)); });
     WriteRecord(output, row);
     output.EndValues(grid.Lattice.Columns[0]);
   }

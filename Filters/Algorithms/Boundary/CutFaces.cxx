@@ -70,7 +70,7 @@ bool IsCrack(const HopVectors& hops, const std::vector<FaceStep>& steps)
   return MeasureFace(hops, steps).TwiceArea > 0 && ColumnsInside(hops, steps) <= most;
 }
 
-bool IsBefore(const CrackSide& a, const CrackSide& b)
+bool IsCrackBefore(const CrackSide& a, const CrackSide& b)
 {
   return std::tie(a.From, a.To) < std::tie(b.From, b.To);
 }
@@ -81,20 +81,20 @@ public:
   explicit SideTable(std::vector<CrackSide> sides)
     : Sides(std::move(sides))
   {
-    std::sort(this->Sides.begin(), this->Sides.end(), IsBefore);
+    std::sort(this->Sides.begin(), this->Sides.end(), IsCrackBefore);
   }
 
   const CrackSide* Find(PointId from, PointId to) const
   {
     const auto found = std::lower_bound(
-      this->Sides.begin(), this->Sides.end(), CrackSide{ from, to, 0, CrackSide::Kind::Cutoff }, IsBefore);
+      this->Sides.begin(), this->Sides.end(), CrackSide{ from, to, 0, CrackSide::Kind::Cutoff }, IsCrackBefore);
     return found != this->Sides.end() && found->From == from && found->To == to ? &*found : nullptr;
   }
 
   const CrackSide* FindFrom(PointId from) const
   {
     const auto found = std::lower_bound(
-      this->Sides.begin(), this->Sides.end(), CrackSide{ from, 0, 0, CrackSide::Kind::Cutoff }, IsBefore);
+      this->Sides.begin(), this->Sides.end(), CrackSide{ from, 0, 0, CrackSide::Kind::Cutoff }, IsCrackBefore);
     return found != this->Sides.end() && found->From == from ? &*found : nullptr;
   }
 

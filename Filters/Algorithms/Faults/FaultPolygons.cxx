@@ -26,7 +26,7 @@ struct Stretch
   double Last;
 };
 
-bool IsBefore(const Stretch& a, const Stretch& b)
+bool IsStretchBefore(const Stretch& a, const Stretch& b)
 {
   return std::tie(a.Row, a.First) < std::tie(b.Row, b.First);
 }
@@ -51,7 +51,7 @@ public:
     {
       this->Cross(polygon[n - 1], polygon[n]);
     }
-    std::sort(this->Crossings.begin(), this->Crossings.end(), IsBefore);
+    std::sort(this->Crossings.begin(), this->Crossings.end(), IsStretchBefore);
     for (std::size_t n = 1; n < this->Crossings.size(); n += 2)
     {
       this->Stretches.push_back({ this->Crossings[n].Row, this->Crossings[n - 1].First, this->Crossings[n].First });
@@ -61,7 +61,7 @@ public:
   /// Overlapping stretches of a row are merged after all polygons were added.
   void Join()
   {
-    std::sort(this->Stretches.begin(), this->Stretches.end(), IsBefore);
+    std::sort(this->Stretches.begin(), this->Stretches.end(), IsStretchBefore);
     std::vector<Stretch> joined;
     for (const Stretch& next : this->Stretches)
     {
@@ -80,7 +80,7 @@ public:
   bool Cover(const PlanePoint& column) const
   {
     const auto after = std::upper_bound(
-      this->Stretches.begin(), this->Stretches.end(), Stretch{ column.Y, double(column.X), 0.0 }, IsBefore);
+      this->Stretches.begin(), this->Stretches.end(), Stretch{ column.Y, double(column.X), 0.0 }, IsStretchBefore);
     return after != this->Stretches.begin() && std::prev(after)->Row == column.Y &&
       double(column.X) <= std::prev(after)->Last;
   }

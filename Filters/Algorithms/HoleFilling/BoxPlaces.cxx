@@ -10,7 +10,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr auto IsBefore = [](const BoxRun& a, const BoxRun& b)
+constexpr auto IsRunBefore = [](const BoxRun& a, const BoxRun& b)
 { return a.Row != b.Row ? a.Row < b.Row : a.First < b.First; };
 
 std::vector<BoxRun> Widened(const std::vector<BoxRun>& runs, int reach)
@@ -32,9 +32,9 @@ std::vector<BoxRun> Widened(const std::vector<BoxRun>& runs, int reach)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<BoxRun> Merged(std::vector<BoxRun> runs)
 {
-  if (!std::is_sorted(runs.begin(), runs.end(), IsBefore))
+  if (!std::is_sorted(runs.begin(), runs.end(), IsRunBefore))
   {
-    std::sort(runs.begin(), runs.end(), IsBefore);
+    std::sort(runs.begin(), runs.end(), IsRunBefore);
   }
   std::size_t kept = 0;
   for (const BoxRun& run : runs)
@@ -90,7 +90,7 @@ BoxPlaces::BoxPlaces(const std::vector<BoxRun>& runs, int reach)
 std::int64_t BoxPlaces::Find(const PlanePoint& column) const
 {
   const BoxRun wanted = { column.Y, column.X, column.X };
-  const auto after = std::upper_bound(this->Runs.begin(), this->Runs.end(), wanted, IsBefore);
+  const auto after = std::upper_bound(this->Runs.begin(), this->Runs.end(), wanted, IsRunBefore);
   const std::size_t run = std::size_t(after - this->Runs.begin()) - 1;
   return this->Begins[run] + (column.X - this->Runs[run].First);
 }

@@ -26,7 +26,7 @@ namespace
 constexpr std::int32_t CutoffReach = 2; // columns
 constexpr std::size_t FewestColumns = 6; // for a plane
 
-constexpr std::array<PlanePoint, 4> Steps = { PlanePoint{ 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
+constexpr std::array<PlanePoint, 4> StepsAround = { PlanePoint{ 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
 
 class CutoffSurroundings
 {
@@ -40,7 +40,7 @@ public:
 
   bool IsBesideCut(PointId point) const
   {
-    return std::any_of(Steps.begin(), Steps.end(),
+    return std::any_of(StepsAround.begin(), StepsAround.end(),
       [&](const PlanePoint& step) { return this->Cuts.IsCutBeside(this->Columns[std::size_t(point)], step); });
   }
 
@@ -53,7 +53,7 @@ public:
     for (std::size_t n = 0; n < found.size(); ++n)
     {
       const PlanePoint& column = this->Columns[std::size_t(found[n])];
-      for (const PlanePoint& step : Steps)
+      for (const PlanePoint& step : StepsAround)
       {
         const PlanePoint next = { column.X + step.X, column.Y + step.Y };
         const PointId point = this->Index.PointAt(next);
@@ -68,7 +68,7 @@ public:
     for (const PointId point : found)
     {
       const PlanePoint& column = this->Columns[std::size_t(point)];
-      for (const PlanePoint& step : Steps)
+      for (const PlanePoint& step : StepsAround)
       {
         const PointId other = this->Index.PointAt({ column.X + step.X, column.Y + step.Y });
         isAtEnd = isAtEnd ||

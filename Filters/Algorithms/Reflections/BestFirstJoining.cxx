@@ -302,7 +302,7 @@ private:
         shared += hasColumn(i, j) ? 1 : 0;
         for (int direction = 0; needsContact && direction < this->Links.Directions(); ++direction)
         {
-          const ColumnStep& step = NeighbourSteps[direction];
+          const ColumnStep& step = TraceSteps[direction];
           look(this->Links.Next(pick, direction), i + step.I, j + step.J);
           look(this->Links.Previous(pick, direction), i - step.I, j - step.J);
         }
@@ -495,7 +495,7 @@ private:
           for (int direction = 0; direction < this->Links.Directions(); ++direction)
           {
             const PointId next = this->Links.Next(pick, direction);
-            const ColumnStep& step = NeighbourSteps[direction];
+            const ColumnStep& step = TraceSteps[direction];
             const bool isWithin = this->Here.Has(i + step.I, j + step.J);
             if (next != NoPoint && !(isWithin && this->Sets.SetOf(pick) == this->Sets.SetOf(next)))
             {
@@ -516,7 +516,7 @@ private:
       const LinkId link = ranked.Link();
       const PointId from = this->Links.PickOf(link);
       const int direction = this->Links.DirectionOf(link);
-      const ColumnStep& step = NeighbourSteps[direction];
+      const ColumnStep& step = TraceSteps[direction];
       const std::int32_t column = this->Sets.ColumnOf(from);
       const bool isWithin = this->Here.Has(this->Picks.IOf(column) + step.I, this->Picks.JOf(column) + step.J);
       const PointId set = this->Sets.SetOf(from);
@@ -539,7 +539,7 @@ private:
     {
       for (int direction = 0; direction < this->Links.Directions(); ++direction)
       {
-        const ColumnStep& step = NeighbourSteps[direction];
+        const ColumnStep& step = TraceSteps[direction];
         const PointId previous = this->Links.Previous(pick, direction);
         if (previous != NoPoint && !this->Here.Has(i - step.I, j - step.J) && this->Sets.SetOf(pick) != NoPoint)
         {

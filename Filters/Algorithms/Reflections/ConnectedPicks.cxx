@@ -56,7 +56,7 @@ private:
   {
     for (int n = firstStep; n < endStep; ++n)
     {
-      const ColumnStep& step = NeighbourSteps[n];
+      const ColumnStep& step = TraceSteps[n];
       for (int i = std::max(0, -step.I); i < this->Picks.Columns[0] - std::max(0, step.I); ++i)
       {
         this->Picks.ForEachPair(this->Picks.ColumnAt(i, j), this->Picks.ColumnAt(i + step.I, j + step.J),

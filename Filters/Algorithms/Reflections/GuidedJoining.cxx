@@ -293,7 +293,7 @@ private:
   {
     const int i = this->Picks.IOf(column);
     const int j = this->Picks.JOf(column);
-    for (const ColumnStep& step : NeighbourSteps)
+    for (const ColumnStep& step : TraceSteps)
     {
       for (const int sign : { 1, -1 })
       {

@@ -348,7 +348,7 @@ constexpr double SmallestWideCorrelation = 0.9;
 
 // The step is in dominant periods, and at least this number of samples.
 constexpr double StepPerPeriod = 0.3;
-constexpr double LeastStep = 2.0;
+constexpr double LeastLinkStep = 2.0;
 
 int HalfWidth(double periods, double period)
 {
@@ -831,7 +831,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   result.Period = reflections.Period;
   result.Phase = EstimatePhase(cube);
   result.LargestStep =
-    options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastStep, StepPerPeriod * result.Period);
+    options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastLinkStep, StepPerPeriod * result.Period);
   result.SmallestSize = options.SmallestSize > 0
     ? options.SmallestSize
     : std::clamp(std::int64_t(cube.Size[0]) * cube.Size[1] / TracesPerSmallest, LeastSize, LargestLeastSize);

@@ -28,7 +28,7 @@ namespace
 // ---- A trace -------------------------------------------------------------------------------------------------------
 
 /// Samples from First to before End have one sign.
-struct Run
+struct SampleRun
 {
   int First = 0;
   int End = 0;
@@ -75,7 +75,7 @@ private:
   /// Returns the end of the run.
   int Take(int first, float sign)
   {
-    Run run{ first, first, sign, 0.0F };
+    SampleRun run{ first, first, sign, 0.0F };
     double sum = 0.0;
     while (run.End < this->Samples && sign * this->Trace[run.End] >= this->Least)
     {
@@ -101,12 +101,12 @@ private:
     return run.End;
   }
 
-  void Add(const Run& run, PickDepth place, float strength)
+  void Add(const SampleRun& run, PickDepth place, float strength)
   {
     this->Found.push_back({ place, run.Size(), run.Mean, strength });
   }
 
-  float LargestOf(const Run& run) const
+  float LargestOf(const SampleRun& run) const
   {
     float largest = 0.0F;
     for (int sample = run.First; sample < run.End; ++sample)
@@ -116,12 +116,12 @@ private:
     return largest;
   }
 
-  void AddMiddle(const Run& run)
+  void AddMiddle(const SampleRun& run)
   {
     this->Add(run, (run.First + run.End - 1) * (DepthsPerSample / 2), this->LargestOf(run));
   }
 
-  void AddCrossing(const Run& run)
+  void AddCrossing(const SampleRun& run)
   {
     const int last = this->Before.End - 1;
     const int between = run.First - this->Before.End;
@@ -138,7 +138,7 @@ private:
     this->Found.push_back({ place, (this->Before.Size() + run.Size() + 1) / 2, run.Sign * strength, strength });
   }
 
-  void AddPeaks(const Run& run)
+  void AddPeaks(const SampleRun& run)
   {
     bool isRising = true;
     for (int first = run.First; first < run.End;)
@@ -184,7 +184,7 @@ private:
   const int Samples;
   const ReflectionRules& Rules;
   const float Least;
-  Run Before;
+  SampleRun Before;
   std::vector<Reflection>& Found;
 };
 

@@ -279,7 +279,7 @@ public:
 private:
   void LinkRow(int j, int direction)
   {
-    const ColumnStep& step = NeighbourSteps[direction];
+    const ColumnStep& step = TraceSteps[direction];
     if (j + step.J >= this->Cube.Size[1])
     {
       return;

@@ -33,7 +33,7 @@ struct ColumnStep
 };
 
 /// The first two, or all, lead to half of the neighbours; their opposites to the rest.
-constexpr std::array<ColumnStep, 4> NeighbourSteps = { { { 1, 0 }, { 0, 1 }, { 1, 1 }, { -1, 1 } } };
+constexpr std::array<ColumnStep, 4> TraceSteps = { { { 1, 0 }, { 0, 1 }, { 1, 1 }, { -1, 1 } } };
 
 struct LinkOptions
 {

@@ -100,7 +100,7 @@ Case MakeCase(unsigned seed, ColumnConnectivity connectivity)
 
 void CheckPick(Case& test, const ReflectionLinks& links, PointId pick, int direction)
 {
-  const ColumnStep step = NeighbourSteps[std::size_t(direction)];
+  const ColumnStep step = TraceSteps[std::size_t(direction)];
   const int column = test.Columns[std::size_t(pick)];
   const int i = column % test.Cube.Size[0] + step.I;
   const int j = column / test.Cube.Size[0] + step.J;
