@@ -33,9 +33,8 @@ void CheckLattice(const SurveyLattice& lattice)
 //----------------------------------------------------------------------------------------------------------------------
 SurveyHorizons PlaceGrid(HorizonGrid grid, const NullValues& nulls)
 {
-  constexpr double null = std::numeric_limits<double>::quiet_NaN();
   std::replace_if(
-    grid.Z.begin(), grid.Z.end(), [&nulls](double z) { return nulls.IsNullNumber(z); }, null);
+    grid.Z.begin(), grid.Z.end(), [&nulls](double z) { return nulls.IsNullNumber(z); }, NoValue);
   CheckLattice(grid.Lattice);
   std::string sense = FindSense(grid.Survey, grid.Z);
   LatticeHorizon horizon;

@@ -35,4 +35,11 @@ NumberKind ReadNumber(std::string_view field, double& value)
     number.begin(), number.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
   return ReadAnyNumber(number, value);
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsNumber(std::string_view field)
+{
+  double value = 0.0;
+  return !field.empty() && ReadNumber(field, value) != NumberKind::NotANumber;
+}
 }

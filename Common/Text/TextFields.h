@@ -22,6 +22,8 @@ bool IsSkipped(std::string_view line);
 /// Accepts exponents of C and Fortran, such as 1.5D+03.
 NumberKind ReadNumber(std::string_view field, double& value);
 
+bool IsNumber(std::string_view field);
+
 /// Quoted text is one field, without the quotes; an unmatched quote belongs to its field. The class is inline because
 /// it dominates the time of reading.
 class FieldCursor

@@ -24,10 +24,9 @@ namespace SeismicHorizons
 template <typename Elevation>
 vtkSmartPointer<vtkPoints> MakeColumnPoints(PlanePoints columns, const LatticeMatrix& toWorld, Elevation&& elevation)
 {
-  constexpr std::int64_t grain = 1 << 14;
   auto coordinates = NewArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(columns.size()), 3);
   double* const world = coordinates->GetPointer(0);
-  ParallelFor(static_cast<std::int64_t>(columns.size()), grain,
+  ParallelFor(static_cast<std::int64_t>(columns.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto n = static_cast<std::size_t>(first); n < static_cast<std::size_t>(last); ++n)

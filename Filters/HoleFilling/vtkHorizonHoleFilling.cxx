@@ -53,7 +53,7 @@ struct FilledArray
   double Slope = 0.0;
 };
 
-constexpr std::int64_t BytesPerTask = 1 << 20; // bytes per chunk
+constexpr std::int64_t BytesPerTask = 1 << 20;
 
 bool IsFloating(vtkAbstractArray* array)
 {

@@ -119,7 +119,6 @@ void AppendRows(const DistanceReport& report, const std::string& horizon, vtkTab
   { return vtkStringArray::SafeDownCast(table->GetColumnByName(column)); };
   const auto number = [table](const std::string& column)
   { return vtkDoubleArray::SafeDownCast(table->GetColumnByName(column.c_str())); };
-  const double none = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t unit = 0; unit < UnitNames.size(); ++unit)
   {
     for (std::size_t direction = 0; direction < Directions; ++direction)
@@ -132,8 +131,8 @@ void AppendRows(const DistanceReport& report, const std::string& horizon, vtkTab
         number(figure.first)->InsertNextValue(figure.second);
       }
       const bool ofOne = direction < report.Surfaces.size();
-      number(GradingMedian)->InsertNextValue(ofOne ? report.Surfaces[direction].Median : none);
-      number(Grading95)->InsertNextValue(ofOne ? report.Surfaces[direction].Percentile95 : none);
+      number(GradingMedian)->InsertNextValue(ofOne ? report.Surfaces[direction].Median : NoValue);
+      number(Grading95)->InsertNextValue(ofOne ? report.Surfaces[direction].Percentile95 : NoValue);
       vtkIdTypeArray::SafeDownCast(table->GetColumnByName(Samples))
         ->InsertNextValue(report.Lattice[direction].Samples); // All units have the same samples.
     }

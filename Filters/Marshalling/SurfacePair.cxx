@@ -92,12 +92,10 @@ void MeshHorizon(vtkPolyData* input, const BoundaryOptions& options, vtkPolyData
 
 // ---- Surfaces -------------------------------------------------------------------------------------------------------
 
-constexpr std::int64_t PointsPerThread = 16384; // points per chunk
-
 template <typename Work>
 void ForEachPoint(TriangleSurface& surface, Work&& work)
 {
-  ParallelFor(std::int64_t(surface.Points.size()), PointsPerThread,
+  ParallelFor(std::int64_t(surface.Points.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t point = first; point < last; ++point)

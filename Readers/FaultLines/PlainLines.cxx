@@ -28,12 +28,6 @@ std::vector<std::string_view> ListLineFields(std::string_view line)
   return fields;
 }
 
-bool IsAnyNumber(std::string_view field)
-{
-  double value = 0.0;
-  return ReadNumber(field, value) != NumberKind::NotANumber;
-}
-
 class PlainLineParser : public FaultLineParser
 {
 public:
@@ -74,7 +68,7 @@ private:
     {
       this->TakeStick(fields, line);
     }
-    else if (this->HasPlace || this->File.Places.size() > 0 || IsAnyNumber(fields.front()))
+    else if (this->HasPlace || this->File.Places.size() > 0 || IsNumber(fields.front()))
     {
       this->TakePlace(fields, 0, 3, line);
     }

@@ -33,8 +33,7 @@ struct GridPoint
   std::int64_t Line = 0;
 };
 
-constexpr double SmallestStepSine =
-  0.01; // Sine of the smallest angle between the steps; surveys are nearly rectangular.
+constexpr double SmallestStepSine = 0.01; // of the angle between the steps; surveys are nearly rectangular
 
 void RequireArea(const SurveyLattice& lattice)
 {

@@ -10,7 +10,7 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-GridBytes::GridBytes(std::istream& stream, const Monitor& monitor, GridByteOrder order)
+GridBytes::GridBytes(std::istream& stream, const Monitor& monitor, ByteOrder order)
   : Stream(stream)
   , Work(monitor)
   , Order(order)

@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsGridBytes_h
 #define SeismicHorizonsGridBytes_h
 
+#include "Common/Base/ByteOrder.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Text/FileErrors.h"
 #include "GridLayout.h"
@@ -20,32 +21,10 @@
 
 namespace SeismicHorizons
 {
-enum class GridByteOrder
-{
-  LittleEndian,
-  BigEndian
-};
-
-template <typename Number>
-Number DecodeNumber(const char* bytes, GridByteOrder order)
-{
-  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
-    std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint16_t>>;
-  Bits bits = 0;
-  for (std::size_t n = 0; n < sizeof(Number); ++n)
-  {
-    const std::size_t byte = order == GridByteOrder::BigEndian ? n : sizeof(Number) - 1 - n;
-    bits = static_cast<Bits>((bits << 8) | static_cast<unsigned char>(bytes[byte]));
-  }
-  Number number;
-  std::memcpy(&number, &bits, sizeof(Number));
-  return number;
-}
-
 class GridBytes
 {
 public:
-  GridBytes(std::istream& stream, const Monitor& monitor, GridByteOrder order);
+  GridBytes(std::istream& stream, const Monitor& monitor, ByteOrder order);
 
   std::string Place() const { return "byte " + std::to_string(this->Position); }
   InputError Error(const std::string& text) const { return InputError(this->Place() + ": " + text); }
@@ -130,7 +109,7 @@ private:
 
   std::istream& Stream;
   const Monitor& Work;
-  const GridByteOrder Order;
+  const ByteOrder Order;
   const double BytesInStream;
   std::int64_t Position = 0;
   std::vector<char> Part;

@@ -132,7 +132,7 @@ HorizonGrid ReadFormat(GridFormat format, std::istream& stream, const Monitor& m
     GridText lines(stream, monitor, bufferSize);
     return read(lines);
   };
-  const auto binary = [&](GridByteOrder order, auto read)
+  const auto binary = [&](ByteOrder order, auto read)
   {
     GridBytes bytes(stream, monitor, order);
     HorizonGrid grid = read(bytes);
@@ -144,9 +144,9 @@ HorizonGrid ReadFormat(GridFormat format, std::istream& stream, const Monitor& m
     case GridFormat::IrapText:
       return text(ReadIrapText);
     case GridFormat::IrapBinary:
-      return binary(GridByteOrder::BigEndian, ReadIrapBinary);
+      return binary(ByteOrder::BigEndian, ReadIrapBinary);
     case GridFormat::Storm:
-      return binary(GridByteOrder::BigEndian, ReadStorm);
+      return binary(ByteOrder::BigEndian, ReadStorm);
     case GridFormat::Zmap:
       return text(ReadZmap);
     case GridFormat::Cps3:
@@ -156,9 +156,9 @@ HorizonGrid ReadFormat(GridFormat format, std::istream& stream, const Monitor& m
     case GridFormat::SurferText:
       return text(ReadSurferText);
     case GridFormat::SurferBinary:
-      return binary(GridByteOrder::LittleEndian, ReadSurferBinary);
+      return binary(ByteOrder::LittleEndian, ReadSurferBinary);
     case GridFormat::Surfer7:
-      return binary(GridByteOrder::LittleEndian, ReadSurfer7);
+      return binary(ByteOrder::LittleEndian, ReadSurfer7);
     case GridFormat::Gxf:
       return text(ReadGxf);
     case GridFormat::EsriGrid:

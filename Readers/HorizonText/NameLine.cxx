@@ -50,7 +50,7 @@ private:
       const std::string_view names = Trim(this->Lines[line]);
       const FieldSeparator separator = SeparatorOfNames(names);
       if (!HasNumber(names) && Split(names, separator).size() == Split(this->Lines[pick], separator).size() &&
-        PlacesText(names, separator))
+        HavePlaces(names, separator))
       {
         this->Names = names;
         this->Layout.HasLineOfNames = true;
@@ -114,7 +114,7 @@ private:
     return pick < end ? pick : this->Line;
   }
 
-  static bool PlacesText(std::string_view names, FieldSeparator separator)
+  static bool HavePlaces(std::string_view names, FieldSeparator separator)
   {
     TextLayout layout;
     for (const std::string_view field : Split(names, separator))
@@ -188,13 +188,6 @@ FieldSeparator SeparatorOfNames(std::string_view names)
     : has(',')     ? FieldSeparator::Comma
     : has(';')     ? FieldSeparator::Semicolon
                    : FieldSeparator::Blanks;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool IsNumber(std::string_view field)
-{
-  double value = 0.0;
-  return !field.empty() && ReadNumber(field, value) != NumberKind::NotANumber;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

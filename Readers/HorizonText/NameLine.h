@@ -26,7 +26,6 @@ std::string JoinWords(std::string_view names);
 
 FieldSeparator SeparatorOfNames(std::string_view names);
 
-bool IsNumber(std::string_view field);
 }
 
 #endif

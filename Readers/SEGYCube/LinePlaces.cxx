@@ -127,8 +127,7 @@ private:
 
 Places ListPlaces(const SEGYCube& cube, const TraceTable& table, const FieldPair& fields)
 {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  Places places(cube.Traces.size(), Eigen::Vector2d(none, none));
+  Places places(cube.Traces.size(), Eigen::Vector2d(NoValue, NoValue));
   for (std::size_t column = 0; column < places.size(); ++column)
   {
     const std::int32_t trace = cube.Traces[column];

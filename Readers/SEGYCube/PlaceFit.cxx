@@ -21,7 +21,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t FittedTraces = 1000; // places
+constexpr std::size_t FittedPlaces = 1000;
 
 class Distances
 {
@@ -105,7 +105,7 @@ std::optional<PlaneMap> FindConsensus(const PickTable& picks, const LineNumberin
 PickTable Sample(const PickTable& picks)
 {
   PickTable some;
-  const std::size_t stride = std::max<std::size_t>(1, picks.X.size() / FittedTraces);
+  const std::size_t stride = std::max<std::size_t>(1, picks.X.size() / FittedPlaces);
   for (std::size_t pick = 0; pick < picks.X.size(); pick += stride)
   {
     some.Inline.push_back(picks.Inline[pick]);

@@ -47,15 +47,16 @@ public:
 
   const unsigned char* At(int byte) const { return this->Bytes.data() + byte - 1; }
   std::uint32_t Unsigned16(int byte) const { return ReadUnsigned(this->At(byte), 2, this->Order); }
-  int Integer16(int byte) const { return ReadInteger16(this->At(byte), this->Order); }
-  int Integer32(int byte) const { return ReadInteger32(this->At(byte), this->Order); }
-  double Double(int byte) const { return ReadDouble(this->At(byte), this->Order); }
+  int Integer16(int byte) const { return DecodeNumber<std::int16_t>(this->At(byte), this->Order); }
+  int Integer32(int byte) const { return DecodeNumber<std::int32_t>(this->At(byte), this->Order); }
+  double Double(int byte) const { return DecodeNumber<double>(this->At(byte), this->Order); }
 
   /// Finds the byte order in which the format code is valid, or else the one with the smaller interval and number of
   /// samples.
   void FindOrder()
   {
-    const auto isCode = [this](ByteOrder order) { return SampleSize(ReadInteger16(this->At(FormatByte), order)) > 0; };
+    const auto isCode = [this](ByteOrder order)
+    { return SampleSize(DecodeNumber<std::int16_t>(this->At(FormatByte), order)) > 0; };
     const auto numbers = [this](ByteOrder order)
     { return ReadUnsigned(this->At(IntervalByte), 2, order) + ReadUnsigned(this->At(SamplesByte), 2, order); };
     const bool isMarked = ReadUnsigned(this->At(ByteOrderMarkByte), 4, ByteOrder::LittleEndian) == ByteOrderNumber;

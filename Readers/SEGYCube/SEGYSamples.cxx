@@ -190,25 +190,6 @@ std::uint32_t ReadUnsigned(const unsigned char* bytes, std::size_t size, ByteOrd
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::int32_t ReadInteger32(const unsigned char* bytes, ByteOrder order)
-{
-  return std::int32_t(ReadUnsigned(bytes, 4, order));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::int32_t ReadInteger16(const unsigned char* bytes, ByteOrder order)
-{
-  return ExtendSign<2>(ReadUnsigned(bytes, 2, order));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double ReadDouble(const unsigned char* bytes, ByteOrder order)
-{
-  return CopyBits<double>(
-    order == ByteOrder::BigEndian ? Load<8, ByteOrder::BigEndian>(bytes) : Load<8, ByteOrder::LittleEndian>(bytes));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void ToFloats(const unsigned char* bytes, std::size_t samples, SEGYFormat format, ByteOrder order, float* values)
 {
   if (order == ByteOrder::BigEndian)

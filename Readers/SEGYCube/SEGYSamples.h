@@ -4,6 +4,8 @@
 #ifndef SeismicHorizonsSEGYSamples_h
 #define SeismicHorizonsSEGYSamples_h
 
+#include "Common/Base/ByteOrder.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -29,16 +31,7 @@ std::size_t SampleSize(int code);
 
 const char* FormatName(SEGYFormat format);
 
-enum class ByteOrder
-{
-  BigEndian,
-  LittleEndian
-};
-
 std::uint32_t ReadUnsigned(const unsigned char* bytes, std::size_t size, ByteOrder order); // `size` is 1 to 4.
-std::int32_t ReadInteger32(const unsigned char* bytes, ByteOrder order);
-std::int32_t ReadInteger16(const unsigned char* bytes, ByteOrder order);
-double ReadDouble(const unsigned char* bytes, ByteOrder order);
 
 /// Rounds 32-bit integers and doubles; doubles out of range become infinite or 0.
 void ToFloats(const unsigned char* bytes, std::size_t samples, SEGYFormat format, ByteOrder order, float* values);

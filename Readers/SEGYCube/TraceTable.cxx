@@ -85,7 +85,8 @@ TraceTable ReadTraceTable(
         const bool isShort = IsShort(byte);
         for (std::int32_t& value : values)
         {
-          value = isShort ? ReadInteger16(place, header.Order) : ReadInteger32(place, header.Order);
+          value =
+            isShort ? DecodeNumber<std::int16_t>(place, header.Order) : DecodeNumber<std::int32_t>(place, header.Order);
           place += SEGYTraceHeaderSize;
         }
         field.SetPart(part, values);

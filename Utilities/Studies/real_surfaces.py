@@ -14,9 +14,8 @@ import sys
 import time
 import warnings
 
-import numpy as np
-
 import seismichorizons as sh
+from hole_filling import read_real
 from text import table
 
 TRIANGLES = 5000
@@ -32,14 +31,6 @@ HORIZONS = {
 }
 
 
-def read(path, factor):
-    lines = [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
-    heights = np.full((int(lines[0][1]), int(lines[0][0])), np.nan)
-    i, j, z = np.array(lines[1:], dtype=float).T
-    heights[j.astype(int), i.astype(int)] = factor * z
-    return heights
-
-
 def measure(horizon, **target):
     seconds = []
     for _ in range(RUNS):
@@ -51,7 +42,7 @@ def measure(horizon, **target):
 
 def rows(folder):
     for name, (title, unit, factor) in HORIZONS.items():
-        horizon = sh.horizon(read(folder / (name + ".ijz"), factor), vertical_unit=unit, vertical_direction="Down")
+        horizon = sh.horizon(factor * read_real(folder / (name + ".ijz")), vertical_unit=unit, vertical_direction="Down")
         points = horizon.GetNumberOfPoints()
         step = abs(sh.details(horizon).lattice_to_world[2, 2])
         noise = None

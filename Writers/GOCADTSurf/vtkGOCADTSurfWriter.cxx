@@ -21,7 +21,7 @@ namespace
 {
 constexpr const char* NoUnit = "none"; // GOCAD's word for properties without unit.
 
-std::string ChooseByPlace(const char* parameter, const std::string& field, const std::string& otherwise)
+std::string FirstGiven(const char* parameter, const std::string& field, const std::string& otherwise)
 {
   if (parameter && *parameter)
   {
@@ -62,9 +62,9 @@ void vtkGOCADTSurfWriter::PrintHorizons(
           surface.Properties = ReadProperties(horizons[n].Data, this->WriteAttributes == AllArrays);
         }
         SurveyDescription& survey = surface.Survey;
-        survey.VerticalUnit = ChooseByPlace(this->VerticalUnit, survey.VerticalUnit, NoUnit);
-        survey.HorizontalUnit = ChooseByPlace(this->HorizontalUnit, survey.HorizontalUnit, NoUnit);
-        survey.CoordinateSystem = ChooseByPlace(this->CoordinateSystemName, survey.CoordinateSystem, "Default");
+        survey.VerticalUnit = FirstGiven(this->VerticalUnit, survey.VerticalUnit, NoUnit);
+        survey.HorizontalUnit = FirstGiven(this->HorizontalUnit, survey.HorizontalUnit, NoUnit);
+        survey.CoordinateSystem = FirstGiven(this->CoordinateSystemName, survey.CoordinateSystem, "Default");
         const Monitor step = monitor.Step(static_cast<double>(n) / size, static_cast<double>(n + 1) / size);
         PrintTSurf(surface, this->WriteBorders, stream, step);
       });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: the scan that finds all loops for hops to neighbours (also with bridges of growth by distance, and
-// with seams); the choice between it and clockwise growth; the classification of points.
+// In this order: clockwise growth; the scan that finds all loops for hops to neighbours (also with bridges of growth by
+// distance, and with seams); the choice between the two; the classification of points.
 //
 // Both methods walk around faces of a plane graph. The graph is decided before the walk, which therefore needs no rules
 // of its own and cannot cross itself.
@@ -32,6 +32,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+// ---- Clockwise growth -----------------------------------------------------------------------------------------------
 // Boundary by clockwise growth, for k > 1 or with cuts: the outer faces of the graph of admissible hops (PlanarHops.h),
 // and on request its inner faces that are holes.
 
@@ -227,6 +228,7 @@ ExteriorBoundary FindClockwiseBoundary(const ColumnIndex& index, const BoundaryO
   return finder.Run(monitor.Step(0.5, 1.0));
 }
 
+// ---- The scan -------------------------------------------------------------------------------------------------------
 // Finds all loops in one pass over the lattice if hops lead to neighbours (Suzuki and Abe, "Topological structural
 // analysis of digitized binary images by border following", 1985). Where a row comes from outside to an unvisited
 // point, the outline of a new patch is walked. The walk marks points with the outside to their right, where rows leave

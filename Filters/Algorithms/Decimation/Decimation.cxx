@@ -33,7 +33,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t PointGrain = 1 << 14;
 
 // ---- The result ----------------------------------------------------------------------------------------------------
 /// Vertices must be sorted by point.
@@ -126,7 +125,7 @@ private:
   void CheckAllAssigned() const
   {
     const std::vector<PointId>& target = this->Result.Points.Target;
-    ParallelFor(std::int64_t(target.size()), PointGrain,
+    ParallelFor(std::int64_t(target.size()), Grain,
       [&](std::int64_t first, std::int64_t last)
       {
         for (PointId point = PointId(first); point < PointId(last); ++point)

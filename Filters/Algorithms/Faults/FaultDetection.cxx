@@ -39,7 +39,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Faults through holes. Nothing can be detected where columns are missing, so that a fault across a hole is found as
+// ---- Faults through holes -------------------------------------------------------------------------------------------
+// Nothing can be detected where columns are missing, so that a fault across a hole is found as
 // two lines, and filling would create a ramp. Two lines that end at a hole are joined if they point at each other and
 // have similar throws.
 
@@ -308,8 +309,7 @@ void JoinThroughHoles(const ColumnHeights& heights, FaultLines& lines)
   lines.Append(joins);
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Deviations
+// ---- Deviations -----------------------------------------------------------------------------------------------------
 
 static_assert(WindowReach + 1 < ColumnHeights::Margin);
 
@@ -396,8 +396,7 @@ RawVector<float> FindDeviations(const ColumnHeights& heights, const Monitor& mon
   return deviations;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Noise
+// ---- Noise ----------------------------------------------------------------------------------------------------------
 
 // For normal noise, the median and the mean of sizes give the standard deviation by these factors.
 constexpr double DeviationPerMedian = 1.4826;
@@ -520,8 +519,7 @@ double MeasureRiseNoise(const RawVector<float>& rises, double noise, bool isGive
   return std::max(ofWhite, DeviationPerMedian * double(UpperMedian(sizes)));
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Candidates
+// ---- Candidates -----------------------------------------------------------------------------------------------------
 
 // By noise alone about 1 % of links are candidates, and hardly any are strong. The unit is the standard deviation.
 constexpr double LowFactor = 2.5;

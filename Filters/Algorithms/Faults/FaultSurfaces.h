@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fault surfaces from fault sticks: lines that an interpreter picks down a fault, section by section. In gridColumns they
+// Fault surfaces from fault sticks: lines that an interpreter picks down a fault, section by section. In files they
 // have any order, different depths, and points anywhere. A sheet has the sticks of one fault in order along it, with
 // places at common levels, so that neighbouring sticks can be joined level by level.
 

@@ -35,7 +35,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double AllowedColumns = 1e6; // always allowed
+constexpr double AllowedColumns = 1e6; // for any number of picks
 constexpr double MostLatticeColumns = 1 << 28;
 constexpr double LeastSmoothing = 1e-6;
 // Tension holds a plate beside a single line, and is too weak to show elsewhere.

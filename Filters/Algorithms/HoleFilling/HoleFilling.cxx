@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Holes are found by runs of empty columns and divided where cuts cross them; each section is cut out (HoleRegion.h) and
-// filled (HoleFiller.h). Sections without a link to a known column stay open. Threads share small holes; large holes,
-// which take seconds, are filled one by one.
+// The smoothing of plates is chosen first. Holes are found by runs of empty columns and divided where cuts cross them;
+// each section is cut out (HoleRegion.h) and filled (HoleFiller.h). Sections without a link to a known column stay open.
+// Threads share small holes; large holes, which take seconds, are filled one by one.
 
 #include "HoleFilling.h"
 
@@ -29,6 +29,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+// ---- Smoothing ------------------------------------------------------------------------------------------------------
 // Chooses the smoothing of plates by the roughness of the horizon.
 struct PlateChoice
 {
@@ -194,7 +195,7 @@ RasterFrame FindFrame(PlanePoints columns, const ColumnIndex& index)
   return RasterFrame(index, Continued(std::move(columnOf), isColumnKnown), Continued(std::move(rowOf), isRowKnown));
 }
 
-//----------------------------------------------------------------------------------------------------------------------
+// ---- Holes ----------------------------------------------------------------------------------------------------------
 // Holes are groups of empty columns, connected by edges, that patches enclose, as with a radius of 1.
 
 struct HoleRun
@@ -231,7 +232,7 @@ public:
   HoleList FoundHoles()
   {
     HoleList result;
-    std::vector<std::int32_t> gap(this->Runs.size(), NoHole);
+    std::vector<std::int32_t> hole(this->Runs.size(), NoHole);
     for (std::size_t run = 0; run < this->Runs.size(); ++run)
     {
       const std::size_t root = std::size_t(this->Sets.Find(std::int32_t(run)));
@@ -241,20 +242,20 @@ public:
       }
       if (root == run)
       {
-        gap[run] = std::int32_t(result.Columns.size());
+        hole[run] = std::int32_t(result.Columns.size());
         result.Columns.push_back(0);
       }
-      gap[run] = gap[root]; // The root has the least number of its set, and therefore came before.
-      result.Columns[gap[run]] += this->Runs[run].Last - this->Runs[run].First + 1;
+      hole[run] = hole[root]; // The root has the least number of its set, and therefore came before.
+      result.Columns[hole[run]] += this->Runs[run].Last - this->Runs[run].First + 1;
     }
     result.Runs = ItemLists<HoleRun>(std::int64_t(result.Columns.size()),
       [&](auto&& add)
       {
-        for (std::size_t run = 0; run < gap.size(); ++run)
+        for (std::size_t run = 0; run < hole.size(); ++run)
         {
-          if (gap[run] != NoHole)
+          if (hole[run] != NoHole)
           {
-            add(gap[run], this->Runs[run]);
+            add(hole[run], this->Runs[run]);
           }
         }
       });
@@ -362,34 +363,34 @@ struct AllHoles
 AllHoles FindHoles(const ColumnIndex& index, const RasterFrame& frame, const HoleFillingOptions& options)
 {
   EmptyRuns all(index);
-  AllHoles gaps;
-  gaps.Enclosed = all.FoundHoles();
+  AllHoles holes;
+  holes.Enclosed = all.FoundHoles();
   if (options.ExtrapolationDistance > 0 && index.NumberOfPlaces() > 0)
   {
     const std::vector<bool> near =
       FindNearOutside(index, frame, all.Outside(), options.ExtrapolationDistance, options.Survey);
-    gaps.Outside = EmptyRuns(index, &near).FoundHoles();
+    holes.Outside = EmptyRuns(index, &near).FoundHoles();
   }
-  return gaps;
+  return holes;
 }
 
 /// Sections are in the order of their first places.
 std::vector<std::vector<std::int64_t>> SplitHole(
-  const ColumnIndex& index, const RasterFrame& frame, const LinkCuts& cuts, const std::vector<std::int64_t>& gap)
+  const ColumnIndex& index, const RasterFrame& frame, const LinkCuts& cuts, const std::vector<std::int64_t>& hole)
 {
-  DisjointSets sets(gap.size());
-  for (std::size_t n = 0; n < gap.size(); ++n)
+  DisjointSets sets(hole.size());
+  for (std::size_t n = 0; n < hole.size(); ++n)
   {
     const auto join = [&](std::int64_t place)
     {
-      const auto found = std::lower_bound(gap.begin(), gap.begin() + std::ptrdiff_t(n), place);
-      if (found != gap.begin() + std::ptrdiff_t(n) && *found == place)
+      const auto found = std::lower_bound(hole.begin(), hole.begin() + std::ptrdiff_t(n), place);
+      if (found != hole.begin() + std::ptrdiff_t(n) && *found == place)
       {
-        sets.Join(std::int32_t(found - gap.begin()), std::int32_t(n));
+        sets.Join(std::int32_t(found - hole.begin()), std::int32_t(n));
       }
     };
-    const std::int64_t west = gap[n] - 1;
-    const std::int64_t south = gap[n] - index.Width();
+    const std::int64_t west = hole[n] - 1;
+    const std::int64_t south = hole[n] - index.Width();
     if (!cuts.IsCutEast(frame.Column(west)))
     {
       join(west);
@@ -400,8 +401,8 @@ std::vector<std::vector<std::int64_t>> SplitHole(
     }
   }
   std::vector<std::vector<std::int64_t>> parts;
-  std::vector<std::size_t> number(gap.size());
-  for (std::size_t n = 0; n < gap.size(); ++n)
+  std::vector<std::size_t> number(hole.size());
+  for (std::size_t n = 0; n < hole.size(); ++n)
   {
     const std::size_t root = std::size_t(sets.Find(std::int32_t(n)));
     if (root == n)
@@ -409,7 +410,7 @@ std::vector<std::vector<std::int64_t>> SplitHole(
       number[n] = parts.size();
       parts.emplace_back();
     }
-    parts[number[root]].push_back(gap[n]);
+    parts[number[root]].push_back(hole[n]);
   }
   return parts;
 }
@@ -427,7 +428,7 @@ public:
     , Attributes(attributes)
     , Options(options)
     , Cuts(cuts)
-    , Gaps(FindHoles(index, frame, options))
+    , Holes(FindHoles(index, frame, options))
   {
   }
 
@@ -436,7 +437,7 @@ public:
     this->Allocate();
     // Large holes report their own progress.
     const auto small = std::partition(this->Closed.begin(), this->Closed.end(),
-      [this](std::size_t gap) { return this->SizeOf(gap) >= std::int64_t(MultigridSize); });
+      [this](std::size_t hole) { return this->SizeOf(hole) >= std::int64_t(MultigridSize); });
     const std::size_t large = std::size_t(small - this->Closed.begin());
     const double share = large == 0 ? 0.0 : large == this->Closed.size() ? 1.0 : 0.8;
     for (std::size_t n = 0; n < large; ++n)
@@ -457,45 +458,45 @@ public:
 
 private:
   // Holes are numbered first, then areas outside.
-  std::size_t NumberOfHoles() const { return this->Gaps.Enclosed.Columns.size(); }
-  bool IsOutside(std::size_t gap) const { return gap >= this->NumberOfHoles(); }
-  std::int64_t SizeOf(std::size_t gap) const
+  std::size_t NumberOfHoles() const { return this->Holes.Enclosed.Columns.size(); }
+  bool IsOutside(std::size_t hole) const { return hole >= this->NumberOfHoles(); }
+  std::int64_t SizeOf(std::size_t hole) const
   {
-    return this->IsOutside(gap) ? this->Gaps.Outside.Columns[gap - this->NumberOfHoles()]
-                                : this->Gaps.Enclosed.Columns[gap];
+    return this->IsOutside(hole) ? this->Holes.Outside.Columns[hole - this->NumberOfHoles()]
+                                 : this->Holes.Enclosed.Columns[hole];
   }
 
   void Allocate()
   {
-    const std::size_t gaps = this->NumberOfHoles() + this->Gaps.Outside.Columns.size();
-    this->Begin.assign(gaps, 0);
+    const std::size_t holes = this->NumberOfHoles() + this->Holes.Outside.Columns.size();
+    this->Begin.assign(holes, 0);
     std::size_t size = 0;
-    for (std::size_t gap = 0; gap < gaps; ++gap)
+    for (std::size_t hole = 0; hole < holes; ++hole)
     {
-      this->Begin[gap] = size;
-      if (gap == this->NumberOfHoles())
+      this->Begin[hole] = size;
+      if (hole == this->NumberOfHoles())
       {
         this->Result.FirstOutside = size;
       }
-      if (this->IsOutside(gap) || this->SizeOf(gap) <= this->Options.LargestHoleSize)
+      if (this->IsOutside(hole) || this->SizeOf(hole) <= this->Options.LargestHoleSize)
       {
-        this->Closed.push_back(gap);
-        size += std::size_t(this->SizeOf(gap));
+        this->Closed.push_back(hole);
+        size += std::size_t(this->SizeOf(hole));
       }
     }
-    this->Result.FirstOutside = this->Gaps.Outside.Columns.empty() ? size : this->Result.FirstOutside;
+    this->Result.FirstOutside = this->Holes.Outside.Columns.empty() ? size : this->Result.FirstOutside;
     this->Result.Column.resize(size);
     this->Result.Height.resize(size);
     this->Result.Nearest.resize(size, NoPoint);
     this->Result.Attribute.assign(this->Attributes.size(), std::vector<double>(size));
   }
 
-  std::vector<std::int64_t> Places(std::size_t gap) const
+  std::vector<std::int64_t> Places(std::size_t hole) const
   {
     std::vector<std::int64_t> places;
-    places.reserve(std::size_t(this->SizeOf(gap)));
-    const ItemLists<HoleRun>& runs = this->IsOutside(gap) ? this->Gaps.Outside.Runs : this->Gaps.Enclosed.Runs;
-    const std::size_t own = this->IsOutside(gap) ? gap - this->NumberOfHoles() : gap;
+    places.reserve(std::size_t(this->SizeOf(hole)));
+    const ItemLists<HoleRun>& runs = this->IsOutside(hole) ? this->Holes.Outside.Runs : this->Holes.Enclosed.Runs;
+    const std::size_t own = this->IsOutside(hole) ? hole - this->NumberOfHoles() : hole;
     for (const HoleRun* run = runs.begin(own); run != runs.end(own); ++run)
     {
       for (std::int64_t place = run->First; place <= run->Last; ++place)
@@ -506,15 +507,15 @@ private:
     return places;
   }
 
-  void Fill(std::size_t gap, const Monitor& monitor)
+  void Fill(std::size_t hole, const Monitor& monitor)
   {
-    const std::vector<std::int64_t> places = this->Places(gap);
+    const std::vector<std::int64_t> places = this->Places(hole);
     if (!this->Cuts)
     {
-      this->FillPart(places, this->Begin[gap], monitor);
+      this->FillPart(places, this->Begin[hole], monitor);
       return;
     }
-    std::size_t begin = this->Begin[gap];
+    std::size_t begin = this->Begin[hole];
     for (const std::vector<std::int64_t>& part : SplitHole(this->Index, this->Frame, *this->Cuts, places))
     {
       this->FillPart(part, begin, monitor);
@@ -546,11 +547,11 @@ private:
   FilledColumns WithoutOpenHoles()
   {
     bool isAnyCutOff = false;
-    for (const std::size_t gap : this->Closed)
+    for (const std::size_t hole : this->Closed)
     {
-      const auto begin = this->Result.Nearest.begin() + std::ptrdiff_t(this->Begin[gap]);
-      const bool isCutOff = std::count(begin, begin + this->SizeOf(gap), NoPoint) > 0;
-      this->Result.FilledHoles += isCutOff || this->IsOutside(gap) ? 0 : 1;
+      const auto begin = this->Result.Nearest.begin() + std::ptrdiff_t(this->Begin[hole]);
+      const bool isCutOff = std::count(begin, begin + this->SizeOf(hole), NoPoint) > 0;
+      this->Result.FilledHoles += isCutOff || this->IsOutside(hole) ? 0 : 1;
       isAnyCutOff = isAnyCutOff || isCutOff;
     }
     this->Result.OpenHoles = std::int64_t(this->NumberOfHoles()) - this->Result.FilledHoles;
@@ -596,7 +597,7 @@ private:
   const std::vector<PointValue>& Attributes;
   const HoleFillingOptions& Options;
   const LinkCuts* const Cuts;
-  const AllHoles Gaps;
+  const AllHoles Holes;
   HolePlates Plates;
   std::vector<std::size_t> Closed;
   std::vector<std::size_t> Begin;

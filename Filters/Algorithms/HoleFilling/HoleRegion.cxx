@@ -9,18 +9,18 @@ namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
 HoleRegion::HoleRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
-  const std::vector<std::int64_t>& gap, int ringWidth)
+  const std::vector<std::int64_t>& hole, int ringWidth)
 {
   std::int64_t leftmost = index.Width();
   std::int64_t rightmost = 0;
-  for (const std::int64_t place : gap)
+  for (const std::int64_t place : hole)
   {
     leftmost = std::min(leftmost, place % index.Width());
     rightmost = std::max(rightmost, place % index.Width());
   }
   const std::int64_t margin = ringWidth + SiteBox::Margin;
-  const std::int64_t bottom = gap.front() / index.Width();
-  const std::int64_t top = gap.back() / index.Width();
+  const std::int64_t bottom = hole.front() / index.Width();
+  const std::int64_t top = hole.back() / index.Width();
   this->First = (bottom - margin) * index.Width() + leftmost - margin;
   this->Turned = rightmost - leftmost > top - bottom;
   const auto inBox = [&](std::int64_t place)
@@ -30,7 +30,7 @@ HoleRegion::HoleRegion(const ColumnIndex& index, const RasterFrame& frame, const
     return this->Turned ? PlanePoint{ y, x } : PlanePoint{ x, y };
   };
   std::vector<BoxRun> runs;
-  for (const std::int64_t place : gap)
+  for (const std::int64_t place : hole)
   {
     const PlanePoint column = inBox(place);
     runs.push_back({ column.Y, column.X, column.X });
@@ -38,8 +38,8 @@ HoleRegion::HoleRegion(const ColumnIndex& index, const RasterFrame& frame, const
   this->Near = std::make_shared<const BoxPlaces>(runs, int(margin));
   this->Kind.assign(std::size_t(this->Near->Size()), PlaceKind::Other);
   this->Point.assign(this->Kind.size(), NoPoint);
-  this->HolePlaces.reserve(gap.size());
-  for (const std::int64_t place : gap)
+  this->HolePlaces.reserve(hole.size());
+  for (const std::int64_t place : hole)
   {
     this->HolePlaces.push_back(this->Near->Find(inBox(place)));
     this->Kind[this->HolePlaces.back()] = PlaceKind::Hole;

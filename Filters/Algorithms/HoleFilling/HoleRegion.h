@@ -51,10 +51,10 @@ enum class PlaceKind : unsigned char
 class HoleRegion
 {
 public:
-  /// `gap` is ascending. The ring consists of known columns within `ringWidth` steps to eight neighbours, over no
+  /// `hole` is ascending. The ring consists of known columns within `ringWidth` steps to eight neighbours, over no
   /// faulted link and through no block with one.
   HoleRegion(const ColumnIndex& index, const RasterFrame& frame, const LinkCuts* cuts,
-    const std::vector<std::int64_t>& gap, int ringWidth);
+    const std::vector<std::int64_t>& hole, int ringWidth);
 
   std::shared_ptr<const BoxPlaces> Near;
   std::vector<PlaceKind> Kind; // by place

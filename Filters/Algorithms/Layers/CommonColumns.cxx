@@ -41,14 +41,16 @@ CommonColumns FindStackColumns(const std::vector<HorizonView>& horizons, std::si
     sorted.push_back(SortByRows(horizon.Columns));
   }
   CommonColumns result;
-  const PlanePoints first = horizons.empty() ? PlanePoints() : horizons.front().Columns;
-  const auto isSame = [&](const HorizonView& horizon)
-  { return horizon.Columns.size() == first.size() && std::equal(first.begin(), first.end(), horizon.Columns.begin()); };
-  if (together <= horizons.size() && std::all_of(horizons.begin(), horizons.end(), isSame))
+  const auto isSame = [&horizons](const HorizonView& horizon)
   {
-    for (const PointId point : sorted.empty() ? std::vector<PointId>() : sorted.front())
+    const PlanePoints& first = horizons.front().Columns;
+    return std::equal(first.begin(), first.end(), horizon.Columns.begin(), horizon.Columns.end());
+  };
+  if (!horizons.empty() && together <= horizons.size() && std::all_of(horizons.begin(), horizons.end(), isSame))
+  {
+    for (const PointId point : sorted.front())
     {
-      result.Columns.push_back(first[point]);
+      result.Columns.push_back(horizons.front().Columns[point]);
     }
     result.Points = std::move(sorted);
     return result;

@@ -22,6 +22,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+// ---- Cutoffs --------------------------------------------------------------------------------------------------------
 // Heights at the cutoffs of faults, as a throw between two columns has the noise of both.
 constexpr std::int32_t CutoffReach = 2; // columns
 constexpr std::size_t FewestColumns = 6; // for a plane

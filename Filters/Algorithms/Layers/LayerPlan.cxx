@@ -41,6 +41,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+// ---- Order of horizons ----------------------------------------------------------------------------------------------
 // Puts heights that were fitted to horizons of a stack in order.
 
 /// Fitted heights out of order get their mean, which does not increase the largest error. Horizons stay one if they are
@@ -132,6 +133,7 @@ bool FittedOrder::AreOne(std::size_t layer, PointId point) const
   return true;
 }
 
+// ---- Layers ---------------------------------------------------------------------------------------------------------
 constexpr std::int64_t TriangleGrain = 256; // that a thread takes at a time
 
 struct MeshErrors

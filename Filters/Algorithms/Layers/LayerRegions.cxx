@@ -18,6 +18,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+// ---- Outlines -------------------------------------------------------------------------------------------------------
 // The outlines of a stack with the fewest points for which all horizons are within the error along them.
 
 /// Loops are simplified for the first horizon. Edges too far from another one keep its farthest point, until none is.
@@ -169,6 +170,7 @@ private:
   BoundarySimplificationOptions Options;
 };
 
+// ---- Parts of blocks ------------------------------------------------------------------------------------------------
 int DiagonalOf(int corners)
 {
   return (corners & 9) == 9 ? 9 : 6;

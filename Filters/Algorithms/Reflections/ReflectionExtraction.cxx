@@ -7,6 +7,8 @@
 // 3. Guides take their picks (GuidedJoining.h).
 // 4. The first surfaces are written. Traces are read again, as keeping thicknesses and amplitudes of all picks would
 // take more memory.
+//
+// Before these come the phase of the wavelet and the reflections that picks of guides mean.
 
 #include "ReflectionExtraction.h"
 
@@ -37,6 +39,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+// ---- The phase of the wavelet ---------------------------------------------------------------------------------------
 // A wavelet of phase 0 has its peak, and its pick, on the interface; at 90 degrees a zero crossing between two picks.
 // A turn by an angle a makes x cos a + h sin a of a trace x with Hilbert transform h. Fourth moments of x and h give
 // the kurtosis at any angle without turning traces.
@@ -178,6 +181,7 @@ int Difference(int a, int b)
   return std::min(difference, 180 - difference);
 }
 
+// ---- Reflections of guides ------------------------------------------------------------------------------------------
 // Finds the reflections that picks of an interpreter mean.
 struct GuideSeeds
 {

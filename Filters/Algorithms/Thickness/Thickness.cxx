@@ -21,8 +21,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
-
 /// Lines farther apart are not a grid whose columns represent all bins between; outlines bridge no more, either.
 constexpr std::int64_t LargestStep = 32;
 
@@ -105,7 +103,7 @@ double StepAlong(
   const auto step = [&](std::int64_t way)
   {
     const PointId beside = index[place + way];
-    return beside == NoPoint ? NotKnown : (heights[beside] - heights[point]) * (way > 0 ? 1.0 : -1.0);
+    return beside == NoPoint ? NoValue : (heights[beside] - heights[point]) * (way > 0 ? 1.0 : -1.0);
   };
   const double forward = step(next);
   const double backward = step(-next);
@@ -157,7 +155,7 @@ Thickness MeasureThickness(
   monitor.Progress(0.5);
   Thickness result;
   result.LeftOut = columns.LeftOut;
-  result.Isochore.assign(first.Columns.size(), NotKnown);
+  result.Isochore.assign(first.Columns.size(), NoValue);
   result.Isopach = result.Isochore;
   Eigen::Matrix2d plane = scale.Plane;
   plane.col(0) *= double(columns.Step[0]);

@@ -337,7 +337,7 @@ CellBox CellsOfCircle(const ThirdPointQuery& query, float cotangent, float radiu
   const FloatBatch least = Select(area > FourTimes(-4.0f * margin * radius), centre - radius, ends) - margin;
   const IntegerBatch places = ToIntegers(Select(least > FourTimes(-FarOutside), least, FourTimes(-FarOutside)));
   const SearchGrid& points = query.Points;
-  // FloatRounding towards 0 moves a place by less than 1.
+  // Rounding towards 0 moves a place by less than 1.
   return { points.CellX(query.A.X + places[0] - 1), points.CellY(query.A.Y + places[1] - 1),
     points.CellX(query.A.X - places[2] + 1), points.CellY(query.A.Y - places[3] + 1) };
 }
@@ -570,7 +570,7 @@ struct EdgeCircle
     const double y = double(point.Y - this->Start.Y);
     const double fromX = x - this->X;
     const double fromY = y - this->Y;
-    // FloatRounding preserves the order of these products, or makes them equal.
+    // Rounding preserves the order of these products, or makes them equal.
     return (fromX * fromX + fromY * fromY <= this->SquaredReach) & (this->EdgeX * y >= this->EdgeY * x);
   }
 
