@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "GridParsers.h"
+#include "GridText.h"
 #include "HeaderFields.h"
-
-#include <map>
 
 namespace SeismicHorizons
 {
@@ -12,43 +11,34 @@ namespace
 {
 constexpr double UsualNull = -9999.0;
 
-using EsriHeader = std::map<std::string, HeaderFields>;
-
 bool IsSmallLetter(char c)
 {
   return c >= 'a' && c <= 'z';
 }
 
-/// Stops at the first line of values, which may start with the word nan.
-EsriHeader ReadEsriHeader(GridText& text)
-{
-  EsriHeader header;
-  for (; text.PeekLine(); text.NextLine())
-  {
-    std::vector<std::string> words = SplitAtBlanks(*text.PeekLine());
-    const std::string key = ToLower(words[0]);
-    if (!key.empty() && (!IsSmallLetter(key.front()) || key == "nan"))
-    {
-      break;
-    }
-    if (!key.empty())
-    {
-      header.insert_or_assign(key, HeaderFields(text.Place(), std::move(words)));
-    }
-  }
-  return header;
-}
-
-class EsriFields
+class EsriHeader
 {
 public:
-  EsriFields(const EsriHeader& header, const GridText& text)
-    : Header(header)
-    , Text(text)
+  /// Stops at the first line of values, which may start with the word nan.
+  explicit EsriHeader(GridText& text)
+    : Text(text)
   {
+    for (; text.PeekLine(); text.NextLine())
+    {
+      std::vector<std::string> words = SplitAtBlanks(*text.PeekLine());
+      const std::string key = ToLower(words[0]);
+      if (!key.empty() && (!IsSmallLetter(key.front()) || key == "nan"))
+      {
+        break;
+      }
+      if (!key.empty())
+      {
+        this->Lines.insert_or_assign(key, HeaderFields(text.Place(), std::move(words)));
+      }
+    }
   }
 
-  bool Has(const std::string& key) const { return this->Header.count(key) != 0; }
+  bool Has(const std::string& key) const { return this->Lines.count(key) != 0; }
   int Count(const std::string& key) const { return this->Line(key).Count(1, key); }
   double Number(const std::string& key) const { return this->Line(key).Number(1, key); }
 
@@ -73,18 +63,10 @@ public:
   }
 
 private:
-  const HeaderFields& Line(const std::string& key) const
-  {
-    const auto line = this->Header.find(key);
-    if (line == this->Header.end())
-    {
-      throw this->Text.Error("no line " + key + ", expected one before the values");
-    }
-    return line->second;
-  }
+  const HeaderFields& Line(const std::string& key) const { return RequireLine(this->Lines, key, this->Text.Place()); }
 
-  const EsriHeader& Header;
   const GridText& Text;
+  HeaderLines Lines;
 };
 }
 
@@ -93,17 +75,14 @@ HorizonGrid ReadEsriGrid(GridText& text)
 {
   HorizonGrid grid;
   grid.Survey.IsUpright = true;
-  const EsriHeader header = ReadEsriHeader(text);
-  const EsriFields fields(header, text);
-  const std::array<int, 2> columns = { fields.Count("ncols"), fields.Count("nrows") };
-  const std::array<double, 2> steps = { fields.Step("dx"), fields.Step("dy") };
-  const Eigen::Vector2d origin(fields.FirstNode("x", steps[0]), fields.FirstNode("y", steps[1]));
+  const EsriHeader header(text);
+  const std::array<int, 2> columns = { header.Count("ncols"), header.Count("nrows") };
+  const std::array<double, 2> steps = { header.Step("dx"), header.Step("dy") };
+  const Eigen::Vector2d origin(header.FirstNode("x", steps[0]), header.FirstNode("y", steps[1]));
   grid.Lattice = PrefixErrors(text.Place(), [&] { return TurnedLattice(columns, origin, steps, 0.0); });
-  std::vector<double> values = text.Values(CountNodes(columns), fields.IsNull());
+  std::vector<double> values = text.Values(CountNodes(columns), header.IsNull());
   text.RequireEnd();
-  StorageOrder order;
-  order.FromTop = true;
-  grid.Z = Arrange(std::move(values), columns, order);
+  grid.Z = Arrange(std::move(values), columns, { false, false, true });
   return grid;
 }
 }

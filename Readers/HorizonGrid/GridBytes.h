@@ -82,6 +82,15 @@ public:
     }
   }
 
+  template <typename Number>
+  std::vector<double> Values(std::int64_t count, const NullRule& isNull)
+  {
+    std::vector<double> values;
+    values.reserve(this->Room(count, sizeof(Number)));
+    this->ReadValues<Number>(count, isNull, values);
+    return values;
+  }
+
   /// Limits `count` values of `size` bytes by the length of the file.
   std::size_t Room(std::int64_t count, std::size_t size) const;
 

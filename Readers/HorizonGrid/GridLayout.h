@@ -58,6 +58,9 @@ struct StorageOrder
   bool FromTop = false; ///< The largest j comes first.
 };
 
+/// The order of ZMAP+ and CPS-3.
+constexpr StorageOrder ColumnsFromTop = { true, false, true };
+
 /// Returns the values in the order of HorizonGrid: i fastest.
 std::vector<double> Arrange(std::vector<double> values, const std::array<int, 2>& columns, const StorageOrder& order);
 }

@@ -7,11 +7,12 @@
 #define SeismicHorizonsGridParsers_h
 
 #include "Common/Survey/HorizonGrid.h"
-#include "GridBytes.h"
-#include "GridText.h"
 
 namespace SeismicHorizons
 {
+class GridBytes;
+class GridText;
+
 HorizonGrid ReadIrapText(GridText& text);
 HorizonGrid ReadZmap(GridText& text);
 HorizonGrid ReadCps3(GridText& text);

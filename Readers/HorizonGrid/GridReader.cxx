@@ -4,13 +4,15 @@
 #include "GridReader.h"
 
 #include "Common/Text/LineErrors.h"
+#include "GridBytes.h"
 #include "GridParsers.h"
+#include "GridText.h"
 #include "HeaderFields.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -18,50 +20,56 @@ namespace
 {
 using namespace std::string_view_literals;
 
-constexpr std::array<std::pair<std::string_view, GridFormat>, 5> Signatures = { {
-  { "\0\0\0\x20\xFF\xFF\xFC\x1C"sv, GridFormat::IrapBinary }, // A Fortran record of 32 bytes that begins with -996.
-  { "STORMGRID_BINARY"sv, GridFormat::Storm },
-  { "DSAA"sv, GridFormat::SurferText },
-  { "DSBB"sv, GridFormat::SurferBinary },
-  { "DSRB"sv, GridFormat::Surfer7 },
+constexpr std::size_t RecognitionBytes = 16 * 1024;
+
+struct GridFormat
+{
+  const char* Name;
+  HorizonGrid (*ReadText)(GridText&); // Null for binary formats.
+  HorizonGrid (*ReadBinary)(GridBytes&) = nullptr;
+  ByteOrder Order = ByteOrder::BigEndian;
+  std::string_view Signature = {}; // First bytes of the file; formats without are recognised by their lines.
+};
+
+constexpr GridFormat IrapText = { "IRAP classic ASCII grid", ReadIrapText };
+constexpr GridFormat Zmap = { "ZMAP+ grid", ReadZmap };
+constexpr GridFormat Cps3 = { "CPS-3 grid", ReadCps3 };
+constexpr GridFormat EarthVision = { "EarthVision grid", ReadEarthVision };
+constexpr GridFormat Gxf = { "GXF grid", ReadGxf };
+constexpr GridFormat EsriGrid = { "Esri ASCII grid", ReadEsriGrid };
+
+// An IRAP file begins with a Fortran record of 32 bytes whose first number is -996.
+constexpr std::array<GridFormat, 5> SignedFormats = { {
+  { "IRAP binary grid", nullptr, ReadIrapBinary, ByteOrder::BigEndian, "\0\0\0\x20\xFF\xFF\xFC\x1C"sv },
+  { "STORM binary grid", nullptr, ReadStorm, ByteOrder::BigEndian, "STORMGRID_BINARY"sv },
+  { "Surfer 6 text grid", ReadSurferText, nullptr, ByteOrder::BigEndian, "DSAA"sv },
+  { "Surfer 6 binary grid", nullptr, ReadSurferBinary, ByteOrder::LittleEndian, "DSBB"sv },
+  { "Surfer 7 grid", nullptr, ReadSurfer7, ByteOrder::LittleEndian, "DSRB"sv },
 } };
 
-bool IsZmapHeader(std::string_view line)
-{
-  if (line.front() != '@')
-  {
-    return false;
-  }
-  for (const std::string& field : SplitAtCommas(line))
-  {
-    if (IsSameWord(field, "GRID"))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::optional<GridFormat> RecogniseFirstLine(std::string_view line)
+const GridFormat* RecogniseFirstLine(std::string_view line)
 {
   const std::vector<std::string> words = SplitAtBlanks(line);
   if (words[0] == "-996")
   {
-    return GridFormat::IrapText;
+    return &IrapText;
   }
   if (words[0] == "FSASCI")
   {
-    return GridFormat::Cps3;
+    return &Cps3;
   }
   // Longer lines are names of fields.
   if (words.size() <= 2 && (IsSameWord(words[0], "ncols") || IsSameWord(words[0], "nrows")))
   {
-    return GridFormat::EsriGrid;
+    return &EsriGrid;
   }
-  return IsZmapHeader(line) ? std::optional(GridFormat::Zmap) : std::nullopt;
+  const std::vector<std::string> fields = SplitAtCommas(line);
+  const auto isGrid = [](const std::string& field) { return IsSameWord(field, "GRID"); };
+  return line.front() == '@' && std::any_of(fields.begin(), fields.end(), isGrid) ? &Zmap : nullptr;
 }
 
-std::optional<GridFormat> RecogniseLabels(const std::vector<std::string_view>& lines)
+/// Points without column and row are no EarthVision grid.
+const GridFormat* RecogniseLabels(const std::vector<std::string_view>& lines)
 {
   bool hasColumn = false;
   bool hasRow = false;
@@ -69,14 +77,14 @@ std::optional<GridFormat> RecogniseLabels(const std::vector<std::string_view>& l
   {
     if (IsSameWord(line, "#POINTS") || IsSameWord(line, "#GRID"))
     {
-      return GridFormat::Gxf;
+      return &Gxf;
     }
     const std::vector<std::string> words = SplitAtBlanks(line);
     const bool isField = words.size() > 3 && words[0] == "#" && words[1] == "Field:";
     hasColumn = hasColumn || (isField && IsSameWord(words[3], "column"));
     hasRow = hasRow || (isField && IsSameWord(words[3], "row"));
   }
-  return hasColumn && hasRow ? std::optional(GridFormat::EarthVision) : std::nullopt;
+  return hasColumn && hasRow ? &EarthVision : nullptr;
 }
 
 std::vector<std::string_view> FindLines(std::string_view text)
@@ -111,120 +119,58 @@ std::string PeekBytes(std::istream& stream)
   return bytes;
 }
 
-GridFormat RequireFormat(const std::string& firstBytes)
+const GridFormat* Recognise(std::string_view firstBytes)
+{
+  for (const GridFormat& format : SignedFormats)
+  {
+    if (StartsWith(firstBytes, format.Signature))
+    {
+      return &format;
+    }
+  }
+  const std::vector<std::string_view> lines = FindLines(WithoutByteOrderMark(firstBytes));
+  const GridFormat* const format = lines.empty() ? nullptr : RecogniseFirstLine(lines.front());
+  return format ? format : RecogniseLabels(lines);
+}
+
+const GridFormat& RequireFormat(const std::string& firstBytes)
 {
   if (firstBytes.empty())
   {
     throw InputError("empty file, expected a grid");
   }
-  if (const std::optional<GridFormat> format = RecogniseGrid(firstBytes))
+  if (const GridFormat* const format = Recognise(firstBytes))
   {
     return *format;
   }
   throw InputError("a file that begins with " + Quote(firstBytes.substr(0, firstBytes.find('\n'))) +
     ", expected a grid of IRAP, STORM, ZMAP+, CPS-3, EarthVision, Surfer, GXF or Esri");
 }
-
-HorizonGrid ReadFormat(GridFormat format, std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
-{
-  const auto text = [&](auto read)
-  {
-    GridText lines(stream, monitor, bufferSize);
-    return read(lines);
-  };
-  const auto binary = [&](ByteOrder order, auto read)
-  {
-    GridBytes bytes(stream, monitor, order);
-    HorizonGrid grid = read(bytes);
-    bytes.ReadRest();
-    return grid;
-  };
-  switch (format)
-  {
-    case GridFormat::IrapText:
-      return text(ReadIrapText);
-    case GridFormat::IrapBinary:
-      return binary(ByteOrder::BigEndian, ReadIrapBinary);
-    case GridFormat::Storm:
-      return binary(ByteOrder::BigEndian, ReadStorm);
-    case GridFormat::Zmap:
-      return text(ReadZmap);
-    case GridFormat::Cps3:
-      return text(ReadCps3);
-    case GridFormat::EarthVision:
-      return text(ReadEarthVision);
-    case GridFormat::SurferText:
-      return text(ReadSurferText);
-    case GridFormat::SurferBinary:
-      return binary(ByteOrder::LittleEndian, ReadSurferBinary);
-    case GridFormat::Surfer7:
-      return binary(ByteOrder::LittleEndian, ReadSurfer7);
-    case GridFormat::Gxf:
-      return text(ReadGxf);
-    case GridFormat::EsriGrid:
-      return text(ReadEsriGrid);
-  }
-  return {};
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-const char* FormatName(GridFormat format)
+bool IsGrid(std::istream& stream)
 {
-  switch (format)
-  {
-    case GridFormat::IrapText:
-      return "IRAP classic ASCII grid";
-    case GridFormat::IrapBinary:
-      return "IRAP binary grid";
-    case GridFormat::Storm:
-      return "STORM binary grid";
-    case GridFormat::Zmap:
-      return "ZMAP+ grid";
-    case GridFormat::Cps3:
-      return "CPS-3 grid";
-    case GridFormat::EarthVision:
-      return "EarthVision grid";
-    case GridFormat::SurferText:
-      return "Surfer 6 text grid";
-    case GridFormat::SurferBinary:
-      return "Surfer 6 binary grid";
-    case GridFormat::Surfer7:
-      return "Surfer 7 grid";
-    case GridFormat::Gxf:
-      return "GXF grid";
-    default:
-      return "Esri ASCII grid";
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::optional<GridFormat> RecogniseGrid(std::string_view firstBytes)
-{
-  for (const auto& [signature, format] : Signatures)
-  {
-    if (firstBytes.substr(0, signature.size()) == signature)
-    {
-      return format;
-    }
-  }
-  const std::vector<std::string_view> lines = FindLines(WithoutByteOrderMark(firstBytes));
-  const std::optional<GridFormat> format = lines.empty() ? std::nullopt : RecogniseFirstLine(lines.front());
-  return format ? format : RecogniseLabels(lines);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::optional<GridFormat> RecogniseGrid(std::istream& stream)
-{
-  return RecogniseGrid(PeekBytes(stream));
+  return Recognise(PeekBytes(stream)) != nullptr;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
 {
-  const GridFormat format = RequireFormat(PeekBytes(stream));
-  HorizonGrid grid = ReadFormat(format, stream, monitor, bufferSize);
-  grid.Format = FormatName(format);
+  const GridFormat& format = RequireFormat(PeekBytes(stream));
+  HorizonGrid grid;
+  if (format.ReadText)
+  {
+    GridText text(stream, monitor, bufferSize);
+    grid = format.ReadText(text);
+  }
+  else
+  {
+    GridBytes bytes(stream, monitor, format.Order);
+    grid = format.ReadBinary(bytes);
+    bytes.ReadRest();
+  }
+  grid.Format = format.Name;
   return grid;
 }
 }

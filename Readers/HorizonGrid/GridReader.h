@@ -12,41 +12,16 @@
 
 #include <cstddef>
 #include <istream>
-#include <optional>
-#include <string_view>
 
 namespace SeismicHorizons
 {
-/// Documentation/HorizonGridFormats.md describes each format.
-enum class GridFormat
-{
-  IrapText,
-  IrapBinary,
-  Storm,
-  Zmap,
-  Cps3,
-  EarthVision,
-  SurferText,
-  SurferBinary,
-  Surfer7,
-  Gxf,
-  EsriGrid
-};
-
-const char* FormatName(GridFormat format);
-
-constexpr std::size_t RecognitionBytes = 16 * 1024;
-
-/// Recognises content, as formats share file extensions. Points without column and row are no EarthVision grid.
-std::optional<GridFormat> RecogniseGrid(std::string_view firstBytes);
-
 /// A longer line enlarges the buffer.
 constexpr std::size_t GridBufferSize = 4 * 1024 * 1024;
 
-/// Leaves the stream where it was.
-std::optional<GridFormat> RecogniseGrid(std::istream& stream);
+/// Recognises content, as formats share file extensions. Leaves the stream where it was.
+bool IsGrid(std::istream& stream);
 
-/// Reads the file from a seekable stream. Throws InputError if the format is unknown or violated, with the position
+/// Reads a format of Documentation/HorizonGridFormats.md from a seekable stream. Throws InputError if the format is unknown or violated, with the position
 /// ("line 17: ..." or "byte 100: ..."), the text found and the text expected.
 HorizonGrid ReadHorizonGrid(
   std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = GridBufferSize);

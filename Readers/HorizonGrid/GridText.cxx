@@ -13,11 +13,6 @@
 
 namespace SeismicHorizons
 {
-namespace
-{
-constexpr double LeastBytesPerValue = 2.0; // One digit and one separator.
-}
-
 //----------------------------------------------------------------------------------------------------------------------
 GridText::GridText(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
   : BytesInStream(CountBytes(stream))
@@ -152,7 +147,8 @@ void GridText::RequireEnd(std::string_view comments)
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t GridText::Room(std::int64_t count) const
 {
-  return static_cast<std::size_t>(std::min(static_cast<double>(count), this->BytesInStream / LeastBytesPerValue));
+  constexpr double leastBytesPerValue = 2.0; // One digit and one separator.
+  return static_cast<std::size_t>(std::min(static_cast<double>(count), this->BytesInStream / leastBytesPerValue));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -21,9 +21,6 @@ namespace
 {
 struct GxfHeader
 {
-  std::string Name;
-  SurveyDescription Survey;
-  SurveyLattice Lattice;
   StorageOrder Order;
   NullRule IsNull;
   int GroupSize = 0; // Characters of a compressed value; 0 for plain numbers.
@@ -174,20 +171,12 @@ StorageOrder ReadOrder(const GxfFields& fields, const GridText& text)
   return order;
 }
 
-struct GxfExtent
-{
-  Eigen::Vector2d First = Eigen::Vector2d::Zero();
-  Eigen::Vector2d Last = Eigen::Vector2d::Zero();
-};
-
-GxfExtent FindGxfExtent(const SurveyLattice& lattice)
+/// Returns the corners with the least and the largest coordinates.
+std::array<Eigen::Vector2d, 2> FindGxfExtent(const SurveyLattice& lattice)
 {
   const Eigen::Vector2d x = (lattice.Columns[0] - 1) * lattice.ColumnStep;
   const Eigen::Vector2d y = (lattice.Columns[1] - 1) * lattice.RowStep;
-  GxfExtent extent;
-  extent.First = lattice.Origin + x.cwiseMin(0.0) + y.cwiseMin(0.0);
-  extent.Last = lattice.Origin + x.cwiseMax(0.0) + y.cwiseMax(0.0);
-  return extent;
+  return { lattice.Origin + x.cwiseMin(0.0) + y.cwiseMin(0.0), lattice.Origin + x.cwiseMax(0.0) + y.cwiseMax(0.0) };
 }
 
 /// By the standard the origin is the first node, and the rotation is counterclockwise from x. OpenWorks writes the
@@ -208,11 +197,11 @@ SurveyLattice ReadGxfLattice(const GxfFields& fields, const StorageOrder& order)
     return standard;
   }
   SurveyLattice other = fields.Lattice(columns, steps, rotation - 90.0);
-  other.Origin += other.Origin - FindGxfExtent(other).First;
+  other.Origin += other.Origin - FindGxfExtent(other)[0];
   const Eigen::Vector2d corner(fields.Number("#XMAX", 0.0), fields.Number("#YMAX", 0.0));
   const double halfStep = 0.5 * std::min(std::fabs(steps[0]), std::fabs(steps[1]));
   const auto fits = [&](const SurveyLattice& lattice)
-  { return (FindGxfExtent(lattice).Last - corner).cwiseAbs().maxCoeff() < halfStep; };
+  { return (FindGxfExtent(lattice)[1] - corner).cwiseAbs().maxCoeff() < halfStep; };
   return fits(other) && !fits(standard) ? other : standard;
 }
 
@@ -226,16 +215,16 @@ int ReadGroupSize(const GxfFields& fields, const GridText& text)
   return static_cast<int>(size);
 }
 
-GxfHeader ReadGxfHeader(GridText& text)
+GxfHeader ReadGxfHeader(GridText& text, HorizonGrid& grid)
 {
   GxfHeader header;
   const GxfEntries entries = ReadEntries(text);
   const GxfFields fields(entries, text);
-  header.Name = fields.Phrase("TITLE");
-  header.Survey.HorizontalUnit = ShortUnit(fields.Word("UNIT_LENGTH"));
-  header.Survey.CoordinateSystem = fields.Phrase("MAP_PROJECTION");
+  grid.Name = fields.Phrase("TITLE");
+  grid.Survey.HorizontalUnit = ShortUnit(fields.Word("UNIT_LENGTH"));
+  grid.Survey.CoordinateSystem = fields.Phrase("MAP_PROJECTION");
   header.Order = ReadOrder(fields, text);
-  header.Lattice = ReadGxfLattice(fields, header.Order);
+  grid.Lattice = ReadGxfLattice(fields, header.Order);
   header.GroupSize = ReadGroupSize(fields, text);
   if (fields.Find("DUMMY"))
   {
@@ -258,10 +247,10 @@ constexpr char Repeat = '"'; // Groups with a count and with the repeated value 
 class CompressedValues
 {
 public:
-  CompressedValues(GridText& text, const GxfHeader& header)
+  CompressedValues(GridText& text, const GxfHeader& header, std::int64_t count)
     : Text(text)
     , Header(header)
-    , Count(CountNodes(header.Lattice.Columns))
+    , Count(count)
     , GroupSize(static_cast<std::size_t>(header.GroupSize))
   {
   }
@@ -361,9 +350,9 @@ private:
   std::vector<double> Values;
 };
 
-std::vector<double> ReadPlainValues(GridText& text, const GxfHeader& header)
+std::vector<double> ReadPlainValues(GridText& text, const GxfHeader& header, std::int64_t count)
 {
-  std::vector<double> values = text.Values(CountNodes(header.Lattice.Columns), header.IsNull);
+  std::vector<double> values = text.Values(count, header.IsNull);
   for (double& z : values)
   {
     z = z * header.Scale + header.Offset;
@@ -380,12 +369,10 @@ std::vector<double> ReadPlainValues(GridText& text, const GxfHeader& header)
 HorizonGrid ReadGxf(GridText& text)
 {
   HorizonGrid grid;
-  const GxfHeader header = ReadGxfHeader(text);
-  grid.Name = header.Name;
-  grid.Survey = header.Survey;
-  grid.Lattice = header.Lattice;
+  const GxfHeader header = ReadGxfHeader(text, grid);
+  const std::int64_t count = CountNodes(grid.Lattice.Columns);
   std::vector<double> values =
-    header.GroupSize > 0 ? CompressedValues(text, header).Read() : ReadPlainValues(text, header);
+    header.GroupSize > 0 ? CompressedValues(text, header, count).Read() : ReadPlainValues(text, header, count);
   text.RequireEnd("#!");
   grid.Z = Arrange(std::move(values), grid.Lattice.Columns, header.Order);
   return grid;

@@ -12,8 +12,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::string_view Blanks = " \t\r\n";
-
 std::vector<std::string> SplitWords(std::string_view line, std::string_view separators)
 {
   std::vector<std::string> words;
@@ -45,7 +43,7 @@ bool IsSameWord(std::string_view a, std::string_view b)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string> SplitAtBlanks(std::string_view line)
 {
-  return SplitWords(line, Blanks);
+  return SplitWords(line, " \t\r\n");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -115,5 +113,16 @@ double HeaderFields::Number(std::size_t index, const std::string& name) const
 int HeaderFields::Count(std::size_t index, const std::string& name) const
 {
   return ReadHeaderCount(this->Text(index, name), name, this->LinePlace);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const HeaderFields& RequireLine(const HeaderLines& lines, const std::string& keyword, const std::string& place)
+{
+  const auto line = lines.find(keyword);
+  if (line == lines.end())
+  {
+    throw InputError(place + ": no line " + keyword + ", expected one before the values");
+  }
+  return line->second;
 }
 }

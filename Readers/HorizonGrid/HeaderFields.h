@@ -8,9 +8,10 @@
 #include "Common/Text/TextWords.h"
 
 #include <cstddef>
-#include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -52,6 +53,12 @@ private:
   std::string LinePlace;
   std::vector<std::string> Fields;
 };
+
+/// Lines by their keywords.
+using HeaderLines = std::map<std::string, HeaderFields>;
+
+/// Throws InputError without such a line before the values, which are at `place`.
+const HeaderFields& RequireLine(const HeaderLines& lines, const std::string& keyword, const std::string& place);
 }
 
 #endif

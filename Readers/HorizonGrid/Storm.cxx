@@ -3,6 +3,7 @@
 
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextNumbers.h"
+#include "GridBytes.h"
 #include "GridParsers.h"
 #include "HeaderFields.h"
 
@@ -31,36 +32,6 @@ std::string ReadWord(GridBytes& bytes, const std::string& name, char& end)
   }
   return word;
 }
-
-double ReadStormNumber(GridBytes& bytes, const std::string& name)
-{
-  char end = ' ';
-  const std::string place = bytes.Place();
-  return ReadHeaderNumber(ReadWord(bytes, name, end), name, place);
-}
-
-int ReadCount(GridBytes& bytes, const std::string& name)
-{
-  char end = ' ';
-  const std::string place = bytes.Place();
-  return ReadHeaderCount(ReadWord(bytes, name, end), name, place);
-}
-
-/// The binary values start after the line of the last number.
-void ReadLastNumber(GridBytes& bytes, const std::string& name)
-{
-  char end = ' ';
-  const std::string place = bytes.Place();
-  ReadHeaderNumber(ReadWord(bytes, name, end), name, place);
-  while (end != '\n')
-  {
-    bytes.Read(&end, 1, "the end of the line");
-    if (!EndsToken(end))
-    {
-      throw bytes.Error(Quote(std::string(1, end)) + " after " + name + ", expected the end of the line");
-    }
-  }
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -68,19 +39,35 @@ HorizonGrid ReadStorm(GridBytes& bytes)
 {
   HorizonGrid grid;
   char end = ' ';
+  const auto count = [&](const char* name)
+  {
+    const std::string place = bytes.Place();
+    return ReadHeaderCount(ReadWord(bytes, name, end), name, place);
+  };
+  const auto number = [&](const char* name)
+  {
+    const std::string place = bytes.Place();
+    return ReadHeaderNumber(ReadWord(bytes, name, end), name, place);
+  };
   ReadWord(bytes, "STORMGRID_BINARY", end);
-  const int nx = ReadCount(bytes, "nx");
-  const int ny = ReadCount(bytes, "ny");
-  const double dx = ReadStormNumber(bytes, "dx");
-  const double dy = ReadStormNumber(bytes, "dy");
-  const double x = ReadStormNumber(bytes, "xmin");
-  ReadStormNumber(bytes, "xmax");
-  const double y = ReadStormNumber(bytes, "ymin");
-  ReadLastNumber(bytes, "ymax");
+  const int nx = count("nx");
+  const int ny = count("ny");
+  const double dx = number("dx");
+  const double dy = number("dy");
+  const double x = number("xmin");
+  number("xmax");
+  const double y = number("ymin");
+  number("ymax");
+  while (end != '\n') // The binary values start after the line of the last number.
+  {
+    bytes.Read(&end, 1, "the end of the line");
+    if (!EndsToken(end))
+    {
+      throw bytes.Error(Quote(std::string(1, end)) + " after ymax, expected the end of the line");
+    }
+  }
   grid.Lattice = PrefixErrors(bytes.Place(), [&] { return TurnedLattice({ nx, ny }, { x, y }, { dx, dy }, 0.0); });
-  const std::int64_t count = CountNodes(grid.Lattice.Columns);
-  grid.Z.reserve(bytes.Room(count, sizeof(double)));
-  bytes.ReadValues<double>(count, IsStormNull, grid.Z);
+  grid.Z = bytes.Values<double>(CountNodes(grid.Lattice.Columns), IsStormNull);
   bytes.RequireEnd();
   return grid;
 }

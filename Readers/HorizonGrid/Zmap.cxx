@@ -3,6 +3,7 @@
 
 #include "Common/Text/LineErrors.h"
 #include "GridParsers.h"
+#include "GridText.h"
 #include "HeaderFields.h"
 
 #include <cmath>
@@ -231,10 +232,7 @@ HorizonGrid ReadZmap(GridText& text)
   const ZmapHeader header = ReadZmapHeader(text);
   grid.Name = header.Name;
   grid.Lattice = header.Lattice;
-  StorageOrder order;
-  order.AlongY = true;
-  order.FromTop = true;
-  grid.Z = Arrange(ZmapValues(text, header).Read(), grid.Lattice.Columns, order);
+  grid.Z = Arrange(ZmapValues(text, header).Read(), grid.Lattice.Columns, ColumnsFromTop);
   return grid;
 }
 }

@@ -52,7 +52,7 @@ vtkHorizonGridReader::~vtkHorizonGridReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonGridReader::CanReadFile(const char* fileName)
 {
-  return IsRecognised(fileName, [](std::istream& stream) { return RecogniseGrid(stream).has_value(); });
+  return IsRecognised(fileName, IsGrid);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "GridBytes.h"
 #include "GridParsers.h"
-
-#include <string_view>
+#include "GridText.h"
 
 namespace SeismicHorizons
 {
 namespace
 {
+/// In Surfer 6 nodes from this value upwards have no z.
+constexpr double SurferNull = 1.70141e38;
+
+// ---- Surfer 7 ----------------------------------------------------------------------------------------------------
 struct Section
 {
   std::string Name;
@@ -93,6 +97,50 @@ SurferHeader ReadSurferHeader(GridBytes& bytes)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+HorizonGrid ReadSurferText(GridText& text)
+{
+  HorizonGrid grid;
+  text.Word("DSAA");
+  const int nx = text.Count("nx");
+  const int ny = text.Count("ny");
+  const double xFirst = text.Number("xlo");
+  const double xLast = text.Number("xhi");
+  const double yFirst = text.Number("ylo");
+  const double yLast = text.Number("yhi");
+  grid.Lattice = PrefixErrors(text.Place(),
+    [&] {
+      return AxisLattice({ nx, ny }, { xFirst, xLast }, { yFirst, yLast });
+    });
+  text.Number("zlo");
+  text.Number("zhi");
+  grid.Z = text.Values(CountNodes(grid.Lattice.Columns), NullFrom(SurferNull));
+  text.RequireEnd();
+  return grid;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HorizonGrid ReadSurferBinary(GridBytes& bytes)
+{
+  HorizonGrid grid;
+  bytes.Skip(4, "DSBB");
+  const int nx = bytes.ReadCount<std::int16_t>("nx");
+  const int ny = bytes.ReadCount<std::int16_t>("ny");
+  const double xFirst = bytes.ReadFinite<double>("xlo");
+  const double xLast = bytes.ReadFinite<double>("xhi");
+  const double yFirst = bytes.ReadFinite<double>("ylo");
+  const double yLast = bytes.ReadFinite<double>("yhi");
+  grid.Lattice = PrefixErrors(bytes.Place(),
+    [&] {
+      return AxisLattice({ nx, ny }, { xFirst, xLast }, { yFirst, yLast });
+    });
+  bytes.Read<double>("zlo");
+  bytes.Read<double>("zhi");
+  grid.Z = bytes.Values<float>(CountNodes(grid.Lattice.Columns), NullFrom(static_cast<float>(SurferNull)));
+  bytes.RequireEnd();
+  return grid;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 HorizonGrid ReadSurfer7(GridBytes& bytes)
 {
   HorizonGrid grid;
@@ -106,8 +154,7 @@ HorizonGrid ReadSurfer7(GridBytes& bytes)
     throw InputError(data.Place + ": a section DATA of " + std::to_string(data.Size) + " bytes, expected " +
       std::to_string(count) + " values of 8 bytes");
   }
-  grid.Z.reserve(bytes.Room(count, sizeof(double)));
-  bytes.ReadValues<double>(count, version == 1 ? NullFrom(header.Null) : NullRule{ header.Null }, grid.Z);
+  grid.Z = bytes.Values<double>(count, version == 1 ? NullFrom(header.Null) : NullRule{ header.Null });
   return grid;
 }
 }
