@@ -14,13 +14,13 @@
 #include "StrayPicks.h"
 #include "SurveyMap.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -33,45 +33,6 @@ constexpr std::size_t MostHorizons = 1 << 15;
 constexpr double EnoughColumns = 1 << 20;
 constexpr double FewColumnsPerPick = 5.0; // In a sparser lattice some picks may be far from the rest.
 
-class ColumnFinder
-{
-public:
-  ColumnFinder(const PickTable& picks, const SurveyLattice& lattice)
-    : Picks(picks)
-    , Lattice(lattice)
-    , ToColumns(lattice.Steps().inverse())
-  {
-  }
-
-  Eigen::Vector2d Index(std::size_t pick) const
-  {
-    return (this->Lattice.Lines ? this->Line(pick) : this->Place(pick)).array().round();
-  }
-
-  /// columns, along the axis with the larger distance
-  double Distance(std::size_t pick, const Eigen::Vector2d& index) const
-  {
-    const Eigen::Vector2d exact = this->Picks.HasPlaces() ? this->Place(pick) : this->Line(pick);
-    return (exact - index).cwiseAbs().maxCoeff();
-  }
-
-private:
-  Eigen::Vector2d Line(std::size_t pick) const
-  {
-    return LineIndex(*this->Lattice.Lines, this->Picks.Crossline[pick], this->Picks.Inline[pick]);
-  }
-
-  Eigen::Vector2d Place(std::size_t pick) const
-  {
-    const Eigen::Vector2d place(this->Picks.X[pick], this->Picks.Y[pick]);
-    return this->ToColumns * (place - this->Lattice.Origin);
-  }
-
-  const PickTable& Picks;
-  const SurveyLattice& Lattice;
-  const Eigen::Matrix2d ToColumns;
-};
-
 struct ColumnRange
 {
   Eigen::Vector2d First = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
@@ -82,14 +43,8 @@ struct ColumnRange
 
   void Add(const Eigen::Vector2d& index, double distance, double tolerance, std::size_t pick)
   {
-    this->First = this->First.cwiseMin(index);
-    this->Last = this->Last.cwiseMax(index);
-    this->Farthest = distance > this->LargestDistance ? pick : this->Farthest;
-    this->LargestDistance = std::max(this->LargestDistance, distance);
-    this->OffLattice += distance <= tolerance ? 0 : 1;
+    this->Add({ index, index, distance, pick, distance <= tolerance ? 0 : 1 });
   }
-
-  Eigen::Vector2d Columns() const { return this->Last - this->First + Eigen::Vector2d::Ones(); }
 
   void Add(const ColumnRange& other)
   {
@@ -99,31 +54,149 @@ struct ColumnRange
     this->LargestDistance = std::max(this->LargestDistance, other.LargestDistance);
     this->OffLattice += other.OffLattice;
   }
+
+  Eigen::Vector2d Columns() const { return this->Last - this->First + Eigen::Vector2d::Ones(); }
 };
 
-ColumnRange FindRange(const ColumnFinder& columns, std::int64_t picks, double tolerance, const Monitor& monitor)
+/// The lattice of picks, and how they lie on it.
+struct PickFit
 {
-  return AddUpChunks<ColumnRange>(picks, ChunkSize, monitor,
+  SurveyLattice Lattice;
+  Eigen::Matrix2d ToColumns;
+  double Tolerance = 0.0;
+  std::vector<std::size_t> BetweenLines;
+  ColumnRange Range;
+
+  Eigen::Vector2d Index(const PickPlaces& picks, std::size_t pick) const
+  {
+    return (this->Lattice.Lines ? this->Line(picks, pick) : this->Place(picks, pick)).array().round();
+  }
+
+  /// columns, along the axis with the larger distance
+  double Distance(const PickPlaces& picks, std::size_t pick) const
+  {
+    const Eigen::Vector2d exact = picks.HasPlaces() ? this->Place(picks, pick) : this->Line(picks, pick);
+    return (exact - this->Index(picks, pick)).cwiseAbs().maxCoeff();
+  }
+
+private:
+  Eigen::Vector2d Line(const PickPlaces& picks, std::size_t pick) const
+  {
+    return LineIndex(*this->Lattice.Lines, picks.Crossline[pick], picks.Inline[pick]);
+  }
+
+  Eigen::Vector2d Place(const PickPlaces& picks, std::size_t pick) const
+  {
+    return this->ToColumns * (Eigen::Vector2d(picks.X[pick], picks.Y[pick]) - this->Lattice.Origin);
+  }
+};
+
+PickFit FitPicks(const PickPlaces& picks, const PlacementOptions& options, const Monitor& monitor = Monitor())
+{
+  constexpr double most = 0.49;
+  PickFit fit;
+  fit.Lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.8));
+  fit.ToColumns = fit.Lattice.Steps().inverse();
+  // Places may be half a rounding unit away along both axes.
+  const double rounded = picks.HasPlaces() ? FindRounding(picks.X, picks.Y) : 0.0;
+  const Eigen::Vector2d farthest = fit.ToColumns.cwiseAbs() * Eigen::Vector2d::Constant(0.51 * rounded);
+  fit.Tolerance = std::max(options.Tolerance, std::min(most, farthest.maxCoeff()));
+  fit.BetweenLines = FindBetweenLines(picks, fit.Lattice.Lines, monitor.Step(0.8, 0.9));
+  fit.Range = AddUpChunks<ColumnRange>(std::int64_t(picks.Size()), ChunkSize, monitor.Step(0.9, 1.0),
     [&](ColumnRange& range, std::int64_t first, std::int64_t last)
     {
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
       {
-        const Eigen::Vector2d index = columns.Index(pick);
-        range.Add(index, columns.Distance(pick, index), tolerance, pick);
+        range.Add(fit.Index(picks, pick), fit.Distance(picks, pick), fit.Tolerance, pick);
       }
     });
+  return fit;
 }
 
-/// The tolerance is at least half a rounding unit along both axes.
-double ToleranceOf(const PickTable& picks, const SurveyLattice& lattice, double given)
+std::vector<double> IndicesAlong(int axis, const PickFit& fit, const PickPlaces& picks)
 {
-  constexpr double most = 0.49;
-  const double rounded = picks.HasPlaces() ? FindRounding(picks.X, picks.Y) : 0.0;
-  const Eigen::Vector2d farthest = lattice.Steps().inverse().cwiseAbs() * Eigen::Vector2d::Constant(0.51 * rounded);
-  return std::max(given, std::min(most, farthest.maxCoeff()));
+  std::vector<double> indices(picks.Size());
+  for (std::size_t pick = 0; pick < indices.size(); ++pick)
+  {
+    indices[pick] = fit.Index(picks, pick)[axis];
+  }
+  return indices;
 }
 
-void CheckNumber(std::size_t horizons, std::int64_t picks, const char* text)
+/// The box of all picks but 2 % at each end, widened by its size on all sides.
+Eigen::AlignedBox2d WideBox(const PickFit& fit, const PickPlaces& picks)
+{
+  constexpr double fewest = 10.0; // columns
+  Eigen::AlignedBox2d box;
+  for (const int axis : { 0, 1 })
+  {
+    std::vector<double> indices = IndicesAlong(axis, fit, picks);
+    const std::size_t outer = indices.size() / 50;
+    std::sort(indices.begin(), indices.end());
+    const double low = indices[outer];
+    const double high = indices[indices.size() - 1 - outer];
+    const double width = std::max(fewest, high - low);
+    box.min()[axis] = low - width;
+    box.max()[axis] = high + width;
+  }
+  return box;
+}
+
+/// Returns picks between the lines of nearly all others or, without these, far from the rest or, without these, off
+/// their columns. Strays distort the lattice, so that only picks at least half as far off as the farthest count.
+std::vector<std::size_t> FindStrays(const PickFit& fit, const PickPlaces& picks)
+{
+  if (!fit.BetweenLines.empty())
+  {
+    return fit.BetweenLines;
+  }
+  const Eigen::AlignedBox2d box = WideBox(fit, picks);
+  const double largest = std::max(fit.Tolerance, 0.5 * fit.Range.LargestDistance);
+  std::vector<std::size_t> far;
+  std::vector<std::size_t> off;
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+  {
+    if (!box.contains(fit.Index(picks, pick)))
+    {
+      far.push_back(pick);
+    }
+    else if (!(fit.Distance(picks, pick) <= largest))
+    {
+      off.push_back(pick);
+    }
+  }
+  return far.empty() ? off : far;
+}
+
+/// The remaining picks give a better lattice in each round. Too many strays stay.
+std::vector<std::size_t> FindAllStrays(const PickPlaces& picks, const PlacementOptions& options, const Monitor& monitor)
+{
+  constexpr int mostRounds = 20;
+  PickPlaces others;
+  std::vector<std::size_t> strays;
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    monitor.Progress(double(round) / mostRounds);
+    const PickPlaces& left = strays.empty() ? picks : others;
+    const std::vector<std::size_t> found = FindStrays(FitPicks(left, options), left);
+    if (found.empty() || strays.size() + found.size() > picks.Size() / 10)
+    {
+      break;
+    }
+    const std::vector<std::size_t> numbers = OriginalNumbers(found, strays);
+    const auto old = strays.insert(strays.end(), numbers.begin(), numbers.end());
+    std::inplace_merge(strays.begin(), old, strays.end());
+    others = WithoutPicks(picks, strays);
+  }
+  return strays;
+}
+
+std::string CountText(std::size_t picks)
+{
+  return std::to_string(picks) + (picks == 1 ? " pick" : " picks");
+}
+
+void CheckNumber(std::size_t horizons, std::size_t picks, const char* text)
 {
   if (horizons > MostHorizons)
   {
@@ -132,150 +205,90 @@ void CheckNumber(std::size_t horizons, std::int64_t picks, const char* text)
   }
 }
 
-void CheckRange(const ColumnRange& range, const PickTable& picks, const SurveyLattice& lattice, double tolerance)
+std::size_t FindFarthest(const PickFit& fit, const PickPlaces& picks)
 {
-  if (range.OffLattice > 0)
-  {
-    std::ostringstream text;
-    text << range.OffLattice << " of " << picks.Size() << " picks off the lattice with the steps "
-         << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep) << ", the farthest, "
-         << PicksText(picks, { range.Farthest }) << ", by " << range.LargestDistance
-         << " columns; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut, or Gridding";
-    throw InputError(text.str());
-  }
-  const Eigen::Vector2d columns = range.Columns();
-  if (!(columns.maxCoeff() <= MostColumnsPerSide))
-  {
-    std::ostringstream text;
-    text.precision(15);
-    text << "lattice of " << columns.x() << " x " << columns.y() << " columns with the steps "
-         << ToText(lattice.ColumnStep) << " and " << ToText(lattice.RowStep)
-         << ", expected less than 2^28 along a side; is there a pick far away from all others?";
-    throw InputError(text.str());
-  }
-}
-
-std::size_t FindFarthest(const ColumnFinder& columns, std::size_t picks)
-{
-  std::vector<Eigen::Vector2d> indices;
-  for (std::size_t pick = 0; pick < picks; ++pick)
-  {
-    indices.push_back(columns.Index(pick));
-  }
   Eigen::Vector2d middle;
   for (const int axis : { 0, 1 })
   {
-    std::vector<double> along;
-    std::transform(indices.begin(), indices.end(), std::back_inserter(along),
-      [axis](const Eigen::Vector2d& index) { return index[axis]; });
-    middle[axis] = UpperMedian(along);
+    std::vector<double> indices = IndicesAlong(axis, fit, picks);
+    middle[axis] = UpperMedian(indices);
   }
-  const auto distance = [&middle](const Eigen::Vector2d& index) { return (index - middle).cwiseAbs().maxCoeff(); };
-  return std::size_t(std::max_element(indices.begin(), indices.end(),
-                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
-    indices.begin());
+  std::size_t farthest = 0;
+  double largest = 0.0;
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+  {
+    const double distance = (fit.Index(picks, pick) - middle).cwiseAbs().maxCoeff();
+    farthest = distance > largest ? pick : farthest;
+    largest = std::max(largest, distance);
+  }
+  return farthest;
 }
 
-/// A stray pick can extend the lattice beyond memory.
-void CheckSpread(const ColumnFinder& finder, const ColumnRange& range, const PickTable& picks)
+/// Throws InputError if picks are between lines, off the lattice, or so far away that it would not fit into memory.
+void CheckFit(const PickFit& fit, const PickTable& picks)
 {
-  const Eigen::Vector2d columns = range.Columns();
-  if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks.Size())))
+  std::ostringstream text;
+  const Eigen::Vector2d columns = fit.Range.Columns();
+  const std::string steps = " with the steps " + ToText(fit.Lattice.ColumnStep) + " and " + ToText(fit.Lattice.RowStep);
+  const auto size = [&]() -> std::ostream&
   {
-    const std::size_t farthest = FindFarthest(finder, picks.Size());
-    std::ostringstream text;
     text.precision(15);
-    text << "lattice of " << columns.x() << " x " << columns.y() << " columns for " << picks.Size()
-         << " picks, expected at most " << MostColumnsPerPick << " columns a pick; " << PicksText(picks, { farthest })
-         << ", in column " << ToText(finder.Index(farthest) - range.First) << ", is the farthest from the others";
+    return text << "lattice of " << columns.x() << " x " << columns.y() << " columns";
+  };
+  if (!fit.BetweenLines.empty())
+  {
+    text << fit.BetweenLines.size() << " of " << picks.Size() << " picks between the lines of the others, "
+         << PicksText(picks, fit.BetweenLines) << "; expected line numbers in equal steps, or StrayPicks LeaveOut";
+  }
+  else if (fit.Range.OffLattice > 0)
+  {
+    text << fit.Range.OffLattice << " of " << picks.Size() << " picks off the lattice" << steps << ", the farthest, "
+         << PicksText(picks, { fit.Range.Farthest }) << ", by " << fit.Range.LargestDistance
+         << " columns; expected at most LatticeTolerance, " << fit.Tolerance << ", or StrayPicks LeaveOut, or Gridding";
+  }
+  else if (!(columns.maxCoeff() <= MostColumnsPerSide))
+  {
+    size() << steps << ", expected less than 2^28 along a side; is there a pick far away from all others?";
+  }
+  else if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks.Size())))
+  {
+    const std::size_t farthest = FindFarthest(fit, picks);
+    size() << " for " << picks.Size() << " picks, expected at most " << MostColumnsPerPick << " columns a pick; "
+           << PicksText(picks, { farthest }) << ", in column " << ToText(fit.Index(picks, farthest) - fit.Range.First)
+           << ", is the farthest from the others";
+  }
+  if (!text.str().empty())
+  {
     throw InputError(text.str());
   }
-}
-
-void CheckLines(const PickTable& picks, const SurveyLattice& lattice, const Monitor& monitor)
-{
-  const std::vector<std::size_t> between = FindBetweenLines(picks, lattice.Lines, monitor.Step(0.5, 0.5));
-  if (!between.empty())
-  {
-    throw InputError(std::to_string(between.size()) + " of " + std::to_string(picks.Size()) +
-      " picks between the lines of the others, " + PicksText(picks, between) +
-      "; expected line numbers in equal steps, or StrayPicks LeaveOut");
-  }
-}
-
-/// The remaining picks give a better lattice in each round.
-std::vector<std::size_t> LeaveOutStrays(PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
-{
-  constexpr int mostRounds = 20;
-  const std::size_t mostStrays = picks.Size() / 10;
-  std::vector<std::size_t> numbers(picks.Size());
-  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-  std::vector<std::size_t> all;
-  for (int round = 0; round < mostRounds; ++round)
-  {
-    monitor.Progress(double(round) / mostRounds);
-    const SurveyLattice lattice = FindSurveyMap(picks, options, Monitor());
-    const ColumnFinder finder(picks, lattice);
-    std::vector<PickPlace> places;
-    for (std::size_t pick = 0; pick < picks.Size(); ++pick)
-    {
-      const Eigen::Vector2d index = finder.Index(pick);
-      places.push_back({ index, finder.Distance(pick, index) });
-    }
-    std::vector<std::size_t> strays = FindBetweenLines(picks, lattice.Lines);
-    if (strays.empty())
-    {
-      strays = FindStrays(places, ToleranceOf(picks, lattice, options.Tolerance));
-    }
-    if (strays.empty() || all.size() + strays.size() > mostStrays)
-    {
-      break; // Too many strays are not removed.
-    }
-    std::vector<std::size_t> left;
-    auto next = strays.begin();
-    for (std::size_t n = 0; n < numbers.size(); ++n)
-    {
-      const bool isStray = next != strays.end() && *next == n;
-      next += isStray ? 1 : 0;
-      (isStray ? all : left).push_back(numbers[n]);
-    }
-    numbers.swap(left);
-    picks = WithoutPicks(std::move(picks), strays);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
 /// Distant picks can rotate the fitted lattice onto themselves. If they are off the lattice of the other picks, throws
 /// InputError; otherwise adds a warning. Returns true if there are any.
 bool CheckFarPicks(
-  const PickTable& picks, const ColumnRange& range, const PlacementOptions& options, std::vector<std::string>& warnings)
+  const PickFit& fit, const PickTable& picks, const PlacementOptions& options, std::vector<std::string>& warnings)
 {
-  if (range.Columns().prod() <= FewColumnsPerPick * double(picks.Size()))
-  {
-    return false;
-  }
-  PickTable others = picks;
-  const std::vector<std::size_t> strays = LeaveOutStrays(others, options, Monitor());
+  const bool isSparse = fit.Range.Columns().prod() > FewColumnsPerPick * double(picks.Size());
+  const std::vector<std::size_t> strays =
+    isSparse ? FindAllStrays(picks, options, Monitor()) : std::vector<std::size_t>();
   if (strays.empty())
   {
     return false;
   }
-  const SurveyLattice lattice = FindSurveyMap(others, options, Monitor());
-  const ColumnFinder finder(picks, lattice);
-  const double tolerance = ToleranceOf(others, lattice, options.Tolerance);
+  const PickFit ofOthers = FitPicks(WithoutPicks(PickPlaces(picks), strays), options);
   std::vector<std::size_t> off;
   std::copy_if(strays.begin(), strays.end(), std::back_inserter(off),
-    [&](std::size_t pick) { return !(finder.Distance(pick, finder.Index(pick)) <= tolerance); });
+    [&](std::size_t pick) { return !(ofOthers.Distance(picks, pick) <= ofOthers.Tolerance); });
   if (!off.empty())
   {
     std::ostringstream text;
     text << off.size() << " of " << picks.Size() << " picks off the lattice of the others, far from these, "
-         << PicksText(picks, off) << "; expected at most LatticeTolerance, " << tolerance << ", or StrayPicks LeaveOut";
+         << PicksText(picks, off) << "; expected at most LatticeTolerance, " << ofOthers.Tolerance
+         << ", or StrayPicks LeaveOut";
     throw InputError(text.str());
   }
-  warnings.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
-    " far from all others, " + PicksText(picks, strays) + ": StrayPicks leaves them out");
+  warnings.push_back(
+    CountText(strays.size()) + " far from all others, " + PicksText(picks, strays) + ": StrayPicks leaves them out");
   return true;
 }
 
@@ -286,16 +299,15 @@ SurveyLattice MakeLattice(SurveyLattice lattice, const ColumnRange& range)
   return lattice;
 }
 
-std::vector<PlanePoint> ListColumns(
-  const ColumnFinder& columns, std::int64_t picks, const Eigen::Vector2d& first, const Monitor& monitor)
+std::vector<PlanePoint> ListColumns(const PickFit& fit, const PickPlaces& picks, const Monitor& monitor)
 {
-  std::vector<PlanePoint> list(picks);
-  ForEachChunk(picks, ChunkSize, monitor,
+  std::vector<PlanePoint> list(picks.Size());
+  ForEachChunk(std::int64_t(list.size()), ChunkSize, monitor,
     [&](std::size_t, std::int64_t begin, std::int64_t end)
     {
       for (auto pick = std::size_t(begin); pick < std::size_t(end); ++pick)
       {
-        const Eigen::Vector2d index = columns.Index(pick) - first;
+        const Eigen::Vector2d index = fit.Index(picks, pick) - fit.Range.First;
         list[pick] = { int(index.x()), int(index.y()) };
       }
     });
@@ -328,36 +340,29 @@ void Free(Vectors&... vectors)
 SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor)
 {
   CheckPlacement(options);
-  auto size = std::int64_t(picks.Size());
-  if (size == 0 || size > std::numeric_limits<std::int32_t>::max())
+  if (picks.Size() == 0 || picks.Size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
   {
-    throw InputError(std::to_string(size) + " picks, expected at least 1 and less than 2^31");
+    throw InputError(std::to_string(picks.Size()) + " picks, expected at least 1 and less than 2^31");
   }
-  CheckNumber(picks.Names.size(), size, " horizons, expected at most ");
+  CheckNumber(picks.Names.size(), picks.Size(), " horizons, expected at most ");
   SurveyHorizons placed;
   placed.Warnings = std::move(picks.Warnings);
   if (options.LeaveOutStrays)
   {
-    const std::vector<std::size_t> strays = LeaveOutStrays(picks, options, monitor.Step(0.0, 0.4));
-    size = std::int64_t(picks.Size());
+    const std::vector<std::size_t> strays = FindAllStrays(picks, options, monitor.Step(0.0, 0.4));
     if (!strays.empty())
     {
-      placed.Warnings.push_back(std::to_string(strays.size()) + (strays.size() == 1 ? " pick" : " picks") +
-        " left out as strays: " + PicksText(picks, strays));
+      placed.Warnings.push_back(CountText(strays.size()) + " left out as strays: " + PicksText(picks, strays));
+      picks = WithoutPicks(std::move(picks), strays);
     }
   }
-  const SurveyLattice lattice = FindSurveyMap(picks, options, monitor.Step(0.0, 0.5));
-  CheckLines(picks, lattice, monitor);
-  const ColumnFinder finder(picks, lattice);
-  const double tolerance = ToleranceOf(picks, lattice, options.Tolerance);
-  const ColumnRange range = FindRange(finder, size, tolerance, monitor.Step(0.5, 0.6));
-  CheckRange(range, picks, lattice, tolerance);
-  CheckSpread(finder, range, picks);
-  const bool hasFarPicks = !options.LeaveOutStrays && CheckFarPicks(picks, range, options, placed.Warnings);
+  const PickFit fit = FitPicks(picks, options, monitor.Step(options.LeaveOutStrays ? 0.4 : 0.0, 0.6));
+  CheckFit(fit, picks);
+  const bool hasFarPicks = !options.LeaveOutStrays && CheckFarPicks(fit, picks, options, placed.Warnings);
   placed.Survey = picks.Survey;
-  placed.Lattice = MakeLattice(lattice, range);
-  placed.LargestDistance = range.LargestDistance;
-  const std::vector<PlanePoint> columns = ListColumns(finder, size, range.First, monitor.Step(0.6, 0.7));
+  placed.Lattice = MakeLattice(fit.Lattice, fit.Range);
+  placed.LargestDistance = fit.Range.LargestDistance;
+  const std::vector<PlanePoint> columns = ListColumns(fit, picks, monitor.Step(0.6, 0.7));
   WarnOfMoves(picks, columns, placed);
   if (options.Source == LatticeSource::Picks && !hasFarPicks)
   {
@@ -379,7 +384,7 @@ SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, cons
       placed.Horizons.back().SurfaceId = int(number) + 1;
       placed.Conflicts.push_back(std::exchange(conflicts, ConflictCount()));
     }
-    CheckNumber(placed.Horizons.size(), size, " sheets, expected at most ");
+    CheckNumber(placed.Horizons.size(), picks.Size(), " sheets, expected at most ");
   }
   return placed;
 }

@@ -6,6 +6,7 @@
 
 #include "SurveyDescription.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -26,24 +27,31 @@ struct PickLine
   std::int64_t Line; // from 1
 };
 
+/// World coordinates are empty if only line numbers are known, and these if only world coordinates are.
+struct PickPlaces
+{
+  std::vector<double> X, Y;
+  std::vector<double> Inline, Crossline;
+
+  std::size_t Size() const { return std::max(this->X.size(), this->Inline.size()); }
+  bool HasPlaces() const { return !this->X.empty() && !this->Y.empty(); }
+  bool HasLines() const { return !this->Inline.empty() && !this->Crossline.empty(); }
+};
+
 /// Picks before their columns are known, as parallel arrays.
-struct PickTable
+struct PickTable : PickPlaces
 {
   SurveyDescription Survey;
   std::vector<std::string> Names; // At least one horizon.
   std::vector<int> Horizon; // Horizon per pick; empty for a single one.
-  std::vector<double> X, Y; // World coordinates; empty if only line numbers are known.
-  std::vector<double> Inline, Crossline; // Empty if only world coordinates are known.
   std::vector<double> Z; // In the unit and with the sign of the file, or nan.
   std::vector<PickAttribute> Attributes;
   std::vector<PickLine> Lines; // Sorted; empty unless the picks come from a text file.
+  std::vector<std::size_t> Dropped; // Numbers of picks that were here, in order.
   std::vector<std::string> Warnings;
   bool AreLinesGuessed = false; // Unnamed fields were guessed to be line numbers.
 
   std::size_t Size() const { return this->Z.size(); }
-  bool HasPlaces() const { return !this->X.empty() && !this->Y.empty(); }
-  bool HasLines() const { return !this->Inline.empty() && !this->Crossline.empty(); }
-
   std::vector<std::int64_t> CountPicks() const
   {
     std::vector<std::int64_t> counts(this->Names.size(), 0);

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -42,31 +44,6 @@ struct RemainderCounts
   }
 };
 
-/// 2 % are cut off at each end, and the range is widened by its width on both sides.
-struct WideRange
-{
-  double Least = 0.0;
-  double Greatest = 0.0;
-
-  WideRange(const std::vector<PickPlace>& picks, int axis)
-  {
-    std::vector<double> values;
-    for (const PickPlace& pick : picks)
-    {
-      values.push_back(pick.Column[axis]);
-    }
-    const std::size_t outer = values.size() / 50;
-    std::sort(values.begin(), values.end());
-    const double low = values[outer];
-    const double high = values[values.size() - 1 - outer];
-    constexpr double fewest = 10.0; // columns
-    const double width = std::max(fewest, high - low);
-    this->Least = low - width;
-    this->Greatest = high + width;
-  }
-
-  bool Has(double value) const { return value >= this->Least && value <= this->Greatest; }
-};
 std::vector<std::size_t> FindBetween(
   const std::vector<double>& lines, double first, double step, const Monitor& monitor)
 {
@@ -108,31 +85,24 @@ std::vector<std::size_t> FindBetween(
   }
   return {};
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<std::size_t> FindStrays(const std::vector<PickPlace>& picks, double tolerance)
+/// Both are in order.
+template <typename Value>
+void Drop(const std::vector<std::size_t>& dropped, std::vector<Value>& values)
 {
-  const WideRange x(picks, 0);
-  const WideRange y(picks, 1);
-  const auto farthest = std::max_element(
-    picks.begin(), picks.end(), [](const PickPlace& a, const PickPlace& b) { return a.Distance < b.Distance; });
-  const double largest = std::max(tolerance, 0.5 * farthest->Distance);
-  std::vector<std::size_t> far;
-  std::vector<std::size_t> off;
-  for (std::size_t pick = 0; pick < picks.size(); ++pick)
+  std::size_t kept = 0;
+  auto next = dropped.begin();
+  for (std::size_t n = 0; n < values.size(); ++n)
   {
-    const PickPlace& place = picks[pick];
-    if (!x.Has(place.Column.x()) || !y.Has(place.Column.y()))
+    if (next != dropped.end() && *next == n)
     {
-      far.push_back(pick);
+      ++next;
+      continue;
     }
-    else if (!(place.Distance <= largest))
-    {
-      off.push_back(pick);
-    }
+    values[kept++] = values[n];
   }
-  return far.empty() ? off : far;
+  values.resize(kept);
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -180,7 +150,7 @@ std::vector<std::size_t> FindFarPlaces(const std::vector<Eigen::Vector2d>& place
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::size_t> FindBetweenLines(
-  const PickTable& picks, const std::optional<LineNumbering>& lines, const Monitor& monitor)
+  const PickPlaces& picks, const std::optional<LineNumbering>& lines, const Monitor& monitor)
 {
   if (!lines)
   {
@@ -192,51 +162,62 @@ std::vector<std::size_t> FindBetweenLines(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string PicksText(const PickTable& picks, const std::vector<std::size_t>& numbers)
+std::vector<std::size_t> OriginalNumbers(std::vector<std::size_t> numbers, const std::vector<std::size_t>& dropped)
+{
+  std::size_t before = 0; // of the dropped
+  for (std::size_t& number : numbers)
+  {
+    while (before < dropped.size() && dropped[before] <= number + before)
+    {
+      ++before;
+    }
+    number += before;
+  }
+  return numbers;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string PicksText(const PickTable& picks, std::vector<std::size_t> numbers)
 {
   constexpr std::size_t mostNamed = 5;
   std::string text = picks.Lines.empty() ? "pick" : "line";
   text += numbers.size() > 1 ? "s " : " ";
-  for (std::size_t n = 0; n < std::min(mostNamed, numbers.size()); ++n)
+  const bool areMore = numbers.size() > mostNamed;
+  numbers.resize(std::min(mostNamed, numbers.size()));
+  for (const std::size_t pick : OriginalNumbers(std::move(numbers), picks.Dropped))
   {
-    const auto next = std::upper_bound(picks.Lines.begin(), picks.Lines.end(), numbers[n],
-      [](std::size_t pick, const PickLine& line) { return pick < line.Pick; });
+    const auto next = std::upper_bound(picks.Lines.begin(), picks.Lines.end(), pick,
+      [](std::size_t number, const PickLine& line) { return number < line.Pick; });
     const std::int64_t number = next == picks.Lines.begin()
-      ? std::int64_t(numbers[n]) + 1
-      : std::prev(next)->Line + std::int64_t(numbers[n] - std::prev(next)->Pick);
-    text += (n == 0 ? "" : ", ") + std::to_string(number);
+      ? std::int64_t(pick) + 1
+      : std::prev(next)->Line + std::int64_t(pick - std::prev(next)->Pick);
+    text += (text.back() == ' ' ? "" : ", ") + std::to_string(number);
   }
-  return text + (numbers.size() > mostNamed ? ", ..." : "");
+  return text + (areMore ? ", ..." : "");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PickPlaces WithoutPicks(PickPlaces picks, const std::vector<std::size_t>& dropped)
+{
+  for (std::vector<double>* values : { &picks.X, &picks.Y, &picks.Inline, &picks.Crossline })
+  {
+    Drop(dropped, *values);
+  }
+  return picks;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 PickTable WithoutPicks(PickTable picks, const std::vector<std::size_t>& dropped)
 {
-  const auto drop = [&dropped](auto& values)
-  {
-    std::size_t kept = 0;
-    auto next = dropped.begin();
-    for (std::size_t n = 0; n < values.size(); ++n)
-    {
-      if (next != dropped.end() && *next == n)
-      {
-        ++next;
-        continue;
-      }
-      values[kept++] = values[n];
-    }
-    values.resize(kept);
-  };
-  drop(picks.Horizon);
-  drop(picks.X);
-  drop(picks.Y);
-  drop(picks.Inline);
-  drop(picks.Crossline);
-  drop(picks.Z);
+  assert(picks.Dropped.empty());
+  static_cast<PickPlaces&>(picks) = WithoutPicks(PickPlaces(std::move(picks)), dropped);
+  Drop(dropped, picks.Horizon);
+  Drop(dropped, picks.Z);
   for (PickAttribute& attribute : picks.Attributes)
   {
-    drop(attribute.Values);
+    Drop(dropped, attribute.Values);
   }
+  picks.Dropped = dropped;
   return picks;
 }
 }

@@ -47,7 +47,7 @@ PlaneMap GivenMap(const PlacementOptions& options)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Monitor& monitor)
+PlaneMap FitPlaces(const PickPlaces& picks, const LineNumbering& lines, const Monitor& monitor)
 {
   const Eigen::Vector2d middle(picks.X.front(), picks.Y.front());
   const auto all = AddUpChunks<PlaneFit>(std::int64_t(picks.X.size()), ChunkSize, monitor,
@@ -82,7 +82,7 @@ PlaneMap LinesAsPlaces(const LineNumbering& lines)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SurveyLattice FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor)
+SurveyLattice FindSurveyMap(const PickPlaces& picks, const PlacementOptions& options, const Monitor& monitor)
 {
   SurveyLattice lattice;
   PlaneMap map;

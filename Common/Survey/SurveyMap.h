@@ -14,12 +14,12 @@ namespace SeismicHorizons
 {
 /// Fits picks with line numbers and places. If all are on a line, the step across is as long as the step along it.
 /// Throws InputError if that is impossible, too.
-PlaneMap FitPlaces(const PickTable& picks, const LineNumbering& lines, const Monitor& monitor);
+PlaneMap FitPlaces(const PickPlaces& picks, const LineNumbering& lines, const Monitor& monitor);
 
 /// Line numbers serve as coordinates.
 PlaneMap LinesAsPlaces(const LineNumbering& lines);
 
-SurveyLattice FindSurveyMap(const PickTable& picks, const PlacementOptions& options, const Monitor& monitor);
+SurveyLattice FindSurveyMap(const PickPlaces& picks, const PlacementOptions& options, const Monitor& monitor);
 }
 
 #endif

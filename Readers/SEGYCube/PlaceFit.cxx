@@ -26,7 +26,7 @@ constexpr std::size_t FittedPlaces = 1000;
 class Distances
 {
 public:
-  Distances(const PickTable& picks, const LineNumbering& numbering, const PlaneMap& map)
+  Distances(const PickPlaces& picks, const LineNumbering& numbering, const PlaneMap& map)
     : Picks(picks)
     , Numbering(numbering)
     , Origin(map.Origin)
@@ -65,14 +65,14 @@ public:
   }
 
 private:
-  const PickTable& Picks;
+  const PickPlaces& Picks;
   const LineNumbering& Numbering;
   const Eigen::Vector2d Origin;
   const Eigen::Matrix2d ToColumns;
 };
 
 /// The best of many maps through three picks has most inliers.
-std::optional<PlaneMap> FindConsensus(const PickTable& picks, const LineNumbering& numbering, double tolerance)
+std::optional<PlaneMap> FindConsensus(const PickPlaces& picks, const LineNumbering& numbering, double tolerance)
 {
   constexpr int tries = 64; // With 10 % of strays each try fails with a probability of a quarter.
   const std::size_t count = picks.X.size();
@@ -102,9 +102,9 @@ std::optional<PlaneMap> FindConsensus(const PickTable& picks, const LineNumberin
   return best;
 }
 
-PickTable Sample(const PickTable& picks)
+PickPlaces Sample(const PickPlaces& picks)
 {
-  PickTable some;
+  PickPlaces some;
   const std::size_t stride = std::max<std::size_t>(1, picks.X.size() / FittedPlaces);
   for (std::size_t pick = 0; pick < picks.X.size(); pick += stride)
   {
@@ -117,7 +117,7 @@ PickTable Sample(const PickTable& picks)
 }
 
 /// If strays are too many, returns a distance beyond the tolerance. `ofAll` is the fit of all places.
-PlaceFit FitWithoutStrays(const PickTable& picks, const LineNumbering& numbering, double tolerance,
+PlaceFit FitWithoutStrays(const PickPlaces& picks, const LineNumbering& numbering, double tolerance,
   const PlaceFit& ofAll, const Monitor& monitor)
 {
   // Maps through three places exaggerate their rounding.
@@ -150,7 +150,7 @@ PlaceFit FitWithoutStrays(const PickTable& picks, const LineNumbering& numbering
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlaceFit FitLattice(const PickTable& picks, const LineNumbering& numbering, const std::string& what, double tolerance,
+PlaceFit FitLattice(const PickPlaces& picks, const LineNumbering& numbering, const std::string& what, double tolerance,
   const Monitor& monitor)
 {
   PlaceFit fit;
@@ -176,7 +176,7 @@ PlaceFit FitLattice(const PickTable& picks, const LineNumbering& numbering, cons
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double LargestDistance(const PickTable& picks, const LineNumbering& numbering, const PlaneMap& map)
+double LargestDistance(const PickPlaces& picks, const LineNumbering& numbering, const PlaneMap& map)
 {
   return Distances(picks, numbering, map).Largest();
 }

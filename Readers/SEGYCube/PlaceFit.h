@@ -29,10 +29,10 @@ struct PlaceFit
 
 /// Up to 10 % of strays are excluded. Picks need only line numbers and places. Throws InputError, which begins with
 /// `what`, if the places are on no lattice.
-PlaceFit FitLattice(const PickTable& picks, const LineNumbering& numbering, const std::string& what, double tolerance,
+PlaceFit FitLattice(const PickPlaces& picks, const LineNumbering& numbering, const std::string& what, double tolerance,
   const Monitor& monitor);
 
-double LargestDistance(const PickTable& picks, const LineNumbering& numbering, const PlaneMap& map);
+double LargestDistance(const PickPlaces& picks, const LineNumbering& numbering, const PlaneMap& map);
 
 /// x and y may repeat the line numbers, in either order, multiplied by `scale`.
 bool FollowsLines(const PlaneMap& map, const LineNumbering& numbering, double scale);

@@ -18,10 +18,10 @@ namespace
 constexpr std::int64_t SampledPlaces = 1000;
 
 /// Returns the traces with a place, or every n-th of them.
-PickTable ListPlaces(
+PickPlaces ListPlaces(
   const TraceTable& table, const LineNumbers& lines, const FieldPair& fields, std::int64_t stride = 1)
 {
-  PickTable picks;
+  PickPlaces picks;
   for (std::int64_t trace = 0; trace < table.Traces; trace += stride)
   {
     if (lines.IsUsed(trace) && HasPlace(table, fields, trace))
@@ -48,7 +48,7 @@ PlaceFit TryFields(const TraceTable& table, const LineNumbers& lines, const Line
   {
     throw InputError(FieldsText(fields) + "have the bits of floats, expected integers");
   }
-  const PickTable picks = ListPlaces(table, lines, fields);
+  const PickPlaces picks = ListPlaces(table, lines, fields);
   if (picks.X.empty())
   {
     throw InputError(FieldsText(fields) + "that are all 0, expected coordinates");
@@ -64,7 +64,7 @@ std::string CompareFields(const TraceTable& table, const LineNumbers& lines, con
   {
     return {};
   }
-  const PickTable picks = ListPlaces(table, lines, other, std::max<std::int64_t>(1, table.Traces / SampledPlaces));
+  const PickPlaces picks = ListPlaces(table, lines, other, std::max<std::int64_t>(1, table.Traces / SampledPlaces));
   const double distance = picks.X.empty() ? 0.0 : LargestDistance(picks, numbering, placed.Fit.ToWorld);
   if (distance <= 1.0)
   {

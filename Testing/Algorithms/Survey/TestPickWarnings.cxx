@@ -80,6 +80,34 @@ void TestStrays()
   CHECK_EQUAL(PlacePicks(picks, options).Horizons.front().RealZ.size(), std::size_t(399));
 }
 
+/// Numbers count as in the file after some picks were left out, too.
+void TestNumbersWithoutStrays()
+{
+  CHECK((OriginalNumbers({ 0, 1, 2, 3 }, { 0, 2, 3 }) == std::vector<std::size_t>{ 1, 4, 5, 6 }));
+  PickTable picks = Dip();
+  picks.X[10] += 1e6;
+  for (std::size_t n = 281; n < 400; n += 2)
+  {
+    picks.X[n] += 9.0; // too many to leave out
+  }
+  PlacementOptions options;
+  options.LeaveOutStrays = true;
+  std::string message;
+  try
+  {
+    PlacePicks(picks, options);
+  }
+  catch (const InputError& error)
+  {
+    message = error.what();
+  }
+  CHECK(message.find(" of 399 picks off the lattice") != std::string::npos);
+  const std::size_t name = message.find("the farthest, line ");
+  CHECK(name != std::string::npos);
+  const int pick = std::stoi(message.substr(name + 19)) - 4; // Lines are 4 more from pick 100 on.
+  CHECK(pick > 280 && pick % 2 == 1);
+}
+
 /// A wrong digit: on the lattice, or so near that this would turn a little to have it.
 void TestFarPicks()
 {
@@ -320,6 +348,7 @@ int TestPickWarnings(int, char*[])
 {
   TestNames();
   TestStrays();
+  TestNumbersWithoutStrays();
   TestFarPicks();
   TestBetweenLines();
   TestUsualNulls();
