@@ -7,6 +7,7 @@
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 #include "CutData.h"
 #include "HorizonPoints.h"
 
@@ -322,6 +323,28 @@ std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
     triangles.push_back({ PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) });
   }
   return triangles;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
+{
+  std::vector<std::array<PointId, 3>> triangles = ReadTriangles(mesh);
+  vtkDataArray* const faults = FindNumbers(mesh->GetCellData(), CellArray::Fault);
+  if (!faults)
+  {
+    return triangles;
+  }
+  RequireTuples(faults, mesh->GetNumberOfCells(), "cells");
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  std::vector<std::array<PointId, 3>> open;
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    if (faults->GetComponent(first + vtkIdType(n), 0) == 0.0)
+    {
+      open.push_back(triangles[n]);
+    }
+  }
+  return open;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

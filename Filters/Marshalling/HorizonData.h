@@ -50,6 +50,9 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
 /// Throws InputError on polygons other than triangles.
 std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh);
 
+/// As ReadTriangles, without triangles that close faults.
+std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh);
+
 /// Places are columns, or sub-voxels after merging. Heights and counts stay empty.
 BoundedHorizon ReadPatchesAndBoundary(const LatticePoints& points);
 

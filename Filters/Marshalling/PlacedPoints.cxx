@@ -10,8 +10,8 @@
 #include "Common/Survey/Units.h"
 #include "Common/Text/TextWords.h"
 #include "Common/VTK/SurveyFields.h"
+#include "HorizonData.h"
 #include "HorizonPoints.h"
-#include "SurfacePair.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

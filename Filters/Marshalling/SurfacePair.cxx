@@ -6,23 +6,30 @@
 #include "Common/Base/Errors.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
+#include "Common/VTK/DataArrays.h"
 #include "CutData.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
-#include "HorizonPairs.h"
 #include "PlacedPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+#include "vtkVariantArray.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -191,7 +198,7 @@ std::vector<Metric> MakeMetrics(const Lattice& lattice, bool isUniform)
 /// The lattice unit has the length `scale` in all directions, so that nearest places are the same.
 void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
 {
-  std::transform(measured.Report.Lattice.begin(), measured.Report.Lattice.end(), measured.Report.World.begin(),
+  std::transform(measured.Lattice.begin(), measured.Lattice.end(), measured.World.begin(),
     [scale](const DistanceFigures& figures) { return ScaledBy(figures, scale); });
   if (inWorldUnits)
   {
@@ -204,35 +211,60 @@ void ScaleToWorld(double scale, bool inWorldUnits, MeasuredPair& measured)
 
 void TakeWorld(SurfaceDistance& inWorld, bool inWorldUnits, MeasuredPair& measured)
 {
-  measured.Report.World = FiguresOf(inWorld);
+  measured.World = FiguresOf(inWorld);
   if (inWorldUnits)
   {
     measured.Points.Reference.Distance.swap(inWorld.Reference.Distance);
     measured.Points.Mesh.Distance.swap(inWorld.Mesh.Distance);
   }
 }
+
+// ---- Figures --------------------------------------------------------------------------------------------------------
+
+constexpr std::array<const char*, Directions> DirectionNames = { "Reference to mesh", "Mesh to reference",
+  "Two-sided" };
+
+// Field data tuples and table rows have this order of units.
+constexpr std::size_t WorldUnit = 1;
+constexpr std::size_t DiagonalUnit = 2;
+constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal" };
+
+using DistanceFigure = std::pair<std::string, double>;
+
+/// The diagonal is in lattice units.
+std::vector<DistanceFigure> ListFigures(const MeasuredPair& measured, std::size_t direction, std::size_t unit)
+{
+  const DistanceFigures& figures = (unit == WorldUnit ? measured.World : measured.Lattice)[direction];
+  std::vector<DistanceFigure> list = { { FieldArray::LargestDistance, figures.Largest },
+    { FieldArray::LargestDistanceFound, figures.LargestFound }, { FieldArray::MeanDistance, figures.Mean },
+    { FieldArray::RmsDistance, figures.Rms } };
+  for (std::size_t n = 0; n < Percentiles.size(); ++n)
+  {
+    list.emplace_back(FieldArray::DistancePercentile + std::to_string(Percentiles[n]), figures.Percentile[n]);
+  }
+  list.emplace_back(FieldArray::OutlineDistance, figures.Outline);
+  for (DistanceFigure& figure : list)
+  {
+    figure.second = unit == DiagonalUnit ? figure.second / measured.Diagonal : figure.second;
+  }
+  return list;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
+template <typename Array>
+void AddColumn(const std::string& name, vtkTable* table)
 {
-  std::vector<Corners> triangles = ReadTriangles(mesh);
-  vtkDataArray* const faults = FindNumbers(mesh->GetCellData(), CellArray::Fault);
-  if (!faults)
-  {
-    return triangles;
-  }
-  RequireTuples(faults, mesh->GetNumberOfCells(), "cells");
-  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  std::vector<Corners> open;
-  for (std::size_t n = 0; n < triangles.size(); ++n)
-  {
-    if (faults->GetComponent(first + vtkIdType(n), 0) == 0.0)
-    {
-      open.push_back(triangles[n]);
-    }
-  }
-  return open;
+  vtkNew<Array> column;
+  column->SetName(name.c_str());
+  table->AddColumn(column);
+}
+
+void AppendRow(const std::vector<vtkVariant>& values, vtkTable* table)
+{
+  vtkNew<vtkVariantArray> row;
+  std::for_each(values.begin(), values.end(), [&row](const vtkVariant& value) { row->InsertNextValue(value); });
+  assert(row->GetNumberOfValues() == table->GetNumberOfColumns());
+  table->InsertNextRow(row);
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -270,10 +302,10 @@ MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptio
   std::vector<SurfaceDistance> distances = MeasureSurfaceDistances(reference, mesh, metrics, options, monitor);
   MeasuredPair measured;
   measured.Points = std::move(distances.front());
-  measured.Report.Lattice = FiguresOf(measured.Points);
-  measured.Report.World = measured.Report.Lattice;
-  measured.Report.Diagonal = MeasureDiagonal(reference);
-  measured.Report.Surfaces = { MeasureGrading(reference), MeasureGrading(mesh) };
+  measured.Lattice = FiguresOf(measured.Points);
+  measured.World = measured.Lattice;
+  measured.Diagonal = MeasureDiagonal(reference);
+  measured.Surfaces = { MeasureGrading(reference), MeasureGrading(mesh) };
   if (lattice)
   {
     const double step = (lattice->ToWorld({ 0, 0, 1 }) - lattice->ToWorld({ 0, 0, 0 })).z();
@@ -281,5 +313,79 @@ MeasuredPair MeasureSurfaces(const HorizonPair& pair, const SurfaceDistanceOptio
     isUniform ? ScaleToWorld(scale, inWorldUnits, measured) : TakeWorld(distances.back(), inWorldUnits, measured);
   }
   return measured;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteFigures(const MeasuredPair& measured, std::size_t surface, vtkPolyData* output)
+{
+  assert(surface < measured.Surfaces.size());
+  const std::vector<DistanceFigure> names = ListFigures(measured, 0, 0);
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    auto array = NewArray<vtkDoubleArray>(names[n].first.c_str(), vtkIdType(Directions), int(UnitNames.size()));
+    for (std::size_t unit = 0; unit < UnitNames.size(); ++unit)
+    {
+      array->SetComponentName(vtkIdType(unit), UnitNames[unit]);
+      for (std::size_t direction = 0; direction < Directions; ++direction)
+      {
+        array->SetComponent(vtkIdType(direction), int(unit), ListFigures(measured, direction, unit)[n].second);
+      }
+    }
+    output->GetFieldData()->AddArray(array);
+  }
+  auto array = NewArray<vtkDoubleArray>(FieldArray::Grading, 1, 2);
+  array->SetComponentName(0, "Median");
+  array->SetComponentName(1, "Percentile95");
+  array->SetTuple2(0, measured.Surfaces[surface].Median, measured.Surfaces[surface].Percentile95);
+  output->GetFieldData()->AddArray(array);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MakeColumns(vtkTable* figures, vtkTable* bins)
+{
+  for (const char* const name : { "Horizon", "Direction", "Unit" })
+  {
+    AddColumn<vtkStringArray>(name, figures);
+  }
+  for (const DistanceFigure& figure : ListFigures(MeasuredPair(), 0, 0))
+  {
+    AddColumn<vtkDoubleArray>(figure.first, figures);
+  }
+  AddColumn<vtkDoubleArray>("GradingMedian", figures);
+  AddColumn<vtkDoubleArray>("Grading95", figures);
+  AddColumn<vtkIdTypeArray>("Samples", figures);
+  AddColumn<vtkStringArray>("Horizon", bins);
+  AddColumn<vtkStringArray>("Unit", bins);
+  AddColumn<vtkDoubleArray>("bin_extents", bins); // ParaView's charts expect this name for their x axis.
+  AddColumn<vtkDoubleArray>("Area (%)", bins);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AppendRows(
+  const MeasuredPair& measured, bool inWorldUnits, const std::string& horizon, vtkTable* figures, vtkTable* bins)
+{
+  for (std::size_t unit = 0; unit < UnitNames.size(); ++unit)
+  {
+    for (std::size_t direction = 0; direction < Directions; ++direction)
+    {
+      std::vector<vtkVariant> row = { horizon.c_str(), DirectionNames[direction], UnitNames[unit] };
+      for (const DistanceFigure& figure : ListFigures(measured, direction, unit))
+      {
+        row.emplace_back(figure.second);
+      }
+      const bool ofOne = direction < measured.Surfaces.size();
+      row.emplace_back(ofOne ? measured.Surfaces[direction].Median : NoValue);
+      row.emplace_back(ofOne ? measured.Surfaces[direction].Percentile95 : NoValue);
+      row.emplace_back(vtkIdType(measured.Lattice[direction].Samples)); // All units have the same samples.
+      AppendRow(row, figures);
+    }
+  }
+  const DistanceFigures& both = (inWorldUnits ? measured.World : measured.Lattice).back();
+  const double width = both.Percentile.back() / double(DistanceBins - 1);
+  for (std::size_t bin = 0; bin < DistanceBins; ++bin)
+  {
+    AppendRow(
+      { horizon.c_str(), UnitNames[inWorldUnits ? WorldUnit : 0], width * double(bin), 100.0 * both.Share[bin] }, bins);
+  }
 }
 }

@@ -9,20 +9,23 @@
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
-#include "Filters/Marshalling/HorizonPairs.h"
 #include "Filters/Marshalling/HorizonTree.h"
+#include "Filters/Marshalling/RankedHorizons.h"
 #include "Filters/Marshalling/SurfacePair.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <string>
 #include <vector>
 
@@ -34,6 +37,175 @@ constexpr int ReferencePort = 0;
 constexpr int MeasuredPort = 1;
 constexpr int FiguresPort = 2;
 constexpr int HistogramPort = 3;
+
+// ---- Pairs ----------------------------------------------------------------------------------------------------------
+
+std::string ListUnpaired(const std::vector<RankedHorizon>& horizons)
+{
+  std::string text;
+  for (const RankedHorizon& horizon : horizons)
+  {
+    text += (text.empty() ? "" : ", ") + (horizon.Name.empty() ? "one without a name" : horizon.Name);
+  }
+  return text.empty() ? "no horizon" : text;
+}
+
+std::string NoPartner(
+  const char* missing, const RankedHorizon& horizon, const char* side, const std::vector<RankedHorizon>& others)
+{
+  return std::string("no ") + missing + " for " + (horizon.Name.empty() ? "a horizon without a name" : horizon.Name) +
+    " of the " + side + ", expected one of that name; there is " + ListUnpaired(others);
+}
+
+void AppendPairRows(vtkTable* rows, vtkTable* table)
+{
+  for (vtkIdType row = 0; row < rows->GetNumberOfRows(); ++row)
+  {
+    table->InsertNextRow(rows->GetRow(row));
+  }
+}
+
+/// A single horizon on either side makes a pair with any names. Otherwise names must agree, and equal names pair in
+/// order. The rank of the reference works on a pair: it receives the mesh, and Deliver returns the output.
+class HorizonPairs
+{
+public:
+  /// Throws InputError if a horizon has no counterpart, and on other data than vtkPolyData. Collective. Refers to
+  /// `ranks`.
+  HorizonPairs(vtkDataObject* reference, vtkDataObject* mesh, vtkDataObject* referenceOutput, vtkDataObject* meshOutput,
+    const Ranks& ranks)
+    : Group(ranks)
+  {
+    std::vector<HorizonLeaf> references;
+    std::vector<HorizonLeaf> meshes;
+    ranks.Together(
+      [&]()
+      {
+        references = ListHorizons(reference, { referenceOutput });
+        meshes = ListHorizons(mesh, { meshOutput });
+        for (std::size_t n = 0; ranks.Size() > 1 && n < meshes.size(); ++n) // Sending makes VTK read their arrays.
+        {
+          PrefixErrors(meshes[n].Name, [&]() { CheckArraySizes(meshes[n].Input); });
+        }
+      });
+    this->MatchNames(ListOnRanks(references, ranks), ListOnRanks(meshes, ranks));
+    for (const Match& match : this->Matches)
+    {
+      this->Take(match, references, meshes);
+    }
+  }
+
+  const std::vector<HorizonPair>& OwnPairs() const { return this->Own; }
+
+  /// Sends outputs to the ranks of the meshes, and all rows, in the order of pairs, to the tables of the first rank.
+  /// Collective.
+  void Deliver(const std::array<vtkTable*, 2>& tables) const
+  {
+    const int own = this->Group.Own();
+    auto pair = this->Own.begin();
+    auto away = this->Away.begin();
+    for (const Match& match : this->Matches)
+    {
+      const int working = match.Reference.Rank;
+      if (working == own)
+      {
+        if (match.Mesh.Rank != own)
+        {
+          this->Group.Send(pair->MeshOutput, match.Mesh.Rank);
+        }
+        for (std::size_t n = 0; n < tables.size(); ++n)
+        {
+          if (own == 0)
+          {
+            AppendPairRows(pair->Rows[n], tables[n]);
+          }
+          else
+          {
+            this->Group.Send(pair->Rows[n], 0);
+          }
+        }
+        ++pair;
+        continue;
+      }
+      if (match.Mesh.Rank == own)
+      {
+        this->Group.Receive(*away++, working);
+      }
+      for (std::size_t n = 0; own == 0 && n < tables.size(); ++n)
+      {
+        vtkNew<vtkTable> rows;
+        this->Group.Receive(rows, working);
+        AppendPairRows(rows, tables[n]);
+      }
+    }
+    assert(pair == this->Own.end() && away == this->Away.end());
+  }
+
+private:
+  struct Match
+  {
+    RankedHorizon Reference;
+    RankedHorizon Mesh;
+  };
+
+  void MatchNames(const std::vector<RankedHorizon>& references, std::vector<RankedHorizon> meshes)
+  {
+    const bool single = references.size() == 1 && meshes.size() == 1;
+    const std::vector<RankedHorizon> all = meshes;
+    for (const RankedHorizon& horizon : references)
+    {
+      const auto match = std::find_if(meshes.begin(), meshes.end(),
+        [&](const RankedHorizon& other) { return single || (!horizon.Name.empty() && other.Name == horizon.Name); });
+      if (match == meshes.end())
+      {
+        this->Group.Refuse(NoPartner("mesh", horizon, "reference", all));
+      }
+      this->Matches.push_back({ horizon, *match });
+      meshes.erase(match);
+    }
+    if (!meshes.empty())
+    {
+      this->Group.Refuse(NoPartner("reference", meshes.front(), "mesh", references));
+    }
+  }
+
+  /// All ranks handle all pairs in the same order, so that each message finds its receiver waiting.
+  void Take(const Match& match, const std::vector<HorizonLeaf>& references, const std::vector<HorizonLeaf>& meshes)
+  {
+    const int own = this->Group.Own();
+    const bool hasMesh = match.Mesh.Rank == own;
+    if (match.Reference.Rank == own)
+    {
+      const HorizonLeaf& reference = references[match.Reference.Leaf];
+      HorizonPair pair{ reference.Name, reference.Input, nullptr, reference.Outputs.front(), nullptr,
+        { vtkSmartPointer<vtkTable>::New(), vtkSmartPointer<vtkTable>::New() } };
+      if (hasMesh)
+      {
+        pair.Mesh = meshes[match.Mesh.Leaf].Input;
+        pair.MeshOutput = meshes[match.Mesh.Leaf].Outputs.front();
+      }
+      else
+      {
+        pair.Mesh = vtkSmartPointer<vtkPolyData>::New();
+        pair.MeshOutput = vtkSmartPointer<vtkPolyData>::New();
+        this->Group.Receive(pair.Mesh, match.Mesh.Rank);
+      }
+      this->Own.push_back(pair);
+    }
+    else if (hasMesh)
+    {
+      this->Group.Send(meshes[match.Mesh.Leaf].Input, match.Reference.Rank);
+      this->Away.push_back(meshes[match.Mesh.Leaf].Outputs.front());
+    }
+  }
+
+  const Ranks& Group;
+  std::vector<Match> Matches; // of all ranks
+  std::vector<HorizonPair> Own; // in the order of Matches
+  std::vector<vtkPolyData*> Away; // outputs of meshes on other ranks' pairs, in the order of Matches
+};
+
+// ---- Output ---------------------------------------------------------------------------------------------------------
 
 void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
 {
@@ -84,8 +256,7 @@ int vtkHorizonSurfaceDistance::RequestData(
   {
     auto* const figures = vtkTable::SafeDownCast(outputs[FiguresPort]);
     auto* const histogram = vtkTable::SafeDownCast(outputs[HistogramPort]);
-    MakeColumns(figures);
-    MakeBinColumns(histogram);
+    MakeColumns(figures, histogram);
     HorizonPairs pairs(reference, mesh, outputs[ReferencePort], outputs[MeasuredPort], ranks);
     const std::vector<HorizonPair>& own = pairs.OwnPairs();
     const auto measure = [&]()
@@ -125,10 +296,8 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
     MeasureSurfaces(pair, options, this->DistanceUnit == World, this->IncludeFilledPoints, monitor.Step(0.1, 0.95));
   AddArrays(measured.Points.Reference, measured.Upwards, pair.ReferenceOutput);
   AddArrays(measured.Points.Mesh, measured.Upwards, pair.MeshOutput);
-  WriteFieldData(measured.Report, measured.Report.Surfaces[0], pair.ReferenceOutput);
-  WriteFieldData(measured.Report, measured.Report.Surfaces[1], pair.MeshOutput);
-  MakeColumns(pair.Rows[0]);
-  AppendRows(measured.Report, pair.Name, pair.Rows[0]);
-  MakeBinColumns(pair.Rows[1]);
-  AppendBins(measured.Report, this->DistanceUnit == World, pair.Name, pair.Rows[1]);
+  WriteFigures(measured, 0, pair.ReferenceOutput);
+  WriteFigures(measured, 1, pair.MeshOutput);
+  MakeColumns(pair.Rows[0], pair.Rows[1]);
+  AppendRows(measured, this->DistanceUnit == World, pair.Name, pair.Rows[0], pair.Rows[1]);
 }

@@ -22,7 +22,7 @@ PAGES = {stem: page for page, stems in {
     "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
     "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "FaultPolyData CutData",
     "HorizonFromImage": "ImageGrid", "HorizonFromPoints": "Gridding PickColumns",
-    "HorizonLayers": "HorizonStack LayerOutput", "HorizonSurfaceDistance": "SurfacePair HorizonPairs",
+    "HorizonLayers": "HorizonStack LayerOutput", "HorizonSurfaceDistance": "SurfacePair",
     "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
     "InPython": "functions making calls stages volumes",
     "SeismicReflectionExtraction": "Reflections ImageCube ExtractionLimits GuidePicks", "": "Parameters",
