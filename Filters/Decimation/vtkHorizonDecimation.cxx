@@ -6,15 +6,14 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "DecimationOutput.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
 #include "Filters/Marshalling/CrackData.h"
 #include "Filters/Marshalling/CutData.h"
+#include "Filters/Marshalling/HeightUnit.h"
 #include "Filters/Marshalling/HorizonData.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -27,22 +26,17 @@ using namespace SeismicHorizons;
 vtkStandardNewMacro(vtkHorizonDecimation);
 
 //------------------------------------------------------------------------------
-DecimationOptions vtkHorizonDecimation::MakeOptions(
-  const BoundedHorizon& horizon, const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const
+DecimationOptions vtkHorizonDecimation::MakeOptions(const BoundedHorizon& horizon, const ErrorLimit& limit) const
 {
   DecimationOptions options;
-  options.MaximumError = 0.0;
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
-  if (this->Target == LargestError)
-  {
-    options.MaximumError = this->FindMaximumError(horizon.Columns, horizon.Height, lattice, figures);
-  }
-  else if (this->Target == NumberOfPoints)
+  options.MaximumError = limit.Indices;
+  if (this->Target == NumberOfPoints)
   {
     CheckAtLeast("maximum number of points", this->MaximumNumberOfPoints, 1, "");
     options.MaximumNumberOfPoints = std::size_t(this->MaximumNumberOfPoints);
   }
-  else
+  else if (this->Target == Reduction)
   {
     CheckWithin("target reduction", this->TargetReduction, 0.0, 1.0, " of the points");
     const double points = std::ceil((1.0 - this->TargetReduction) * double(horizon.Columns.size()));
@@ -66,14 +60,15 @@ void vtkHorizonDecimation::ProcessHorizon(vtkPolyData* horizon, const Outputs& o
   bounded.Cuts = ShareCuts(points.Horizon, PlaneBox(points.Column));
   ReadCounts(points.Horizon); // Invalid counts are refused before the work.
   monitor.Progress(0.1);
-  vtkNew<vtkFieldData> noise;
-  const DecimationOptions options = this->MakeOptions(bounded, lattice, noise);
+  const ErrorLimit limit =
+    this->Target == LargestError ? this->FindMaximumError(bounded.Columns, bounded.Height, lattice) : ErrorLimit();
+  const DecimationOptions options = this->MakeOptions(bounded, limit);
   Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));
-  WriteDecimation(points.Horizon, lattice, decimation, outputs.front());
-  if (this->Target == LargestError && this->IsErrorAutomatic())
+  WriteMesh(points.Horizon, lattice, decimation, outputs.front());
+  if (limit.Noise)
   {
-    AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::ChosenMaximumError, options.MaximumError);
-    outputs.front()->GetFieldData()->PassData(noise);
+    AddValue<vtkDoubleArray>(outputs.front()->GetFieldData(), FieldArray::ChosenMaximumError, limit.Indices);
+    WriteHeightNoise(*limit.Noise, outputs.front()->GetFieldData());
   }
   if (this->GetCloseFaults())
   {

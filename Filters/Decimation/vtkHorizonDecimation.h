@@ -44,9 +44,9 @@
 
 namespace SeismicHorizons
 {
-class Lattice;
 struct BoundedHorizon;
 struct DecimationOptions;
+struct ErrorLimit;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonDecimation : public vtkHorizonReducedMesh
@@ -83,8 +83,9 @@ private:
   vtkHorizonDecimation(const vtkHorizonDecimation&) = delete;
   void operator=(const vtkHorizonDecimation&) = delete;
 
-  SeismicHorizons::DecimationOptions MakeOptions(const SeismicHorizons::BoundedHorizon& horizon,
-    const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const;
+  /// `limit` is for the target LargestError.
+  SeismicHorizons::DecimationOptions MakeOptions(
+    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::ErrorLimit& limit) const;
 
   int Target = LargestError;
   int MaximumNumberOfPoints = 10000;

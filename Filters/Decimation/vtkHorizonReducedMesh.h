@@ -22,11 +22,11 @@
 namespace SeismicHorizons
 {
 class Lattice;
-struct DecimationQuality;
 class PlanePoints;
+struct Decimation;
+struct DecimationQuality;
+struct ErrorLimit;
 }
-
-class vtkFieldData;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonReducedMesh : public vtkHorizonAlgorithm
 {
@@ -90,9 +90,12 @@ protected:
 
   SeismicHorizons::DecimationQuality MakeQuality() const;
   bool IsErrorAutomatic() const;
-  /// The result is in lattice units, and if automatic, chosen from the points; `figures` get what it is six times of.
-  double FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
-    const SeismicHorizons::Lattice& lattice, vtkFieldData* figures) const;
+  /// An automatic limit is chosen from the points.
+  SeismicHorizons::ErrorLimit FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
+    const SeismicHorizons::Lattice& lattice) const;
+  /// Writes vertices, triangles and figures. Moves the triangles out of the decimation.
+  static void WriteMesh(vtkPolyData* input, const SeismicHorizons::Lattice& lattice,
+    SeismicHorizons::Decimation& decimation, vtkPolyData* output);
 
 private:
   vtkHorizonReducedMesh(const vtkHorizonReducedMesh&) = delete;

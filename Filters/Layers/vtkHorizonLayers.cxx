@@ -28,7 +28,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -51,6 +50,19 @@ constexpr std::size_t BodiesPort = 1;
 constexpr std::size_t HorizonsPort = 2;
 constexpr std::size_t TablePort = 3;
 constexpr std::size_t CurvePort = 4;
+
+void RequireFullColumns(const HorizonStack& stack)
+{
+  for (std::size_t n = 0; n < stack.Size(); ++n)
+  {
+    const int radius = ChooseRadius(stack[n].Placed.Columns);
+    if (radius > 1)
+    {
+      throw InputError(stack[n].Name + " with steps of " + std::to_string(radius) +
+        " columns from point to point, expected 1 for the domain EachLayer: choose Common, or Missing Interpolate");
+    }
+  }
+}
 }
 
 vtkStandardNewMacro(vtkHorizonLayers);
@@ -95,22 +107,27 @@ int vtkHorizonLayers::RequestData(
         vtkWarningMacro(<< "z is time, so that volumes are areas times time, expected depths for volumes: convert the "
                            "horizons to depth before");
       }
-      vtkNew<vtkFieldData> noise;
-      LayerOptions options = this->MakeOptions(stack, noise);
+      LayerOptions options = this->MakeOptions(stack);
+      const ErrorLimit limit = this->FindMaximumError(stack);
+      options.MaximumError = limit.Indices;
+      if (options.Domain == LayerDomain::EachLayer && this->Missing == Void)
+      {
+        RequireFullColumns(stack);
+      }
       const std::optional<LinkCuts> cuts = this->UseCuts ? stack.FindCuts() : std::nullopt;
       options.Cuts = cuts ? &*cuts : nullptr;
       const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.7));
       this->Write(layers, stack, outputs, monitor.Step(0.7, 1.0));
-      if (this->MaximumError == AutomaticError)
+      if (limit.Noise)
       {
         vtkFieldData* const figures = outputs[LayersPort]->GetFieldData();
-        AddValue<vtkDoubleArray>(figures, FieldArray::ChosenMaximumError, options.MaximumError);
-        figures->PassData(noise);
+        AddValue<vtkDoubleArray>(figures, FieldArray::ChosenMaximumError, limit.Indices);
+        WriteHeightNoise(*limit.Noise, figures);
         std::ostringstream text;
         const std::string unit = stack.GetSurvey().VerticalUnit;
-        text << "maximum error " << options.MaximumError * WorldPerIndex(stack.CommonLattice()) << ' '
-             << (unit.empty() ? "in z" : unit) << ", six times the "
-             << (figures->HasArray(FieldArray::HeightNoise) ? "noise" : "rounding") << "\n";
+        text << "maximum error " << limit.Indices * WorldPerIndex(stack.CommonLattice()) << ' '
+             << (unit.empty() ? "in z" : unit) << ", six times the " << (limit.Noise->IsRounding ? "rounding" : "noise")
+             << "\n";
         this->Results += text.str();
       }
       this->WarnOfCrossings(layers.Stack.Repair, options.Crossings.Policies, stack);
@@ -123,12 +140,12 @@ int vtkHorizonLayers::RequestData(
 }
 
 //------------------------------------------------------------------------------
-double vtkHorizonLayers::FindMaximumError(const HorizonStack& stack, vtkFieldData* figures) const
+ErrorLimit vtkHorizonLayers::FindMaximumError(const HorizonStack& stack) const
 {
   if (this->MaximumError != AutomaticError)
   {
     CheckAtLeast("maximum error", this->MaximumError, 0.0, ", or -1 for automatic");
-    return this->IndicesOf(this->MaximumError, stack);
+    return { this->IndicesOf(this->MaximumError, stack), std::nullopt };
   }
   HeightNoise most;
   for (std::size_t n = 0; n < stack.Size(); ++n)
@@ -136,12 +153,11 @@ double vtkHorizonLayers::FindMaximumError(const HorizonStack& stack, vtkFieldDat
     const HeightNoise noise = MeasureHeightNoise(stack[n].Placed.Columns, stack[n].Placed.Height);
     most = noise.Deviation > most.Deviation ? noise : most;
   }
-  WriteHeightNoise(most, figures);
-  return most.MaximumError();
+  return { most.MaximumError(), most };
 }
 
 //------------------------------------------------------------------------------
-LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack, vtkFieldData* figures) const
+LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack) const
 {
   CheckAtLeast("smallest pinch", this->SmallestPinch, 1, " column");
   CheckAtLeast("largest hole size", this->LargestHoleSize, 0, " columns");
@@ -152,20 +168,10 @@ LayerOptions vtkHorizonLayers::MakeOptions(const HorizonStack& stack, vtkFieldDa
   }
   LayerOptions options;
   options.Crossings = this->MakeCrossings(stack);
-  options.MaximumError = this->FindMaximumError(stack, figures);
   options.BoundThickness = this->BoundThickness;
   const bool isCommon = this->Domain == Common || stack.Size() == 2;
   options.Domain = isCommon ? LayerDomain::Common : LayerDomain::EachLayer;
   options.Missing = { static_cast<MissingPolicy>(this->Missing), this->LargestHoleSize, this->LargestGap };
-  for (std::size_t n = 0; n < stack.Size() && !isCommon && this->Missing == Void; ++n)
-  {
-    const int radius = ChooseRadius(stack[n].Placed.Columns);
-    if (radius > 1)
-    {
-      throw InputError(stack[n].Name + " with steps of " + std::to_string(radius) +
-        " columns from point to point, expected 1 for the domain EachLayer: choose Common, or Missing Interpolate");
-    }
-  }
   if (isCommon && this->KeepOutlines)
   {
     options.OutlineTolerance = 0.0;

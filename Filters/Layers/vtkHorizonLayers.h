@@ -48,13 +48,13 @@ namespace SeismicHorizons
 class HorizonStack;
 class Monitor;
 struct CrossingRepair;
+struct ErrorLimit;
 struct LayerOptions;
 struct LayerVolume;
 struct Layers;
 enum class CrossingPolicy;
 }
 class vtkDataObject;
-class vtkFieldData;
 class vtkTable;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayers : public vtkHorizonStackStage
@@ -170,8 +170,8 @@ private:
   vtkHorizonLayers(const vtkHorizonLayers&) = delete;
   void operator=(const vtkHorizonLayers&) = delete;
 
-  double FindMaximumError(const SeismicHorizons::HorizonStack& stack, vtkFieldData* figures) const;
-  SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack, vtkFieldData* figures) const;
+  SeismicHorizons::ErrorLimit FindMaximumError(const SeismicHorizons::HorizonStack& stack) const;
+  SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
   void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
     const std::vector<vtkDataObject*>& outputs, const SeismicHorizons::Monitor& monitor);
   void WarnOfEmpty(

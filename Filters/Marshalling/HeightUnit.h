@@ -8,6 +8,7 @@
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 
+#include <optional>
 #include <vector>
 
 class vtkFieldData;
@@ -21,13 +22,20 @@ enum class HeightUnit
   Diagonal = 2 // diagonal of the bounding box of all points, in lattice units
 };
 
+/// A maximum error of a mesh.
+struct ErrorLimit
+{
+  double Indices = 0.0; // vertical indices
+  std::optional<HeightNoise> Noise; // if the limit is automatic, six times this noise
+};
+
 /// Always positive; z per vertical index.
 double WorldPerIndex(const Lattice& lattice);
 
 /// The columns and heights of all points give the diagonal.
 double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice);
 
-/// An automatic error is six times this noise, which is in vertical indices.
+/// The noise is in vertical indices.
 void WriteHeightNoise(const HeightNoise& noise, vtkFieldData* figures);
 }
 

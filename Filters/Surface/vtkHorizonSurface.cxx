@@ -12,7 +12,6 @@
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/Surface/Surface.h"
 #include "Filters/Boundary/BoundaryOutput.h"
-#include "Filters/Decimation/DecimationOutput.h"
 #include "Filters/Marshalling/CrackData.h"
 #include "Filters/Marshalling/CutData.h"
 #include "Filters/Marshalling/HeightUnit.h"
@@ -26,7 +25,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -142,13 +140,13 @@ double vtkHorizonSurface::ChooseMaximumError(vtkPolyData* horizon, vtkFieldData*
 }
 
 //------------------------------------------------------------------------------
-SurfaceOptions vtkHorizonSurface::MakeOptions(const LatticePoints& points, vtkFieldData* figures) const
+SurfaceOptions vtkHorizonSurface::MakeOptions(const ErrorLimit& limit) const
 {
   SurfaceOptions options;
   static_cast<DecimationQuality&>(options) = this->MakeQuality();
   if (this->Target == LargestError)
   {
-    options.MaximumError = this->FindMaximumError(points.Column, points.Height, points.Lattice, figures);
+    options.MaximumError = limit.Indices;
   }
   else
   {
@@ -171,8 +169,9 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
   RequireAllPoints(horizon);
   LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon), outputs);
   vtkPolyData* const input = points.Horizon;
-  vtkNew<vtkFieldData> noise;
-  SurfaceOptions options = this->MakeOptions(points, noise);
+  const ErrorLimit limit =
+    this->Target == LargestError ? this->FindMaximumError(points.Column, points.Height, points.Lattice) : ErrorLimit();
+  SurfaceOptions options = this->MakeOptions(limit);
   options.Seams = this->MakeSeams();
   const std::optional<LinkCuts> cuts = this->UseCuts ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
@@ -203,7 +202,7 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineDeviation, surface.OutlineDeviation);
     AddValue<vtkDoubleArray>(figures, FieldArray::OutlineHeightDeviation, surface.OutlineHeightDeviation);
     AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfOutsidePoints, vtkIdType(surface.NumberOutside));
-    WriteDecimation(outlines, points.Lattice, surface.Mesh, mesh);
+    WriteMesh(outlines, points.Lattice, surface.Mesh, mesh);
     const SharedRows rows{ options.Seams.Lower, options.Seams.Upper };
     WriteLedger(
       points, surface.Kept, CoveredColumns(surface.Mesh.Points.Plane, surface.Mesh.Points.Boundary, 1, rows), mesh);
@@ -218,5 +217,8 @@ void vtkHorizonSurface::ProcessHorizon(vtkPolyData* horizon, const Outputs& outp
     }
   }
   WriteChosen(surface.Parameters, mesh->GetFieldData());
-  mesh->GetFieldData()->PassData(noise);
+  if (limit.Noise)
+  {
+    WriteHeightNoise(*limit.Noise, mesh->GetFieldData());
+  }
 }

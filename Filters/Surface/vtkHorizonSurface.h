@@ -42,6 +42,7 @@
 
 namespace SeismicHorizons
 {
+struct ErrorLimit;
 struct LatticePoints;
 struct SeamRows;
 struct SurfaceOptions;
@@ -166,8 +167,8 @@ private:
   vtkHorizonSurface(const vtkHorizonSurface&) = delete;
   void operator=(const vtkHorizonSurface&) = delete;
 
-  SeismicHorizons::SurfaceOptions MakeOptions(
-    const SeismicHorizons::LatticePoints& points, vtkFieldData* figures) const;
+  /// `limit` is for the target LargestError.
+  SeismicHorizons::SurfaceOptions MakeOptions(const SeismicHorizons::ErrorLimit& limit) const;
   SeismicHorizons::SeamRows MakeSeams();
   void Choose(vtkPolyData* horizon, const std::function<void(const SeismicHorizons::LatticePoints&)>& choose);
 
