@@ -20,7 +20,7 @@ COMMAND = "Report"
 # Stems and folders of files whose names differ from their pages.
 PAGES = {stem: page for page, stems in {
     "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
-    "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "FaultPolyData CutData",
+    "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "CutData",
     "HorizonFromImage": "ImageGrid", "HorizonFromPoints": "Gridding PickColumns",
     "HorizonLayers": "HorizonStack LayerOutput", "HorizonSurfaceDistance": "SurfacePair",
     "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
