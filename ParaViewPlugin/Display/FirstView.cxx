@@ -4,8 +4,7 @@
 #include "FirstView.h"
 
 #include "ColorRange.h"
-#include "VerticalAxis.h"
-#include "VerticalExaggeration.h"
+#include "ViewAxes.h"
 #include "ViewContents.h"
 
 #include "Common/Horizon/DataModel.h"
@@ -26,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -198,31 +196,6 @@ void HideOthers(vtkSMProxy* view, vtkSMProxy* representation)
       vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
       controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));
     }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void NameVerticalAxis(vtkSMProxy* view)
-{
-  std::set<std::string> units;
-  for (vtkSMProxy* const representation : ListRepresentations(view))
-  {
-    vtkPVDataInformation* const data = FindShownData(representation);
-    const VerticalAxis axis = data ? ReadVerticalAxis(data) : VerticalAxis();
-    if (!axis.Name.empty())
-    {
-      units.insert(axis.Unit);
-    }
-  }
-  vtkSMProxy* const axes = FindAxes(view);
-  const std::string title =
-    units.size() == 1 && !units.begin()->empty() ? AxisTitle("Z (" + *units.begin() + ")") : "Z Axis";
-  const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : title;
-  const bool isOwn = present == "Z Axis" || present.find(" Z (") != std::string::npos;
-  if (isOwn && present != title)
-  {
-    vtkSMPropertyHelper(axes, "ZTitle").Set(title.c_str());
-    axes->UpdateVTKObjects();
   }
 }
 

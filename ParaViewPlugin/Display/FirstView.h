@@ -23,9 +23,6 @@ bool MayFollow(vtkSMProxy* view, vtkSMProxy* representation);
 /// Hides inputs or other outputs of a stage if its hints say so.
 void HideOthers(vtkSMProxy* view, vtkSMProxy* representation);
 
-/// Data with different units leave the axis unnamed.
-void NameVerticalAxis(vtkSMProxy* view);
-
 void ForgetEmptyView(vtkSMProxy* view);
 }
 

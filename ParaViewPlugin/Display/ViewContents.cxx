@@ -48,17 +48,4 @@ std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int 
   }
   return values;
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-std::string AxisTitle(const std::string& name)
-{
-  // ParaView puts titles at the middle number, without a setting.
-  return "\n      " + name + "      \n";
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-vtkSMProxy* FindAxes(vtkSMProxy* view)
-{
-  return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
-}
 }

@@ -4,7 +4,6 @@
 #ifndef ViewContents_h
 #define ViewContents_h
 
-#include <string>
 #include <vector>
 
 class vtkPVDataInformation;
@@ -19,10 +18,6 @@ vtkPVDataInformation* FindShownData(vtkSMProxy* representation);
 
 /// Returns the values of an array with one tuple, or none; values that differ between blocks are nan.
 std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int count);
-
-std::string AxisTitle(const std::string& name);
-
-vtkSMProxy* FindAxes(vtkSMProxy* view);
 }
 
 #endif

@@ -5,8 +5,7 @@
 
 #include "ColorRange.h"
 #include "FirstView.h"
-#include "SurveyAxes.h"
-#include "VerticalExaggeration.h"
+#include "ViewAxes.h"
 #include "ViewContents.h"
 #include "vtkSMHorizonDisplayHelper.h"
 

@@ -3,9 +3,13 @@
 //
 // All data in a view share one exaggeration, so that they fit each other whatever their source. It is the scale of the
 // view's axes, which show true heights, and so belongs to state files and undo.
+//
+// Survey axes run along the lines of the survey and count inlines and crosslines or, without numbers, columns and rows.
 
-#ifndef VerticalExaggeration_h
-#define VerticalExaggeration_h
+#ifndef ViewAxes_h
+#define ViewAxes_h
+
+#include <string>
 
 class vtkSMProxy;
 
@@ -21,6 +25,19 @@ void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view);
 /// Returns a round factor that makes data about as high as a quarter of their width, or 1 unless they are flatter than
 /// 1 in 10.
 double SuggestVerticalExaggeration(vtkSMProxy* view);
+
+bool HasSurveyAxes(vtkSMProxy* view);
+
+/// Uses the first visible data set with a lattice. Returns the reason for a failure, or an empty text.
+std::string ShowSurveyAxes(vtkSMProxy* view);
+
+void RefreshSurveyAxes(vtkSMProxy* view);
+
+/// Restores axes of x and y, hidden.
+void HideSurveyAxes(vtkSMProxy* view);
+
+/// Data with different units leave the axis unnamed.
+void NameVerticalAxis(vtkSMProxy* view);
 }
 
 #endif

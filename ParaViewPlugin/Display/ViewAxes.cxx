@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// A view's axes can show a model that a matrix maps to the world. This model has line numbers as x and y, and unchanged
-// z.
 
-#include "SurveyAxes.h"
+#include "ViewAxes.h"
 
-#include "VerticalExaggeration.h"
+#include "VerticalAxis.h"
 #include "ViewContents.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
@@ -19,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,6 +24,55 @@ namespace SeismicHorizons
 {
 namespace
 {
+vtkSMProxy* FindAxes(vtkSMProxy* view)
+{
+  return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
+}
+
+std::string AxisTitle(const std::string& name)
+{
+  // ParaView puts titles at the middle number, without a setting.
+  return "\n      " + name + "      \n";
+}
+
+// ---- Vertical exaggeration -------------------------------------------------------------------------------------------
+
+constexpr const char* ExaggerationAnnotation = "SeismicHorizons.VerticalExaggeration";
+constexpr double FlatShare = 0.1; // Fractions of the width.
+constexpr double GoodShare = 0.25;
+
+void SetScale(vtkSMProxy* proxy, const char* name, double factor)
+{
+  vtkSMProperty* const property = proxy->GetProperty(name);
+  if (!property || vtkSMPropertyHelper(property).GetNumberOfElements() != 3 ||
+    vtkSMPropertyHelper(property).GetAsDouble(2) == factor)
+  {
+    return;
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+  vtkSMPropertyHelper(property).Set(2, factor);
+  proxy->UpdateVTKObjects();
+}
+
+/// The result is 1, 2, 5, 10, 20, 50 and so on, at most `number`, which is at least 1.
+double RoundDown(double number)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)));
+  for (const double digit : { 5.0, 2.0 })
+  {
+    if (digit * unit <= number)
+    {
+      return digit * unit;
+    }
+  }
+  return unit;
+}
+
+// ---- Survey axes -----------------------------------------------------------------------------------------------------
+
+// A view's axes can show a model that a matrix maps to the world. This model has line numbers as x and y, and unchanged
+// z.
+
 constexpr const char* AxesAnnotation = "SeismicHorizons.SurveyAxes";
 
 struct Lines
@@ -164,6 +211,60 @@ bool FindSurvey(vtkSMProxy* view, Survey& survey, vtkBoundingBox& box)
 }
 }
 
+//----------------------------------------------------------------------------------------------------------------------
+double GetVerticalExaggeration(vtkSMProxy* view)
+{
+  // Without the annotation the user may have scaled the axes for a unit.
+  vtkSMProxy* const axes = view->HasAnnotation(ExaggerationAnnotation) ? FindAxes(view) : nullptr;
+  return axes ? vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) : 1.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SetVerticalExaggeration(vtkSMProxy* view, double factor)
+{
+  view->SetAnnotation(ExaggerationAnnotation, "1");
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    SetScale(representation, "Scale", factor);
+  }
+  if (vtkSMProxy* const axes = FindAxes(view))
+  {
+    SetScale(axes, "DataScale", factor);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view)
+{
+  if (view->HasAnnotation(ExaggerationAnnotation))
+  {
+    SetScale(representation, "Scale", GetVerticalExaggeration(view));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double SuggestVerticalExaggeration(vtkSMProxy* view)
+{
+  vtkBoundingBox box;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    vtkPVDataInformation* const data = FindShownData(representation);
+    if (data && representation->GetProperty("Scale"))
+    {
+      box.AddBounds(data->GetBounds());
+    }
+  }
+  if (!box.IsValid())
+  {
+    return 1.0;
+  }
+  const double width = std::max(box.GetLength(0), box.GetLength(1));
+  const double height = box.GetLength(2);
+  const bool isFlat = height > 0.0 && height < FlatShare * width;
+  return isFlat ? RoundDown(GoodShare * width / height) : 1.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 bool HasSurveyAxes(vtkSMProxy* view)
 {
   // Undo may have hidden the axes.
@@ -172,6 +273,7 @@ bool HasSurveyAxes(vtkSMProxy* view)
     vtkSMPropertyHelper(axes, "UseModelTransform").GetAsInt() == 1;
 }
 
+//----------------------------------------------------------------------------------------------------------------------
 std::string ShowSurveyAxes(vtkSMProxy* view)
 {
   Survey survey;
@@ -192,6 +294,7 @@ std::string ShowSurveyAxes(vtkSMProxy* view)
   return std::string();
 }
 
+//----------------------------------------------------------------------------------------------------------------------
 void RefreshSurveyAxes(vtkSMProxy* view)
 {
   if (HasSurveyAxes(view))
@@ -200,9 +303,35 @@ void RefreshSurveyAxes(vtkSMProxy* view)
   }
 }
 
+//----------------------------------------------------------------------------------------------------------------------
 void HideSurveyAxes(vtkSMProxy* view)
 {
   AxesSettings().Apply(FindAxes(view));
   view->RemoveAnnotation(AxesAnnotation);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void NameVerticalAxis(vtkSMProxy* view)
+{
+  std::set<std::string> units;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    vtkPVDataInformation* const data = FindShownData(representation);
+    const VerticalAxis axis = data ? ReadVerticalAxis(data) : VerticalAxis();
+    if (!axis.Name.empty())
+    {
+      units.insert(axis.Unit);
+    }
+  }
+  vtkSMProxy* const axes = FindAxes(view);
+  const std::string title =
+    units.size() == 1 && !units.begin()->empty() ? AxisTitle("Z (" + *units.begin() + ")") : "Z Axis";
+  const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : title;
+  const bool isOwn = present == "Z Axis" || present.find(" Z (") != std::string::npos;
+  if (isOwn && present != title)
+  {
+    vtkSMPropertyHelper(axes, "ZTitle").Set(title.c_str());
+    axes->UpdateVTKObjects();
+  }
 }
 }

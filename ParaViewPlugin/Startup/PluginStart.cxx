@@ -1,23 +1,64 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "RenamedProperties.h"
+#include "PluginStart.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
+#include "vtkSMPTools.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyLocator.h"
 #include "vtkSMProxyManager.h"
+#include "vtkSMSourceProxy.h"
 
 #include <array>
+#include <cstdlib>
+#include <cstring>
 #include <string>
 
 namespace
 {
+/// Servers have no panels and read no state files.
+void ObserveInClients(unsigned long event, vtkCommand* command)
+{
+  const int type = vtkProcessModule::GetProcessType();
+  if (type != vtkProcessModule::PROCESS_CLIENT && type != vtkProcessModule::PROCESS_BATCH)
+  {
+    return;
+  }
+  vtkSMProxyManager* const proxies = vtkSMProxyManager::GetProxyManager();
+  if (!proxies->HasObserver(event, command))
+  {
+    proxies->AddObserver(event, command);
+  }
+}
+
+// ---- Results ---------------------------------------------------------------------------------------------------------
+
+void Refresh(vtkObject* stage, unsigned long, void*, void*)
+{
+  static_cast<vtkSMSourceProxy*>(stage)->UpdatePropertyInformation();
+}
+
+void Watch(vtkObject*, unsigned long, void* refresh, void* registered)
+{
+  const auto& entry = *static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(registered);
+  auto* const source = vtkSMSourceProxy::SafeDownCast(entry.Proxy);
+  auto* const command = static_cast<vtkCommand*>(refresh);
+  if (source && source->GetVTKClassName() && std::strncmp(source->GetVTKClassName(), "vtkHorizon", 10) == 0 &&
+    !source->HasObserver(vtkCommand::UpdateDataEvent, command))
+  {
+    source->AddObserver(vtkCommand::UpdateDataEvent, command);
+  }
+}
+
+// ---- Renamed properties ----------------------------------------------------------------------------------------------
+
 struct Rename
 {
   const char* Proxy;
@@ -94,18 +135,32 @@ void ReadState(vtkObject*, unsigned long, void*, void* loaded)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void UseAllProcessors()
+{
+  const bool isChosen = std::getenv("VTK_SMP_BACKEND_IN_USE") || std::string(vtkSMPTools::GetBackend()) != "Sequential";
+  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
+  const bool isOneOfSeveral = controller && controller->GetNumberOfProcesses() > 1;
+  if (!isChosen && !isOneOfSeveral)
+  {
+    vtkSMPTools::SetBackend("STDThread");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void KeepResultsFresh()
+{
+  static vtkNew<vtkCallbackCommand> refresh;
+  static vtkNew<vtkCallbackCommand> watch;
+  refresh->SetCallback(Refresh);
+  watch->SetCallback(Watch);
+  watch->SetClientData(refresh);
+  ObserveInClients(vtkCommand::RegisterEvent, watch);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void ReadRenamedProperties()
 {
-  if (vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
-    vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_BATCH)
-  {
-    return; // Servers read no state files.
-  }
   static vtkNew<vtkCallbackCommand> read;
   read->SetCallback(ReadState);
-  vtkSMProxyManager* const proxies = vtkSMProxyManager::GetProxyManager();
-  if (!proxies->HasObserver(vtkCommand::LoadStateEvent, read))
-  {
-    proxies->AddObserver(vtkCommand::LoadStateEvent, read);
-  }
+  ObserveInClients(vtkCommand::LoadStateEvent, read);
 }
