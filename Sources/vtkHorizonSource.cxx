@@ -10,7 +10,6 @@
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/InputFile.h"
 #include "Common/VTK/HorizonName.h"
-#include "Common/VTK/NamedCollection.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "vtkHorizonFileSeries.h"

@@ -5,7 +5,13 @@
 
 #include "Common/Horizon/DataModel.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataAssembly.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -15,6 +21,15 @@
 
 namespace SeismicHorizons
 {
+namespace
+{
+std::string NodeName(const std::string& name)
+{
+  const bool isTaken = name.empty() || vtkDataAssembly::IsNodeNameReserved(name.c_str());
+  return vtkDataAssembly::MakeValidNodeName((isTaken ? '_' + name : name).c_str());
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 std::string HorizonName(std::int64_t surfaceId)
 {
@@ -46,5 +61,48 @@ std::vector<std::string> MakeDistinct(std::vector<std::string> names)
     }
   }
   return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkPartitionedDataSetCollection> MakeCollection(const char* rootName)
+{
+  auto collection = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+  vtkNew<vtkDataAssembly> assembly;
+  assembly->SetRootNodeName(rootName);
+  collection->SetDataAssembly(assembly);
+  return collection;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void AddName(vtkPartitionedDataSetCollection* collection, const std::string& name)
+{
+  const unsigned int position = collection->GetNumberOfPartitionedDataSets();
+  vtkNew<vtkPartitionedDataSet> partitions;
+  collection->SetPartitionedDataSet(position, partitions);
+  collection->GetMetaData(position)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  vtkDataAssembly* const assembly = collection->GetDataAssembly();
+  const int node = assembly->AddNode(NodeName(name).c_str());
+  assembly->AddDataSetIndex(node, position);
+  assembly->SetAttribute(node, "label", name.c_str());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MakeBlocks(const std::vector<std::string>& names, const char* rootName, vtkDataObject* output)
+{
+  const vtkSmartPointer<vtkPartitionedDataSetCollection> blocks = MakeCollection(rootName);
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    AddName(blocks, names[n]);
+    vtkNew<vtkPolyData> mesh;
+    blocks->SetPartition(unsigned(n), 0, mesh);
+  }
+  output->ShallowCopy(blocks);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkPolyData* BlockOf(vtkDataObject* collection, std::size_t number)
+{
+  auto* const blocks = vtkPartitionedDataSetCollection::SafeDownCast(collection);
+  return vtkPolyData::SafeDownCast(blocks->GetPartitionAsDataObject(unsigned(number), 0));
 }
 }

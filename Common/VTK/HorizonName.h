@@ -4,10 +4,15 @@
 #ifndef SeismicHorizonsHorizonName_h
 #define SeismicHorizonsHorizonName_h
 
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+class vtkDataObject;
+class vtkPartitionedDataSetCollection;
 class vtkPolyData;
 
 namespace SeismicHorizons
@@ -19,6 +24,14 @@ std::string NameBySurfaceId(vtkPolyData* horizon);
 
 /// Repeated names get " (2)", " (3)" and so on.
 std::vector<std::string> MakeDistinct(std::vector<std::string> names);
+
+vtkSmartPointer<vtkPartitionedDataSetCollection> MakeCollection(const char* rootName);
+
+void AddName(vtkPartitionedDataSetCollection* collection, const std::string& name);
+
+void MakeBlocks(const std::vector<std::string>& names, const char* rootName, vtkDataObject* output);
+
+vtkPolyData* BlockOf(vtkDataObject* collection, std::size_t number);
 }
 
 #endif

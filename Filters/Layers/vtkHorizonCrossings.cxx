@@ -6,7 +6,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/NamedCollection.h"
+#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/VersionDifferences.h"

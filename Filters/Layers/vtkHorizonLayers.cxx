@@ -8,7 +8,7 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/HeightNoise.h"
 #include "Common/VTK/DataArrays.h"
-#include "Common/VTK/NamedCollection.h"
+#include "Common/VTK/HorizonName.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/VersionDifferences.h"
