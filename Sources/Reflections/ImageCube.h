@@ -4,16 +4,19 @@
 #ifndef SeismicHorizonsImageCube_h
 #define SeismicHorizonsImageCube_h
 
-#include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LatticeFrame.h"
+#include "Filters/Algorithms/Reflections/GuidedJoining.h"
+#include "Filters/Algorithms/Reflections/ReflectionFinder.h"
 #include "Filters/Algorithms/Reflections/TraceCube.h"
 
-#include <Eigen/Core>
-
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkDataArray;
+class vtkDataObject;
 class vtkImageData;
 
 namespace SeismicHorizons
@@ -29,28 +32,33 @@ struct ImageCube
 /// InputError on an invalid array or lattice. `image` must outlive the cube.
 ImageCube MakeImageCube(vtkImageData* image, vtkDataArray* amplitudes);
 
-/// Places are in columns and samples from the first trace and sample of the cube.
-class CubePlaces
+struct GuidePicks
 {
-public:
-  explicit CubePlaces(const ImageCube& cube);
-
-  Eigen::Vector3d ToCube(const Eigen::Vector3d& world) const { return this->Lattice.ToLattice(world) - this->First; }
-  bool HasTrace(const Eigen::Vector3d& place) const;
-  /// The place must have a trace.
-  std::array<int, 2> TraceAt(const Eigen::Vector3d& place) const;
-  bool HasSample(const Eigen::Vector3d& place) const
-  {
-    return this->HasTrace(place) && place.z() >= 0.0 && place.z() <= this->Last.z();
-  }
-  /// "(...) to (...)": world coordinates of the first and last corner
-  std::string CornersText() const;
-
-private:
-  SeismicHorizons::Lattice Lattice;
-  Eigen::Vector3d First; // lattice index
-  Eigen::Vector3d Last; // last trace and sample, in cube units
+  Guide Given; // columns and samples of the cube
+  std::vector<std::array<double, 3>> Places; // world coordinates of the picks
+  std::size_t Outside = 0; // points outside the cube, which are not picks
+  std::string FirstOutside; // world coordinates of the first of these
 };
+
+/// Blocks, or values of the point array Horizon, separate guides; an unnamed guide is called Guide 1, and so on. Throws
+/// InputError without points, on infinite places, and if no point of a guide is on the cube.
+std::vector<GuidePicks> ReadGuides(vtkDataObject* points, const ImageCube& cube);
+
+enum class LimitSide
+{
+  Below, // at and after the limit, in the order of samples
+  Above
+};
+
+struct ExtractionLimits
+{
+  TraceLimits Traces;
+  std::int64_t Limited = 0; // traces with all limits
+};
+
+/// Two horizons may cross: limits are sorted by trace. Traces without a point of each are not searched. Throws
+/// InputError on two points on a trace, on a horizon beyond all samples, and if no trace has all limits.
+ExtractionLimits ReadLimits(const std::vector<vtkDataObject*>& horizons, const ImageCube& cube, LimitSide side);
 }
 
 #endif

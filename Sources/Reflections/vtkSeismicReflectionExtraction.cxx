@@ -10,7 +10,6 @@
 #include "Common/VTK/HorizonDataSet.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/SurveyFields.h"
-#include "ExtractionLimits.h"
 #include "Filters/Algorithms/Reflections/ReflectionExtraction.h"
 #include "Filters/Marshalling/HorizonTree.h"
 #include "ImageCube.h"

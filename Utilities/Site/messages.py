@@ -25,7 +25,7 @@ PAGES = {stem: page for page, stems in {
     "HorizonLayers": "HorizonStack LayerOutput", "HorizonSurfaceDistance": "SurfacePair",
     "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
     "InPython": "functions making calls stages volumes",
-    "SeismicReflectionExtraction": "Reflections ImageCube ExtractionLimits GuidePicks", "": "Parameters",
+    "SeismicReflectionExtraction": "Reflections ImageCube GuidePicks", "": "Parameters",
 }.items() for stem in stems.split()}
 # Python functions and exceptions that take messages.
 TELLERS = ("HorizonError", "ValueError", "TypeError", "FileNotFoundError", "RuntimeError", "ArgumentTypeError", "error",
