@@ -15,9 +15,9 @@ namespace
 constexpr std::size_t NullWord = 5;
 constexpr double AlwaysNull = 1e30;
 
-HeaderLines ReadCps3Header(GridText& text, std::string& name)
+KeywordLines ReadCps3Header(GridText& text, std::string& name)
 {
-  HeaderLines lines;
+  KeywordLines lines;
   for (; text.PeekLine(); text.NextLine())
   {
     const std::string_view line = Trim(*text.PeekLine());
@@ -45,13 +45,13 @@ HeaderLines ReadCps3Header(GridText& text, std::string& name)
 HorizonGrid ReadCps3(GridText& text)
 {
   HorizonGrid grid;
-  const HeaderLines header = ReadCps3Header(text, grid.Name);
-  const HeaderFields& format = RequireLine(header, "FSASCI", text.Place());
+  const KeywordLines header = ReadCps3Header(text, grid.Name);
+  const HeaderFields& format = RequireKeyword(header, "FSASCI", text.Place());
   const double null = format.Number(std::min(NullWord, format.Size() - 1), "null value");
-  const HeaderFields& limits = RequireLine(header, "FSLIMI", text.Place());
+  const HeaderFields& limits = RequireKeyword(header, "FSLIMI", text.Place());
   const std::array<double, 2> x = { limits.Number(1, "xmin"), limits.Number(2, "xmax") };
   const std::array<double, 2> y = { limits.Number(3, "ymin"), limits.Number(4, "ymax") };
-  const HeaderFields& counts = RequireLine(header, "FSNROW", text.Place());
+  const HeaderFields& counts = RequireKeyword(header, "FSNROW", text.Place());
   const std::array<int, 2> columns = { counts.Count(2, "nx"), counts.Count(1, "ny") };
   grid.Lattice = PrefixErrors(limits.Place(), [&] { return AxisLattice(columns, x, y); });
   std::vector<double> values = text.Values(CountNodes(columns), OrFrom(NullAt(null), AlwaysNull));

@@ -63,10 +63,13 @@ public:
   }
 
 private:
-  const HeaderFields& Line(const std::string& key) const { return RequireLine(this->Lines, key, this->Text.Place()); }
+  const HeaderFields& Line(const std::string& key) const
+  {
+    return RequireKeyword(this->Lines, key, this->Text.Place());
+  }
 
   const GridText& Text;
-  HeaderLines Lines;
+  KeywordLines Lines;
 };
 }
 

@@ -116,7 +116,7 @@ int HeaderFields::Count(std::size_t index, const std::string& name) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-const HeaderFields& RequireLine(const HeaderLines& lines, const std::string& keyword, const std::string& place)
+const HeaderFields& RequireKeyword(const KeywordLines& lines, const std::string& keyword, const std::string& place)
 {
   const auto line = lines.find(keyword);
   if (line == lines.end())

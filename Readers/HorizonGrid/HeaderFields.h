@@ -55,10 +55,10 @@ private:
 };
 
 /// Lines by their keywords.
-using HeaderLines = std::map<std::string, HeaderFields>;
+using KeywordLines = std::map<std::string, HeaderFields>;
 
 /// Throws InputError without such a line before the values, which are at `place`.
-const HeaderFields& RequireLine(const HeaderLines& lines, const std::string& keyword, const std::string& place);
+const HeaderFields& RequireKeyword(const KeywordLines& lines, const std::string& keyword, const std::string& place);
 }
 
 #endif
