@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "LineFields.h"
+#include "TraceTable.h"
 
 #include "Common/Base/Errors.h"
 
@@ -22,7 +22,6 @@ constexpr std::array<FieldPair, 7> UsualPairs = { { { 189, 193 }, { 9, 21 }, { 5
   { 221, 225 }, { 181, 185 } } };
 // Byte 21 is the number of the common depth point, 17 of the shot point.
 constexpr std::array<FieldPair, 3> LinePairs = { { { 189, 193 }, { 9, 21 }, { 9, 17 } } };
-constexpr std::array<FieldPair, 3> PlacePairs = { { { 181, 185 }, { 73, 77 }, { 81, 85 } } };
 
 constexpr double LeastDensity = 0.1;
 constexpr double DensityMargin = 0.15;
@@ -163,11 +162,6 @@ private:
   std::int64_t Traces = 0;
 };
 
-bool IsConstant(const TraceTable& table, int byte)
-{
-  return table[byte].IsConstant();
-}
-
 std::optional<FieldPair> FindGrid(const TraceTable& table, double mostRepeated, const Monitor& monitor)
 {
   std::optional<FieldPair> found;
@@ -176,7 +170,7 @@ std::optional<FieldPair> FindGrid(const TraceTable& table, double mostRepeated, 
   {
     monitor.Progress(double(densities.size()) / double(UsualPairs.size()));
     densities.push_back(0.0);
-    if (IsConstant(table, pair.First) || IsConstant(table, pair.Second))
+    if (table[pair.First].IsConstant() || table[pair.Second].IsConstant())
     {
       continue;
     }
@@ -200,8 +194,8 @@ std::optional<FieldPair> FindLine(const TraceTable& table, double mostRepeated)
 {
   for (const FieldPair& pair : LinePairs)
   {
-    const bool isFirstConstant = IsConstant(table, pair.First);
-    const bool isSecondConstant = IsConstant(table, pair.Second);
+    const bool isFirstConstant = table[pair.First].IsConstant();
+    const bool isSecondConstant = table[pair.Second].IsConstant();
     if (!isFirstConstant && !isSecondConstant && pair.First == UsualPairs[0].First)
     {
       return std::nullopt;
@@ -244,12 +238,6 @@ std::vector<int> ListFields()
   std::for_each(LinePairs.begin(), LinePairs.end(), add);
   std::for_each(PlacePairs.begin(), PlacePairs.end(), add);
   return bytes;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<FieldPair> ListPlaceFields()
-{
-  return { PlacePairs.begin(), PlacePairs.end() };
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "LinePlaces.h"
+#include "TracePlaces.h"
 
 #include "Common/Horizon/Median.h"
-#include "TracePlaces.h"
+#include "Common/Horizon/Types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,6 @@ namespace
 {
 // In multiples of the usual step.
 constexpr double LongestStep = 10.0;
-// Fraction of all traces.
 // Distance to the second neighbour, as a fraction of the path through the first (median).
 constexpr double LeastAdvance = 0.7;
 
@@ -26,6 +25,8 @@ using Places = std::vector<Eigen::Vector2d>;
 class TraceLine
 {
 public:
+  std::size_t Strays = 0;
+
   explicit TraceLine(Places places)
     : All(std::move(places))
   {
@@ -62,8 +63,6 @@ public:
     this->Columns = kept;
     return isLine && this->Columns.size() >= 2;
   }
-
-  std::size_t StrayCount() const { return this->Strays; }
 
   /// Missing places are on straight lines through the nearest two.
   Places Complete() const
@@ -122,43 +121,42 @@ private:
 
   const Places All;
   std::vector<std::size_t> Columns;
-  std::size_t Strays = 0;
 };
 
-Places ListPlaces(const SEGYCube& cube, const TraceTable& table, const FieldPair& fields)
+Places ListLinePlaces(const SEGYCube& cube, const LineNumbers& lines, const FieldPair& fields)
 {
   Places places(cube.Traces.size(), Eigen::Vector2d(NoValue, NoValue));
   for (std::size_t column = 0; column < places.size(); ++column)
   {
     const std::int32_t trace = cube.Traces[column];
-    if (trace >= 0 && HasPlace(table, fields, trace))
+    if (trace >= 0 && HasPlace(lines, fields, trace))
     {
-      places[column] = TracePlace(table, fields, trace);
+      places[column] = TracePlace(lines.Table, fields, trace);
     }
   }
   return places;
 }
 
-std::vector<FieldPair> ListCandidates(const SEGYCube& cube, const FieldPair& given)
+std::vector<FieldPair> ListLineCandidates(const SEGYCube& cube, const FieldPair& given)
 {
   const FieldPair& chosen = given.First > 0 ? given : cube.PlaceFields;
-  return chosen.First > 0 ? std::vector<FieldPair>{ chosen } : ListPlaceFields();
+  return chosen.First > 0 ? std::vector<FieldPair>{ chosen }
+                          : std::vector<FieldPair>(PlacePairs.begin(), PlacePairs.end());
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaceAlongLine(SEGYCube& cube, const TraceTable& table, const FieldPair& given)
+void PlaceAlongLine(SEGYCube& cube, const LineNumbers& lines, const FieldPair& given)
 {
-  const LineNumbers lines(table, cube.LineFields);
-  for (const FieldPair& fields : ListCandidates(cube, given))
+  for (const FieldPair& fields : ListLineCandidates(cube, given))
   {
     const bool isGiven = given.First > 0;
-    if (!isGiven && (AreSame(table, fields) || AreLineNumbers(table, lines, fields)))
+    if (!isGiven && (AreSame(lines.Table, fields) || AreLineNumbers(lines, fields)))
     {
       continue;
     }
-    TraceLine line(ListPlaces(cube, table, fields));
-    if (AreFloats(table, lines, fields) || !line.DropStrays())
+    TraceLine line(ListLinePlaces(cube, lines, fields));
+    if (AreFloats(lines, fields) || !line.DropStrays())
     {
       continue;
     }
@@ -167,10 +165,10 @@ void PlaceAlongLine(SEGYCube& cube, const TraceTable& table, const FieldPair& gi
     {
       cube.Warnings.push_back("the second output has the traces of the line where they are");
     }
-    if (line.StrayCount() > 0)
+    if (line.Strays > 0)
     {
       std::ostringstream text;
-      text << line.StrayCount() << " traces far from both neighbours by x and y (bytes " << fields.First << " and "
+      text << line.Strays << " traces far from both neighbours by x and y (bytes " << fields.First << " and "
            << fields.Second << "): put between them";
       cube.Warnings.push_back(text.str());
     }

@@ -4,13 +4,10 @@
 #include "SEGYCube.h"
 
 #include "Common/Base/Parameters.h"
-#include "Common/Horizon/Lattice.h"
-#include "Common/Survey/LineLattice.h"
+#include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/InputFile.h"
-#include "LinePlaces.h"
-#include "TraceColumns.h"
 #include "TracePlaces.h"
 
 #include <algorithm>
@@ -161,7 +158,7 @@ void WarnOfCut(SEGYCube& cube, const LineNumbers& lines)
   {
     return;
   }
-  std::array<int, 2> place = lines.Column(*cube.Lattice.Lines, last);
+  std::array<int, 2> place = lines.Column(last);
   const bool isForward = place[along] == found - 1;
   bool isCut = isForward || place[along] == length - found;
   for (std::int64_t n = 0; n < length; ++n)
@@ -181,29 +178,100 @@ void WarnOfCut(SEGYCube& cube, const LineNumbers& lines)
 
 void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
 {
-  const LineNumbers lines(table, cube.LineFields);
-  const LineNumbering numbering = lines.Numbering(monitor.Step(0.0, 0.2));
-  cube.Lattice.Lines = numbering;
-  cube.Lattice.Columns = lines.CountColumns(numbering);
+  const LineNumbers lines(table, cube.LineFields, monitor.Step(0.0, 0.2));
+  cube.Lattice.Lines = lines.Numbering;
+  cube.Lattice.Columns = lines.CountColumns();
   cube.Sampling.Step = FindInterval(cube.Header, options.VerticalStep);
-  FillColumns(cube, table, lines, options.Duplicates);
+  FillColumns(cube, lines, options.Duplicates);
   WarnOfDuplicates(cube, options.Duplicates);
   WarnOfCut(cube, lines);
   FindSampling(cube, table, options.Delays);
 
   const bool isLine = std::min(cube.Lattice.Columns[0], cube.Lattice.Columns[1]) == 1;
-  const PlacedTraces placed = PlaceTraces(table, lines, numbering, options, isLine, monitor.Step(0.4, 1.0));
+  const PlacedTraces placed = PlaceTraces(lines, options, isLine, monitor.Step(0.4, 1.0));
   cube.PlaceFields = placed.Fields;
-  cube.LargestDistance = placed.Fit.LargestDistance;
-  cube.StrayPlaces = placed.Fit.Strays;
+  cube.LargestDistance = placed.LargestDistance;
+  cube.StrayPlaces = placed.Strays;
   cube.Warnings.insert(cube.Warnings.end(), placed.Warnings.begin(), placed.Warnings.end());
-  cube.Lattice.Origin = placed.Fit.ToWorld.Origin;
-  cube.Lattice.ColumnStep = placed.Fit.ToWorld.Steps.col(0);
-  cube.Lattice.RowStep = placed.Fit.ToWorld.Steps.col(1);
+  cube.Lattice.Origin = placed.ToWorld.Origin;
+  cube.Lattice.ColumnStep = placed.ToWorld.Steps.col(0);
+  cube.Lattice.RowStep = placed.ToWorld.Steps.col(1);
   if (isLine && options.PlaceFields.First != NoField)
   {
-    PlaceAlongLine(cube, table, options.PlaceFields);
+    PlaceAlongLine(cube, lines, options.PlaceFields);
   }
+}
+
+// ---- Description -------------------------------------------------------------------------------------------------
+std::string DescribeFile(const SEGYHeader& header)
+{
+  std::ostringstream text;
+  text << "SEG-Y" << (header.Revision > 0 ? " revision " + std::to_string(header.Revision) : "") << ", "
+       << FormatName(header.Format) << ", " << (header.Order == ByteOrder::BigEndian ? "big" : "little")
+       << "-endian, text in " << (header.IsEbcdic ? "EBCDIC" : "ASCII");
+  if (header.ExtendedTexts > 0)
+  {
+    text << ", " << header.ExtendedTexts << " extended text headers";
+  }
+  text << '\n'
+       << header.Traces << " traces of " << header.Samples << " samples"
+       << (header.HasOwnSamples ? "" : " (by the first trace)");
+  return text.str();
+}
+
+std::string FieldText(int byte)
+{
+  return byte == NoField ? "no byte" : "byte " + std::to_string(byte);
+}
+
+std::string DescribeLines(const SEGYCube& cube)
+{
+  const SurveyLattice& lattice = cube.Lattice;
+  std::ostringstream text;
+  const auto describe = [&text](const char* what, double first, double step, int count, int byte)
+  {
+    text << count << ' ' << what << (count == 1 ? " " : "s ") << first;
+    if (count > 1)
+    {
+      text << " to " << first + step * (count - 1) << " in steps of " << step;
+    }
+    text << " (" << FieldText(byte) << ")\n";
+  };
+  text.precision(10);
+  describe("inline", lattice.Lines->FirstInline, lattice.Lines->InlineStep, lattice.Columns[1], cube.LineFields.First);
+  describe("crossline", lattice.Lines->FirstCrossline, lattice.Lines->CrosslineStep, lattice.Columns[0],
+    cube.LineFields.Second);
+  text << "sorted by " << (cube.IsCrosslineSorted ? "crosslines" : "inlines") << "; " << cube.MissingTraces
+       << " traces missing, " << cube.DeadTraces << " dead";
+  if (cube.DuplicateTraces > 0)
+  {
+    text << ", " << cube.DuplicateTraces << " at places of others";
+  }
+  if (cube.Fillers > 0)
+  {
+    text << ", " << cube.Fillers << " dead ones without line numbers";
+  }
+  return text.str();
+}
+
+std::string DescribePlaces(const SEGYCube& cube)
+{
+  const SurveyLattice& lattice = cube.Lattice;
+  std::ostringstream text;
+  if (cube.PlaceFields.First == NoField)
+  {
+    text << "x and y are line numbers";
+  }
+  else
+  {
+    text << "x and y at bytes " << cube.PlaceFields.First << " and " << cube.PlaceFields.Second << ": from "
+         << ToText(lattice.Origin) << " in steps of " << ToText(lattice.ColumnStep) << " along crosslines' numbers and "
+         << ToText(lattice.RowStep) << " along inlines'";
+    text.precision(3);
+    text << "; traces at most " << cube.LargestDistance << " of a step off";
+    text << (cube.StrayPlaces > 0 ? ", but for " + std::to_string(cube.StrayPlaces) : "");
+  }
+  return text.str();
 }
 }
 
@@ -251,5 +319,26 @@ SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const
   SetVerticalUnit(cube.Survey, "ms");
   cube.Survey.HorizontalUnit = cube.PlaceFields.First == NoField ? "" : cube.Header.LengthUnit;
   return cube;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string Describe(const SEGYCube& cube)
+{
+  std::ostringstream text;
+  text << DescribeFile(cube.Header) << '\n' << DescribeLines(cube) << '\n' << DescribePlaces(cube) << '\n';
+  text << cube.Sampling.Indices << " vertical indices from " << cube.Sampling.First << " in steps of "
+       << cube.Sampling.Step << (cube.Delays.empty() ? "" : "; traces begin at different ones");
+  return text.str();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string WarningText(const SEGYCube& cube)
+{
+  std::string text;
+  for (const std::string& warning : cube.Warnings)
+  {
+    text += (text.empty() ? "" : "; ") + warning;
+  }
+  return text;
 }
 }

@@ -11,7 +11,6 @@
 #include "Common/Survey/SurveyDescription.h"
 #include "Common/Survey/SurveyLattice.h"
 #include "Common/Survey/VerticalSampling.h"
-#include "LineFields.h"
 #include "SEGYHeader.h"
 
 #include <cstdint>

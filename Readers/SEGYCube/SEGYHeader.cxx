@@ -46,7 +46,7 @@ public:
   }
 
   const unsigned char* At(int byte) const { return this->Bytes.data() + byte - 1; }
-  std::uint32_t Unsigned16(int byte) const { return ReadUnsigned(this->At(byte), 2, this->Order); }
+  int Unsigned16(int byte) const { return DecodeNumber<std::uint16_t>(this->At(byte), this->Order); }
   int Integer16(int byte) const { return DecodeNumber<std::int16_t>(this->At(byte), this->Order); }
   int Integer32(int byte) const { return DecodeNumber<std::int32_t>(this->At(byte), this->Order); }
   double Double(int byte) const { return DecodeNumber<double>(this->At(byte), this->Order); }
@@ -57,9 +57,11 @@ public:
   {
     const auto isCode = [this](ByteOrder order)
     { return SampleSize(DecodeNumber<std::int16_t>(this->At(FormatByte), order)) > 0; };
-    const auto numbers = [this](ByteOrder order)
-    { return ReadUnsigned(this->At(IntervalByte), 2, order) + ReadUnsigned(this->At(SamplesByte), 2, order); };
-    const bool isMarked = ReadUnsigned(this->At(ByteOrderMarkByte), 4, ByteOrder::LittleEndian) == ByteOrderNumber;
+    const auto number = [this](int byte, ByteOrder order)
+    { return DecodeNumber<std::uint16_t>(this->At(byte), order); };
+    const auto numbers = [&](ByteOrder order) { return number(IntervalByte, order) + number(SamplesByte, order); };
+    const bool isMarked =
+      DecodeNumber<std::uint32_t>(this->At(ByteOrderMarkByte), ByteOrder::LittleEndian) == ByteOrderNumber;
     const bool isLess = numbers(ByteOrder::LittleEndian) < numbers(ByteOrder::BigEndian);
     const bool isSwapped = !isCode(ByteOrder::BigEndian) && (isCode(ByteOrder::LittleEndian) || isLess);
     this->Order = isMarked || isSwapped ? ByteOrder::LittleEndian : ByteOrder::BigEndian;
@@ -75,7 +77,7 @@ public:
     return revision <= last ? revision : 0;
   }
 
-  int ShortSamples() const { return int(this->Unsigned16(SamplesByte)); }
+  int ShortSamples() const { return this->Unsigned16(SamplesByte); }
 
   int Samples() const
   {
@@ -165,13 +167,6 @@ int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
   return -1;
 }
 
-int FindFormat(const BinaryHeader& binary, int formatCode)
-{
-  const int code = formatCode > 0 ? formatCode : binary.Integer16(FormatByte);
-  CheckFormatCode(code, formatCode > 0 ? "" : " at byte 3225");
-  return code;
-}
-
 void CheckWhole(SEGYHeader& header, std::int64_t fileSize, int firstSamples, const SEGYHeaderOptions& options)
 {
   const std::int64_t size = fileSize - header.FirstTrace;
@@ -243,25 +238,13 @@ std::vector<SEGYLayout> ListLayouts(
   return layouts;
 }
 
-/// The header does not state these texts.
-std::vector<SEGYLayout> ListOtherTexts(int samples)
-{
-  constexpr int most = 16;
-  std::vector<SEGYLayout> layouts;
-  for (int count = 1; count <= most; ++count)
-  {
-    layouts.push_back({ count, samples });
-  }
-  return layouts;
-}
-
 void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& stream, std::int64_t fileSize,
   const SEGYHeaderOptions& options)
 {
   const auto samplesAt = [&](std::int64_t trace)
   {
     const HeaderBytes bytes = ReadBytes(stream, trace + TraceSamplesByte - 1, 2);
-    return bytes.size() == 2 ? int(ReadUnsigned(bytes.data(), 2, header.Order)) : -1;
+    return bytes.size() == 2 ? int(DecodeNumber<std::uint16_t>(bytes.data(), header.Order)) : -1;
   };
   const SEGYExtents file = { fileSize, SampleSize(int(header.Format)), samplesAt };
   const int stated = binary.Integer16(ExtendedTextsByte);
@@ -272,7 +255,7 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
     throw InputError("0 samples in a trace, in the header (byte 3221) and in the first trace (byte 115), expected at "
                      "least 1; set NumberOfSamples");
   }
-  const SEGYLayout layout = ChooseLayout(file, layouts, ListOtherTexts(layouts.front().Samples));
+  const SEGYLayout layout = ChooseLayout(file, layouts);
   header.ExtendedTexts = layout.Texts;
   header.FirstTrace = file.FirstTrace(layout);
   header.Samples = layout.Samples;
@@ -296,19 +279,6 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckFormatCode(int code, const char* place)
-{
-  if (SampleSize(code) == 0)
-  {
-    std::ostringstream text;
-    text << "format code " << code << place
-         << ", expected 1 (IBM float), 2, 3, 7, 8 (integers of 32, 16, 24, 8 bits), 5, 6 (IEEE float, double) or 10, "
-            "11, 15, 16 (integers without a sign)";
-    throw InputError(text.str());
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEGYHeaderOptions& options)
 {
   const HeaderBytes bytes = ReadBytes(stream, 0, SEGYFileHeaderSize);
@@ -324,7 +294,10 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
   header.IsEbcdic = IsEbcdic(bytes);
   header.Text = ReadText(bytes, header.IsEbcdic);
   header.Order = binary.Order;
-  header.Format = SEGYFormat(FindFormat(binary, options.FormatCode));
+  const bool isGiven = options.FormatCode > 0;
+  const int code = isGiven ? options.FormatCode : binary.Integer16(FormatByte);
+  CheckFormatCode(code, isGiven ? "" : " at byte 3225");
+  header.Format = SEGYFormat(code);
   header.Revision = binary.Revision();
   header.Interval = binary.Interval() / 1000.0;
   const int unit = binary.Integer16(UnitByte);
@@ -334,8 +307,9 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
 
   const HeaderBytes first = ReadBytes(stream, header.FirstTrace, SEGYTraceHeaderSize);
   const bool hasTrace = first.size() == std::size_t(SEGYTraceHeaderSize);
-  const auto ofTrace = [&](int byte) { return hasTrace ? ReadUnsigned(&first[byte - 1], 2, header.Order) : 0; };
-  CheckWhole(header, fileSize, int(ofTrace(TraceSamplesByte)), options);
+  const auto ofTrace = [&](int byte)
+  { return hasTrace ? int(DecodeNumber<std::uint16_t>(&first[byte - 1], header.Order)) : 0; };
+  CheckWhole(header, fileSize, ofTrace(TraceSamplesByte), options);
   const double interval = ofTrace(TraceIntervalByte) / 1000.0;
   if (header.Interval > 0.0 && interval > 0.0 && std::abs(header.Interval - interval) > IntervalTolerance)
   {
@@ -359,8 +333,7 @@ bool IsSEGY(std::istream& stream)
   }
   BinaryHeader binary(bytes);
   binary.FindOrder();
-  const bool hasSamples =
-    binary.Samples() > 0 || ReadUnsigned(&bytes[SEGYFileHeaderSize + TraceSamplesByte - 1], 2, binary.Order) > 0;
+  const bool hasSamples = binary.Samples() > 0 || binary.Unsigned16(SEGYFileHeaderSize + TraceSamplesByte) > 0;
   return SampleSize(binary.Integer16(FormatByte)) > 0 && hasSamples;
 }
 }

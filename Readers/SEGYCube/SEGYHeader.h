@@ -20,6 +20,15 @@ constexpr int SEGYTextSize = 3200; // bytes
 constexpr int SEGYFileHeaderSize = SEGYTextSize + 400; // bytes
 constexpr int SEGYTraceHeaderSize = 240; // bytes
 
+/// First bytes of two fields of trace headers, from 1.
+struct FieldPair
+{
+  int First = 0;
+  int Second = 0;
+};
+
+constexpr int NoField = -1;
+
 struct SEGYHeaderOptions
 {
   int FormatCode = 0; // 0 uses the file's code.
@@ -46,8 +55,6 @@ struct SEGYHeader
   std::size_t DataSize() const { return std::size_t(this->Samples) * SampleSize(int(this->Format)); }
   std::size_t TraceSize() const { return SEGYTraceHeaderSize + this->DataSize(); }
 };
-
-void CheckFormatCode(int code, const char* place);
 
 /// Numbers of samples and extended texts that the traces contradict are replaced, with a warning. Throws InputError for
 /// other formats and incomplete traces.

@@ -6,22 +6,19 @@
 #include "SEGYHeader.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t TracesLookedAt = 8; // traces
+constexpr std::int64_t TracesLookedAt = 8;
+constexpr int MostOtherTexts = 16;
 
 bool IsWhole(const SEGYExtents& file, const SEGYLayout& layout)
 {
   const std::int64_t size = file.FileSize - file.FirstTrace(layout);
   return layout.Samples > 0 && size > 0 && size % file.TraceSize(layout) == 0;
-}
-
-bool HasTraces(const SEGYExtents& file, const SEGYLayout& layout, std::int64_t least)
-{
-  return file.FileSize - file.FirstTrace(layout) >= least * file.TraceSize(layout);
 }
 
 /// Dead traces may state no samples.
@@ -67,20 +64,32 @@ std::int64_t SEGYExtents::TraceSize(const SEGYLayout& layout) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SEGYLayout ChooseLayout(
-  const SEGYExtents& file, const std::vector<SEGYLayout>& likely, const std::vector<SEGYLayout>& others)
+SEGYLayout ChooseLayout(const SEGYExtents& file, const std::vector<SEGYLayout>& likely)
 {
+  assert(!likely.empty());
   const auto isWhole = [&](const SEGYLayout& layout) { return IsWhole(file, layout); };
   const auto isSound = [&](const SEGYLayout& layout) { return IsWhole(file, layout) && IsRegular(file, layout); };
-  const auto isCut = [&](const SEGYLayout& layout) { return HasTraces(file, layout, 2) && IsRegular(file, layout); };
-  const SEGYLayout* found = FindShortest(likely, isSound);
-  found = found ? found : FindShortest(others, isSound);
-  found = found ? found : FindShortest(likely, isCut);
-  if (!found)
+  const auto isCut = [&](const SEGYLayout& layout)
   {
-    const auto whole = std::find_if(likely.begin(), likely.end(), isWhole);
-    found = whole != likely.end() ? &*whole : &likely.front();
+    const std::int64_t size = file.FileSize - file.FirstTrace(layout);
+    return size >= 2 * file.TraceSize(layout) && IsRegular(file, layout);
+  };
+  if (const SEGYLayout* const found = FindShortest(likely, isSound))
+  {
+    return *found;
   }
-  return *found;
+  for (int texts = 1; texts <= MostOtherTexts; ++texts)
+  {
+    if (const SEGYLayout other = { texts, likely.front().Samples }; isSound(other))
+    {
+      return other;
+    }
+  }
+  if (const SEGYLayout* const found = FindShortest(likely, isCut))
+  {
+    return *found;
+  }
+  const auto whole = std::find_if(likely.begin(), likely.end(), isWhole);
+  return whole != likely.end() ? *whole : likely.front();
 }
 }

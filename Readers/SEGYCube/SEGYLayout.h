@@ -5,8 +5,8 @@
 //
 // ChooseLayout prefers the shortest traces that fill the file exactly and state the same number of samples, whatever it
 // is; with a multiple of the true length only every second trace, say, would be found. Next best are, in order: the
-// shortest such layout of the others, a likely layout that is consistent except at the end of the file, the first that
-// fills the file, and the first.
+// first such layout with extended texts that the header does not state, a likely layout that is consistent except at
+// the end of the file, the first that fills the file, and the first.
 
 #ifndef SeismicHorizonsSEGYLayout_h
 #define SeismicHorizonsSEGYLayout_h
@@ -36,9 +36,8 @@ struct SEGYExtents
   std::int64_t TraceSize(const SEGYLayout& layout) const;
 };
 
-/// `likely` and `others` are in order of preference.
-SEGYLayout ChooseLayout(
-  const SEGYExtents& file, const std::vector<SEGYLayout>& likely, const std::vector<SEGYLayout>& others);
+/// `likely` are in order of preference, and not empty.
+SEGYLayout ChooseLayout(const SEGYExtents& file, const std::vector<SEGYLayout>& likely);
 }
 
 #endif

@@ -5,9 +5,12 @@
 
 #include "SEGYSamples.h"
 
+#include "Common/Base/Errors.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <sstream>
 #include <type_traits>
 
 namespace SeismicHorizons
@@ -15,6 +18,29 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t SampleBufferSize = 256; // samples
+
+struct FormatFacts
+{
+  SEGYFormat Format;
+  std::size_t Size; // bytes of a sample
+  const char* Name;
+};
+
+constexpr std::array<FormatFacts, 11> SampleFormats = { { { SEGYFormat::IbmFloat, 4, "IBM float" },
+  { SEGYFormat::Integer32, 4, "32-bit integer" }, { SEGYFormat::Integer16, 2, "16-bit integer" },
+  { SEGYFormat::IeeeFloat, 4, "IEEE float" }, { SEGYFormat::IeeeDouble, 8, "IEEE double" },
+  { SEGYFormat::Integer24, 3, "24-bit integer" }, { SEGYFormat::Integer8, 1, "8-bit integer" },
+  { SEGYFormat::Unsigned32, 4, "32-bit integer without sign" },
+  { SEGYFormat::Unsigned16, 2, "16-bit integer without sign" },
+  { SEGYFormat::Unsigned24, 3, "24-bit integer without sign" },
+  { SEGYFormat::Unsigned8, 1, "8-bit integer without sign" } } };
+
+const FormatFacts* FindFacts(int code)
+{
+  const auto* const facts = std::find_if(
+    SampleFormats.begin(), SampleFormats.end(), [code](const FormatFacts& f) { return int(f.Format) == code; });
+  return facts == SampleFormats.end() ? nullptr : facts;
+}
 
 template <std::size_t Size>
 using BitsOf = std::conditional_t<Size == 8, std::uint64_t, std::uint32_t>;
@@ -125,68 +151,28 @@ void ToFloatsOf(const unsigned char* bytes, std::size_t samples, SEGYFormat form
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t SampleSize(int code)
 {
-  switch (SEGYFormat(code))
-  {
-    case SEGYFormat::IeeeDouble:
-      return 8;
-    case SEGYFormat::IbmFloat:
-    case SEGYFormat::IeeeFloat:
-    case SEGYFormat::Integer32:
-    case SEGYFormat::Unsigned32:
-      return 4;
-    case SEGYFormat::Integer24:
-    case SEGYFormat::Unsigned24:
-      return 3;
-    case SEGYFormat::Integer16:
-    case SEGYFormat::Unsigned16:
-      return 2;
-    case SEGYFormat::Integer8:
-    case SEGYFormat::Unsigned8:
-      return 1;
-  }
-  return 0;
+  const FormatFacts* const facts = FindFacts(code);
+  return facts ? facts->Size : 0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 const char* FormatName(SEGYFormat format)
 {
-  switch (format)
-  {
-    case SEGYFormat::IbmFloat:
-      return "IBM float";
-    case SEGYFormat::Integer32:
-      return "32-bit integer";
-    case SEGYFormat::Integer16:
-      return "16-bit integer";
-    case SEGYFormat::IeeeFloat:
-      return "IEEE float";
-    case SEGYFormat::IeeeDouble:
-      return "IEEE double";
-    case SEGYFormat::Integer24:
-      return "24-bit integer";
-    case SEGYFormat::Integer8:
-      return "8-bit integer";
-    case SEGYFormat::Unsigned32:
-      return "32-bit integer without sign";
-    case SEGYFormat::Unsigned16:
-      return "16-bit integer without sign";
-    case SEGYFormat::Unsigned24:
-      return "24-bit integer without sign";
-    case SEGYFormat::Unsigned8:
-      return "8-bit integer without sign";
-  }
-  return "unknown";
+  const FormatFacts* const facts = FindFacts(int(format));
+  return facts ? facts->Name : "unknown";
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::uint32_t ReadUnsigned(const unsigned char* bytes, std::size_t size, ByteOrder order)
+void CheckFormatCode(int code, const char* place)
 {
-  std::uint32_t number = 0;
-  for (std::size_t n = 0; n < size; ++n)
+  if (SampleSize(code) == 0)
   {
-    number = number << 8 | bytes[order == ByteOrder::BigEndian ? n : size - 1 - n];
+    std::ostringstream text;
+    text << "format code " << code << place
+         << ", expected 1 (IBM float), 2, 3, 7, 8 (integers of 32, 16, 24, 8 bits), 5, 6 (IEEE float, double) or 10, "
+            "11, 15, 16 (integers without a sign)";
+    throw InputError(text.str());
   }
-  return number;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

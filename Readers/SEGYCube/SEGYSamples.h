@@ -7,7 +7,6 @@
 #include "Common/Base/ByteOrder.h"
 
 #include <cstddef>
-#include <cstdint>
 
 namespace SeismicHorizons
 {
@@ -31,7 +30,8 @@ std::size_t SampleSize(int code);
 
 const char* FormatName(SEGYFormat format);
 
-std::uint32_t ReadUnsigned(const unsigned char* bytes, std::size_t size, ByteOrder order); // `size` is 1 to 4.
+/// Throws InputError for unsupported codes; `place` follows the code in the message.
+void CheckFormatCode(int code, const char* place);
 
 /// Rounds 32-bit integers and doubles; doubles out of range become infinite or 0.
 void ToFloats(const unsigned char* bytes, std::size_t samples, SEGYFormat format, ByteOrder order, float* values);

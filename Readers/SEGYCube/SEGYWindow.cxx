@@ -10,24 +10,22 @@
 #include "Common/Base/Errors.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Base/RawVector.h"
-#include "SEGYFile.h"
+#include "TraceTable.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <functional>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 
 namespace SeismicHorizons
 {
 namespace
 {
-struct IndexRange
-{
-  int First, Last;
-};
+/// First and last index.
+using IndexRange = std::array<int, 2>;
 
 /// The indices of the lines whose numbers are in a range.
 IndexRange LinesWithin(const char* name, const std::array<int, 2>& range, double first, double step, int count)
@@ -139,6 +137,8 @@ void ShiftSamples(std::vector<float>& samples, float shift)
 class TileReader
 {
 public:
+  std::int64_t NotFinite = 0;
+
   TileReader(const SEGYCube& cube, const CubeExtent& extent, float* values, SEGYWindow& window)
     : Cube(cube)
     , Extent(extent)
@@ -170,8 +170,6 @@ public:
     }
   }
 
-  std::int64_t NotFinite() const { return this->Bad; }
-
 private:
   /// Adjacent traces of the file are read together.
   void LoadTraces(const Tile& tile)
@@ -202,7 +200,7 @@ private:
       {
         ++next;
       }
-      this->File.ReadTraces(places[first].Trace, std::int64_t(next - first), this->Bytes.data() + first * size);
+      this->File.Read(places[first].Trace, (next - first) * size, this->Bytes.data() + first * size);
     }
     for (std::size_t slot = 0; slot < places.size(); ++slot)
     {
@@ -231,7 +229,7 @@ private:
     std::vector<float> samples(this->Samples.size());
     for (; duplicate != all.end() && duplicate->Column == column; ++duplicate)
     {
-      this->File.ReadTraces(duplicate->Trace, 1, bytes.data());
+      this->File.Read(duplicate->Trace, bytes.size(), bytes.data());
       this->ToSamples(bytes.data(), samples);
       count += CheckSamples(samples).AreZero ? 0 : 1;
       std::transform(samples.begin(), samples.end(), this->Samples.begin(), this->Samples.begin(), std::plus<float>());
@@ -267,7 +265,7 @@ private:
     {
       return;
     }
-    this->Bad += check.NotFinite;
+    this->NotFinite += check.NotFinite;
     const int delay = this->Cube.Delays.empty() ? 0 : this->Cube.Delays[cubeColumn];
     const float shift = this->Cube.Shifts.empty() ? 0.0f : this->Cube.Shifts[cubeColumn];
     range = { delay, delay + header.Samples - int(shift > 0.0f) };
@@ -313,7 +311,6 @@ private:
   std::vector<std::int32_t> Slots; // trace in Bytes per column, or NoTrace
   std::vector<float> Samples;
   RawVector<float> Strip; // column by column
-  std::int64_t Bad = 0;
 };
 }
 
@@ -327,7 +324,7 @@ CubeExtent FindExtent(const SEGYCube& cube, const SEGYRanges& ranges)
   const IndexRange j =
     LinesWithin("InlineRange", ranges.Inlines, lines.FirstInline, lines.InlineStep, lattice.Columns[1]);
   const IndexRange k = SamplesWithin(ranges.Samples, cube.Sampling.Indices);
-  return { i.First, i.Last, j.First, j.Last, k.First, k.Last };
+  return { i[0], i[1], j[0], j[1], k[0], k[1] };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -336,7 +333,7 @@ SEGYWindow ReadSEGYWindow(const SEGYCube& cube, const CubeExtent& extent, float*
   const std::vector<Tile> tiles = CutIntoTiles(cube, extent);
   SEGYWindow window;
   window.Columns.resize(std::size_t(extent[1] - extent[0] + 1) * std::size_t(extent[3] - extent[2] + 1));
-  std::vector<std::int64_t> notFinite(tiles.size(), 0);
+  std::atomic<std::int64_t> notFinite(0);
   ParallelFor(std::int64_t(tiles.size()), 1, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -345,9 +342,9 @@ SEGYWindow ReadSEGYWindow(const SEGYCube& cube, const CubeExtent& extent, float*
       {
         reader.Read(tiles[std::size_t(tile)]);
       }
-      notFinite[std::size_t(first)] = reader.NotFinite();
+      notFinite += reader.NotFinite;
     });
-  window.NotFinite = std::accumulate(notFinite.begin(), notFinite.end(), std::int64_t(0));
+  window.NotFinite = notFinite;
   window.IsFull = std::all_of(window.Columns.begin(), window.Columns.end(),
     [&](const SampleRange& range) { return range.First <= extent[4] && range.End > extent[5]; });
   return window;

@@ -38,7 +38,7 @@ std::array<double, 2> DelayRange(const SEGYCube& cube, const TraceTable& table)
       most = std::max(most, Delay(table, trace));
     }
   }
-  return least <= most ? std::array<double, 2>{ least, most } : std::array<double, 2>{ 0.0, 0.0 };
+  return least <= most ? std::array{ least, most } : std::array{ 0.0, 0.0 };
 }
 
 /// Returns a delay that differs by whole steps from the delay of most columns.
@@ -156,14 +156,22 @@ void CheckTraceCells(const SEGYCube& cube, double indices)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::array<int, 2> LineNumbers::Column(const LineNumbering& numbering, std::int64_t trace) const
+LineNumbers::LineNumbers(const TraceTable& table, const FieldPair& fields, const Monitor& monitor)
+  : Table(table)
+  , Fields(fields)
+  , Numbering(this->FindNumbering(monitor))
 {
-  const Eigen::Vector2d index = LineIndex(numbering, this->Crossline(trace), this->Inline(trace));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::array<int, 2> LineNumbers::Column(std::int64_t trace) const
+{
+  const Eigen::Vector2d index = LineIndex(this->Numbering, this->Crossline(trace), this->Inline(trace));
   return { int(std::lround(index.x())), int(std::lround(index.y())) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LineNumbering LineNumbers::Numbering(const Monitor& monitor) const
+LineNumbering LineNumbers::FindNumbering(const Monitor& monitor) const
 {
   std::vector<double> crosslines, inlines;
   for (std::int64_t trace = 0; trace < this->Table.Traces; ++trace)
@@ -183,14 +191,14 @@ LineNumbering LineNumbers::Numbering(const Monitor& monitor) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::array<int, 2> LineNumbers::CountColumns(const LineNumbering& numbering) const
+std::array<int, 2> LineNumbers::CountColumns() const
 {
   Eigen::Vector2d last = Eigen::Vector2d::Zero();
   for (std::int64_t trace = 0; trace < this->Table.Traces; ++trace)
   {
     if (this->IsUsed(trace))
     {
-      last = last.cwiseMax(LineIndex(numbering, this->Crossline(trace), this->Inline(trace)));
+      last = last.cwiseMax(LineIndex(this->Numbering, this->Crossline(trace), this->Inline(trace)));
     }
   }
   const double columns = (last.x() + 1.0) * (last.y() + 1.0);
@@ -231,8 +239,9 @@ void FindSampling(SEGYCube& cube, const TraceTable& table, DelayRule rule)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines, DuplicateRule rule)
+void FillColumns(SEGYCube& cube, const LineNumbers& lines, DuplicateRule rule)
 {
+  const TraceTable& table = lines.Table;
   const std::size_t columns = std::size_t(cube.Lattice.Columns[0]) * std::size_t(cube.Lattice.Columns[1]);
   cube.Traces.assign(columns, NoTrace);
   cube.MissingTraces = std::int64_t(columns);
@@ -245,7 +254,7 @@ void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lin
       ++cube.Fillers;
       continue;
     }
-    const std::array<int, 2> place = lines.Column(*cube.Lattice.Lines, trace);
+    const std::array<int, 2> place = lines.Column(trace);
     alongCrosslines += (place[0] == previous[0]) - (place[1] == previous[1]);
     previous = place;
     const std::size_t column = cube.Column(place[0], place[1]);
@@ -262,8 +271,8 @@ void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lin
     if (!isDead && number != DeadTrace && rule == DuplicateRule::Refuse)
     {
       std::ostringstream text;
-      text << "trace " << trace + 1 << " at inline " << lines.Inline(trace) << " (byte " << lines.Bytes().First
-           << ") and crossline " << lines.Crossline(trace) << " (byte " << lines.Bytes().Second
+      text << "trace " << trace + 1 << " at inline " << lines.Inline(trace) << " (byte " << lines.Fields.First
+           << ") and crossline " << lines.Crossline(trace) << " (byte " << lines.Fields.Second
            << "), where there is another one, expected one trace for each inline and crossline; set DuplicatePolicy to "
               "read the first, the last or the mean of several";
       throw InputError(text.str());

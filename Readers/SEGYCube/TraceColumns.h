@@ -5,6 +5,7 @@
 #define SeismicHorizonsTraceColumns_h
 
 #include "SEGYCube.h"
+#include "TraceTable.h"
 
 #include <array>
 #include <cstdint>
@@ -14,33 +15,29 @@ namespace SeismicHorizons
 class LineNumbers
 {
 public:
-  LineNumbers(const TraceTable& table, const FieldPair& fields)
-    : Table(table)
-    , Fields(fields)
-  {
-  }
+  const TraceTable& Table;
+  const FieldPair Fields;
+  const LineNumbering Numbering;
+
+  /// Throws InputError if all traces are dead without numbers, or the numbers form no lattice.
+  LineNumbers(const TraceTable& table, const FieldPair& fields, const Monitor& monitor);
 
   std::int32_t Inline(std::int64_t trace) const { return this->Number(this->Fields.First, trace); }
   std::int32_t Crossline(std::int64_t trace) const { return this->Number(this->Fields.Second, trace); }
-  const FieldPair& Bytes() const { return this->Fields; }
 
   bool IsUsed(std::int64_t trace) const { return !IsFiller(this->Table, this->Fields, trace); }
 
-  std::array<int, 2> Column(const LineNumbering& numbering, std::int64_t trace) const;
-
-  LineNumbering Numbering(const Monitor& monitor) const;
+  std::array<int, 2> Column(std::int64_t trace) const;
 
   /// Throws InputError if the columns are far more than the traces.
-  std::array<int, 2> CountColumns(const LineNumbering& numbering) const;
+  std::array<int, 2> CountColumns() const;
 
 private:
   std::int32_t Number(int byte, std::int64_t trace) const { return byte == NoField ? 1 : this->Table[byte][trace]; }
-
-  const TraceTable& Table;
-  const FieldPair Fields;
+  LineNumbering FindNumbering(const Monitor& monitor) const;
 };
 
-void FillColumns(SEGYCube& cube, const TraceTable& table, const LineNumbers& lines, DuplicateRule rule);
+void FillColumns(SEGYCube& cube, const LineNumbers& lines, DuplicateRule rule);
 
 /// Finds the vertical indices of all traces and the first index of each column. The grid follows the delay of most
 /// traces; fractional delays cause a warning. Throws InputError for duplicates with different delays.

@@ -4,29 +4,42 @@
 #include "TracePlaces.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/Lattice.h"
+#include "Common/Survey/LineLattice.h"
 #include "Common/Survey/PickTable.h"
+#include "Common/Survey/StrayPicks.h"
 #include "Common/Survey/SurveyMap.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <optional>
+#include <random>
 #include <sstream>
 
 namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t SampledPlaces = 1000;
+// ---- Places as picks ---------------------------------------------------------------------------------------------
+/// Places are sampled where some suffice.
+std::int64_t SamplingStride(const TraceTable& table)
+{
+  constexpr std::int64_t sampledPlaces = 1000;
+  return std::max<std::int64_t>(1, table.Traces / sampledPlaces);
+}
 
 /// Returns the traces with a place, or every n-th of them.
-PickPlaces ListPlaces(
-  const TraceTable& table, const LineNumbers& lines, const FieldPair& fields, std::int64_t stride = 1)
+PickPlaces ListPlaces(const LineNumbers& lines, const FieldPair& fields, std::int64_t stride = 1)
 {
   PickPlaces picks;
-  for (std::int64_t trace = 0; trace < table.Traces; trace += stride)
+  for (std::int64_t trace = 0; trace < lines.Table.Traces; trace += stride)
   {
-    if (lines.IsUsed(trace) && HasPlace(table, fields, trace))
+    if (HasPlace(lines, fields, trace))
     {
-      const Eigen::Vector2d place = TracePlace(table, fields, trace);
+      const Eigen::Vector2d place = TracePlace(lines.Table, fields, trace);
       picks.Inline.push_back(lines.Inline(trace));
       picks.Crossline.push_back(lines.Crossline(trace));
       picks.X.push_back(place.x());
@@ -36,45 +49,214 @@ PickPlaces ListPlaces(
   return picks;
 }
 
+/// Returns the distance of each pick from its column, in columns.
+std::vector<double> FindDistances(const PickPlaces& picks, const LineNumbering& numbering, const PlaneMap& map)
+{
+  const Eigen::Matrix2d toColumns = map.Steps.inverse();
+  std::vector<double> distances(picks.X.size());
+  for (std::size_t pick = 0; pick < distances.size(); ++pick)
+  {
+    const Eigen::Vector2d place(picks.X[pick], picks.Y[pick]);
+    const Eigen::Vector2d index = LineIndex(numbering, picks.Crossline[pick], picks.Inline[pick]);
+    distances[pick] = (toColumns * (place - map.Origin) - index).cwiseAbs().maxCoeff();
+  }
+  return distances;
+}
+
+double FarthestDistance(const PickPlaces& picks, const LineNumbering& numbering, const PlaneMap& map)
+{
+  const std::vector<double> distances = FindDistances(picks, numbering, map);
+  return std::accumulate(distances.begin(), distances.end(), 0.0, [](double a, double b) { return std::max(a, b); });
+}
+
+std::vector<std::size_t> ListBeyond(const std::vector<double>& distances, double tolerance)
+{
+  std::vector<std::size_t> strays;
+  for (std::size_t pick = 0; pick < distances.size(); ++pick)
+  {
+    if (!(distances[pick] <= tolerance))
+    {
+      strays.push_back(pick);
+    }
+  }
+  return strays;
+}
+
+// ---- Fit of a lattice --------------------------------------------------------------------------------------------
+struct PlaceFit
+{
+  PlaneMap ToWorld;
+  double LargestDistance = 0.0;
+  std::vector<std::size_t> Strays = {};
+};
+
+/// The best of many maps through three picks has most inliers.
+std::optional<PlaneMap> FindConsensus(const PickPlaces& picks, const LineNumbering& numbering, double tolerance)
+{
+  constexpr int tries = 64; // With 10 % of strays each try fails with a probability of a quarter.
+  const std::size_t count = picks.X.size();
+  std::mt19937 random(1); // A fixed seed makes results reproducible.
+  std::optional<PlaneMap> best;
+  std::size_t fewest = count;
+  for (int n = 0; n < tries; ++n)
+  {
+    PlaneFit fit;
+    const std::size_t first = random() % count;
+    const Eigen::Vector2d middle(picks.X[first], picks.Y[first]);
+    for (const std::size_t pick : { first, std::size_t(random() % count), std::size_t(random() % count) })
+    {
+      fit.Add(LineIndex(numbering, picks.Crossline[pick], picks.Inline[pick]),
+        Eigen::Vector2d(picks.X[pick], picks.Y[pick]) - middle);
+    }
+    std::optional<PlaneMap> map = fit.Solve();
+    map = map ? map : fit.SolveAlongLine();
+    if (map && !AreParallel(map->Steps.col(0), map->Steps.col(1)))
+    {
+      map->Origin += middle;
+      const std::size_t strays = ListBeyond(FindDistances(picks, numbering, *map), tolerance).size();
+      best = strays < fewest ? map : best;
+      fewest = std::min(fewest, strays);
+    }
+  }
+  return best;
+}
+
+PickPlaces SamplePlaces(const PickPlaces& picks)
+{
+  constexpr std::size_t fittedPlaces = 1000;
+  PickPlaces some;
+  const std::size_t stride = std::max<std::size_t>(1, picks.X.size() / fittedPlaces);
+  for (std::size_t pick = 0; pick < picks.X.size(); pick += stride)
+  {
+    some.Inline.push_back(picks.Inline[pick]);
+    some.Crossline.push_back(picks.Crossline[pick]);
+    some.X.push_back(picks.X[pick]);
+    some.Y.push_back(picks.Y[pick]);
+  }
+  return some;
+}
+
+/// If strays are too many, returns a distance beyond the tolerance. `ofAll` is the fit of all places.
+PlaceFit FitWithoutStrays(const PickPlaces& picks, const LineNumbering& numbering, double tolerance,
+  const PlaceFit& ofAll, const Monitor& monitor)
+{
+  // Maps through three places exaggerate their rounding.
+  const std::optional<PlaneMap> consensus = FindConsensus(SamplePlaces(picks), numbering, 2.0 * tolerance);
+  if (!consensus)
+  {
+    return ofAll;
+  }
+  PlaceFit fit = { *consensus };
+  for (const double allowed : { 2.0 * tolerance, tolerance, tolerance })
+  {
+    const std::vector<std::size_t> strays = ListBeyond(FindDistances(picks, numbering, fit.ToWorld), allowed);
+    if (double(strays.size()) > std::max(1.0, MostStrays * double(picks.X.size())) ||
+      picks.X.size() < strays.size() + 4)
+    {
+      return ofAll;
+    }
+    fit.ToWorld = FitPlaces(WithoutPicks(picks, strays), numbering, monitor);
+  }
+  const std::vector<double> distances = FindDistances(picks, numbering, fit.ToWorld);
+  fit.Strays = ListBeyond(distances, tolerance);
+  for (const double distance : distances)
+  {
+    fit.LargestDistance = distance <= tolerance ? std::max(fit.LargestDistance, distance) : fit.LargestDistance;
+  }
+  return fit;
+}
+
+/// Picks need only line numbers and places. Throws InputError, which begins with `what`, if the places are on no
+/// lattice.
+PlaceFit FitLattice(const PickPlaces& picks, const LineNumbering& numbering, const std::string& what, double tolerance,
+  const Monitor& monitor)
+{
+  PlaceFit fit = { FitPlaces(picks, numbering, monitor) };
+  if (AreParallel(fit.ToWorld.Steps.col(0), fit.ToWorld.Steps.col(1)))
+  {
+    throw InputError(what + "on one line, expected some that span a lattice");
+  }
+  fit.LargestDistance = FarthestDistance(picks, numbering, fit.ToWorld);
+  if (!(fit.LargestDistance <= tolerance))
+  {
+    fit = FitWithoutStrays(picks, numbering, tolerance, fit, monitor);
+  }
+  if (!(fit.LargestDistance <= tolerance))
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << what << "up to " << fit.LargestDistance << " columns away from their columns, expected at most "
+         << tolerance;
+    throw InputError(text.str());
+  }
+  return fit;
+}
+
+/// x and y may repeat the line numbers, in either order, multiplied by the scalar.
+bool FollowsLines(const PlaneMap& map, const LineNumbers& lines)
+{
+  constexpr double rounding = 1e-6; // Fraction of a step.
+  const double scale = Scaled(1.0, lines.Table[TraceByte::PlaceScalar][0]);
+  const auto follows = [&](const Eigen::Vector2d& step, double lineStep)
+  {
+    const Eigen::Vector2d size = step.cwiseAbs() / std::abs(lineStep);
+    const auto isStep = [&](double part)
+    { return std::abs(part - 1.0) < rounding || std::abs(part / scale - 1.0) < rounding; };
+    return std::min(size.x(), size.y()) < rounding && isStep(size.maxCoeff());
+  };
+  return follows(map.Steps.col(0), lines.Numbering.CrosslineStep) &&
+    follows(map.Steps.col(1), lines.Numbering.InlineStep);
+}
+
+// ---- Choice of the fields ----------------------------------------------------------------------------------------
 std::string FieldsText(const FieldPair& fields)
 {
   return "x and y of traces (bytes " + std::to_string(fields.First) + " and " + std::to_string(fields.Second) + ") ";
 }
 
-PlaceFit TryFields(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
-  const FieldPair& fields, double tolerance, const Monitor& monitor)
+PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double tolerance, const Monitor& monitor)
 {
-  if (AreFloats(table, lines, fields))
+  if (AreFloats(lines, fields))
   {
     throw InputError(FieldsText(fields) + "have the bits of floats, expected integers");
   }
-  const PickPlaces picks = ListPlaces(table, lines, fields);
+  const PickPlaces picks = ListPlaces(lines, fields);
   if (picks.X.empty())
   {
     throw InputError(FieldsText(fields) + "that are all 0, expected coordinates");
   }
-  return FitLattice(picks, numbering, FieldsText(fields), tolerance, monitor);
+  const PlaceFit fit = FitLattice(picks, lines.Numbering, FieldsText(fields), tolerance, monitor);
+  PlacedTraces placed = { fields, fit.ToWorld, fit.LargestDistance, std::int64_t(fit.Strays.size()), {} };
+  std::size_t places = 0; // up to the first stray
+  for (std::int64_t trace = 0; !fit.Strays.empty() && trace < lines.Table.Traces; ++trace)
+  {
+    if (HasPlace(lines, fields, trace) && places++ == fit.Strays.front())
+    {
+      placed.Warnings.push_back(std::to_string(placed.Strays) + " traces, the first of them " +
+        std::to_string(trace + 1) + ", with x and y off the lattice of all others: put on it by their line numbers");
+    }
+  }
+  return placed;
 }
 
 /// Returns a warning if another pair of fields has another lattice.
-std::string CompareFields(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
-  const PlacedTraces& placed, const FieldPair& other, double tolerance)
+std::string CompareFields(
+  const LineNumbers& lines, const PlacedTraces& placed, const FieldPair& other, double tolerance)
 {
-  if (AreSame(table, other) || AreLineNumbers(table, lines, other) || AreFloats(table, lines, other))
+  if (AreSame(lines.Table, other) || AreLineNumbers(lines, other) || AreFloats(lines, other))
   {
     return {};
   }
-  const PickPlaces picks = ListPlaces(table, lines, other, std::max<std::int64_t>(1, table.Traces / SampledPlaces));
-  const double distance = picks.X.empty() ? 0.0 : LargestDistance(picks, numbering, placed.Fit.ToWorld);
+  const PickPlaces picks = ListPlaces(lines, other, SamplingStride(lines.Table));
+  const double distance = picks.X.empty() ? 0.0 : FarthestDistance(picks, lines.Numbering, placed.ToWorld);
   if (distance <= 1.0)
   {
     return {};
   }
   try
   {
-    const PlaceFit fit = FitLattice(picks, numbering, FieldsText(other), tolerance, Monitor());
-    const double scale = Scaled(1.0, table[TraceByte::PlaceScalar][0]);
-    if (fit.Strays > 0 || FollowsLines(fit.ToWorld, numbering, scale))
+    const PlaceFit fit = FitLattice(picks, lines.Numbering, FieldsText(other), tolerance, Monitor());
+    if (!fit.Strays.empty() || FollowsLines(fit.ToWorld, lines))
     {
       return {};
     }
@@ -91,40 +273,15 @@ std::string CompareFields(const TraceTable& table, const LineNumbers& lines, con
   return text.str();
 }
 
-std::int64_t TraceOfPlace(const TraceTable& table, const LineNumbers& lines, const FieldPair& fields, std::size_t place)
-{
-  std::int64_t trace = 0;
-  for (std::size_t next = 0; trace < table.Traces; ++trace)
-  {
-    if (lines.IsUsed(trace) && HasPlace(table, fields, trace) && next++ == place)
-    {
-      break;
-    }
-  }
-  return trace + 1;
-}
-
-void WarnOfStrays(PlacedTraces& placed, const TraceTable& table, const LineNumbers& lines)
-{
-  if (placed.Fit.Strays > 0)
-  {
-    std::ostringstream text;
-    text << placed.Fit.Strays << " traces, the first of them "
-         << TraceOfPlace(table, lines, placed.Fields, placed.Fit.FirstStray)
-         << ", with x and y off the lattice of all others: put on it by their line numbers";
-    placed.Warnings.push_back(text.str());
-  }
-}
-
 std::vector<FieldPair> ListCandidates(const TraceTable& table, const FieldPair& given)
 {
   if (given.First != 0)
   {
     return given.First > 0 ? std::vector<FieldPair>{ given } : std::vector<FieldPair>();
   }
-  std::vector<FieldPair> candidates = ListPlaceFields();
-  const auto areSame = [&](const FieldPair& fields) { return AreSame(table, fields); };
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), areSame), candidates.end());
+  std::vector<FieldPair> candidates;
+  std::copy_if(PlacePairs.begin(), PlacePairs.end(), std::back_inserter(candidates),
+    [&](const FieldPair& fields) { return !AreSame(table, fields); });
   return candidates;
 }
 
@@ -136,7 +293,7 @@ PlacedTraces LinesForPlaces(const std::string& problems, const LineNumbering& nu
     placed.Warnings.push_back(problems + "; line numbers stand for x and y");
   }
   placed.Fields = { NoField, NoField };
-  placed.Fit.ToWorld = LinesAsPlaces(numbering);
+  placed.ToWorld = LinesAsPlaces(numbering);
   return placed;
 }
 
@@ -154,64 +311,44 @@ PlacedTraces UseDoubtful(PlacedTraces doubtful, bool areLineNumbers, const LineN
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool HasPlace(const TraceTable& table, const FieldPair& fields, std::int64_t trace)
-{
-  return table[fields.First][trace] != 0 || table[fields.Second][trace] != 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-Eigen::Vector2d TracePlace(const TraceTable& table, const FieldPair& fields, std::int64_t trace)
-{
-  const int scalar = table[TraceByte::PlaceScalar][trace];
-  return { Scaled(table[fields.First][trace], scalar), Scaled(table[fields.Second][trace], scalar) };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 bool AreSame(const TraceTable& table, const FieldPair& fields)
 {
   return table[fields.First].IsConstant() && table[fields.Second].IsConstant();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool AreLineNumbers(const TraceTable& table, const LineNumbers& lines, const FieldPair& fields)
+bool AreLineNumbers(const LineNumbers& lines, const FieldPair& fields)
 {
-  const auto areAll = [&](auto&& same)
+  const auto areAll = [&](auto&& placeOf)
   {
-    for (std::int64_t trace = 0; trace < table.Traces; ++trace)
+    for (std::int64_t trace = 0; trace < lines.Table.Traces; ++trace)
     {
-      if (lines.IsUsed(trace) && HasPlace(table, fields, trace) && !same(trace))
+      const Eigen::Vector2d numbers(lines.Inline(trace), lines.Crossline(trace));
+      if (HasPlace(lines, fields, trace) && placeOf(trace) != numbers && placeOf(trace) != numbers.reverse())
       {
         return false;
       }
     }
     return true;
   };
-  const auto areThese = [&](double inlineNumber, double crossline, const Eigen::Vector2d& place)
-  { return place == Eigen::Vector2d(inlineNumber, crossline) || place == Eigen::Vector2d(crossline, inlineNumber); };
-  return areAll(
-           [&](std::int64_t trace)
-           {
-             const Eigen::Vector2d stored(table[fields.First][trace], table[fields.Second][trace]);
-             return areThese(lines.Inline(trace), lines.Crossline(trace), stored);
-           }) ||
-    areAll([&](std::int64_t trace)
-      { return areThese(lines.Inline(trace), lines.Crossline(trace), TracePlace(table, fields, trace)); });
+  const auto stored = [&](std::int64_t trace)
+  { return Eigen::Vector2d(lines.Table[fields.First][trace], lines.Table[fields.Second][trace]); };
+  return areAll(stored) || areAll([&](std::int64_t trace) { return TracePlace(lines.Table, fields, trace); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool AreFloats(const TraceTable& table, const LineNumbers& lines, const FieldPair& fields)
+bool AreFloats(const LineNumbers& lines, const FieldPair& fields)
 {
   constexpr std::int32_t least = 0x3f800000; // 1 as an IEEE float.
   constexpr std::int32_t largest = 0x4cbebc20; // 1e8 as an IEEE float; IBM floats from 1 to 1e8 are in the same range.
   const auto isFloat = [&](std::int32_t bits) { return bits >= least && bits <= largest; };
-  const std::int64_t stride = std::max<std::int64_t>(1, table.Traces / SampledPlaces);
   std::int64_t places = 0;
-  for (std::int64_t trace = 0; trace < table.Traces; trace += stride)
+  for (std::int64_t trace = 0; trace < lines.Table.Traces; trace += SamplingStride(lines.Table))
   {
-    if (lines.IsUsed(trace) && HasPlace(table, fields, trace))
+    if (HasPlace(lines, fields, trace))
     {
       ++places;
-      if (!isFloat(table[fields.First][trace]) || !isFloat(table[fields.Second][trace]))
+      if (!isFloat(lines.Table[fields.First][trace]) || !isFloat(lines.Table[fields.Second][trace]))
       {
         return false;
       }
@@ -221,30 +358,24 @@ bool AreFloats(const TraceTable& table, const LineNumbers& lines, const FieldPai
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlacedTraces PlaceTraces(const TraceTable& table, const LineNumbers& lines, const LineNumbering& numbering,
-  const SEGYOptions& options, bool isLine, const Monitor& monitor)
+PlacedTraces PlaceTraces(const LineNumbers& lines, const SEGYOptions& options, bool isLine, const Monitor& monitor)
 {
   const FieldPair given = options.PlaceFields;
   const bool isGiven = given.First > 0;
   std::optional<PlacedTraces> found, doubtful;
   std::string problems;
-  for (const FieldPair& fields : ListCandidates(table, given))
+  for (const FieldPair& fields : ListCandidates(lines.Table, given))
   {
     if (found)
     {
-      const std::string other = CompareFields(table, lines, numbering, *found, fields, options.Tolerance);
+      const std::string other = CompareFields(lines, *found, fields, options.Tolerance);
       found->Warnings.insert(found->Warnings.end(), other.empty() ? 0 : 1, other);
       continue;
     }
     try
     {
-      PlacedTraces placed;
-      placed.Fields = fields;
-      placed.Fit = TryFields(table, lines, numbering, fields, options.Tolerance, monitor);
-      WarnOfStrays(placed, table, lines);
-      const double scale = Scaled(1.0, table[TraceByte::PlaceScalar][0]);
-      const bool isDoubtful = !isGiven && FollowsLines(placed.Fit.ToWorld, numbering, scale);
-      std::optional<PlacedTraces>& which = isDoubtful ? doubtful : found;
+      const PlacedTraces placed = TryFields(lines, fields, options.Tolerance, monitor);
+      std::optional<PlacedTraces>& which = !isGiven && FollowsLines(placed.ToWorld, lines) ? doubtful : found;
       which = which ? which : placed;
     }
     catch (const InputError& error)
@@ -258,8 +389,8 @@ PlacedTraces PlaceTraces(const TraceTable& table, const LineNumbers& lines, cons
   }
   if (found || doubtful)
   {
-    return found ? *found : UseDoubtful(*doubtful, AreLineNumbers(table, lines, doubtful->Fields), numbering);
+    return found ? *found : UseDoubtful(*doubtful, AreLineNumbers(lines, doubtful->Fields), lines.Numbering);
   }
-  return LinesForPlaces(problems, numbering);
+  return LinesForPlaces(problems, lines.Numbering);
 }
 }

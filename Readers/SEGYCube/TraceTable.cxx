@@ -4,10 +4,11 @@
 #include "TraceTable.h"
 
 #include "Common/Base/FixedChunks.h"
-#include "SEGYFile.h"
+#include "Common/Text/FileErrors.h"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace SeismicHorizons
 {
@@ -25,7 +26,6 @@ bool IsShort(int byte)
 //----------------------------------------------------------------------------------------------------------------------
 TraceField::TraceField(std::int64_t traces)
   : Parts(CountChunks(traces, PartSize))
-  , Traces(traces)
 {
 }
 
@@ -55,6 +55,29 @@ bool TraceTable::IsDead(std::int64_t trace) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+SEGYFile::SEGYFile(const std::string& name, const SEGYHeader& header)
+  : FirstTrace(header.FirstTrace)
+  , TraceSize(std::int64_t(header.TraceSize()))
+{
+  this->Stream.rdbuf()->pubsetbuf(nullptr, 0); // With a buffer each header would be read with kilobytes of samples.
+  this->Stream.open(std::filesystem::u8path(name), std::ios::binary);
+  if (!this->Stream)
+  {
+    throw FileError(FileProblem::CannotOpen, "the file cannot be opened, expected a readable one");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SEGYFile::Read(std::int64_t trace, std::size_t size, unsigned char* bytes)
+{
+  this->Stream.seekg(this->FirstTrace + trace * this->TraceSize);
+  if (!this->Stream.read(reinterpret_cast<char*>(bytes), std::streamsize(size)))
+  {
+    throw InputError("trace " + std::to_string(trace + 1) + " cannot be read, expected an unchanged file");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 TraceTable ReadTraceTable(
   const std::string& name, const SEGYHeader& header, const std::vector<int>& fields, const Monitor& monitor)
 {
@@ -76,7 +99,7 @@ TraceTable ReadTraceTable(
       std::vector<unsigned char> headers(std::size_t(last - first) * SEGYTraceHeaderSize);
       for (std::int64_t trace = first; trace < last; ++trace)
       {
-        file.ReadTraceHeader(trace, &headers[std::size_t(trace - first) * SEGYTraceHeaderSize]);
+        file.Read(trace, SEGYTraceHeaderSize, &headers[std::size_t(trace - first) * SEGYTraceHeaderSize]);
       }
       RawVector<std::int32_t> values(std::size_t(last - first));
       for (auto& [byte, field] : table.Fields)

@@ -36,6 +36,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <tuple>
 
 using namespace SeismicHorizons;
 
@@ -144,17 +145,14 @@ void FillLine(const SEGYCube& cube, const CubeView& view, vtkImageData* image, v
   line->GetFieldData()->ShallowCopy(image->GetFieldData());
 }
 
-bool AreSameFields(const FieldPair& a, const FieldPair& b)
+bool AreSameOptions(const SEGYOptions& a, const SEGYOptions& b)
 {
-  return a.First == b.First && a.Second == b.Second;
-}
-
-bool AreSameFields(const SEGYOptions& a, const SEGYOptions& b)
-{
-  return a.FormatCode == b.FormatCode && AreSameFields(a.LineFields, b.LineFields) &&
-    AreSameFields(a.PlaceFields, b.PlaceFields) && a.Tolerance == b.Tolerance && a.VerticalStep == b.VerticalStep &&
-    a.Samples == b.Samples && a.IgnoreIncompleteTrace == b.IgnoreIncompleteTrace && a.Duplicates == b.Duplicates &&
-    a.Delays == b.Delays;
+  const auto values = [](const SEGYOptions& o)
+  {
+    return std::tie(o.FormatCode, o.LineFields.First, o.LineFields.Second, o.PlaceFields.First, o.PlaceFields.Second,
+      o.Tolerance, o.VerticalStep, o.Samples, o.IgnoreIncompleteTrace, o.Duplicates, o.Delays);
+  };
+  return values(a) == values(b);
 }
 
 /// Few of the first 3200 bytes may be control characters, in ASCII or EBCDIC.
@@ -277,7 +275,7 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
     {
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       const SEGYOptions options = this->MakeOptions();
-      if (this->Content && this->Content->Stamp == stamp && AreSameFields(this->Content->Options, options))
+      if (this->Content && this->Content->Stamp == stamp && AreSameOptions(this->Content->Options, options))
       {
         return;
       }
