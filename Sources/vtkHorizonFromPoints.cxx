@@ -26,6 +26,7 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <string>
@@ -40,54 +41,34 @@ namespace
 /// Array names by role; roles not listed are found by the usual names.
 using ColumnChoice = std::map<FieldRole, std::string>;
 
-class Rows
+struct Rows
 {
-public:
   explicit Rows(vtkDataObject* data)
   {
-    auto* const table = vtkTable::SafeDownCast(data);
-    auto* const points = vtkPointSet::SafeDownCast(data);
-    if (table)
+    if (auto* const table = vtkTable::SafeDownCast(data))
     {
-      this->Data = table->GetRowData();
+      this->Arrays = table->GetRowData();
       this->List(table->GetNumberOfRows(), nullptr);
     }
-    else if (points)
+    else if (auto* const points = vtkPointSet::SafeDownCast(data))
     {
-      this->Data = points->GetPointData();
-      this->Coordinates = points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
+      this->Arrays = points->GetPointData();
+      this->Points = points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
       this->List(points->GetNumberOfPoints(), points->GetPointGhostArray());
     }
   }
 
-  std::size_t Size() const { return this->Kept.size(); }
-  vtkDataSetAttributes* Arrays() const { return this->Data; }
-  vtkDataArray* Points() const { return this->Coordinates; }
-
   std::vector<double> Values(vtkDataArray* array, int component) const
   {
-    std::vector<double> values;
-    values.reserve(this->Kept.size());
-    for (const vtkIdType row : this->Kept)
-    {
-      values.push_back(array->GetComponent(row, component));
-    }
+    std::vector<double> values(this->Kept.size());
+    std::transform(this->Kept.begin(), this->Kept.end(), values.begin(),
+      [array, component](vtkIdType row) { return array->GetComponent(row, component); });
     return values;
   }
 
-  template <typename Visit>
-  void ForEach(Visit&& visit) const
-  {
-    for (const vtkIdType row : this->Kept)
-    {
-      visit(row);
-    }
-  }
-
-private:
   void List(vtkIdType rows, vtkUnsignedCharArray* ghosts)
   {
-    RequireTuples(this->Data, rows, this->Coordinates ? "points" : "rows");
+    RequireTuples(this->Arrays, rows, this->Points ? "points" : "rows");
     constexpr int left = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
     for (vtkIdType row = 0; row < rows; ++row)
     {
@@ -98,8 +79,8 @@ private:
     }
   }
 
-  vtkDataSetAttributes* Data = nullptr;
-  vtkDataArray* Coordinates = nullptr;
+  vtkDataSetAttributes* Arrays = nullptr; // null for other data than tables and points
+  vtkDataArray* Points = nullptr; // coordinates, or null
   std::vector<vtkIdType> Kept;
 };
 
@@ -132,7 +113,8 @@ public:
   {
     this->FindArrays();
     this->AddNames();
-    this->Table.Z = this->NullableValues(FieldRole::Z, 2);
+    this->Table.Z = this->Values(FieldRole::Z, 2);
+    this->MarkNulls(this->Table.Z);
     this->AddPair(FieldRole::X, FieldRole::Y, this->Table.X, this->Table.Y);
     this->AddPair(FieldRole::Inline, FieldRole::Crossline, this->Table.Inline, this->Table.Crossline);
     if (this->Table.Z.empty() || !(this->Table.HasPlaces() || this->Table.HasLines()))
@@ -155,7 +137,7 @@ private:
   {
     for (const auto& [role, name] : this->Choice)
     {
-      vtkAbstractArray* const array = this->Source.Arrays()->GetAbstractArray(name.c_str());
+      vtkAbstractArray* const array = this->Source.Arrays->GetAbstractArray(name.c_str());
       const bool isUsable = array && (vtkDataArray::SafeDownCast(array) || role == FieldRole::HorizonName);
       if (!isUsable)
       {
@@ -165,14 +147,14 @@ private:
       this->Arrays[role] = array;
     }
     std::vector<std::string> zNames;
-    for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
+    for (int n = 0; n < this->Source.Arrays->GetNumberOfArrays(); ++n)
     {
-      vtkAbstractArray* const array = this->Source.Arrays()->GetAbstractArray(n);
+      vtkAbstractArray* const array = this->Source.Arrays->GetAbstractArray(n);
       const FieldRole role = RoleOfName(array->GetName() ? array->GetName() : "");
       const bool isPlace = role == FieldRole::X || role == FieldRole::Y || role == FieldRole::Z;
       const bool isNumber = vtkDataArray::SafeDownCast(array) && array->GetNumberOfComponents() == 1;
       if (role != FieldRole::Attribute && role != FieldRole::Ignored &&
-        (role == FieldRole::HorizonName ? CanName(array) : isNumber) && !(isPlace && this->Source.Points()))
+        (role == FieldRole::HorizonName ? CanName(array) : isNumber) && !(isPlace && this->Source.Points))
       {
         this->Arrays.emplace(role, array);
         if (role == FieldRole::Z)
@@ -185,7 +167,7 @@ private:
       this->Choice.begin(), this->Choice.end(), [](const auto& chosen) { return chosen.first == FieldRole::Z; });
     if (zNames.size() > 1 && !isChosen)
     {
-      this->Arrays[FieldRole::Z] = this->Source.Arrays()->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
+      this->Arrays[FieldRole::Z] = this->Source.Arrays->GetAbstractArray(zNames[ChooseZ(zNames, "ZArray")].c_str());
     }
   }
 
@@ -197,15 +179,8 @@ private:
     {
       return this->Source.Values(vtkDataArray::SafeDownCast(found->second), 0);
     }
-    return coordinate >= 0 && this->Source.Points() ? this->Source.Values(this->Source.Points(), coordinate)
-                                                    : std::vector<double>();
-  }
-
-  std::vector<double> NullableValues(FieldRole role, int coordinate) const
-  {
-    std::vector<double> values = this->Values(role, coordinate);
-    this->MarkNulls(values);
-    return values;
+    return coordinate >= 0 && this->Source.Points ? this->Source.Values(this->Source.Points, coordinate)
+                                                  : std::vector<double>();
   }
 
   void MarkNulls(std::vector<double>& values) const
@@ -245,24 +220,23 @@ private:
       return;
     }
     std::unordered_map<std::string, int> numbers;
-    this->Source.ForEach(
-      [&](vtkIdType row)
+    for (const vtkIdType row : this->Source.Kept)
+    {
+      const std::string name = found->second->GetVariantValue(row).ToString();
+      const auto [place, isNew] = numbers.emplace(name, static_cast<int>(numbers.size()));
+      if (isNew)
       {
-        const std::string name = found->second->GetVariantValue(row).ToString();
-        const auto [place, isNew] = numbers.emplace(name, static_cast<int>(numbers.size()));
-        if (isNew)
-        {
-          this->Table.Names.push_back(name);
-        }
-        this->Table.Horizon.push_back(place->second);
-      });
+        this->Table.Names.push_back(name);
+      }
+      this->Table.Horizon.push_back(place->second);
+    }
   }
 
   void AddAttributes()
   {
-    for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
+    for (int n = 0; n < this->Source.Arrays->GetNumberOfArrays(); ++n)
     {
-      auto* const array = vtkDataArray::SafeDownCast(this->Source.Arrays()->GetAbstractArray(n));
+      auto* const array = vtkDataArray::SafeDownCast(this->Source.Arrays->GetAbstractArray(n));
       if (!array || !array->GetName() || this->HasRole(array) ||
         array->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()))
       {
@@ -280,22 +254,16 @@ private:
 
   bool HasRole(vtkAbstractArray* array) const
   {
-    for (const auto& [role, used] : this->Arrays)
-    {
-      if (used == array)
-      {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(
+      this->Arrays.begin(), this->Arrays.end(), [array](const auto& used) { return used.second == array; });
   }
 
   std::string ListArrays() const
   {
     std::string names;
-    for (int n = 0; n < this->Source.Arrays()->GetNumberOfArrays(); ++n)
+    for (int n = 0; n < this->Source.Arrays->GetNumberOfArrays(); ++n)
     {
-      const char* const name = this->Source.Arrays()->GetAbstractArray(n)->GetName();
+      const char* const name = this->Source.Arrays->GetAbstractArray(n)->GetName();
       names += (names.empty() ? "" : ", ") + std::string(name ? name : "(no name)");
     }
     return names.empty() ? "(none)" : names;
@@ -313,11 +281,11 @@ private:
 PickTable MakePickTable(vtkDataObject* data, const ColumnChoice& choice, const NullValues& nulls)
 {
   const Rows rows(data);
-  if (!rows.Arrays())
+  if (!rows.Arrays)
   {
     throw InputError("no input, expected a table or points");
   }
-  if (rows.Size() == 0)
+  if (rows.Kept.empty())
   {
     throw InputError("no points, expected at least one");
   }
@@ -396,5 +364,6 @@ vtkMTimeType vtkHorizonFromPoints::GetPickTime()
 //----------------------------------------------------------------------------------------------------------------------
 PickTable vtkHorizonFromPoints::ReadPicks(const Monitor&)
 {
+  assert(this->Picks);
   return std::move(*std::exchange(this->Picks, nullptr));
 }

@@ -25,6 +25,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <unordered_set>
 #include <utility>
@@ -312,6 +313,7 @@ void vtkHorizonSource::MakeOutput(const std::vector<std::string>& names, const s
     }
   }
   const std::vector<vtkSmartPointer<vtkDataObject>> made = this->MakeHorizons(own, monitor);
+  assert(made.size() <= positions.size());
   for (std::size_t n = 0; n < made.size(); ++n)
   {
     horizons->SetPartition(positions[n], 0, made[n]);

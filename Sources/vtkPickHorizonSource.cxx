@@ -15,6 +15,7 @@
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -102,6 +103,7 @@ std::vector<std::string> vtkPickHorizonSource::ListHorizons(const Monitor& monit
   std::vector<std::string> ofSheets;
   for (const int number : this->ListedSheets->Numbers)
   {
+    assert(std::size_t(number) < names.size());
     ofSheets.push_back(names[number]);
   }
   return ofSheets;

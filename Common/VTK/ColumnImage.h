@@ -15,6 +15,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -30,6 +31,7 @@ public:
   ColumnPixels(PlanePoints columns, vtkImageData* image)
     : Image(image)
   {
+    assert(!columns.empty());
     const PlaneBox box(columns);
     RequireDense(box, columns.size());
     image->SetExtent(box.Least.X, box.Greatest.X, box.Least.Y, box.Greatest.Y, 0, 0);

@@ -51,4 +51,15 @@ void SetNumberOfTuples(vtkAbstractArray* array, vtkIdType numberOfTuples)
     PreferLargePages(array->GetVoidPointer(0), bytes);
   }
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, vtkIdType numberOfTuples)
+{
+  const auto made = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  made->SetName(array->GetName());
+  made->SetNumberOfComponents(array->GetNumberOfComponents());
+  made->CopyComponentNames(array);
+  SetNumberOfTuples(made, numberOfTuples);
+  return made;
+}
 }

@@ -28,6 +28,9 @@ double FirstValue(vtkFieldData* data, const char* name, double otherwise = 0.0);
 
 void SetNumberOfTuples(vtkAbstractArray* array, vtkIdType numberOfTuples);
 
+/// The name and components of another array; the values are not initialised.
+vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, vtkIdType numberOfTuples);
+
 /// The values are not initialised.
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, vtkIdType numberOfTuples, int numberOfComponents = 1)

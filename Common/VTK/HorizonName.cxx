@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <cassert>
 #include <cmath>
 #include <unordered_map>
 #include <unordered_set>
@@ -103,6 +104,7 @@ void MakeBlocks(const std::vector<std::string>& names, const char* rootName, vtk
 vtkPolyData* BlockOf(vtkDataObject* collection, std::size_t number)
 {
   auto* const blocks = vtkPartitionedDataSetCollection::SafeDownCast(collection);
+  assert(blocks && number < blocks->GetNumberOfPartitionedDataSets());
   return vtkPolyData::SafeDownCast(blocks->GetPartitionAsDataObject(unsigned(number), 0));
 }
 }

@@ -67,11 +67,6 @@ unsigned long CodeOf(const InputError& error)
   return vtkErrorCode::UnknownError;
 }
 
-Outcome Fail(const std::string& problem)
-{
-  return { false, problem, vtkErrorCode::UnknownError };
-}
-
 Monitor MakeMonitor(vtkAlgorithm* algorithm)
 {
   return Monitor(
@@ -100,19 +95,20 @@ Outcome Run(vtkAlgorithm* algorithm, const std::string& noMemory, const RequestW
   }
   catch (const std::bad_alloc&)
   {
-    return Fail(noMemory);
+    return { false, noMemory };
   }
   catch (const std::length_error&) // The size exceeds any memory.
   {
-    return Fail(noMemory);
+    return { false, noMemory };
   }
   catch (const std::system_error& error) // A thread cannot start, or a file vanished.
   {
-    return Fail("the system reports \"" + std::string(error.what()) + "\", expected enough threads and files for this");
+    return { false,
+      "the system reports \"" + std::string(error.what()) + "\", expected enough threads and files for this" };
   }
   catch (const std::exception& error)
   {
-    return Fail("internal error \"" + std::string(error.what()) + "\", expected none: please report it");
+    return { false, "internal error \"" + std::string(error.what()) + "\", expected none: please report it" };
   }
 }
 

@@ -14,6 +14,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace SeismicHorizons
@@ -40,11 +41,9 @@ Ranks::Ranks(vtkMultiProcessController* controller, vtkInformation* request, vtk
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   const int pieces =
     outputs->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  if (controller && pieces > 1 && controller->GetNumberOfProcesses() == pieces)
+  if (controller && controller->GetNumberOfProcesses() == pieces)
   {
-    this->Controller = controller;
-    this->Count = pieces;
-    this->Number = controller->GetLocalProcessId();
+    *this = Ranks(controller);
   }
 }
 
@@ -95,12 +94,14 @@ void Ranks::Refuse(const std::string& problem) const
 //----------------------------------------------------------------------------------------------------------------------
 void Ranks::Send(vtkDataObject* data, int rank) const
 {
+  assert(this->Controller && rank != this->Number);
   this->Controller->Send(data, rank, DatasetTag);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void Ranks::Receive(vtkDataObject* data, int rank) const
 {
+  assert(this->Controller && rank != this->Number);
   this->Controller->Receive(data, rank, DatasetTag);
 }
 }

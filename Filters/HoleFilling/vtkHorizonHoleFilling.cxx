@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -102,17 +103,6 @@ double FitSlope(vtkDataArray* values, const std::vector<double>& height)
   return square > 0.0 ? product / square : 0.0;
 }
 
-vtkSmartPointer<vtkAbstractArray> NewArrayLike(vtkAbstractArray* array, vtkIdType size)
-{
-  vtkSmartPointer<vtkAbstractArray> result;
-  result.TakeReference(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->CopyComponentNames(array);
-  SetNumberOfTuples(result, size);
-  return result;
-}
-
 void CopyRange(vtkAbstractArray* from, vtkAbstractArray* to)
 {
   vtkDataArray* const numbers = vtkDataArray::FastDownCast(from);
@@ -133,6 +123,7 @@ void WriteFilledValues(const FilledArray& array, const FilledColumns& filled, st
 {
   const vtkIdType known = array.Array->GetNumberOfTuples();
   const bool isFloating = IsFloating(output);
+  assert(first + std::size_t(output->GetNumberOfComponents()) <= filled.Attribute.size());
   for (int component = 0; component < output->GetNumberOfComponents(); ++component)
   {
     const std::vector<double>& values = filled.Attribute[first + std::size_t(component)];

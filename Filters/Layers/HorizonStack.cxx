@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cassert>
 #include <climits>
 #include <cmath>
 #include <utility>
@@ -61,6 +62,7 @@ void HorizonStack::Add(const std::string& name, vtkPolyData* points)
 //----------------------------------------------------------------------------------------------------------------------
 void HorizonStack::PlaceTogether()
 {
+  assert(!this->Horizons.empty());
   const auto frame = std::min_element(this->Horizons.begin(), this->Horizons.end(),
     [](const StackedHorizon& a, const StackedHorizon& b)
     { return a.Points.Lattice.ColumnArea() < (1.0 - StackRounding) * b.Points.Lattice.ColumnArea(); });
@@ -143,6 +145,7 @@ std::vector<std::string> HorizonStack::Names() const
 //----------------------------------------------------------------------------------------------------------------------
 void HorizonStack::Reorder(const std::vector<std::size_t>& order)
 {
+  assert(order.size() == this->Horizons.size());
   std::vector<StackedHorizon> ordered;
   for (const std::size_t n : order)
   {

@@ -16,6 +16,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <iomanip>
 #include <limits>
@@ -27,33 +28,17 @@ namespace
 {
 constexpr int ContactsOfCurve = 101;
 
-class TableWriter
+/// The table has a column, and so a number of rows.
+template <typename Array>
+void SetValue(vtkTable* table, const std::string& name, std::size_t row, double value)
 {
-public:
-  TableWriter(vtkTable* table, std::size_t rows)
-    : Table(table)
-    , Rows(vtkIdType(rows))
+  assert(vtkIdType(row) < table->GetNumberOfRows());
+  if (!table->GetColumnByName(name.c_str()))
   {
+    table->AddColumn(NewArray<Array>(name.c_str(), table->GetNumberOfRows()));
   }
-
-  void StartRow(std::size_t row) { this->Row = vtkIdType(row); }
-
-  template <typename Array>
-  void Set(const char* name, double value)
-  {
-    if (!this->Table->GetColumnByName(name))
-    {
-      this->Table->AddColumn(NewArray<Array>(name, this->Rows));
-    }
-    Array::SafeDownCast(this->Table->GetColumnByName(name))->SetValue(this->Row, typename Array::ValueType(value));
-  }
-
-private:
-  vtkTable* Table;
-  vtkIdType Rows;
-  vtkIdType Row = 0;
-};
-
+  Array::SafeDownCast(table->GetColumnByName(name.c_str()))->SetValue(vtkIdType(row), typename Array::ValueType(value));
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -93,43 +78,44 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
   const double area = stack.CommonLattice().ColumnArea();
   const double volume = VolumeOfUnit(stack);
   table->AddColumn(MakeTexts("Name", NamesOfLayers(stack)));
-  TableWriter writer(table, stack.Size() - 1);
   for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
   {
-    writer.StartRow(layer);
+    const auto number = [&](const std::string& name, double value)
+    { SetValue<vtkDoubleArray>(table, name, layer, value); };
+    const auto count = [&](const std::string& name, std::int64_t value)
+    { SetValue<vtkIdTypeArray>(table, name, layer, double(value)); };
     const LayerVolume& own = volumes[layer];
     const CrossingRepair& repair = layers.Stack.Repair;
-    writer.Set<vtkDoubleArray>("Volume", volume * own.Volume);
-    writer.Set<vtkDoubleArray>("Area", area * own.Area);
-    writer.Set<vtkDoubleArray>("ThicknessLeast", height * own.LeastThickness);
-    writer.Set<vtkDoubleArray>("ThicknessMean", height * own.MeanThickness);
-    writer.Set<vtkDoubleArray>("ThicknessLargest", height * own.LargestThickness);
+    number("Volume", volume * own.Volume);
+    number("Area", area * own.Area);
+    number("ThicknessLeast", height * own.LeastThickness);
+    number("ThicknessMean", height * own.MeanThickness);
+    number("ThicknessLargest", height * own.LargestThickness);
     if (contact)
     {
       const double level = stack.CommonLattice().ToLattice({ 0.0, 0.0, *contact }).z();
-      writer.Set<vtkDoubleArray>("VolumeAboveContact", volume * VolumeAbove(layers.Plan, layer, level));
+      number("VolumeAboveContact", volume * VolumeAbove(layers.Plan, layer, level));
     }
-    writer.Set<vtkIdTypeArray>("Crossings", double(repair.Interfaces[layer].Columns));
-    writer.Set<vtkDoubleArray>("DeepestCrossing", height * repair.Interfaces[layer].Deepest);
-    writer.Set<vtkIdTypeArray>("TopMoved", double(repair.Horizons[layer].Columns));
-    writer.Set<vtkIdTypeArray>("BaseMoved", double(repair.Horizons[layer + 1].Columns));
-    writer.Set<vtkDoubleArray>(
-      "FarthestMove", height * std::max(repair.Horizons[layer].Farthest, repair.Horizons[layer + 1].Farthest));
+    count("Crossings", std::int64_t(repair.Interfaces[layer].Columns));
+    number("DeepestCrossing", height * repair.Interfaces[layer].Deepest);
+    count("TopMoved", std::int64_t(repair.Horizons[layer].Columns));
+    count("BaseMoved", std::int64_t(repair.Horizons[layer + 1].Columns));
+    number("FarthestMove", height * std::max(repair.Horizons[layer].Farthest, repair.Horizons[layer + 1].Farthest));
     const char* const kinds[] = { "PinchedTriangles", "Tetrahedra", "Pyramids", "Wedges" };
     for (std::size_t kind = own.Triangles.size(); kind-- > 0;)
     {
-      writer.Set<vtkIdTypeArray>(kinds[kind], double(own.Triangles[kind]));
+      count(kinds[kind], std::int64_t(own.Triangles[kind]));
     }
-    writer.Set<vtkDoubleArray>("AreaAtFaults", area * own.FaultArea);
-    writer.Set<vtkDoubleArray>("VolumeAtFaults", volume * own.FaultVolume);
+    number("AreaAtFaults", area * own.FaultArea);
+    number("VolumeAtFaults", volume * own.FaultVolume);
     const LayerLedger& ledger = layers.Ledgers.OfLayers[layer];
-    writer.Set<vtkDoubleArray>("AreaWithout", area * ledger.AreaWithout);
-    writer.Set<vtkDoubleArray>("VolumeWithout", volume * ledger.VolumeWithout);
+    number("AreaWithout", area * ledger.AreaWithout);
+    number("VolumeWithout", volume * ledger.VolumeWithout);
     for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
     {
       const std::string name = LedgerNames[entry];
-      writer.Set<vtkDoubleArray>(("Area" + name).c_str(), area * double(ledger.Columns.Columns[entry]));
-      writer.Set<vtkDoubleArray>(("Volume" + name).c_str(), volume * ledger.Volumes[entry]);
+      number("Area" + name, area * double(ledger.Columns.Columns[entry]));
+      number("Volume" + name, volume * ledger.Volumes[entry]);
     }
   }
   table->AddColumn(

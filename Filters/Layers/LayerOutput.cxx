@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <optional>
 #include <string>
 #include <utility>
@@ -129,6 +130,7 @@ void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<P
 {
   const LayerPlan& plan = layers.Plan;
   const ColumnIndex index(columns);
+  assert(pointAt.size() <= plan.Columns.size());
   const ColumnIndex all(layers.Stack.Columns);
   NearestPoints nearest(columns);
   found.Numbers.assign(plan.Columns.size(), NoPoint);

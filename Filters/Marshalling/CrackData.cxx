@@ -24,10 +24,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -84,54 +85,32 @@ std::vector<std::array<PlanePoint, 2>> ReadOpenEnds(vtkFieldData* data)
   return openEnds;
 }
 
-class OpenEndPoints
+/// Points of loops by column; NoPoint where no loop has a point.
+using OpenEndPoints = std::map<PlanePoint, PointId>;
+
+OpenEndPoints FindOpenEndPoints(
+  const std::vector<std::array<PlanePoint, 2>>& openEnds, PlanePoints columns, const Loops& boundary)
 {
-public:
-  OpenEndPoints(const std::vector<std::array<PlanePoint, 2>>& openEnds, PlanePoints columns, const Loops& boundary)
+  OpenEndPoints points;
+  for (const auto& [from, to] : openEnds)
   {
-    for (const std::array<PlanePoint, 2>& openEnd : openEnds)
-    {
-      this->Columns.insert(this->Columns.end(), openEnd.begin(), openEnd.end());
-    }
-    std::sort(this->Columns.begin(), this->Columns.end());
-    this->Points.assign(this->Columns.size(), NoPoint);
-    if (openEnds.empty())
-    {
-      return;
-    }
+    points[from] = NoPoint;
+    points[to] = NoPoint;
+  }
+  if (!points.empty())
+  {
     boundary.ForEachPoint(
       [&](PointId point)
       {
-        const std::size_t slot = this->SlotOf(columns[point]);
-        if (slot < this->Columns.size())
+        const auto found = points.find(columns[point]);
+        if (found != points.end())
         {
-          this->Points[slot] = point;
+          found->second = point;
         }
       });
   }
-
-  /// Returns NoPoint if no loop has a point in the column.
-  PointId At(const PlanePoint& column) const { return this->Points[this->SlotOf(column)]; }
-
-  std::vector<PointId> All() const
-  {
-    std::vector<PointId> points;
-    std::copy_if(this->Points.begin(), this->Points.end(), std::back_inserter(points),
-      [](PointId point) { return point != NoPoint; });
-    return points;
-  }
-
-private:
-  std::size_t SlotOf(const PlanePoint& column) const
-  {
-    const auto found = std::lower_bound(this->Columns.begin(), this->Columns.end(), column);
-    return found != this->Columns.end() && *found == column ? std::size_t(found - this->Columns.begin())
-                                                            : this->Columns.size();
-  }
-
-  std::vector<PlanePoint> Columns; // Sorted; only the first of equal columns has a point.
-  std::vector<PointId> Points;
-};
+  return points;
+}
 
 /// Cracks refer to loops by number, so no loop may be missing.
 void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
@@ -150,13 +129,13 @@ Cracks ReadCracks(vtkPolyData* horizon, const Loops& boundary)
 {
   Cracks cracks;
   const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon->GetFieldData());
-  const OpenEndPoints points(openEnds, ColumnsOf(horizon), boundary);
+  const OpenEndPoints points = FindOpenEndPoints(openEnds, ColumnsOf(horizon), boundary);
   for (const std::array<PlanePoint, 2>& openEnd : openEnds)
   {
-    cracks.OpenEnds.push_back({ points.At(openEnd[0]), points.At(openEnd[1]) });
+    cracks.OpenEnds.push_back({ points.at(openEnd[0]), points.at(openEnd[1]) });
     for (const PlanePoint& column : openEnd)
     {
-      if (points.At(column) == NoPoint)
+      if (points.at(column) == NoPoint)
       {
         throw InputError("open end of a crack at column (" + std::to_string(column.X) + ", " +
           std::to_string(column.Y) + "), expected a point of a boundary loop");
@@ -228,13 +207,22 @@ void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
 std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary)
 {
   const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon->GetFieldData());
-  return OpenEndPoints(openEnds, columns, boundary).All();
+  std::vector<PointId> found;
+  for (const auto& [column, point] : FindOpenEndPoints(openEnds, columns, boundary))
+  {
+    if (point != NoPoint)
+    {
+      found.push_back(point);
+    }
+  }
+  return found;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, vtkPolyData* mesh,
   const Monitor& monitor)
 {
+  assert(vtkIdType(plane.size()) == mesh->GetNumberOfPoints());
   RawVector<PointId> triangles = CloseFaults(plane, boundary, ReadCracks(mesh, boundary), monitor);
   const std::size_t size = triangles.size() / 3;
   auto marks = NewArray<vtkUnsignedCharArray>(CellArray::Fault, mesh->GetNumberOfCells() + vtkIdType(size));

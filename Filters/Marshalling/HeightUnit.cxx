@@ -11,6 +11,7 @@
 #include "vtkFieldData.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace SeismicHorizons
@@ -31,6 +32,7 @@ double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<do
   }
   if (unit == HeightUnit::Diagonal)
   {
+    assert(height.size() == columns.size() && !height.empty());
     const PlaneBox box(columns);
     const auto ends = std::minmax_element(height.begin(), height.end());
     const Eigen::Vector3d diagonal(

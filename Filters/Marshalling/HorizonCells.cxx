@@ -14,6 +14,7 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -72,6 +73,7 @@ vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops)
 //----------------------------------------------------------------------------------------------------------------------
 vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
 {
+  assert(triangles.size() % 3 == 0);
   return triangles.size() <= std::size_t(std::numeric_limits<vtkTypeInt32>::max())
     ? MakeTrianglesAs<vtkTypeInt32Array>(triangles)
     : MakeTrianglesAs<vtkTypeInt64Array>(triangles);
@@ -80,6 +82,7 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
 //----------------------------------------------------------------------------------------------------------------------
 void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles)
 {
+  assert(triangles.size() % 3 == 0);
   for (std::size_t corner = 0; !lattice.KeepsOrientation() && corner < triangles.size(); corner += 3)
   {
     std::swap(triangles[corner + 1], triangles[corner + 2]);

@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <vector>
 
@@ -29,6 +30,7 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
 template <typename Array, typename Values>
 void AddTriangleArray(const char* name, const Values& values, vtkPolyData* mesh)
 {
+  assert(vtkIdType(values.size()) == mesh->GetNumberOfPolys());
   auto array = NewArray<Array>(name, mesh->GetNumberOfCells());
   auto* const triangles = array->GetPointer(mesh->GetNumberOfLines());
   std::fill(array->GetPointer(0), triangles, std::numeric_limits<typename Array::ValueType>::quiet_NaN());

@@ -24,6 +24,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 #include <numeric>
 #include <sstream>
@@ -123,11 +124,7 @@ vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 vtkSmartPointer<vtkAbstractArray> CopyTuples(vtkAbstractArray* array, const KeptPoints& kept)
 {
-  const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  copy->SetName(array->GetName());
-  copy->SetNumberOfComponents(array->GetNumberOfComponents());
-  copy->CopyComponentNames(array);
-  SetNumberOfTuples(copy, vtkIdType(kept.size()));
+  const vtkSmartPointer<vtkAbstractArray> copy = NewArrayLike(array, vtkIdType(kept.size()));
   if (HasPlainTuples(array) && HasPlainTuples(copy))
   {
     const std::size_t bytes = std::size_t(array->GetNumberOfComponents()) * std::size_t(array->GetDataTypeSize());
@@ -144,6 +141,7 @@ vtkSmartPointer<vtkAbstractArray> CopyTuples(vtkAbstractArray* array, const Kept
 //----------------------------------------------------------------------------------------------------------------------
 void AddPointArray(vtkPolyData* input, int n, vtkAbstractArray* made, vtkPolyData* output)
 {
+  assert(made->GetNumberOfTuples() == output->GetNumberOfPoints());
   const int index = output->GetPointData()->AddArray(made);
   const int attribute = input->GetPointData()->IsArrayAnAttribute(n);
   if (attribute >= 0)

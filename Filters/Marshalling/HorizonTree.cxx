@@ -188,6 +188,19 @@ private:
     return parts;
   }
 
+  template <typename Type, typename Set>
+  static std::vector<vtkPolyData*> MakeEmpty(const std::vector<vtkDataObject*>& outputs, Set&& set)
+  {
+    std::vector<vtkPolyData*> made;
+    for (vtkDataObject* output : outputs)
+    {
+      vtkNew<vtkPolyData> empty;
+      set(Type::SafeDownCast(output), empty);
+      made.push_back(empty);
+    }
+    return made;
+  }
+
   void CollectPartitions(
     vtkPartitionedDataSet* partitions, const std::vector<vtkDataObject*>& outputs, const std::string& name)
   {
@@ -206,19 +219,9 @@ private:
     {
       return;
     }
-    std::vector<vtkPolyData*> made;
-    for (vtkDataObject* output : outputs)
-    {
-      vtkNew<vtkPolyData> empty;
-      vtkPartitionedDataSet::SafeDownCast(output)->SetPartition(first, empty);
-      made.push_back(empty);
-    }
-    vtkSmartPointer<vtkPolyData> horizon = found.front();
-    if (found.size() > 1)
-    {
-      horizon = Join(found, name);
-    }
-    this->Add(horizon, std::move(made), name);
+    std::vector<vtkPolyData*> made = MakeEmpty<vtkPartitionedDataSet>(
+      outputs, [first](auto* output, vtkPolyData* empty) { output->SetPartition(first, empty); });
+    this->Add(found.size() > 1 ? Join(found, name) : found.front(), std::move(made), name);
   }
 
   void CollectBlock(
@@ -233,13 +236,8 @@ private:
     ++this->Position;
     if (block)
     {
-      std::vector<vtkPolyData*> made;
-      for (vtkDataObject* output : outputs)
-      {
-        vtkNew<vtkPolyData> empty;
-        vtkMultiBlockDataSet::SafeDownCast(output)->SetBlock(n, empty);
-        made.push_back(empty);
-      }
+      std::vector<vtkPolyData*> made =
+        MakeEmpty<vtkMultiBlockDataSet>(outputs, [n](auto* output, vtkPolyData* empty) { output->SetBlock(n, empty); });
       this->Add(ToHorizon(block), std::move(made), name);
     }
   }

@@ -354,6 +354,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 double LatticePoints::HeightAt(std::size_t point) const
 {
+  assert(vtkIdType(point) < this->Horizon->GetNumberOfPoints());
   return this->Lattice.ToLattice(WorldOf(this->Horizon, std::int64_t(point))).z();
 }
 
@@ -379,6 +380,7 @@ PlanePoints ColumnsOf(vtkPolyData* horizon)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
 {
+  assert(vtkIdType(points.Column.size()) == points.Horizon->GetNumberOfPoints());
   std::vector<PlanePoint> plane = LargeVector<PlanePoint>(points.Column.size());
   const std::int32_t size = points.Lattice.SubVoxelsPerColumn();
   ParallelFor(std::int64_t(plane.size()), Grain,

@@ -26,6 +26,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -78,62 +79,57 @@ private:
   const ItemLists<PointId, std::uint32_t> Points;
 };
 
-/// Averaged points get the mean of finite values, or else, as other points, the value of the nearest input point.
-struct AverageWorker
+/// The mean is weighted by counts; if all are 0, as of filled points, weights are equal.
+template <typename Tuples>
+double Mean(const MergedPoints& points, const Tuples& tuples, vtkIdType target, int component, double otherwise)
 {
-  const MergedPoints& Points;
-
-  template <typename InputArray, typename OutputArray>
-  void operator()(InputArray* input, OutputArray* output) const
+  double sum = 0.0;
+  double weights = 0.0;
+  const auto addAll = [&](bool isWeighted)
   {
-    using Value = vtk::GetAPIType<OutputArray>;
-    const auto from = vtk::DataArrayTupleRange(input);
-    auto to = vtk::DataArrayTupleRange(output);
-    const int components = input->GetNumberOfComponents();
-    ParallelFor(this->Points.Size(), Grain,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (vtkIdType target = first; target < last; ++target)
-        {
-          for (int n = 0; n < components; ++n)
-          {
-            const double nearest = double(from[this->Points.Nearest(target)][n]);
-            to[target][n] =
-              static_cast<Value>(this->Points.IsAveraged(target) ? this->Mean(from, target, n, nearest) : nearest);
-          }
-        }
-      });
-  }
-
-  /// Weighted by counts; if all are 0, as of filled points, weights are equal.
-  template <typename Tuples>
-  double Mean(const Tuples& tuples, vtkIdType target, int component, double otherwise) const
-  {
-    double sum = 0.0;
-    double weights = 0.0;
-    const auto addAll = [&](bool isWeighted)
+    std::int64_t counts = 0;
+    for (const PointId* point = points.begin(target); point < points.end(target); ++point)
     {
-      std::int64_t counts = 0;
-      for (const PointId* point = this->Points.begin(target); point < this->Points.end(target); ++point)
+      const std::int64_t count = isWeighted ? points.Count(*point) : 1;
+      const double value = double(tuples[*point][component]);
+      counts += count;
+      if (std::isfinite(value))
       {
-        const std::int64_t count = isWeighted ? this->Points.Count(*point) : 1;
-        const double value = double(tuples[*point][component]);
-        counts += count;
-        if (std::isfinite(value))
+        sum += double(count) * value;
+        weights += double(count);
+      }
+    }
+    return counts > 0;
+  };
+  if (!addAll(true))
+  {
+    addAll(false);
+  }
+  return weights > 0.0 ? sum / weights : otherwise;
+}
+
+/// Averaged points get the mean of finite values, or else, as other points, the value of the nearest input point.
+template <typename InputArray, typename OutputArray>
+void WriteMeans(const MergedPoints& points, InputArray* input, OutputArray* output)
+{
+  using Value = vtk::GetAPIType<OutputArray>;
+  const auto from = vtk::DataArrayTupleRange(input);
+  auto to = vtk::DataArrayTupleRange(output);
+  const int components = input->GetNumberOfComponents();
+  ParallelFor(points.Size(), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (vtkIdType target = first; target < last; ++target)
+      {
+        for (int n = 0; n < components; ++n)
         {
-          sum += double(count) * value;
-          weights += double(count);
+          const double nearest = double(from[points.Nearest(target)][n]);
+          to[target][n] =
+            static_cast<Value>(points.IsAveraged(target) ? Mean(points, from, target, n, nearest) : nearest);
         }
       }
-      return counts > 0;
-    };
-    if (!addAll(true))
-    {
-      addAll(false);
-    }
-    return weights > 0.0 ? sum / weights : otherwise;
-  }
-};
+    });
+}
 
 bool IsAveraged(vtkDataArray* array)
 {
@@ -152,10 +148,9 @@ vtkSmartPointer<vtkDataArray> Average(vtkDataArray* array, const MergedPoints& p
   result->SetNumberOfComponents(array->GetNumberOfComponents());
   result->CopyComponentNames(array);
   SetNumberOfTuples(result, points.Size());
-  const AverageWorker average{ points };
   const auto write = [&](auto* output)
   {
-    const auto read = [&](auto* input) { average(input, output); };
+    const auto read = [&](auto* input) { WriteMeans(points, input, output); };
     if (!vtkArrayDispatch::Dispatch::Execute(array, read))
     {
       read(array);
@@ -181,15 +176,8 @@ void ReduceAttributes(
   {
     vtkAbstractArray* const array = input->GetPointData()->GetAbstractArray(n);
     vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
-    vtkSmartPointer<vtkAbstractArray> reduced;
-    if (numbers && IsAveraged(numbers))
-    {
-      reduced = Average(numbers, points);
-    }
-    else
-    {
-      reduced = CopyTuples(array, nearest);
-    }
+    const vtkSmartPointer<vtkAbstractArray> reduced =
+      numbers && IsAveraged(numbers) ? Average(numbers, points).Get() : CopyTuples(array, nearest).Get();
     AddPointArray(input, n, reduced, output);
   }
 }
@@ -290,6 +278,7 @@ vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size)
 //----------------------------------------------------------------------------------------------------------------------
 void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin)
 {
+  assert(n < array->GetNumberOfTuples());
   const int values[3] = { origin.Level, origin.Ring, int(origin.Kind) };
   array->SetTypedTuple(n, values);
 }
@@ -297,6 +286,7 @@ void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin)
 //----------------------------------------------------------------------------------------------------------------------
 vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice, const Reduction& reduction)
 {
+  assert(reduction.Plane.size() == reduction.Source.size() && reduction.Averaged.size() == reduction.Source.size());
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(3);
   SetNumberOfTuples(places, vtkIdType(reduction.Source.size()));
@@ -330,6 +320,8 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice
 //----------------------------------------------------------------------------------------------------------------------
 void WriteReduction(vtkPolyData* input, const Reduction& reduction, vtkPolyData* output)
 {
+  assert(output->GetNumberOfPoints() == vtkIdType(reduction.Source.size()));
+  assert(input->GetNumberOfPoints() == vtkIdType(reduction.Target.size()));
   output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
   output->SetLines(MakePolylines(reduction.Boundary));
   vtkPointData* const data = output->GetPointData();

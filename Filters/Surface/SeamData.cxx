@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -288,6 +289,7 @@ SurfacePart ReadSurfacePart(vtkPolyData* mesh)
 void WriteJoinedSurface(
   const std::vector<vtkPolyData*>& meshes, const Lattice& lattice, const JoinedSurface& joined, vtkPolyData* output)
 {
+  assert(!meshes.empty() && joined.Sources.size() == joined.Vertices.size());
   WriteSeamPoints(meshes, joined, output);
   WriteSeamBoundary(joined, output);
   const double smallestAngle = WriteTriangles(joined.Vertices, lattice, joined.Triangles, output);
