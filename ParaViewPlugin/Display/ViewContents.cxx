@@ -6,6 +6,7 @@
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
+#include "vtkSMInputProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
@@ -47,5 +48,25 @@ std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int 
     values.push_back(range[0] == range[1] ? range[0] : std::numeric_limits<double>::quiet_NaN());
   }
   return values;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSMSourceProxy* FindProducer(vtkSMProxy* representation)
+{
+  return vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(representation, "Input", true).GetAsProxy());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other)
+{
+  for (unsigned int n = 0; n < other->GetNumberOfProducers(); ++n)
+  {
+    vtkSMProxy* const input = other->GetProducerProxy(n);
+    if (vtkSMInputProperty::SafeDownCast(other->GetProducerProperty(n)) && (input == source || LeadsTo(source, input)))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }

@@ -8,6 +8,7 @@
 
 class vtkPVDataInformation;
 class vtkSMProxy;
+class vtkSMSourceProxy;
 
 namespace SeismicHorizons
 {
@@ -18,6 +19,11 @@ vtkPVDataInformation* FindShownData(vtkSMProxy* representation);
 
 /// Returns the values of an array with one tuple, or none; values that differ between blocks are nan.
 std::vector<double> ReadField(vtkPVDataInformation* data, const char* name, int count);
+
+vtkSMSourceProxy* FindProducer(vtkSMProxy* representation);
+
+/// True if `other` is made from `source`, directly or not.
+bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other);
 }
 
 #endif

@@ -4,7 +4,7 @@
 #include "pqHorizonToolBar.h"
 
 #include "ColorRange.h"
-#include "FirstView.h"
+#include "Common/Horizon/DataModel.h"
 #include "ViewAxes.h"
 #include "ViewContents.h"
 #include "vtkSMHorizonDisplayHelper.h"
@@ -23,14 +23,177 @@
 #include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkPVDataInformation.h>
+#include <vtkPVXMLElement.h>
 #include <vtkSMPVRepresentationProxy.h>
+#include <vtkSMParaViewPipelineControllerWithRendering.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMRenderViewProxy.h>
+#include <vtkSMSourceProxy.h>
+#include <vtkSMTrace.h>
+#include <vtkSMViewProxy.h>
 #include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
 
 namespace
 {
 using namespace SeismicHorizons;
 
 constexpr double Largest = 1e6;
+
+// ---- The first view --------------------------------------------------------------------------------------------------
+
+using Direction = std::array<double, 3>;
+
+constexpr const char* OwnCamera = "SeismicHorizons.Camera";
+constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // Direction to the eye.
+
+bool IsOfSurvey(vtkPVDataInformation* data)
+{
+  return !ReadField(data, FieldArray::LatticeDimensions, 3).empty();
+}
+
+bool Has(vtkSMProxy* proxy, const char* property, const std::string& text)
+{
+  return proxy->GetProperty(property) && vtkSMPropertyHelper(proxy, property).GetAsString() == text;
+}
+
+/// Returns 0 for a line along i, 1 along j, else -1.
+int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
+{
+  if (dimensions[0] == 1.0 || dimensions[1] == 1.0)
+  {
+    return dimensions[0] > 1.0 ? 0 : 1;
+  }
+  if (!Has(representation, "Representation", "Slice"))
+  {
+    return -1;
+  }
+  return Has(representation, "SliceMode", "XZ Plane") ? 0 : Has(representation, "SliceMode", "YZ Plane") ? 1 : -1;
+}
+
+/// Looks at a line from its side, at a survey from above, and at a section of a cube from between.
+Direction FindDirection(
+  const std::vector<double>& dimensions, const std::vector<double>& toWorld, vtkSMProxy* representation)
+{
+  const int along = FindLine(dimensions, representation);
+  const std::array<double, 2> line = along < 0
+    ? std::array<double, 2>()
+    : std::array<double, 2>{ toWorld[std::size_t(along)], toWorld[std::size_t(4 + along)] };
+  const double length = std::hypot(line[0], line[1]);
+  if (!(length > 0.0))
+  {
+    return Oblique;
+  }
+  // Looks from the south, or from the east of a line that runs north, so that it starts on the left.
+  const double side = line[0] > 0.0 || (line[0] == 0.0 && line[1] > 0.0) ? 1.0 : -1.0;
+  const std::array<double, 2> right = { side * line[0] / length, side * line[1] / length };
+  const bool isOfCube = std::min(dimensions[0], dimensions[1]) > 1.0;
+  const double turn = isOfCube ? 0.35 : 0.0;
+  return { right[1] + turn * right[0], -right[0] + turn * right[1], turn };
+}
+
+std::string DescribeCamera(vtkSMProxy* view)
+{
+  auto* const rendered = vtkSMRenderViewProxy::SafeDownCast(view);
+  vtkCamera* const camera = rendered ? rendered->GetActiveCamera() : nullptr;
+  std::string text;
+  for (const double* const place : camera
+      ? std::vector<const double*>{ camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp() }
+      : std::vector<const double*>())
+  {
+    text += std::to_string(place[0]) + " " + std::to_string(place[1]) + " " + std::to_string(place[2]) + " ";
+  }
+  return text;
+}
+
+void LookFrom(vtkSMProxy* view, const Direction& direction)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", view);
+  const Direction focus = { 0.0, 0.0, 0.0 };
+  const Direction up = { 0.0, 0.0, 1.0 };
+  vtkSMPropertyHelper(view, "CameraPosition").Set(direction.data(), 3);
+  vtkSMPropertyHelper(view, "CameraFocalPoint").Set(focus.data(), 3);
+  vtkSMPropertyHelper(view, "CameraViewUp").Set(up.data(), 3);
+  view->UpdateVTKObjects();
+}
+
+/// Ignores other outputs of the same source, and maps or points that it was made from.
+bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkSMProxy* const producer = representation ? FindProducer(representation) : nullptr;
+  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
+  return std::any_of(all.begin(), all.end(),
+    [representation, producer](vtkSMProxy* other)
+    {
+      const bool isOwn = other == representation || (producer && FindProducer(other) == producer);
+      vtkPVDataInformation* const data = isOwn ? nullptr : FindShownData(other);
+      // The map or the points from which a horizon was made were seen from above.
+      const bool isRaw = data && producer && !IsOfSurvey(data) && LeadsTo(FindProducer(other), producer);
+      return data && !isRaw;
+    });
+}
+
+/// Sets the direction of the camera, which has to be moved to the data, and exaggerates flat heights. Returns false
+/// unless the data have a survey.
+bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkPVDataInformation* const data = FindShownData(representation);
+  if (!data)
+  {
+    return false;
+  }
+  const std::vector<double> dimensions = ReadField(data, FieldArray::LatticeDimensions, 3);
+  const std::vector<double> toWorld = ReadField(data, FieldArray::LatticeToWorld, 16);
+  if (dimensions.empty() || toWorld.empty())
+  {
+    return false;
+  }
+  LookFrom(view, FindDirection(dimensions, toWorld, representation));
+  SetVerticalExaggeration(view, SuggestVerticalExaggeration(view));
+  return true;
+}
+
+/// Returns true if the data are of a survey and not derived, and nobody has moved the camera since it was set.
+bool MayFollow(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkPVDataInformation* const data = FindShownData(representation);
+  return data && IsOfSurvey(data) && FindProducer(representation)->GetNumberOfProducers() == 0 &&
+    view->HasAnnotation(OwnCamera) && DescribeCamera(view) == view->GetAnnotation(OwnCamera);
+}
+
+/// Hides inputs or other outputs of a stage if its hints say so.
+void HideOthers(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkSMSourceProxy* const producer = FindProducer(representation);
+  const int port = static_cast<int>(vtkSMPropertyHelper(representation, "Input", true).GetOutputPort());
+  bool hidesInputs = false, hidesOutputs = false;
+  for (vtkPVXMLElement* const hint : producer ? ListHints(producer, port) : std::vector<vtkPVXMLElement*>())
+  {
+    hidesInputs = hidesInputs || hint->GetAttribute("hides_inputs");
+    hidesOutputs = hidesOutputs || hint->GetAttribute("hides_outputs");
+  }
+  for (vtkSMProxy* const other : ListRepresentations(view))
+  {
+    const bool isSame = FindProducer(other) == producer;
+    if (FindShownData(other) && other != representation &&
+      (isSame ? hidesOutputs && FindShownData(representation)->GetNumberOfPoints() > 0
+              : hidesInputs && LeadsTo(FindProducer(other), producer)))
+    {
+      vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+      controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));
+    }
+  }
+}
+
+// ---- The tool bar ----------------------------------------------------------------------------------------------------
 
 pqRenderView* ActiveView()
 {
@@ -115,7 +278,10 @@ void pqHorizonToolBar::watch(pqView* view)
   this->connect(view, &pqView::representationRemoved, this,
     [this, view]()
     {
-      ForgetEmptyView(view->getProxy());
+      if (!ShowsOthers(view->getProxy(), nullptr) && GetVerticalExaggeration(view->getProxy()) != 1.0)
+      {
+        SetVerticalExaggeration(view->getProxy(), 1.0);
+      }
       this->Updated.insert(view);
     });
   this->connect(view, &pqView::updateDataEvent, this,
@@ -140,27 +306,19 @@ void pqHorizonToolBar::watch(pqView* view)
 //------------------------------------------------------------------------------
 void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
 {
-  if (!ShowsOthers(view->getProxy(), representation))
+  const bool isFirst = !ShowsOthers(view->getProxy(), representation);
+  if (isFirst || MayFollow(view->getProxy(), representation))
   {
     // Runs after ParaView, which looks along an axis at flat data.
-    const vtkSmartPointer<vtkSMProxy> first = representation;
+    const vtkSmartPointer<vtkSMProxy> shown = representation;
     QTimer::singleShot(0, view,
-      [view, first]()
+      [view, shown, isFirst]()
       {
-        if (SetFirstView(view->getProxy(), first))
+        if (!isFirst || SetFirstView(view->getProxy(), shown))
         {
           view->resetDisplay(true);
-          RememberCamera(view->getProxy());
+          view->getProxy()->SetAnnotation(OwnCamera, DescribeCamera(view->getProxy()).c_str());
         }
-      });
-  }
-  else if (MayFollow(view->getProxy(), representation))
-  {
-    QTimer::singleShot(0, view,
-      [view]()
-      {
-        view->resetDisplay(true);
-        RememberCamera(view->getProxy());
       });
   }
   HideOthers(view->getProxy(), representation);
@@ -229,19 +387,13 @@ void pqHorizonToolBar::showAxes(bool areShown)
     }
     else if (const std::string reason = ShowSurveyAxes(view->getProxy()); !reason.empty())
     {
-      this->refuseAxes(QString::fromStdString(reason));
+      auto* const message = new QMessageBox(QMessageBox::Information, tr("Survey Axes"),
+        tr("No survey axes: %1.").arg(QString::fromStdString(reason)), QMessageBox::Ok, this->window());
+      message->setObjectName("SurveyAxesMessage");
+      message->setAttribute(Qt::WA_DeleteOnClose);
+      message->open();
     }
     view->render();
   }
   this->showState();
-}
-
-//------------------------------------------------------------------------------
-void pqHorizonToolBar::refuseAxes(const QString& reason)
-{
-  auto* const message = new QMessageBox(QMessageBox::Information, tr("Survey Axes"),
-    tr("No survey axes: %1.").arg(reason), QMessageBox::Ok, this->window());
-  message->setObjectName("SurveyAxesMessage");
-  message->setAttribute(Qt::WA_DeleteOnClose);
-  message->open();
 }

@@ -4,7 +4,7 @@
  * @class   pqHorizonToolBar
  * @brief   sets the vertical exaggeration of a view and the meaning of its axes
  *
- * See Display/VerticalExaggeration.h and Display/SurveyAxes.h. The factor also applies to data shown later.
+ * See Display/ViewAxes.h. The factor also applies to data shown later.
  */
 
 #ifndef pqHorizonToolBar_h
@@ -37,7 +37,6 @@ private:
   void refresh(pqView* view);
   void showFactor();
   void setFactor(double factor);
-  void refuseAxes(const QString& reason);
 
   QComboBox* Factor;
   QAction* Axes;
