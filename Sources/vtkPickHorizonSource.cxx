@@ -31,7 +31,7 @@ CornerPoint MakeCorner(const double (&corner)[4])
 }
 }
 
-// ---- The class ---------------------------------------------------------------------------------------------------
+// ---- The class ------------------------------------------------------------------------------------------------------
 struct vtkPickHorizonSource::SheetList
 {
   vtkTimeStamp Time;

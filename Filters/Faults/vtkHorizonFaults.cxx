@@ -56,7 +56,7 @@ double ThrowAboveNoise(const LatticePoints& points, double noiseOfDifferences)
     (noiseOfDifferences > 0.0 ? noiseOfDifferences / std::sqrt(2.0) : MeasureNoise(points.Column, points.Height));
 }
 
-// ---- Given lines -----------------------------------------------------------------------------------------------------
+// ---- Given lines ----------------------------------------------------------------------------------------------------
 
 /// `first` is the cell id of the first cell.
 void AppendCells(vtkPolyData* data, vtkCellArray* cells, vtkIdType first, std::vector<FaultStick>& polylines)
@@ -161,7 +161,7 @@ void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& lattice)
   }
 }
 
-// ---- Output ----------------------------------------------------------------------------------------------------------
+// ---- Output ---------------------------------------------------------------------------------------------------------
 
 void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output)
 {

@@ -35,7 +35,7 @@ std::string AxisTitle(const std::string& name)
   return "\n      " + name + "      \n";
 }
 
-// ---- Vertical exaggeration -------------------------------------------------------------------------------------------
+// ---- Vertical exaggeration ------------------------------------------------------------------------------------------
 
 constexpr const char* ExaggerationAnnotation = "SeismicHorizons.VerticalExaggeration";
 constexpr double FlatShare = 0.1; // Fractions of the width.
@@ -68,7 +68,7 @@ double RoundDown(double number)
   return unit;
 }
 
-// ---- Survey axes -----------------------------------------------------------------------------------------------------
+// ---- Survey axes ----------------------------------------------------------------------------------------------------
 
 // A view's axes can show a model that a matrix maps to the world. This model has line numbers as x and y, and unchanged
 // z.

@@ -38,7 +38,7 @@ void ObserveInClients(unsigned long event, vtkCommand* command)
   }
 }
 
-// ---- Results ---------------------------------------------------------------------------------------------------------
+// ---- Results --------------------------------------------------------------------------------------------------------
 
 void Refresh(vtkObject* stage, unsigned long, void*, void*)
 {
@@ -57,7 +57,7 @@ void Watch(vtkObject*, unsigned long, void* refresh, void* registered)
   }
 }
 
-// ---- Renamed properties ----------------------------------------------------------------------------------------------
+// ---- Renamed properties ---------------------------------------------------------------------------------------------
 
 struct Rename
 {

@@ -41,7 +41,7 @@ SurveyLattice IrapLattice(const IrapHeader& header)
   return TurnedLattice(header.Columns, header.Origin, header.Steps, header.Degrees);
 }
 
-// ---- Text --------------------------------------------------------------------------------------------------------
+// ---- Text -----------------------------------------------------------------------------------------------------------
 constexpr double FirstNull = 9999900.0;
 constexpr int UnusedNumbers = 7;
 
@@ -67,7 +67,7 @@ SurveyLattice ReadIrapHeader(GridText& text)
   return PrefixErrors(text.Place(), [&] { return IrapLattice(header); });
 }
 
-// ---- Binary ------------------------------------------------------------------------------------------------------
+// ---- Binary ---------------------------------------------------------------------------------------------------------
 constexpr float LeastBinaryNull = 1e30f;
 constexpr std::int32_t UnusedBytes = 28;
 

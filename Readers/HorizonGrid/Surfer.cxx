@@ -12,7 +12,7 @@ namespace
 /// In Surfer 6 nodes from this value upwards have no z.
 constexpr double SurferNull = 1.70141e38;
 
-// ---- Surfer 7 ----------------------------------------------------------------------------------------------------
+// ---- Surfer 7 -------------------------------------------------------------------------------------------------------
 struct Section
 {
   std::string Name;

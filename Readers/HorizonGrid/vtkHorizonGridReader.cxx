@@ -29,7 +29,7 @@ bool IsNameOf(const std::string& name, const std::string& fileName)
 }
 }
 
-// ---- The class ---------------------------------------------------------------------------------------------------
+// ---- The class ------------------------------------------------------------------------------------------------------
 struct vtkHorizonGridReader::FileContent
 {
   FileStamp Stamp;

@@ -202,7 +202,7 @@ void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& optio
   }
 }
 
-// ---- Description -------------------------------------------------------------------------------------------------
+// ---- Description ----------------------------------------------------------------------------------------------------
 std::string DescribeFile(const SEGYHeader& header)
 {
   std::ostringstream text;

@@ -23,7 +23,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- Places as picks ---------------------------------------------------------------------------------------------
+// ---- Places as picks ------------------------------------------------------------------------------------------------
 /// Places are sampled where some suffice.
 std::int64_t SamplingStride(const TraceTable& table)
 {
@@ -82,7 +82,7 @@ std::vector<std::size_t> ListBeyond(const std::vector<double>& distances, double
   return strays;
 }
 
-// ---- Fit of a lattice --------------------------------------------------------------------------------------------
+// ---- Fit of a lattice -----------------------------------------------------------------------------------------------
 struct PlaceFit
 {
   PlaneMap ToWorld;
@@ -208,7 +208,7 @@ bool FollowsLines(const PlaneMap& map, const LineNumbers& lines)
     follows(map.Steps.col(1), lines.Numbering.InlineStep);
 }
 
-// ---- Choice of the fields ----------------------------------------------------------------------------------------
+// ---- Choice of the fields -------------------------------------------------------------------------------------------
 std::string FieldsText(const FieldPair& fields)
 {
   return "x and y of traces (bytes " + std::to_string(fields.First) + " and " + std::to_string(fields.Second) + ") ";

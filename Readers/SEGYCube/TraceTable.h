@@ -98,7 +98,7 @@ private:
 TraceTable ReadTraceTable(
   const std::string& name, const SEGYHeader& header, const std::vector<int>& fields, const Monitor& monitor);
 
-// ---- Fields of lines and places ----------------------------------------------------------------------------------
+// ---- Fields of lines and places -------------------------------------------------------------------------------------
 // The preferred fields of x and y come first.
 constexpr std::array<FieldPair, 3> PlacePairs = { { { 181, 185 }, { 73, 77 }, { 81, 85 } } };
 

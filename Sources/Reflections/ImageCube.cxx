@@ -72,7 +72,7 @@ void CheckImage(vtkImageData* image, vtkDataArray* amplitudes)
   }
 }
 
-// ---- Samples ---------------------------------------------------------------------------------------------------------
+// ---- Samples --------------------------------------------------------------------------------------------------------
 template <typename Sample>
 TraceCube MakeTraces(const Sample* first, const Indices& size, vtkUnsignedCharArray* ghosts)
 {
@@ -100,7 +100,7 @@ TraceCube MakeTraces(vtkImageData* image, vtkDataArray* amplitudes)
   }
 }
 
-// ---- Lattices --------------------------------------------------------------------------------------------------------
+// ---- Lattices -------------------------------------------------------------------------------------------------------
 Eigen::Affine3d IndexToWorld(vtkImageData* image)
 {
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
@@ -179,7 +179,7 @@ void PlaceByFields(vtkImageData* image, ImageCube& cube)
   cube.Frame = MakeFrame(image, dimensions, map);
 }
 
-// ---- Guides and limits -----------------------------------------------------------------------------------------------
+// ---- Guides and limits ----------------------------------------------------------------------------------------------
 
 /// Places are in columns and samples from the first trace and sample of the cube.
 class CubePlaces
