@@ -84,37 +84,22 @@ void Mirror(vtkIdType* corners, std::size_t size)
   std::swap(corners[size - 4], corners[size - 2]); // quadrangle of a pyramid, or triangle
 }
 
-/// Finds the nearest point on the map.
-class NearestPoints
+/// Finds points on the map.
+vtkSmartPointer<vtkStaticPointLocator> MakeLocator(PlanePoints columns)
 {
-public:
-  explicit NearestPoints(PlanePoints columns)
-    : Columns(columns)
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const PlanePoint& column : columns)
   {
+    points->InsertNextPoint(column.X, column.Y, 0.0);
   }
-
-  PointId At(const PlanePoint& column)
-  {
-    if (this->Places->GetNumberOfPoints() == 0)
-    {
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      for (const PlanePoint& own : this->Columns)
-      {
-        points->InsertNextPoint(own.X, own.Y, 0.0);
-      }
-      this->Places->SetPoints(points);
-      this->Locator->SetDataSet(this->Places);
-      this->Locator->BuildLocator();
-    }
-    return PointId(this->Locator->FindClosestPoint(column.X, column.Y, 0.0));
-  }
-
-private:
-  PlanePoints Columns;
-  vtkNew<vtkPolyData> Places; // Filled on first use.
-  vtkNew<vtkStaticPointLocator> Locator;
-};
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(points);
+  auto locator = vtkSmartPointer<vtkStaticPointLocator>::New();
+  locator->SetDataSet(places);
+  locator->BuildLocator();
+  return locator;
+}
 
 /// Vertices of the plan at which a horizon has a height.
 struct HorizonVertices
@@ -132,7 +117,12 @@ void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<P
   const ColumnIndex index(columns);
   assert(pointAt.size() <= plan.Columns.size());
   const ColumnIndex all(layers.Stack.Columns);
-  NearestPoints nearest(columns);
+  vtkSmartPointer<vtkStaticPointLocator> locator; // Few horizons need it.
+  const auto nearest = [&](const PlanePoint& column)
+  {
+    locator = locator ? locator : MakeLocator(columns);
+    return vtkIdType(locator->FindClosestPoint(column.X, column.Y, 0.0));
+  };
   found.Numbers.assign(plan.Columns.size(), NoPoint);
   for (std::size_t vertex = 0; vertex < pointAt.size(); ++vertex)
   {
@@ -147,7 +137,7 @@ void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<P
         place == NoPoint ? HeightOrigin::None : layers.Stack.Origins[horizon][std::size_t(place)];
       const bool isOutside = Follows(origin) || origin == HeightOrigin::ExtrapolatedBefore;
       found.IsFilled.push_back(isOutside ? 2 : origin == HeightOrigin::Known ? 0 : 1);
-      found.Points->InsertNextId(point == NoPoint ? nearest.At(column) : point);
+      found.Points->InsertNextId(point == NoPoint ? nearest(column) : point);
     }
   }
 }

@@ -37,50 +37,42 @@ namespace
 {
 // Threshold, Clip and Merge Blocks turn a vtkPolyData into an unstructured grid.
 
-/// Filters make no strips of horizons.
-struct Cells
-{
-  vtkNew<vtkCellArray> Vertices;
-  vtkNew<vtkCellArray> Lines;
-  vtkNew<vtkCellArray> Polygons;
-
-  vtkCellArray* ForType(int type, vtkIdType cell) const
-  {
-    switch (type)
-    {
-      case VTK_VERTEX:
-      case VTK_POLY_VERTEX:
-        return this->Vertices;
-      case VTK_LINE:
-      case VTK_POLY_LINE:
-        return this->Lines;
-      case VTK_TRIANGLE:
-      case VTK_QUAD:
-      case VTK_POLYGON:
-        return this->Polygons;
-      default:
-        throw InputError("cell " + std::to_string(cell) + " of an unstructured grid is a " + CellTypeName(type) +
-          ", expected vertices, lines and polygons, as Extract Surface makes them");
-    }
-  }
-};
-
 /// Drops cell data. Throws InputError on cells other than vertices, lines and polygons.
 vtkSmartPointer<vtkPolyData> ToPolyData(vtkUnstructuredGrid* grid)
 {
-  const Cells cells;
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> polygons; // Filters make no strips of horizons.
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    vtkCellArray* const kind = cells.ForType(grid->GetCellType(cell), cell);
     grid->GetCellPoints(cell, points);
-    kind->InsertNextCell(points);
+    switch (grid->GetCellType(cell))
+    {
+      case VTK_VERTEX:
+      case VTK_POLY_VERTEX:
+        vertices->InsertNextCell(points);
+        break;
+      case VTK_LINE:
+      case VTK_POLY_LINE:
+        lines->InsertNextCell(points);
+        break;
+      case VTK_TRIANGLE:
+      case VTK_QUAD:
+      case VTK_POLYGON:
+        polygons->InsertNextCell(points);
+        break;
+      default:
+        throw InputError("cell " + std::to_string(cell) + " of an unstructured grid is a " +
+          CellTypeName(grid->GetCellType(cell)) +
+          ", expected vertices, lines and polygons, as Extract Surface makes them");
+    }
   }
   auto horizon = vtkSmartPointer<vtkPolyData>::New();
   horizon->SetPoints(grid->GetPoints());
-  horizon->SetVerts(cells.Vertices);
-  horizon->SetLines(cells.Lines);
-  horizon->SetPolys(cells.Polygons);
+  horizon->SetVerts(vertices);
+  horizon->SetLines(lines);
+  horizon->SetPolys(polygons);
   horizon->GetPointData()->ShallowCopy(grid->GetPointData());
   horizon->GetFieldData()->ShallowCopy(grid->GetFieldData());
   return horizon;

@@ -88,9 +88,10 @@ vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
   return nullptr;
 }
 
-std::vector<std::string> ListCategories(vtkPVXMLElement* map)
+void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map)
 {
-  std::vector<std::string> categories;
+  std::vector<const char*> categories; // value and text of each
+  std::vector<double> colors;
   for (unsigned int n = 0; n < map->GetNumberOfNestedElements(); ++n)
   {
     vtkPVXMLElement* const entry = map->GetNestedElement(n);
@@ -98,38 +99,21 @@ std::vector<std::string> ListCategories(vtkPVXMLElement* map)
     {
       categories.insert(categories.end(), { entry->GetAttributeOrEmpty("v"), entry->GetAttributeOrEmpty("t") });
     }
-  }
-  return categories;
-}
-
-std::vector<double> ListColors(vtkPVXMLElement* map)
-{
-  std::vector<double> colors;
-  for (unsigned int n = 0; n < map->GetNumberOfNestedElements(); ++n)
-  {
-    vtkPVXMLElement* const point = map->GetNestedElement(n);
     for (const char* const channel : { "r", "g", "b" })
     {
       double value = 0.0;
-      if (IsNamed(point, "Point") && point->GetScalarAttribute(channel, &value))
+      if (IsNamed(entry, "Point") && entry->GetScalarAttribute(channel, &value))
       {
         colors.push_back(value);
       }
     }
   }
-  return colors;
-}
-
-void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map)
-{
-  const std::vector<std::string> categories = ListCategories(map);
-  const std::vector<double> colors = ListColors(map);
   vtkSMPropertyHelper(table, "IndexedLookup").Set(1);
   vtkSMPropertyHelper annotations(table, "Annotations");
   annotations.SetNumberOfElements(static_cast<unsigned int>(categories.size()));
   for (std::size_t n = 0; n < categories.size(); ++n)
   {
-    annotations.Set(static_cast<unsigned int>(n), categories[n].c_str());
+    annotations.Set(static_cast<unsigned int>(n), categories[n]);
   }
   vtkSMPropertyHelper(table, "IndexedColors").Set(colors.data(), static_cast<unsigned int>(colors.size()));
   table->UpdateVTKObjects();

@@ -227,7 +227,7 @@ void vtkSeismicReflectionExtraction::Describe()
 namespace
 {
 /// Picks are numbered from 1.
-std::string PicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide)
+std::string GuidePicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide)
 {
   constexpr std::size_t most = 5;
   std::ostringstream text;
@@ -281,12 +281,12 @@ void vtkSeismicReflectionExtraction::DescribeGuides(std::ostream& text)
          << use.Strays.size() << " contradicted, " << guide.Outside << " outside of the cube\n";
     if (!use.Strays.empty())
     {
-      vtkWarningMacro(<< name << PicksText(use.Strays, guide)
+      vtkWarningMacro(<< name << GuidePicksText(use.Strays, guide)
                       << ", are on another event than those around them, expected one event: they were not followed");
     }
     if (2 * use.Unused.size() > guide.Places.size())
     {
-      vtkWarningMacro(<< name << PicksText(use.Unused, guide)
+      vtkWarningMacro(<< name << GuidePicksText(use.Unused, guide)
                       << ", are near no reflection of their sign, expected most to be: see GuideTolerance");
     }
     if (3 * use.OtherSign > static_cast<std::int64_t>(guide.Places.size()))
