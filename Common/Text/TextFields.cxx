@@ -42,4 +42,16 @@ bool IsNumber(std::string_view field)
   double value = 0.0;
   return !field.empty() && ReadNumber(field, value) != NumberKind::NotANumber;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string_view> SplitFields(std::string_view line, FieldSeparator separator)
+{
+  std::vector<std::string_view> fields;
+  FieldCursor cursor(line, separator);
+  for (std::string_view field; cursor.Next(field);)
+  {
+    fields.push_back(field);
+  }
+  return fields;
+}
 }

@@ -10,6 +10,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -136,6 +137,8 @@ private:
   const bool SkipsColons;
   bool IsSeparated = false;
 };
+
+std::vector<std::string_view> SplitFields(std::string_view line, FieldSeparator separator);
 }
 
 #endif

@@ -23,6 +23,19 @@ constexpr double GreatestPlain = 1e15;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void RequireFinitePoint(const std::array<double, 3>& place, std::int64_t point)
+{
+  for (const double coordinate : place)
+  {
+    if (!std::isfinite(coordinate))
+    {
+      throw InputError("coordinate " + std::to_string(coordinate) + " of point " + std::to_string(point) +
+        ", expected a finite number");
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 TextPrinter::TextPrinter(std::ostream& stream)
   : Stream(stream)
   , Buffer(TextBufferSize)

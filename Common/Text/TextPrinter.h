@@ -4,6 +4,7 @@
 #ifndef SeismicHorizonsTextPrinter_h
 #define SeismicHorizonsTextPrinter_h
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
@@ -12,6 +13,9 @@
 
 namespace SeismicHorizons
 {
+/// Throws InputError unless all coordinates of a point are finite.
+void RequireFinitePoint(const std::array<double, 3>& place, std::int64_t point);
+
 class TextPrinter
 {
 public:

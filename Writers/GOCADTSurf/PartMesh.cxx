@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "PartMesh.h"
+#include "TSurfPrinter.h"
 
 #include "Common/Base/CountingSort.h"
 

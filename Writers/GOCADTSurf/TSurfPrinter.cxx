@@ -7,7 +7,6 @@
 #include "Common/Survey/NullValue.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextPrinter.h"
-#include "PartMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -214,13 +213,9 @@ private:
     const auto source = std::size_t(this->Mesh.Sources[vertex]);
     this->Out.Print(this->Surface.Properties.empty() ? "VRTX " : "PVRTX ");
     this->Out.Print(std::int64_t(vertex) + 1);
+    RequireFinitePoint(this->Surface.Vertices[source], std::int64_t(source));
     for (const double coordinate : this->Surface.Vertices[source])
     {
-      if (!std::isfinite(coordinate))
-      {
-        throw InputError("coordinate " + std::to_string(coordinate) + " of point " + std::to_string(source) +
-          ", expected a finite number");
-      }
       this->Out.Print(' ');
       this->Out.Print(coordinate);
     }

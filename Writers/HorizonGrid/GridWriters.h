@@ -29,6 +29,10 @@ double RoundingOf(const SurveyLattice& lattice);
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
 
 bool IsAlongAxes(const SurveyLattice& lattice);
+
+/// Resamples bilinearly from the south-western corner of the lattice, so that all its grids share nodes. Line numbers
+/// are lost. Throws InputError for a lattice that is nearly empty, and for a result without values.
+HorizonGrid MakeUpright(const HorizonGrid& grid, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "UprightGrid.h"
-
 #include "Common/Base/Errors.h"
+#include "GridWriters.h"
 
 #include <Eigen/LU>
 

@@ -7,7 +7,6 @@
 #include "Common/Text/TextNumbers.h"
 #include "Common/Text/TextWords.h"
 #include "GridWriters.h"
-#include "UprightGrid.h"
 #include "Writers/HorizonSampling.h"
 
 #include "vtkObjectFactory.h"

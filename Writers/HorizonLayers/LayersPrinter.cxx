@@ -189,14 +189,7 @@ void CheckCells(const VolumeCells& cells)
   }
   for (std::size_t point = 0; point < cells.Points.size(); ++point)
   {
-    for (const double coordinate : cells.Points[point])
-    {
-      if (!std::isfinite(coordinate))
-      {
-        throw InputError("coordinate " + std::to_string(coordinate) + " of point " + std::to_string(point) +
-          ", expected a finite number");
-      }
-    }
+    RequireFinitePoint(cells.Points[point], std::int64_t(point));
   }
   for (std::size_t cell = 0; cell < cells.Size(); ++cell)
   {

@@ -6,7 +6,6 @@
 #include "TSurfText.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/Patches.h"
-#include "Writers/GOCADTSurf/PartMesh.h"
 #include "Writers/GOCADTSurf/TSurfPrinter.h"
 
 #include <cmath>

@@ -6,7 +6,6 @@
 #include "GridSamples.h"
 #include "Tools/MonitorChecker.h"
 #include "Writers/HorizonGrid/GridWriters.h"
-#include "Writers/HorizonGrid/UprightGrid.h"
 
 #include <Eigen/LU>
 
