@@ -16,18 +16,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-std::vector<std::string_view> ListWords(std::string_view line)
-{
-  std::vector<std::string_view> words;
-  FieldCursor cursor(line, FieldSeparator::Blanks);
-  std::string_view word;
-  while (cursor.Next(word))
-  {
-    words.push_back(word);
-  }
-  return words;
-}
-
 class PLineParser : public FaultLineParser
 {
 public:
@@ -35,7 +23,7 @@ public:
 
   void Take(const NumberedLine& line) override
   {
-    const std::vector<std::string_view> words = ListWords(line.Text);
+    const std::vector<std::string_view> words = SplitFields(line.Text, FieldSeparator::Blanks);
     this->Line = line.Number;
     if (words.empty() || StartsWith(words[0], "#"))
     {

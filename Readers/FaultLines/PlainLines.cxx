@@ -18,14 +18,7 @@ std::vector<std::string_view> ListLineFields(std::string_view line)
   const FieldSeparator separator = line.find(',') != std::string_view::npos ? FieldSeparator::Comma
     : line.find(';') != std::string_view::npos                              ? FieldSeparator::Semicolon
                                                                             : FieldSeparator::Blanks;
-  std::vector<std::string_view> fields;
-  FieldCursor cursor(line, separator);
-  std::string_view field;
-  while (cursor.Next(field))
-  {
-    fields.push_back(field);
-  }
-  return fields;
+  return SplitFields(line, separator);
 }
 
 class PlainLineParser : public FaultLineParser

@@ -8,15 +8,52 @@
 #define SeismicHorizonsTSurfBuilder_h
 
 #include "Common/Survey/TSurf.h"
-#include "TSurfDescription.h"
+#include "LineTokens.h"
 #include "VertexIds.h"
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace SeismicHorizons
 {
+// ---- Lines before the vertices -----------------------------------------------------------------------------------
+struct TSurfHeader
+{
+  std::string Name;
+  std::optional<std::array<double, 3>> Colour;
+
+  /// Takes "key: value"; unknown keys and invalid colours are ignored.
+  void Take(std::string_view line);
+};
+
+class TSurfDescription
+{
+public:
+  VerticalPositive Positive = VerticalPositive::Elevation;
+  bool HasPositive = false; // the file states it
+  SurveyDescription Survey;
+  std::vector<TSurfProperty> Properties;
+  std::vector<double> Nulls; // Null value per property, or nan.
+
+  /// Unknown lines are ignored.
+  void TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number);
+  void TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number);
+
+  static bool IsOfProperties(std::string_view keyword);
+
+private:
+  void TakeNames(LineTokens& line);
+  void TakeSize(std::string_view text, TSurfProperty& property) const;
+  void RequireOneEach(std::string_view keyword, std::size_t found) const;
+
+  std::int64_t Line = 0;
+};
+
+// ---- Geometry ----------------------------------------------------------------------------------------------------
 /// A vertex at the place of another one, which may follow in the file.
 struct Atom
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "TSurfDescription.h"
+#include "TSurfBuilder.h"
 
 #include "Common/Text/LineErrors.h"
 

@@ -9,7 +9,6 @@
 #include "Common/Text/LineBuffer.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/OtherFormats.h"
-#include "LineTokens.h"
 #include "TSurfBuilder.h"
 
 #include <algorithm>

@@ -48,7 +48,7 @@ double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t 
   double largest = 0.0;
   for (const std::string_view line : sample)
   {
-    const Fields fields = Split(line, layout.Separator);
+    const Fields fields = SplitFields(line, layout.Separator);
     double value = 0.0;
     if (column < fields.size() && ReadNumber(fields[column], value) == NumberKind::Finite &&
       !layout.Nulls.IsNullNumber(value))
@@ -110,19 +110,6 @@ void RefuseLargeZ(const TextLines& sample, const TextLayout& layout, const std::
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Fields Split(std::string_view line, FieldSeparator separator)
-{
-  Fields fields;
-  FieldCursor cursor(line, separator);
-  std::string_view field;
-  while (cursor.Next(field))
-  {
-    fields.push_back(field);
-  }
-  return fields;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t count)
 {
   return std::all_of(sample.begin(), sample.end(),
@@ -132,10 +119,10 @@ bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t c
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t CountFields(const TextLines& sample, FieldSeparator separator)
 {
-  const std::size_t fields = Split(sample.front(), separator).size();
+  const std::size_t fields = SplitFields(sample.front(), separator).size();
   const bool hasMore = HasFields(sample.front(), separator, fields + 1) &&
     std::any_of(sample.begin(), sample.end(),
-      [separator, fields](std::string_view line) { return Split(line, separator).size() == fields + 1; });
+      [separator, fields](std::string_view line) { return SplitFields(line, separator).size() == fields + 1; });
   return hasMore ? fields + 1 : fields;
 }
 
@@ -151,7 +138,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
   std::set<std::string_view> different;
   for (const std::string_view line : sample)
   {
-    const Fields fields = Split(line, layout.Separator);
+    const Fields fields = SplitFields(line, layout.Separator);
     double value = 0.0;
     if (column >= fields.size())
     {

@@ -8,14 +8,13 @@
 #include "TextLayout.h"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace SeismicHorizons
 {
 using Fields = std::vector<std::string_view>;
-
-Fields Split(std::string_view line, FieldSeparator separator);
 
 /// The last field may be empty after a trailing separator.
 bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t count);
@@ -41,6 +40,19 @@ void NameByText(TextLayout& layout, const TextLines& sample);
 /// The order may be: a name if it is text; x y il xl, il xl x y, il xl or x y; z; attributes. Throws InputError if
 /// coordinates would become z.
 std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& layout);
+
+// ---- Doubts ------------------------------------------------------------------------------------------------------
+// Fields without names are recognised by their values. Ambiguous fields are refused, since a wrong guess gives a wrong
+// horizon.
+
+/// Throws InputError for rows of a grid: too many and too similar unnamed fields.
+void RefuseMatrix(const TextLines& sample, const TextLayout& layout);
+
+/// Throws InputError, which says what to set, if guessed fields may be wrong: places in other fields, numbers that
+/// touch or have decimal commas, line numbers that may be places, or a z that is constant or counts lines.
+void RefuseDoubtfulColumns(const TextLines& sample, const TextLayout& layout);
+
+std::string DoubtOfColumns(const TextLines& sample, const TextLayout& layout);
 }
 
 #endif

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "FieldWarnings.h"
+#include "FieldGuess.h"
 
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
 #include "Common/Text/TextNumbers.h"
-#include "FieldGuess.h"
 #include "PairFit.h"
 
 #include <algorithm>
@@ -35,7 +34,7 @@ std::vector<double> NumbersOf(const TextLines& sample, const TextLayout& layout,
   std::vector<double> numbers;
   for (const std::string_view line : sample)
   {
-    const Fields fields = Split(line, layout.Separator);
+    const Fields fields = SplitFields(line, layout.Separator);
     double value = 0.0;
     const bool isNumber = column < fields.size() && ReadNumber(fields[column], value) == NumberKind::Finite &&
       !layout.Nulls.IsNullNumber(value);
@@ -112,7 +111,7 @@ void RefuseTouching(const TextLines& sample, const TextLayout& layout)
 {
   for (const std::string_view line : sample)
   {
-    for (const std::string_view field : Split(line, layout.Separator))
+    for (const std::string_view field : SplitFields(line, layout.Separator))
     {
       if (AreTouching(field))
       {
@@ -136,7 +135,7 @@ void RefuseDecimalCommas(const TextLines& sample, const TextLayout& layout)
     const bool areDecimals = std::all_of(sample.begin(), sample.end(),
       [&](std::string_view line)
       {
-        const Fields fields = Split(line, layout.Separator);
+        const Fields fields = SplitFields(line, layout.Separator);
         const std::string_view field = column < fields.size() ? fields[column] : std::string_view();
         digits = digits == 0 ? field.size() : digits;
         hasZero = hasZero || (field.size() > 1 && field.front() == '0');
@@ -254,7 +253,7 @@ void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
   std::vector<NumberMean> steps(count);
   for (const std::string_view line : sample)
   {
-    const Fields fields = Split(line, layout.Separator);
+    const Fields fields = SplitFields(line, layout.Separator);
     double before = std::nan("");
     for (std::size_t column = 0; column < std::min(count, fields.size()); ++column)
     {

@@ -10,7 +10,6 @@
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/OtherFormats.h"
 #include "Common/Text/TextWords.h"
-#include "IesxParser.h"
 #include "PickBlock.h"
 
 #include <cstdint>

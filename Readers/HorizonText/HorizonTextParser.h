@@ -11,12 +11,33 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Survey/PickTable.h"
-#include "LayoutFinder.h"
+#include "TextHeader.h"
+#include "TextLayout.h"
 
+#include <cstddef>
 #include <istream>
+#include <string>
 
 namespace SeismicHorizons
 {
+/// Numbers for no value that several programs write. They do not apply to formats and files with a number of their own.
+constexpr const char* DefaultNulls = "-999.25 -99999 9999900";
+
+struct TextOptions
+{
+  std::string Columns; // See ParseColumnList; empty to detect the fields.
+  std::string NullValues; // Added to the usual values, see NullValues.
+  int HeaderLines = 0; // Skipped before any other header.
+
+  bool operator==(const TextOptions& other) const
+  {
+    return this->Columns == other.Columns && this->NullValues == other.NullValues &&
+      this->HeaderLines == other.HeaderLines;
+  }
+};
+
+TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options);
+
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options);
 
 /// Rewinds the stream. IESX files give no picks.
@@ -32,6 +53,11 @@ struct TextPieces
 /// Progress is by bytes.
 PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor = Monitor(),
   const TextPieces& pieces = TextPieces());
+
+// Programs that open files ask this of every file, so that tables and other formats must not be taken for picks.
+/// Rewinds the stream. With an extension of picks, or none, ambiguous fields are accepted. Others need a recognised
+/// format, or picks on a lattice without header or below complete names, in the first 256 kilobytes.
+bool ArePicks(std::istream& stream, const std::string& extension);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "IesxParser.h"
+#include "PickBlock.h"
 
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "LayoutFinder.h"
+#include "HorizonTextParser.h"
 
 #include "Common/Survey/Units.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
 #include "FieldGuess.h"
-#include "FieldNames.h"
-#include "FieldWarnings.h"
 #include "PickBlock.h"
 
 #include <algorithm>
@@ -82,7 +80,7 @@ bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
     if (std::all_of(sample.begin(), sample.end(),
           [&](std::string_view line)
           {
-            const Fields fields = Split(line, separator);
+            const Fields fields = SplitFields(line, separator);
             mayBeThousands = mayBeThousands && std::all_of(fields.begin(), fields.end(), MayBeThousands);
             return line.find('.') == std::string_view::npos && fields.size() >= fewestFields &&
               std::any_of(fields.begin(), fields.end(), IsWithComma);
@@ -133,7 +131,7 @@ bool LeaveOutText(TextLayout& layout, const TextLines& sample)
 void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
 {
   const std::size_t fields = CountFields(sample, layout.Separator);
-  if (fields == layout.Columns.size() + 1 && !IsNumber(Split(sample.front(), layout.Separator).front()))
+  if (fields == layout.Columns.size() + 1 && !IsNumber(SplitFields(sample.front(), layout.Separator).front()))
   {
     // OpendTect does not list the field of names that precedes its picks.
     layout.Columns.insert(layout.Columns.begin(), { FieldRole::HorizonName, "Name" });
@@ -151,14 +149,14 @@ void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
 /// Charisma has words between the numbers: "INLINE : 476 XLINE : 320 626540.48 6073670.99 1236.45".
 bool IsCharisma(std::string_view line)
 {
-  const Fields fields = Split(line, FieldSeparator::Colons);
+  const Fields fields = SplitFields(line, FieldSeparator::Colons);
   return fields.size() == 7 && ToLower(fields[0]) == "inline" && !IsNumber(fields[2]);
 }
 
 /// Tests for "nx ny n" and columns within nx and ny, from `first`.
 bool IsLatticeSize(const TextLines& sample, double first = 0.0)
 {
-  const Fields sizes = Split(sample.front(), FieldSeparator::Blanks);
+  const Fields sizes = SplitFields(sample.front(), FieldSeparator::Blanks);
   if (sizes.size() != 3)
   {
     return false;
@@ -170,7 +168,7 @@ bool IsLatticeSize(const TextLines& sample, double first = 0.0)
     std::all_of(sample.begin() + 1, sample.end(),
       [&](std::string_view line)
       {
-        const Fields fields = Split(line, FieldSeparator::Blanks);
+        const Fields fields = SplitFields(line, FieldSeparator::Blanks);
         double i = 0.0;
         double j = 0.0;
         return fields.size() == 3 && ReadNumber(fields[0], i) == NumberKind::Finite &&
@@ -198,7 +196,7 @@ void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const Tex
     {
       picks += IsSkipped(lines[line]) ? 0 : 1;
     }
-    if (picks == ReadPositiveInteger(Split(sample.front(), FieldSeparator::Blanks)[2]))
+    if (picks == ReadPositiveInteger(SplitFields(sample.front(), FieldSeparator::Blanks)[2]))
     {
       throw ErrorAt(layout.HeaderLines + 1,
         Quote(sample.front()) + " seems to count what follows, expected a pick: skip it by HeaderLines");
@@ -210,7 +208,7 @@ void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const Tex
 bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
 {
   using Role = FieldRole;
-  if (Split(sample.front(), FieldSeparator::Blanks).front() == "PROFILE")
+  if (SplitFields(sample.front(), FieldSeparator::Blanks).front() == "PROFILE")
   {
     layout.Kind = TextKind::Iesx;
     layout.Columns = { { Role::X, "X" }, { Role::Y, "Y" }, { Role::Z, "Z" }, { Role::Crossline, "Crossline" },
@@ -234,7 +232,7 @@ bool FindFixedLayout(TextLayout& layout, const TextLines& sample)
   if (layout.Kind == TextKind::Plain && IsLatticeSize(sample))
   {
     layout.Kind = TextKind::LatticeIndices;
-    layout.Picks = ReadPositiveInteger(Split(sample.front(), FieldSeparator::Blanks)[2]);
+    layout.Picks = ReadPositiveInteger(SplitFields(sample.front(), FieldSeparator::Blanks)[2]);
     layout.Columns = { { Role::Crossline, "i" }, { Role::Inline, "j" }, { Role::Z, "Z" } };
     return true;
   }
@@ -324,7 +322,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
     layout.HasDecimalCommas = true;
     return layout;
   }
-  const std::size_t fields = Split(sample.front(), FindSeparator(sample)).size();
+  const std::size_t fields = SplitFields(sample.front(), FindSeparator(sample)).size();
   constexpr std::size_t mostFields = 1000;
   if (fields > mostFields)
   {

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "NameLine.h"
+#include "TextHeader.h"
 
 #include "Common/Text/TextFields.h"
 #include "FieldGuess.h"
-#include "FieldNames.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +48,8 @@ private:
     {
       const std::string_view names = Trim(this->Lines[line]);
       const FieldSeparator separator = SeparatorOfNames(names);
-      if (!HasNumber(names) && Split(names, separator).size() == Split(this->Lines[pick], separator).size() &&
+      if (!HasNumber(names) &&
+        SplitFields(names, separator).size() == SplitFields(this->Lines[pick], separator).size() &&
         HavePlaces(names, separator))
       {
         this->Names = names;
@@ -65,7 +65,7 @@ private:
   void KeepNames(std::size_t first, std::size_t pick)
   {
     const FieldSeparator separator = SeparatorOfNames(this->Names);
-    const Fields names = Split(this->Names, separator);
+    const Fields names = SplitFields(this->Names, separator);
     for (std::size_t line = first; line < pick; ++line)
     {
       const std::string_view text = Trim(this->Lines[line]);
@@ -73,7 +73,7 @@ private:
       {
         this->Layout.NamesLines.emplace_back(text);
       }
-      const Fields units = Split(text, separator);
+      const Fields units = SplitFields(text, separator);
       const auto isUnit = [](std::string_view unit) { return !UnitOfName("_" + std::string(Trim(unit))).empty(); };
       if (line > first && units.size() == names.size() && std::any_of(units.begin(), units.end(), isUnit))
       {
@@ -117,7 +117,7 @@ private:
   static bool HavePlaces(std::string_view names, FieldSeparator separator)
   {
     TextLayout layout;
-    for (const std::string_view field : Split(names, separator))
+    for (const std::string_view field : SplitFields(names, separator))
     {
       layout.Columns.push_back(ColumnOfName(Trim(field)));
     }
@@ -144,7 +144,7 @@ private:
     return std::any_of(separators.begin(), separators.end(),
       [&](FieldSeparator separator)
       {
-        const Fields words = Split(line, separator);
+        const Fields words = SplitFields(line, separator);
         const auto numbers =
           std::count_if(words.begin(), words.end(), [](std::string_view word) { return IsNumber(Trim(word)); });
         return holds(std::size_t(numbers), words.size());

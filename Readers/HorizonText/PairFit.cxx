@@ -37,7 +37,7 @@ std::vector<Pair> ReadPairs(const TextLines& sample, const TextLayout& layout, s
   std::vector<Pair> pairs;
   for (const std::string_view line : sample)
   {
-    const Fields fields = Split(line, layout.Separator);
+    const Fields fields = SplitFields(line, layout.Separator);
     std::array<double, 4> values = {};
     bool areNumbers = true;
     for (const std::size_t n : { 0, 1, 2, 3 })

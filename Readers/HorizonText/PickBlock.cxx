@@ -6,7 +6,6 @@
 #include "Common/Horizon/Types.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
-#include "FieldNames.h"
 
 #include <algorithm>
 #include <cctype>

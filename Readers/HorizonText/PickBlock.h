@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Parses blocks of lines, which are independent, in parallel.
+// Parsers of lines of picks: blocks of rows, which are independent, in parallel, and IESX in order.
 
 #ifndef SeismicHorizonsPickBlock_h
 #define SeismicHorizonsPickBlock_h
@@ -37,6 +37,42 @@ inline constexpr const char* LinesAfterEnd = "more lines after the end mark, exp
 std::string WithDecimalPoints(std::string_view text);
 
 PickBlock ParsePicks(std::string_view lines, const TextLayout& layout);
+
+// ---- IESX --------------------------------------------------------------------------------------------------------
+// IESX, also called GeoQuest: a line PROFILE with the name of a horizon, a line per pick with numbers at fixed
+// positions, and EOD at the end. Newer versions of OpendTect write EOD before each pick but the first, and after each
+// pick a line that starts with a tab and has z and the attribute with all digits.
+
+class IesxParser
+{
+public:
+  explicit IesxParser(const TextLayout& layout)
+    : Nulls(layout.Nulls)
+    , Line(layout.HeaderLines)
+  {
+  }
+
+  /// Lines must be complete.
+  void Parse(std::string_view lines);
+
+  /// An attribute without values is dropped. Throws InputError if the file ended too early.
+  PickTable Take();
+
+private:
+  void ParseLine(std::string_view line);
+  void ParseProfile(std::string_view line);
+  void ParsePick(std::string_view line);
+  void ParseDigits(std::string_view line);
+  double Number(std::string_view line, std::size_t first, std::size_t last, const char* name) const;
+  double OrNull(double value) const;
+
+  const NullValues& Nulls;
+  PickTable Table;
+  std::vector<double> Amplitudes;
+  std::int64_t Line;
+  int Profile = -1;
+  bool HasEnded = false;
+};
 }
 
 #endif

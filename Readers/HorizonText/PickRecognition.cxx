@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "PickRecognition.h"
+#include "HorizonTextParser.h"
 
 #include "Common/Survey/PickPlacement.h"
 #include "Common/Text/InputFile.h"
 #include "Common/Text/TextFields.h"
 #include "FieldGuess.h"
-#include "FieldNames.h"
-#include "HorizonTextParser.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +66,7 @@ FieldCount CountNumbers(const std::string& line)
     : line.find(", ") != std::string::npos || line.find(' ') == std::string::npos ? FieldSeparator::Comma
                                                                                   : FieldSeparator::Blanks;
   FieldCount count;
-  for (const std::string_view field : Split(line, separator))
+  for (const std::string_view field : SplitFields(line, separator))
   {
     std::string number(field);
     std::replace(number.begin(), number.end(), ',', '.');
@@ -81,7 +79,7 @@ FieldCount CountNumbers(const std::string& line)
 
 bool IsEndOfLine(const std::string& line)
 {
-  const Fields fields = Split(line, FieldSeparator::Blanks);
+  const Fields fields = SplitFields(line, FieldSeparator::Blanks);
   return fields.size() == 3 && fields[0] == fields[1] && fields[1] == fields[2] &&
     ReadPositiveInteger(fields[0].substr(0, 3)) == 999;
 }

@@ -6,8 +6,6 @@
 #include "Common/Survey/Units.h"
 #include "Common/Text/TextFields.h"
 #include "FieldGuess.h"
-#include "FieldNames.h"
-#include "NameLine.h"
 
 #include <algorithm>
 #include <array>
@@ -167,7 +165,7 @@ private:
 
   void TakeFieldName(std::string_view value)
   {
-    const Fields words = Split(value, FieldSeparator::Blanks);
+    const Fields words = SplitFields(value, FieldSeparator::Blanks);
     if (words.size() >= 2)
     {
       this->Layout.Kind = TextKind::EarthVision;
@@ -218,7 +216,7 @@ private:
     const std::size_t colon = text.find(':');
     if (StartsWith(text, "Project_Unit_is") && colon != std::string_view::npos)
     {
-      const Fields unitAndName = Split(text.substr(colon + 1), FieldSeparator::Comma);
+      const Fields unitAndName = SplitFields(text.substr(colon + 1), FieldSeparator::Comma);
       this->Layout.Survey.CoordinateSystem = unitAndName.size() > 1 ? std::string(unitAndName[1]) : "";
     }
   }
@@ -240,7 +238,7 @@ private:
       return;
     }
     const std::string names = FindNameLine(this->Lines, this->Line, this->Layout).value_or(JoinWords(this->Names));
-    for (const std::string_view field : Split(names, SeparatorOfNames(names)))
+    for (const std::string_view field : SplitFields(names, SeparatorOfNames(names)))
     {
       this->AddColumn(field);
     }

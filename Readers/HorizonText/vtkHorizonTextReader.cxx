@@ -6,9 +6,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/InputFile.h"
-#include "FieldNames.h"
 #include "HorizonTextParser.h"
-#include "PickRecognition.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkTimeStamp.h"

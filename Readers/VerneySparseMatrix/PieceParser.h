@@ -10,8 +10,10 @@
 #include "SparseMatrixParser.h"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace SeismicHorizons
@@ -43,6 +45,21 @@ private:
   const SparseMatrixOptions Options;
   std::int64_t Lines; // lines before the next piece
   std::vector<HorizonSorter> Parsed;
+};
+
+class HorizonCollector
+{
+public:
+  void Add(const std::vector<HorizonSorter>& blocks, std::size_t count);
+
+  /// Returns the horizons with enough voxels, by ascending surface ID.
+  std::vector<LatticeHorizon> Take(std::int64_t smallestSize);
+
+private:
+  LatticeHorizon& HorizonOf(int surfaceId);
+
+  std::unordered_map<int, std::size_t> Positions;
+  std::deque<LatticeHorizon> Horizons;
 };
 }
 

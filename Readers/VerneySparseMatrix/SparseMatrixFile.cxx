@@ -133,12 +133,6 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::int64_t SparseMatrixFile::CountVoxels(std::size_t, int, int) const
-{
-  return 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 std::unique_ptr<SparseMatrixFile> MakeSparseMatrixFile(bool withOverview)
 {
   if (withOverview)

@@ -49,7 +49,7 @@ public:
   virtual SparseMatrix Take(const std::vector<int>& places, const Monitor& monitor) = 0;
 
   virtual int CountRows() const { return 0; }
-  virtual std::int64_t CountVoxels(std::size_t place, int firstRow, int lastRow) const;
+  virtual std::int64_t CountVoxels(std::size_t, int, int) const { return 0; }
 
 protected:
   FileStamp Stamp; // The file that was read; empty after an error.

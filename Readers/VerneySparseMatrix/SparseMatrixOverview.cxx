@@ -5,7 +5,6 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Text/LineBuffer.h"
-#include "HorizonCollector.h"
 #include "PieceParser.h"
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextNumbers.h"
 #include "Common/Text/TextWords.h"
-#include "HorizonCollector.h"
 #include "PieceParser.h"
 #include "VerticalFit.h"
 
