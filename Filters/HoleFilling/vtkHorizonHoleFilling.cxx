@@ -68,39 +68,20 @@ bool HasName(vtkAbstractArray* array, std::initializer_list<const char*> names)
 }
 
 /// Fits values over heights, at a sample of the points. The slope is 0 if heights are all equal.
-double FitSlope(vtkDataArray* values, const std::vector<double>& height)
+double SlopeOverHeight(vtkDataArray* values, const std::vector<double>& height)
 {
   constexpr std::size_t enough = 100000;
   const std::size_t step = height.size() / enough + 1;
-  double count = 0.0;
-  double sums[2] = { 0.0, 0.0 };
-  const auto forEach = [&](auto&& visit)
+  std::vector<Eigen::Vector2d> pairs;
+  for (std::size_t point = 0; point < height.size(); point += step)
   {
-    for (std::size_t point = 0; point < height.size(); point += step)
+    const double value = values->GetComponent(vtkIdType(point), 0);
+    if (std::isfinite(value))
     {
-      const double value = values->GetComponent(vtkIdType(point), 0);
-      if (std::isfinite(value))
-      {
-        visit(height[point], value);
-      }
+      pairs.emplace_back(height[point], value);
     }
-  };
-  forEach(
-    [&](double h, double value)
-    {
-      count += 1.0;
-      sums[0] += h;
-      sums[1] += value;
-    });
-  double square = 0.0;
-  double product = 0.0;
-  forEach(
-    [&](double h, double value)
-    {
-      square += (h - sums[0] / count) * (h - sums[0] / count);
-      product += (h - sums[0] / count) * (value - sums[1] / count);
-    });
-  return square > 0.0 ? product / square : 0.0;
+  }
+  return FitSlope(pairs, 0.0).value_or(0.0);
 }
 
 void CopyRange(vtkAbstractArray* from, vtkAbstractArray* to)
@@ -211,7 +192,7 @@ std::vector<FilledArray> ListFilledArrays(vtkPolyData* horizon, const std::vecto
       HasName(array, { PointArray::VerticalIndex, PointArray::RealZ }) && array->GetNumberOfComponents() == 1;
     if (isHeight || (withAttributes && IsFloating(array)))
     {
-      result.push_back({ array, isHeight ? FitSlope(array, height) : 0.0 });
+      result.push_back({ array, isHeight ? SlopeOverHeight(array, height) : 0.0 });
     }
   }
   return result;

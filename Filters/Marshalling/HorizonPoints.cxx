@@ -21,8 +21,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -81,17 +79,8 @@ double MeasureStretch(vtkPolyData* horizon, const std::function<double(vtkIdType
   {
     pairs.emplace_back(index->GetComponent(point, 0), height(point));
   }
-  const Eigen::Vector2d sum = std::accumulate(pairs.begin(), pairs.end(), Eigen::Vector2d(0.0, 0.0));
-  const Eigen::Vector2d mean = sum / double(pairs.size());
-  double square = 0.0;
-  double product = 0.0;
-  for (const Eigen::Vector2d& pair : pairs)
-  {
-    square += (pair.x() - mean.x()) * (pair.x() - mean.x());
-    product += (pair.x() - mean.x()) * (pair.y() - mean.y());
-  }
   constexpr double LeastDeviation = 2.0; // vertical indices; below this, rounding and real z could dominate.
-  return square > LeastDeviation * LeastDeviation * double(pairs.size()) ? product / square : 1.0;
+  return FitSlope(pairs, LeastDeviation).value_or(1.0);
 }
 }
 
@@ -195,5 +184,21 @@ void CheckHeights(vtkPolyData* horizon, const std::function<double(vtkIdType)>& 
             "the lattice in LatticeToWorld is no longer theirs";
     throw InputError(text.str());
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<double> FitSlope(const std::vector<Eigen::Vector2d>& pairs, double leastDeviation)
+{
+  const Eigen::Vector2d sum = std::accumulate(pairs.begin(), pairs.end(), Eigen::Vector2d(0.0, 0.0));
+  const Eigen::Vector2d mean = sum / double(pairs.size());
+  double square = 0.0;
+  double product = 0.0;
+  for (const Eigen::Vector2d& pair : pairs)
+  {
+    square += (pair.x() - mean.x()) * (pair.x() - mean.x());
+    product += (pair.x() - mean.x()) * (pair.y() - mean.y());
+  }
+  const bool isSpread = square > leastDeviation * leastDeviation * double(pairs.size());
+  return isSpread ? std::optional<double>(product / square) : std::nullopt;
 }
 }

@@ -9,7 +9,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <Eigen/Core>
+
 #include <functional>
+#include <optional>
+#include <vector>
 
 class vtkAbstractArray;
 class vtkPolyData;
@@ -33,6 +37,9 @@ void CopyPoints(vtkPolyData* input, const KeptPoints& kept, vtkPolyData* output)
 /// Throws InputError unless heights, in lattice units, rise with the vertical index: Transform moves points, but not
 /// the lattice in the field data.
 void CheckHeights(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height);
+
+/// Fits y over x by least squares; empty unless the standard deviation of x exceeds the least one.
+std::optional<double> FitSlope(const std::vector<Eigen::Vector2d>& pairs, double leastDeviation);
 
 /// ParaView colours by the active scalars.
 void ActivateHeight(vtkPolyData* horizon);
