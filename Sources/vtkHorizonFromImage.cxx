@@ -24,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 using namespace SeismicHorizons;
 
@@ -31,27 +32,26 @@ namespace SeismicHorizons
 {
 namespace
 {
-struct Elevation
+/// True for arrays of one component that are not marks of ghosts.
+bool IsScalar(vtkDataArray* array)
 {
-  vtkDataSetAttributes* Data = nullptr;
-  vtkDataArray* Array = nullptr;
-};
+  return array && array->GetNumberOfComponents() == 1 &&
+    !(array->GetName() && array->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()));
+}
 
 vtkDataArray* FirstScalars(vtkDataSetAttributes* data)
 {
   for (int n = 0; n < data->GetNumberOfArrays(); ++n)
   {
-    vtkDataArray* const array = data->GetArray(n);
-    if (array && array->GetNumberOfComponents() == 1 &&
-      !(array->GetName() && array->GetName() == std::string(vtkDataSetAttributes::GhostArrayName())))
+    if (IsScalar(data->GetArray(n)))
     {
-      return array;
+      return data->GetArray(n);
     }
   }
   return nullptr;
 }
 
-Elevation FindElevation(vtkImageData* image, const std::string& name)
+std::pair<vtkDataSetAttributes*, vtkDataArray*> FindElevation(vtkImageData* image, const std::string& name)
 {
   for (vtkDataSetAttributes* const data : { static_cast<vtkDataSetAttributes*>(image->GetPointData()),
          static_cast<vtkDataSetAttributes*>(image->GetCellData()) })
@@ -132,22 +132,21 @@ void Blank(std::vector<double>& values, vtkUnsignedCharArray* ghosts, int mask)
 /// InputError without an array, or unless the image is one level layer.
 HorizonGrid MakeHorizonGrid(vtkImageData* image, const std::string& zArray, const NullValues& nulls)
 {
-  const Elevation elevation = FindElevation(image, zArray);
-  const bool areCells = elevation.Data == image->GetCellData();
+  const auto [data, elevation] = FindElevation(image, zArray);
+  const bool areCells = data == image->GetCellData();
   HorizonGrid grid;
   grid.Lattice = MakeLattice(image, areCells);
   const vtkIdType nodes = vtkIdType(grid.Lattice.Columns[0]) * grid.Lattice.Columns[1];
-  RequireTuples(elevation.Data, nodes, areCells ? "cells" : "points");
-  grid.Survey.IsUpright = AreElevations(elevation.Array);
-  grid.Z = Values(elevation.Array, 0, nulls);
+  RequireTuples(data, nodes, areCells ? "cells" : "points");
+  grid.Survey.IsUpright = AreElevations(elevation);
+  grid.Z = Values(elevation, 0, nulls);
   Blank(grid.Z, areCells ? image->GetCellGhostArray() : image->GetPointGhostArray(),
     areCells ? static_cast<int>(vtkDataSetAttributes::HIDDENCELL)
              : static_cast<int>(vtkDataSetAttributes::HIDDENPOINT));
-  for (int n = 0; n < elevation.Data->GetNumberOfArrays(); ++n)
+  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
   {
-    vtkDataArray* const array = elevation.Data->GetArray(n);
-    if (array && array != elevation.Array && array->GetName() && array->GetNumberOfComponents() == 1 &&
-      array->GetName() != std::string(vtkDataSetAttributes::GhostArrayName()))
+    vtkDataArray* const array = data->GetArray(n);
+    if (IsScalar(array) && array != elevation && array->GetName())
     {
       grid.Attributes.push_back({ array->GetName(), Values(array, 0, nulls) });
     }

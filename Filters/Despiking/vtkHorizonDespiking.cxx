@@ -34,11 +34,6 @@ namespace
 {
 constexpr double FewPercent = 2.0; // percent of points; picks of a tracker have fewer spikes
 
-void CopyOthers(vtkPolyData* input, const std::vector<SpikeKind>& kinds, vtkPolyData* output)
-{
-  const auto isOther = [&kinds](std::size_t point) { return kinds[point] == SpikeKind::None; };
-  CopyPoints(input, KeptPoints::If(kinds.size(), isOther), output);
-}
 }
 
 vtkStandardNewMacro(vtkHorizonDespiking);
@@ -67,7 +62,8 @@ void vtkHorizonDespiking::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   vtkPolyData* const output = outputs.front();
   if (this->Action == Remove)
   {
-    CopyOthers(input, kinds, output);
+    const auto isOther = [&kinds](std::size_t point) { return kinds[point] == SpikeKind::None; };
+    CopyPoints(input, KeptPoints::If(kinds.size(), isOther), output);
   }
   else
   {

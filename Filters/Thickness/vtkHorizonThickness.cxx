@@ -115,11 +115,6 @@ void WriteSampled(const PlacedPoints& sampled, const KeptPoints& kept, vtkPolyDa
   output->GetPointData()->PassData(ReadColumns(output, {}, KeptHeights::None).Horizon->GetPointData());
 }
 
-KeptPoints KeepKnown(const std::vector<double>& thickness)
-{
-  return KeptPoints::If(thickness.size(), [&](std::size_t point) { return !std::isnan(thickness[point]); });
-}
-
 LatticeScale ScaleOf(const Lattice& lattice)
 {
   const Eigen::Vector3d origin = lattice.ToWorld(Eigen::Vector3d::Zero());
@@ -262,7 +257,8 @@ void vtkHorizonThickness::ProcessHorizon(vtkPolyData* horizon, const Outputs& ou
   const PlacedPoints second = PlaceInLattice(other, lattice, OfOther, monitor.Step(0.3, 0.5));
   const Thickness found = MeasureThickness({ first.Columns, first.Height.data() },
     { second.Columns, second.Height.data() }, ScaleOf(lattice), monitor.Step(0.5, 0.9));
-  const KeptPoints kept = KeepKnown(found.Isochore);
+  const auto kept =
+    KeptPoints::If(found.Isochore.size(), [&found](std::size_t point) { return !std::isnan(found.Isochore[point]); });
   if (IsMesh(horizon))
   {
     WriteSampled(first, kept, withLattice, output);
