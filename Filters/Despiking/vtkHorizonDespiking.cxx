@@ -33,7 +33,6 @@ using namespace SeismicHorizons;
 namespace
 {
 constexpr double FewPercent = 2.0; // percent of points; picks of a tracker have fewer spikes
-
 }
 
 vtkStandardNewMacro(vtkHorizonDespiking);

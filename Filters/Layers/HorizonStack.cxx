@@ -222,10 +222,7 @@ void HorizonStack::WriteFields(vtkFieldData* data) const
   }
   AddSurveyFields(this->Survey, data);
   std::array<double, 16> map = {};
-  for (int n = 0; n < 16; ++n)
-  {
-    map[std::size_t(n)] = this->Map(n / 4, n % 4);
-  }
+  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(map.data()) = this->Map;
   AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, this->Dimensions);
   AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, map);
   vtkDataArray* const lines = FindNumbers(given, FieldArray::LineNumbers);

@@ -41,11 +41,6 @@ namespace
 {
 constexpr int NoSeam = -1;
 
-int ToRow(const std::optional<std::int32_t>& row)
-{
-  return row ? *row : NoSeam;
-}
-
 std::optional<std::int32_t> FromRow(double row)
 {
   return row < 0.0 ? std::optional<std::int32_t>() : std::optional<std::int32_t>(std::int32_t(row));
@@ -241,8 +236,8 @@ void WritePartFigures(
 void WriteSeams(vtkPolyData* points, const Lattice& lattice, const Surface& surface, const SeamRows& seams,
   const std::vector<PointId>& onLowerSeam, vtkPolyData* mesh)
 {
-  AddTuple<vtkIntArray>(
-    mesh->GetFieldData(), FieldArray::SeamRows, std::array<int, 2>{ ToRow(seams.Lower), ToRow(seams.Upper) });
+  AddTuple<vtkIntArray>(mesh->GetFieldData(), FieldArray::SeamRows,
+    std::array<int, 2>{ seams.Lower.value_or(NoSeam), seams.Upper.value_or(NoSeam) });
   const Reduction& vertices = surface.Mesh.Points;
   std::vector<unsigned char> isBesideGap(std::size_t(mesh->GetNumberOfPoints()), 0);
   for (const PointId point : surface.OpenGaps)
