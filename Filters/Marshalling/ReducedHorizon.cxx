@@ -3,9 +3,9 @@
 
 #include "ReducedHorizon.h"
 
-#include "Common/Base/CountingSort.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/MergedPoints.h"
 #include "Common/VTK/DataArrays.h"
 #include "Common/VTK/VertexCells.h"
 #include "HorizonCells.h"
@@ -27,9 +27,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstring>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,78 +35,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// Input points of an output point are ascending. Counts are voxels per input point.
-class MergedPoints
-{
-public:
-  /// Empty counts mean one voxel per point.
-  MergedPoints(const Reduction& reduction, std::vector<std::int64_t> counts)
-    : Merged(reduction)
-    , Counts(std::move(counts))
-    , Points(std::int64_t(reduction.Source.size()),
-        [&reduction](auto&& add)
-        {
-          for (std::size_t point = 0; point < reduction.Target.size(); ++point)
-          {
-            add(reduction.Target[point], PointId(point));
-          }
-        })
-  {
-  }
-
-  vtkIdType Size() const { return vtkIdType(this->Merged.Source.size()); }
-  const PointId* begin(vtkIdType target) const { return this->Points.begin(target); }
-  const PointId* end(vtkIdType target) const { return this->Points.end(target); }
-  PointId Nearest(vtkIdType target) const { return this->Merged.Source[target]; }
-  bool IsAveraged(vtkIdType target) const { return this->Merged.Averaged[target] != 0; }
-
-  std::int64_t Count(PointId point) const { return this->Counts.empty() ? 1 : this->Counts[point]; }
-  std::int64_t SumCounts(vtkIdType target) const
-  {
-    if (this->Counts.empty())
-    {
-      return this->end(target) - this->begin(target);
-    }
-    return std::accumulate(this->begin(target), this->end(target), std::int64_t(0),
-      [this](std::int64_t sum, PointId point) { return sum + this->Count(point); });
-  }
-
-private:
-  const Reduction& Merged;
-  const std::vector<std::int64_t> Counts;
-  const ItemLists<PointId, std::uint32_t> Points;
-};
-
-/// The mean is weighted by counts; if all are 0, as of filled points, weights are equal.
-template <typename Tuples>
-double Mean(const MergedPoints& points, const Tuples& tuples, vtkIdType target, int component, double otherwise)
-{
-  double sum = 0.0;
-  double weights = 0.0;
-  const auto addAll = [&](bool isWeighted)
-  {
-    std::int64_t counts = 0;
-    for (const PointId* point = points.begin(target); point < points.end(target); ++point)
-    {
-      const std::int64_t count = isWeighted ? points.Count(*point) : 1;
-      const double value = double(tuples[*point][component]);
-      counts += count;
-      if (std::isfinite(value))
-      {
-        sum += double(count) * value;
-        weights += double(count);
-      }
-    }
-    return counts > 0;
-  };
-  if (!addAll(true))
-  {
-    addAll(false);
-  }
-  return weights > 0.0 ? sum / weights : otherwise;
-}
-
-/// Averaged points get the mean of finite values, or else, as other points, the value of the nearest input point.
 template <typename InputArray, typename OutputArray>
 void WriteMeans(const MergedPoints& points, InputArray* input, OutputArray* output)
 {
@@ -123,9 +49,8 @@ void WriteMeans(const MergedPoints& points, InputArray* input, OutputArray* outp
       {
         for (int n = 0; n < components; ++n)
         {
-          const double nearest = double(from[points.Nearest(target)][n]);
           to[target][n] =
-            static_cast<Value>(points.IsAveraged(target) ? Mean(points, from, target, n, nearest) : nearest);
+            static_cast<Value>(points.Average(target, [&](PointId point) { return double(from[point][n]); }));
         }
       }
     });

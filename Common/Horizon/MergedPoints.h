@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsMergedPoints_h
+#define SeismicHorizonsMergedPoints_h
+
+#include "Common/Base/CountingSort.h"
+#include "Types.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// The input points of each output point, in ascending order.
+class MergedPoints
+{
+public:
+  /// Counts are original points per input point; empty counts mean one.
+  MergedPoints(const Reduction& reduction, std::vector<std::int64_t> counts)
+    : Merged(reduction)
+    , Counts(std::move(counts))
+    , Points(std::int64_t(reduction.Source.size()),
+        [&reduction](auto&& add)
+        {
+          for (std::size_t point = 0; point < reduction.Target.size(); ++point)
+          {
+            add(reduction.Target[point], PointId(point));
+          }
+        })
+  {
+  }
+
+  std::int64_t Size() const { return std::int64_t(this->Merged.Source.size()); }
+
+  std::int64_t SumCounts(std::int64_t target) const
+  {
+    return std::accumulate(this->Points.begin(target), this->Points.end(target), std::int64_t(0),
+      [this](std::int64_t sum, PointId point) { return sum + this->Count(point); });
+  }
+
+  /// Averaged points get the mean of finite values, weighted by counts, or equally if all are 0, as of filled points;
+  /// without such values, and as other points, they get the value of the nearest input point.
+  template <typename ValueOf>
+  double Average(std::int64_t target, ValueOf&& valueOf) const
+  {
+    double sum = 0.0;
+    double weights = 0.0;
+    const auto addAll = [&](bool isWeighted)
+    {
+      std::int64_t counts = 0;
+      for (const PointId* point = this->Points.begin(target); point < this->Points.end(target); ++point)
+      {
+        const std::int64_t count = isWeighted ? this->Count(*point) : 1;
+        const double value = valueOf(*point);
+        counts += count;
+        if (std::isfinite(value))
+        {
+          sum += double(count) * value;
+          weights += double(count);
+        }
+      }
+      return counts > 0;
+    };
+    if (this->Merged.Averaged[target] != 0 && !addAll(true))
+    {
+      addAll(false);
+    }
+    return weights > 0.0 ? sum / weights : valueOf(this->Merged.Source[target]);
+  }
+
+private:
+  std::int64_t Count(PointId point) const { return this->Counts.empty() ? 1 : this->Counts[point]; }
+
+  const Reduction& Merged;
+  const std::vector<std::int64_t> Counts;
+  const ItemLists<PointId, std::uint32_t> Points;
+};
+}
+
+#endif
