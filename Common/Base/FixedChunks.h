@@ -54,6 +54,21 @@ Sums AddUpChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monit
   }
   return all;
 }
+
+/// Calls work(items, first, last) with a list per chunk, and returns the lists one after the other.
+template <typename Item, typename Work>
+std::vector<Item> CollectChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Work&& work)
+{
+  std::vector<std::vector<Item>> parts(CountChunks(size, chunkSize));
+  ForEachChunk(size, chunkSize, monitor,
+    [&](std::size_t chunk, std::int64_t first, std::int64_t last) { work(parts[chunk], first, last); });
+  std::vector<Item> all;
+  for (const std::vector<Item>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
 }
 
 #endif

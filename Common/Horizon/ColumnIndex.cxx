@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -52,6 +53,24 @@ void Narrow(std::vector<PlanePoint>& columns, std::int32_t PlanePoint::*axis, st
     const auto found = std::lower_bound(before.begin(), before.end(), column.*axis);
     column.*axis = after[std::size_t(found - before.begin())];
   }
+}
+
+std::vector<std::int32_t> ListGiven(
+  PlanePoints given, PlanePoints narrow, std::int32_t PlanePoint::*axis, std::int64_t least, std::int64_t size)
+{
+  constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
+  std::vector<std::int32_t> result(std::size_t(size), unknown);
+  const PlaneBox box(given);
+  result.front() = box.Least.*axis + std::int32_t(least); // The least narrow coordinate is 0.
+  for (std::size_t n = 0; n < given.size(); ++n)
+  {
+    result[std::size_t(narrow[n].*axis - least)] = given[n].*axis;
+  }
+  for (std::size_t n = 1; n < result.size(); ++n)
+  {
+    result[n] = result[n] == unknown ? result[n - 1] + 1 : result[n];
+  }
+  return result;
 }
 
 bool AreRowByRow(PlanePoints columns)
@@ -119,6 +138,11 @@ ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
   this->MinY = std::int64_t(box.Least.Y) - rim;
   this->SizeX = std::int64_t(box.Greatest.X) + rim + 1 - this->MinX;
   this->SizeY = std::int64_t(box.Greatest.Y) + rim + 1 - this->MinY;
+  if (!this->Narrow.empty())
+  {
+    this->GivenX = ListGiven(given, columns, &PlanePoint::X, this->MinX, this->SizeX);
+    this->GivenY = ListGiven(given, columns, &PlanePoint::Y, this->MinY, this->SizeY);
+  }
   this->Points = PlaceSet(this->SizeX, this->SizeY);
   for (std::size_t n = 0; n < columns.size(); ++n)
   {

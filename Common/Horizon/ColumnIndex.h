@@ -143,6 +143,15 @@ public:
     return (std::int64_t(column.Y) - this->MinY) * this->SizeX + (std::int64_t(column.X) - this->MinX);
   }
 
+  /// Returns the given column at a place. In narrowed bands and in the rim, columns are counted from the last one before.
+  PlanePoint GivenColumn(std::int64_t place) const
+  {
+    const std::int64_t x = place % this->SizeX;
+    const std::int64_t y = place / this->SizeX;
+    return this->Narrow.empty() ? PlanePoint{ std::int32_t(this->MinX + x), std::int32_t(this->MinY + y) }
+                                : PlanePoint{ this->GivenX[std::size_t(x)], this->GivenY[std::size_t(y)] };
+  }
+
   bool Has(std::int64_t place) const { return this->Points.Contains(place); }
 
   PointId operator[](std::int64_t place) const { return this->Has(place) ? this->PointOf(this->Rank(place)) : NoPoint; }
@@ -191,6 +200,8 @@ private:
 
   PlanePoints Given;
   std::vector<PlanePoint> Narrow;
+  std::vector<std::int32_t> GivenX; // Given coordinates by x of the place; empty if no band is narrowed.
+  std::vector<std::int32_t> GivenY;
   std::int64_t MinX = 0;
   std::int64_t MinY = 0;
   std::int64_t SizeX = 0;

@@ -9,7 +9,6 @@
 #include "Filters/Algorithms/Despiking/Despiking.h"
 #include "Filters/Algorithms/Faults/FaultDetection.h"
 #include "Filters/Algorithms/Faults/FaultLines.h"
-#include "Filters/Algorithms/Faults/FaultPolygons.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
 #include "Filters/Marshalling/CutData.h"
 #include "Filters/Marshalling/HeightUnit.h"
@@ -37,6 +36,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -153,10 +153,13 @@ void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& lattice)
 {
   for (FaultSheet& sheet : sheets)
   {
-    for (std::size_t n = 0; n < sheet.NumberOfSticks() * sheet.NumberOfLevels(); ++n)
+    for (std::optional<SpacePoint>& given : sheet.Places)
     {
-      const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(sheet[n].X, sheet[n].Y, sheet[n].Z));
-      sheet[n] = { place.x(), place.y(), place.z() };
+      if (given)
+      {
+        const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(given->X, given->Y, given->Z));
+        given = { place.x(), place.y(), place.z() };
+      }
     }
   }
 }
@@ -172,7 +175,7 @@ void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output
   names->SetName(CellArray::FaultName);
   for (const FaultSheet& sheet : sheets)
   {
-    std::vector<vtkIdType> ids(sheet.NumberOfSticks() * sheet.NumberOfLevels(), -1);
+    std::vector<vtkIdType> ids(sheet.Places.size(), -1);
     for (const std::array<std::size_t, 3>& triangle : sheet.ListTriangles())
     {
       triangles->InsertNextCell(3);
@@ -180,11 +183,12 @@ void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output
       {
         if (ids[place] < 0)
         {
-          ids[place] = points->InsertNextPoint(sheet[place].X, sheet[place].Y, sheet[place].Z);
+          const SpacePoint& at = *sheet.Places[place];
+          ids[place] = points->InsertNextPoint(at.X, at.Y, at.Z);
         }
         triangles->InsertCellPoint(ids[place]);
       }
-      names->InsertNextValue(sheet.Name());
+      names->InsertNextValue(sheet.Fault);
     }
   }
   output->SetPoints(points);

@@ -34,76 +34,44 @@ void CheckDespikingOptions(const DespikingOptions& options)
 //----------------------------------------------------------------------------------------------------------------------
 // Spurs
 
-using Marks = std::vector<unsigned char>;
-
-class LineFilter
+/// A mark stays if the next `length` places of the line, its own included, are marked.
+void Erode(unsigned char* line, std::int64_t places, std::int64_t stride, int length)
 {
-public:
-  LineFilter(std::int64_t lines, std::int64_t lineStride, std::int64_t places, std::int64_t placeStride)
-    : Lines(lines)
-    , LineStride(lineStride)
-    , Places(places)
-    , PlaceStride(placeStride)
+  int run = 0;
+  for (std::int64_t n = places; n-- > 0;)
   {
+    unsigned char& mark = line[n * stride];
+    run = mark != 0 ? run + 1 : 0;
+    mark = run >= length ? 1 : 0;
   }
+}
 
-  /// A mark stays if the next `length` places, its own included, are marked.
-  void Erode(Marks& marks, int length) const
+void Dilate(unsigned char* line, std::int64_t places, std::int64_t stride, int length)
+{
+  int left = 0;
+  for (std::int64_t n = 0; n < places; ++n)
   {
-    this->ForEachLine(
-      [&](std::int64_t begin)
-      {
-        int run = 0;
-        for (std::int64_t n = this->Places; n-- > 0;)
-        {
-          unsigned char& mark = marks[begin + n * this->PlaceStride];
-          run = mark != 0 ? run + 1 : 0;
-          mark = run >= length ? 1 : 0;
-        }
-      });
+    unsigned char& mark = line[n * stride];
+    left = mark != 0 ? length : std::max(left - 1, 0);
+    mark = left > 0 ? 1 : 0;
   }
-
-  void Dilate(Marks& marks, int length) const
-  {
-    this->ForEachLine(
-      [&](std::int64_t begin)
-      {
-        int left = 0;
-        for (std::int64_t n = 0; n < this->Places; ++n)
-        {
-          unsigned char& mark = marks[begin + n * this->PlaceStride];
-          left = mark != 0 ? length : std::max(left - 1, 0);
-          mark = left > 0 ? 1 : 0;
-        }
-      });
-  }
-
-private:
-  template <typename Work>
-  void ForEachLine(Work&& work) const
-  {
-    for (std::int64_t line = 0; line < this->Lines; ++line)
-    {
-      work(line * this->LineStride);
-    }
-  }
-
-  std::int64_t Lines;
-  std::int64_t LineStride;
-  std::int64_t Places;
-  std::int64_t PlaceStride;
-};
+}
 
 std::vector<PointId> FindSpurs(const ColumnIndex& index, int width)
 {
-  Marks marks(index.NumberOfPlaces(), 0);
+  std::vector<unsigned char> marks(index.NumberOfPlaces(), 0);
   index.ForEachPoint(0, index.NumberOfPlaces(), [&marks](std::int64_t place, PointId) { marks[place] = 1; });
-  const LineFilter alongRows(index.Height(), index.Width(), index.Width(), 1);
-  const LineFilter alongColumns(index.Width(), 1, index.Height(), index.Width());
-  alongRows.Erode(marks, width + 1);
-  alongColumns.Erode(marks, width + 1);
-  alongRows.Dilate(marks, width + 1);
-  alongColumns.Dilate(marks, width + 1);
+  for (const auto filter : { Erode, Dilate })
+  {
+    for (std::int64_t y = 0; y < index.Height(); ++y)
+    {
+      filter(marks.data() + y * index.Width(), index.Width(), 1, width + 1);
+    }
+    for (std::int64_t x = 0; x < index.Width(); ++x)
+    {
+      filter(marks.data() + x, index.Height(), index.Width(), width + 1);
+    }
+  }
   std::vector<PointId> spurs;
   index.ForEachPoint(0, index.NumberOfPlaces(),
     [&](std::int64_t place, PointId point)
@@ -273,12 +241,43 @@ double NoiseOf(const std::vector<double>& byPlace, std::int64_t width, const std
   }
   return std::max(least, std::sqrt(sum / count));
 }
+}
 
-Spikes Find(
-  const ColumnIndex& index, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
+//----------------------------------------------------------------------------------------------------------------------
+double MeasureNoise(PlanePoints columns, const std::vector<double>& heights)
 {
-  const PlanePoints columns = index.Columns();
   assert(heights.size() == columns.size());
+  constexpr std::size_t enough = 100000;
+  constexpr int radius = 2;
+  if (columns.empty())
+  {
+    return 0.0;
+  }
+  const ColumnIndex index(columns, radius, radius);
+  const PlanePoints near = index.Columns();
+  const std::vector<double> byPlace = ListHeights(index, heights);
+  Surroundings surroundings(byPlace, index.Width(), radius);
+  std::vector<double> deviations;
+  // The golden ratio varies the sampled place, as noise may repeat with the rows.
+  constexpr double golden = 0.6180339887498949;
+  const std::size_t step = columns.size() / enough + 1;
+  double part = 0.0;
+  for (std::size_t n = 0; n + step <= near.size(); n += step)
+  {
+    part = part + golden < 1.0 ? part + golden : part + golden - 1.0;
+    deviations.push_back(surroundings.Deviation(index.Place(near[n + std::size_t(part * double(step))])));
+  }
+  return NoiseOf(byPlace, index.Width(), deviations);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Spikes FindSpikes(
+  PlanePoints given, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
+{
+  assert(heights.size() == given.size());
+  CheckDespikingOptions(options);
+  const ColumnIndex index(given, options.Radius, options.Radius);
+  const PlanePoints columns = index.Columns();
   Spikes spikes;
   spikes.Kind.assign(columns.size(), SpikeKind::None);
   if (options.SpurWidth > 0)
@@ -324,42 +323,5 @@ Spikes Find(
       }
     });
   return spikes;
-}
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double MeasureNoise(PlanePoints columns, const std::vector<double>& heights)
-{
-  assert(heights.size() == columns.size());
-  constexpr std::size_t enough = 100000;
-  constexpr int radius = 2;
-  if (columns.empty())
-  {
-    return 0.0;
-  }
-  const ColumnIndex index(columns, radius, radius);
-  const PlanePoints near = index.Columns();
-  const std::vector<double> byPlace = ListHeights(index, heights);
-  Surroundings surroundings(byPlace, index.Width(), radius);
-  std::vector<double> deviations;
-  // The golden ratio varies the sampled place, as noise may repeat with the rows.
-  constexpr double golden = 0.6180339887498949;
-  const std::size_t step = columns.size() / enough + 1;
-  double part = 0.0;
-  for (std::size_t n = 0; n + step <= near.size(); n += step)
-  {
-    part = part + golden < 1.0 ? part + golden : part + golden - 1.0;
-    deviations.push_back(surroundings.Deviation(index.Place(near[n + std::size_t(part * double(step))])));
-  }
-  return NoiseOf(byPlace, index.Width(), deviations);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-Spikes FindSpikes(
-  PlanePoints columns, const std::vector<double>& heights, const DespikingOptions& options, const Monitor& monitor)
-{
-  assert(heights.size() == columns.size());
-  CheckDespikingOptions(options);
-  return Find(ColumnIndex(columns, options.Radius, options.Radius), heights, options, monitor);
 }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Loops and open ends of cracks (Common/Horizon/Cracks.h) form a plane graph. Walks from open ends, along the first edges
-// that a clockwise sweep meets, surround the cracks to their left.
+// 1. Loops and open ends of cracks (Common/Horizon/Cracks.h) form a plane graph. Walks from open ends, along the first
+// edges that a clockwise sweep meets, surround the cracks to their left.
 // 2. Loops of cutoffs without a walk bound cracks of their own.
 // 3. The enclosed regions are triangulated together.
 //
@@ -11,8 +11,7 @@
 //         :   \   |            :    an open end
 //     o---o-------o---o        \    inside the crack
 //
-// No points are added, so the result fits the mesh on both sides. A loop edge is known by its position, counted through
-// all loops. Walks choose edges only at open ends.
+// No points are added, so the result fits the mesh on both sides. Walks choose edges only at open ends.
 
 #include "FaultClosing.h"
 
@@ -23,8 +22,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <iterator>
+#include <map>
 #include <string>
-#include <utility>
 
 namespace SeismicHorizons
 {
@@ -32,16 +32,9 @@ namespace
 {
 struct GraphEdge
 {
-  bool IsOpenEnd;
-  std::size_t Number;
-};
-
-struct LeavingEdge
-{
   PointId From;
-  GraphEdge Edge;
-
-  friend bool operator<(const LeavingEdge& a, const LeavingEdge& b) { return a.From < b.From; }
+  PointId To;
+  std::size_t Next; // edge of the loop; unused for open ends
 };
 
 /// Returns 0 for the same direction, 1 up to half a turn clockwise, 2 beyond.
@@ -69,95 +62,66 @@ public:
     : Plane(plane)
     , Boundary(boundary)
     , Open(cracks)
-    , IsWalked(cracks.OpenEnds.size(), false)
   {
-    this->CountPositions();
-    this->FindLeavingEdges();
+    for (const Edge& openEnd : cracks.OpenEnds)
+    {
+      this->Leaving.emplace(openEnd.From, this->Edges.size());
+      this->Edges.push_back({ openEnd.From, openEnd.To, 0 });
+    }
+    std::vector<PointId> ends = cracks.PointsOfOpenEnds();
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+    {
+      this->Starts.push_back(this->Edges.size());
+      const PointId* const points = boundary.begin(loop);
+      const std::size_t length = boundary.Length(loop);
+      for (std::size_t n = 0; n < length; ++n)
+      {
+        if (length > 1 && std::binary_search(ends.begin(), ends.end(), points[n]))
+        {
+          this->Leaving.emplace(points[n], this->Edges.size());
+        }
+        const std::size_t next = n + 1 < length ? n + 1 : 0;
+        this->Edges.push_back({ points[n], points[next], this->Starts.back() + next });
+      }
+    }
+    this->IsWalked.assign(this->Edges.size(), false);
   }
 
   /// The cracks lie to the right of the loops returned.
   Loops Run()
   {
+    Loops result;
+    const auto append = [&result](const PointId* begin, const PointId* end)
+    {
+      std::for_each(std::make_reverse_iterator(end), std::make_reverse_iterator(begin),
+        [&result](PointId point) { result.Append(point); });
+      result.Close();
+    };
     for (std::size_t openEnd = 0; openEnd < this->Open.OpenEnds.size(); ++openEnd)
     {
       if (!this->IsWalked[openEnd])
       {
-        this->Walk({ true, openEnd });
-        this->AppendWalk();
+        const std::vector<PointId> points = this->Walk(openEnd);
+        append(points.data(), points.data() + points.size());
       }
     }
     for (const std::size_t loop : this->Open.Loops)
     {
-      this->AppendLoop(loop);
+      if (loop >= this->Boundary.Size())
+      {
+        throw InputError("a crack along loop " + std::to_string(loop) + ", expected less than the " +
+          std::to_string(this->Boundary.Size()) + " of the boundary");
+      }
+      if (!this->IsWalked[this->Starts[loop]])
+      {
+        append(this->Boundary.begin(loop), this->Boundary.end(loop));
+      }
     }
-    return std::move(this->Result);
+    return result;
   }
 
 private:
-  void CountPositions()
-  {
-    this->Ends.reserve(this->Boundary.Size());
-    std::size_t end = 0;
-    for (std::size_t loop = 0; loop < this->Boundary.Size(); ++loop)
-    {
-      end += this->Boundary.Length(loop);
-      this->Ends.push_back(end);
-    }
-    this->IsCutoff.assign(end, false);
-  }
-
-  void FindLeavingEdges()
-  {
-    for (std::size_t openEnd = 0; openEnd < this->Open.OpenEnds.size(); ++openEnd)
-    {
-      this->Leaving.push_back({ this->Open.OpenEnds[openEnd].From, { true, openEnd } });
-    }
-    std::vector<PointId> ends = this->Open.PointsOfOpenEnds();
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t loop = 0; loop < this->Boundary.Size() && !ends.empty(); ++loop)
-    {
-      for (std::size_t n = 0; this->Boundary.Length(loop) > 1 && n < this->Boundary.Length(loop); ++n)
-      {
-        const PointId point = this->Boundary.begin(loop)[n];
-        if (std::binary_search(ends.begin(), ends.end(), point))
-        {
-          this->Leaving.push_back({ point, { false, this->StartOf(loop) + n } });
-        }
-      }
-    }
-    std::stable_sort(this->Leaving.begin(), this->Leaving.end());
-  }
-
-  std::size_t StartOf(std::size_t loop) const { return loop == 0 ? 0 : this->Ends[loop - 1]; }
-
-  std::size_t LoopOf(std::size_t position) const
-  {
-    return std::upper_bound(this->Ends.begin(), this->Ends.end(), position) - this->Ends.begin();
-  }
-
-  std::size_t After(std::size_t position) const
-  {
-    const std::size_t loop = this->LoopOf(position);
-    assert(loop < this->Ends.size());
-    return position + 1 < this->Ends[loop] ? position + 1 : this->StartOf(loop);
-  }
-
-  PointId At(std::size_t position) const
-  {
-    const std::size_t loop = this->LoopOf(position);
-    return this->Boundary.begin(loop)[position - this->StartOf(loop)];
-  }
-
-  PointId FromOf(const GraphEdge& edge) const
-  {
-    return edge.IsOpenEnd ? this->Open.OpenEnds[edge.Number].From : this->At(edge.Number);
-  }
-
-  PointId ToOf(const GraphEdge& edge) const
-  {
-    return edge.IsOpenEnd ? this->Open.OpenEnds[edge.Number].To : this->At(this->After(edge.Number));
-  }
-
   PlanePoint Vector(PointId from, PointId to) const
   {
     const PlanePoint& a = this->Plane[from];
@@ -165,74 +129,53 @@ private:
     return { b.X - a.X, b.Y - a.Y };
   }
 
-  void Walk(const GraphEdge& first)
+  std::vector<PointId> Walk(std::size_t first)
   {
-    this->Points.clear();
-    GraphEdge edge = first;
+    std::vector<PointId> points;
+    std::size_t edge = first;
     do
     {
-      std::vector<bool>& walked = edge.IsOpenEnd ? this->IsWalked : this->IsCutoff;
-      if (walked[edge.Number])
+      if (this->IsWalked[edge])
       {
-        const Edge& openEnd = this->Open.OpenEnds[first.Number];
-        throw InputError("crack not closed, from its open end between points " + std::to_string(openEnd.From) +
-          " and " + std::to_string(openEnd.To) + ", expected open ends of cracks between the boundary loops");
+        throw InputError("crack not closed, from its open end between points " +
+          std::to_string(this->Edges[first].From) + " and " + std::to_string(this->Edges[first].To) +
+          ", expected open ends of cracks between the boundary loops");
       }
-      walked[edge.Number] = true;
-      this->Points.push_back(this->FromOf(edge));
+      this->IsWalked[edge] = true;
+      points.push_back(this->Edges[edge].From);
       edge = this->Next(edge);
-    } while (!edge.IsOpenEnd || edge.Number != first.Number);
+    } while (edge != first);
+    return points;
   }
 
-  GraphEdge Next(const GraphEdge& edge) const
+  std::size_t Next(std::size_t edge) const
   {
-    const PointId point = this->ToOf(edge);
-    const auto [first, last] = std::equal_range(this->Leaving.begin(), this->Leaving.end(), LeavingEdge{ point, {} });
-    if (first == last && edge.IsOpenEnd)
+    assert(edge < this->Edges.size());
+    const PointId point = this->Edges[edge].To;
+    const auto [first, last] = this->Leaving.equal_range(point);
+    if (first == last && edge < this->Open.OpenEnds.size())
     {
       throw InputError("open end of a crack at point " + std::to_string(point) +
         ", where no boundary loop begins, expected points of the loops");
     }
     if (first == last)
     {
-      return { false, this->After(edge.Number) };
+      return this->Edges[edge].Next;
     }
-    const PlanePoint back = this->Vector(point, this->FromOf(edge));
-    const auto toEnd = [&](const LeavingEdge& leaving) { return this->Vector(point, this->ToOf(leaving.Edge)); };
+    const PlanePoint back = this->Vector(point, this->Edges[edge].From);
+    const auto toEnd = [&](const auto& leaving) { return this->Vector(point, this->Edges[leaving.second].To); };
     return std::min_element(
-      first, last, [&](const LeavingEdge& a, const LeavingEdge& b) { return IsMetBefore(back, toEnd(a), toEnd(b)); })
-      ->Edge;
-  }
-
-  void AppendWalk()
-  {
-    std::for_each(this->Points.rbegin(), this->Points.rend(), [this](PointId point) { this->Result.Append(point); });
-    this->Result.Close();
-  }
-
-  void AppendLoop(std::size_t loop)
-  {
-    if (loop >= this->Boundary.Size())
-    {
-      throw InputError("a crack along loop " + std::to_string(loop) + ", expected less than the " +
-        std::to_string(this->Boundary.Size()) + " of the boundary");
-    }
-    if (!this->IsCutoff[this->StartOf(loop)])
-    {
-      this->Points.assign(this->Boundary.begin(loop), this->Boundary.end(loop));
-      this->AppendWalk();
-    }
+      first, last, [&](const auto& a, const auto& b) { return IsMetBefore(back, toEnd(a), toEnd(b)); })
+      ->second;
   }
 
   const std::vector<PlanePoint>& Plane;
   const Loops& Boundary;
   const Cracks& Open;
-  std::vector<std::size_t> Ends; // of loops, as positions
-  std::vector<bool> IsWalked;
-  std::vector<bool> IsCutoff; // by position
-  std::vector<LeavingEdge> Leaving; // at open ends, sorted
-  std::vector<PointId> Points; // of the last walk
-  Loops Result;
+  std::vector<GraphEdge> Edges; // open ends, then loops
+  std::vector<std::size_t> Starts; // first edge by loop
+  std::multimap<PointId, std::size_t> Leaving; // edges by point, at open ends
+  std::vector<bool> IsWalked; // by edge
 };
 }
 
@@ -246,6 +189,7 @@ RawVector<PointId> CloseFaults(
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   BoundedHorizon region;
+  assert(points.empty() || std::size_t(points.back()) < plane.size());
   for (const PointId point : points)
   {
     region.Plane.push_back(plane[point]);

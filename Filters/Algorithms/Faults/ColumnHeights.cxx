@@ -23,42 +23,10 @@ PlaneBox FindBox(PlanePoints columns)
   return PlaneBox(columns);
 }
 
-/// Kept coordinates have points, or are among up to `Margin` coordinates that follow one.
-std::vector<std::int64_t> FindKept(PlanePoints columns, std::int32_t PlanePoint::*axis, std::int64_t least)
-{
-  std::vector<std::int64_t> occupied;
-  occupied.reserve(columns.size());
-  for (const PlanePoint& column : columns)
-  {
-    occupied.push_back(column.*axis - least);
-  }
-  std::sort(occupied.begin(), occupied.end());
-  occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
-  std::vector<std::int64_t> kept = { 0 };
-  for (const std::int64_t next : occupied)
-  {
-    const std::int64_t marginEnd = std::min(next, kept.back() + 1 + ColumnHeights::Margin);
-    while (kept.back() + 1 < marginEnd)
-    {
-      kept.push_back(kept.back() + 1);
-    }
-    if (kept.back() < next)
-    {
-      kept.push_back(next);
-    }
-  }
-  return kept;
-}
-
 std::int64_t FindIn(const std::vector<std::int64_t>& kept, std::int64_t coordinate)
 {
   const auto found = std::lower_bound(kept.begin(), kept.end(), coordinate);
   return found != kept.end() && *found == coordinate ? found - kept.begin() : -1;
-}
-
-LinkGrid MakeRaster(const std::vector<std::int64_t>& gridColumns, const std::vector<std::int64_t>& rows)
-{
-  return LinkGrid(PlaneBox({ { 0, 0 }, { std::int32_t(gridColumns.size() - 1), std::int32_t(rows.size() - 1) } }));
 }
 
 std::string DescribeBox(const PlanePoint& column)
@@ -75,9 +43,17 @@ ColumnHeights::ColumnHeights(PlanePoints columns, const std::vector<double>& hei
   assert(height.size() == columns.size());
   if (AreScattered(columns))
   {
-    this->ColumnsKept = FindKept(columns, &PlanePoint::X, this->Box.Origin().X);
-    this->RowsKept = FindKept(columns, &PlanePoint::Y, this->Box.Origin().Y);
-    this->Places = MakeRaster(this->ColumnsKept, this->RowsKept);
+    const ColumnIndex index(columns, 0, int(Margin));
+    for (std::int64_t x = 0; x < index.Width(); ++x)
+    {
+      this->ColumnsKept.push_back(std::int64_t(index.GivenColumn(x).X) - this->Box.Origin().X);
+    }
+    for (std::int64_t y = 0; y < index.Height(); ++y)
+    {
+      this->RowsKept.push_back(std::int64_t(index.GivenColumn(y * index.Width()).Y) - this->Box.Origin().Y);
+    }
+    this->Places =
+      LinkGrid(PlaneBox({ { 0, 0 }, { std::int32_t(index.Width() - 1), std::int32_t(index.Height() - 1) } }));
   }
   this->Values.assign(this->Places.NumberOfColumns(), std::numeric_limits<double>::quiet_NaN());
   constexpr double Tolerance = 1e-3; // Integer heights that passed through world coordinates are rounded.
@@ -110,9 +86,13 @@ std::int64_t ColumnHeights::FindPlace(std::int64_t column) const
 //----------------------------------------------------------------------------------------------------------------------
 std::int64_t ColumnHeights::ToGrid(std::int64_t link) const
 {
+  if (this->ColumnsKept.empty())
+  {
+    return link;
+  }
   const std::int64_t place = LinkGrid::FirstColumn(link);
-  return this->Box.LinkOf(
-    this->GridX(place % this->Places.Width()), this->GridY(place / this->Places.Width()), LinkGrid::SideOf(link));
+  return this->Box.LinkOf(this->ColumnsKept[place % this->Places.Width()], this->RowsKept[place / this->Places.Width()],
+    LinkGrid::SideOf(link));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -44,9 +44,6 @@ public:
   const LinkGrid& Raster() const { return this->Places; }
   const double* Row(std::int64_t y) const { return this->Values.data() + y * this->Places.Width(); }
   double At(std::int64_t place) const { return this->Values[place]; }
-  /// Grid coordinates count from the least column of the box.
-  std::int64_t GridX(std::int64_t x) const { return this->ColumnsKept.empty() ? x : this->ColumnsKept[x]; }
-  std::int64_t GridY(std::int64_t y) const { return this->RowsKept.empty() ? y : this->RowsKept[y]; }
   /// ToRaster() returns -1 if the column was omitted.
   std::int64_t ToGrid(std::int64_t link) const;
   std::int64_t ToRaster(std::int64_t link) const;
@@ -59,7 +56,8 @@ private:
   std::int64_t FindPlace(std::int64_t column) const;
 
   LinkGrid Box;
-  std::vector<std::int64_t> ColumnsKept; // empty if none is omitted
+  // Coordinates of the raster in the grid, counted from the least column of the box; empty if none is omitted.
+  std::vector<std::int64_t> ColumnsKept;
   std::vector<std::int64_t> RowsKept;
   LinkGrid Places;
   std::vector<double> Values;

@@ -40,6 +40,7 @@ namespace SeismicHorizons
 namespace
 {
 // ---- Faults through holes -------------------------------------------------------------------------------------------
+
 // Nothing can be detected where columns are missing, so that a fault across a hole is found as
 // two lines, and filling would create a ramp. Two lines that end at a hole are joined if they point at each other and
 // have similar throws.
@@ -71,176 +72,149 @@ struct EndPair
   std::size_t Second = 0;
 };
 
-class EndSearch
+/// Returns the nearest column of the grid, or -1 outside.
+std::int64_t NearestColumn(const LinkGrid& grid, const MapPlace& place)
 {
-public:
-  EndSearch(const ColumnHeights& heights, const FaultLines& lines)
-    : Heights(heights)
-    , Lines(lines)
-  {
-  }
+  const std::int64_t x = std::int64_t(std::floor(place.X + 0.5)) - grid.Origin().X;
+  const std::int64_t y = std::int64_t(std::floor(place.Y + 0.5)) - grid.Origin().Y;
+  return x >= 0 && y >= 0 && x < grid.Width() && y < grid.Height() ? y * grid.Width() + x : -1;
+}
 
-  std::vector<LineEnd> FindEnds() const
+/// Returns 0 without a hole nearby, or with nothing beyond it.
+double FindReach(const ColumnHeights& heights, const LineEnd& end)
+{
+  bool isHole = false;
+  for (double distance = Step;; distance += Step)
   {
-    std::vector<LineEnd> ends;
-    for (std::size_t line = 0; line < this->Lines.Size(); ++line)
+    const std::int64_t column = NearestColumn(
+      heights.Grid(), { end.Place.X + distance * end.Direction.X, end.Place.Y + distance * end.Direction.Y });
+    if (column < 0 || distance > (isHole ? WidestHole : FarthestEnd))
     {
-      this->Append(line, true, ends);
-      this->Append(line, false, ends);
+      return 0.0;
     }
-    std::stable_sort(
-      ends.begin(), ends.end(), [](const LineEnd& a, const LineEnd& b) { return a.Place.X < b.Place.X; });
-    return ends;
+    const bool isMissing = std::isnan(heights[column]);
+    if (isHole && !isMissing)
+    {
+      return distance;
+    }
+    isHole = isHole || isMissing;
   }
+}
 
-  std::vector<EndPair> FindPairs(const std::vector<LineEnd>& ends) const
+/// The reach is 0 if the end is at no hole, or has no direction or throw.
+LineEnd MeasureEnd(const ColumnHeights& heights, const FaultLines& lines, std::size_t line, bool isLast)
+{
+  const std::size_t start = lines.Start(line);
+  const std::size_t number = std::min(LinksOfEnd, lines.End(line) - start);
+  const auto link = [&](std::size_t fromEnd)
+  { return lines[isLast ? lines.End(line) - 1 - fromEnd : start + fromEnd]; };
+  const auto middleOf = [](const FaultedLink& cut)
   {
-    std::vector<EndPair> pairs;
-    for (std::size_t first = 0; first < ends.size(); ++first)
-    {
-      for (std::size_t second = first + 1;
-           second < ends.size() && ends[second].Place.X - ends[first].Place.X <= 2.0 * ends[first].Reach; ++second)
-      {
-        const double turn = this->Turn(ends[first], ends[second]);
-        if (turn <= 2.0 * LargestTurn)
-        {
-          pairs.push_back({ turn, first, second });
-        }
-      }
-    }
-    std::stable_sort(pairs.begin(), pairs.end(), [](const EndPair& a, const EndPair& b) { return a.Turn < b.Turn; });
-    return pairs;
+    const PlanePoint before = cut.Place.Column;
+    const PlanePoint beyond = cut.Place.Beyond();
+    return MapPlace{ 0.5 * (double(before.X) + beyond.X), 0.5 * (double(before.Y) + beyond.Y) };
+  };
+  LineEnd end;
+  end.Place = middleOf(link(0));
+  end.Height = link(0).Middle;
+  // Linear regression removes the stairs of single links.
+  const double half = 0.5 * double(number - 1);
+  MapPlace mean;
+  MapPlace slope;
+  double squares = 0.0;
+  double sum = 0.0;
+  int known = 0;
+  for (std::size_t n = 0; n < number; ++n)
+  {
+    const MapPlace place = middleOf(link(n));
+    const double weight = half - double(n);
+    mean.X += place.X / double(number);
+    mean.Y += place.Y / double(number);
+    slope.X += weight * place.X;
+    slope.Y += weight * place.Y;
+    squares += weight * weight;
+    const double left = link(n).LeftThrow();
+    sum += std::isnan(left) ? 0.0 : left;
+    known += std::isnan(left) ? 0 : 1;
   }
-
-private:
-  void Append(std::size_t line, bool isLast, std::vector<LineEnd>& ends) const
+  const double length = std::hypot(slope.X, slope.Y);
+  if (known > 0 && length > 0.0)
   {
-    const std::size_t start = this->Lines.Start(line);
-    const std::size_t number = std::min(LinksOfEnd, this->Lines.End(line) - start);
-    const auto link = [&](std::size_t fromEnd)
-    { return this->Lines[isLast ? this->Lines.End(line) - 1 - fromEnd : start + fromEnd]; };
-    LineEnd end;
-    end.Place = MiddleOf(link(0));
-    end.Height = link(0).Middle;
-    // Linear regression removes the stairs of single links.
-    const double half = 0.5 * double(number - 1);
-    MapPlace mean;
-    MapPlace slope;
-    double squares = 0.0;
-    double sum = 0.0;
-    int known = 0;
-    for (std::size_t n = 0; n < number; ++n)
-    {
-      const MapPlace place = MiddleOf(link(n));
-      const double weight = half - double(n);
-      mean.X += place.X / double(number);
-      mean.Y += place.Y / double(number);
-      slope.X += weight * place.X;
-      slope.Y += weight * place.Y;
-      squares += weight * weight;
-      const double left = link(n).LeftThrow();
-      sum += std::isnan(left) ? 0.0 : left;
-      known += std::isnan(left) ? 0 : 1;
-    }
-    const double length = std::hypot(slope.X, slope.Y);
-    if (known == 0 || length == 0.0)
-    {
-      return;
-    }
     end.Direction = { slope.X / length, slope.Y / length };
     end.Smooth = { mean.X + half * slope.X / squares, mean.Y + half * slope.Y / squares };
     end.LeftThrow = (isLast ? sum : -sum) / known;
-    end.Reach = this->FindReach(end);
+    end.Reach = FindReach(heights, end);
+  }
+  return end;
+}
+
+bool IsMostlyMissing(const ColumnHeights& heights, const MapPlace& from, double x, double y, double length)
+{
+  const int steps = int(std::ceil(length / Step));
+  int missing = 0;
+  for (int n = 1; n < steps; ++n)
+  {
+    const double part = double(n) / steps;
+    const std::int64_t column = NearestColumn(heights.Grid(), { from.X + part * x, from.Y + part * y });
+    assert(column >= 0);
+    missing += std::isnan(heights[column]) ? 1 : 0;
+  }
+  return 2 * missing >= steps - 1;
+}
+
+/// Returns the sum of turns at both ends, or a large angle if the ends do not match.
+double TurnBetween(const ColumnHeights& heights, const LineEnd& a, const LineEnd& b)
+{
+  constexpr double none = 10.0;
+  const double x = b.Place.X - a.Place.X;
+  const double y = b.Place.Y - a.Place.Y;
+  const double length = std::hypot(x, y);
+  const double throwBeyond = -b.LeftThrow;
+  const double ratio = throwBeyond / a.LeftThrow;
+  if (length == 0.0 || length > 2.0 * a.Reach || length > 2.0 * b.Reach ||
+    !(ratio >= 1.0 / LargestRatio && ratio <= LargestRatio))
+  {
+    return none;
+  }
+  const auto angleOf = [](double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); };
+  const double atA = angleOf((a.Direction.X * x + a.Direction.Y * y) / length);
+  const double atB = angleOf(-(b.Direction.X * x + b.Direction.Y * y) / length);
+  return atA > LargestTurn || atB > LargestTurn || !IsMostlyMissing(heights, a.Place, x, y, length) ? none : atA + atB;
+}
+
+std::vector<LineEnd> FindEnds(const ColumnHeights& heights, const FaultLines& lines)
+{
+  std::vector<LineEnd> ends;
+  for (std::size_t n = 0; n < 2 * lines.Size(); ++n)
+  {
+    const LineEnd end = MeasureEnd(heights, lines, n / 2, n % 2 == 0);
     if (end.Reach > 0.0)
     {
       ends.push_back(end);
     }
   }
+  std::stable_sort(ends.begin(), ends.end(), [](const LineEnd& a, const LineEnd& b) { return a.Place.X < b.Place.X; });
+  return ends;
+}
 
-  /// Returns 0 without a hole nearby, or with nothing beyond it.
-  double FindReach(const LineEnd& end) const
+std::vector<EndPair> FindPairs(const ColumnHeights& heights, const std::vector<LineEnd>& ends)
+{
+  std::vector<EndPair> pairs;
+  for (std::size_t first = 0; first < ends.size(); ++first)
   {
-    bool isHole = false;
-    for (double distance = Step;; distance += Step)
+    for (std::size_t second = first + 1;
+         second < ends.size() && ends[second].Place.X - ends[first].Place.X <= 2.0 * ends[first].Reach; ++second)
     {
-      const MapPlace place = Along(end, distance);
-      if (!this->IsInside(place) || distance > (isHole ? WidestHole : FarthestEnd))
+      const double turn = TurnBetween(heights, ends[first], ends[second]);
+      if (turn <= 2.0 * LargestTurn)
       {
-        return 0.0;
+        pairs.push_back({ turn, first, second });
       }
-      const bool isMissing = this->IsMissing(place);
-      if (isHole && !isMissing)
-      {
-        return distance;
-      }
-      isHole = isHole || isMissing;
     }
   }
-
-  /// Returns the sum of turns at both ends, or a large angle if the ends do not match.
-  double Turn(const LineEnd& a, const LineEnd& b) const
-  {
-    constexpr double none = 10.0;
-    const double x = b.Place.X - a.Place.X;
-    const double y = b.Place.Y - a.Place.Y;
-    const double length = std::hypot(x, y);
-    const double throwBeyond = -b.LeftThrow;
-    const double ratio = throwBeyond / a.LeftThrow;
-    if (length == 0.0 || length > 2.0 * a.Reach || length > 2.0 * b.Reach ||
-      !(ratio >= 1.0 / LargestRatio && ratio <= LargestRatio))
-    {
-      return none;
-    }
-    const double atA = AngleOf((a.Direction.X * x + a.Direction.Y * y) / length);
-    const double atB = AngleOf(-(b.Direction.X * x + b.Direction.Y * y) / length);
-    return atA > LargestTurn || atB > LargestTurn || !this->IsMostlyMissing(a.Place, x, y, length) ? none : atA + atB;
-  }
-
-  bool IsMostlyMissing(const MapPlace& from, double x, double y, double length) const
-  {
-    const int steps = int(std::ceil(length / Step));
-    int missing = 0;
-    for (int n = 1; n < steps; ++n)
-    {
-      const double part = double(n) / steps;
-      missing += this->IsMissing({ from.X + part * x, from.Y + part * y }) ? 1 : 0;
-    }
-    return 2 * missing >= steps - 1;
-  }
-
-  static double AngleOf(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
-
-  static MapPlace Along(const LineEnd& end, double distance)
-  {
-    return { end.Place.X + distance * end.Direction.X, end.Place.Y + distance * end.Direction.Y };
-  }
-
-  static MapPlace MiddleOf(const FaultedLink& cut)
-  {
-    const PlanePoint before = cut.Place.Column;
-    const PlanePoint beyond = cut.Place.Beyond();
-    return { 0.5 * (double(before.X) + beyond.X), 0.5 * (double(before.Y) + beyond.Y) };
-  }
-
-  std::int64_t X(const MapPlace& place) const { return std::int64_t(std::floor(place.X + 0.5)) - this->Least().X; }
-  std::int64_t Y(const MapPlace& place) const { return std::int64_t(std::floor(place.Y + 0.5)) - this->Least().Y; }
-  const PlanePoint& Least() const { return this->Heights.Grid().Origin(); }
-
-  bool IsInside(const MapPlace& place) const
-  {
-    const LinkGrid& grid = this->Heights.Grid();
-    return this->X(place) >= 0 && this->Y(place) >= 0 && this->X(place) < grid.Width() &&
-      this->Y(place) < grid.Height();
-  }
-
-  bool IsMissing(const MapPlace& place) const
-  {
-    return std::isnan(this->Heights[this->Y(place) * this->Heights.Grid().Width() + this->X(place)]);
-  }
-
-  const ColumnHeights& Heights;
-  const FaultLines& Lines;
-};
+  std::stable_sort(pairs.begin(), pairs.end(), [](const EndPair& a, const EndPair& b) { return a.Turn < b.Turn; });
+  return pairs;
+}
 
 /// A cubic leaves both ends in their directions.
 FaultPolyline Bend(const LineEnd& from, const LineEnd& to)
@@ -293,11 +267,10 @@ FaultLines Join(const ColumnHeights& heights, const LineEnd& from, const LineEnd
 /// interpolated there. Each end is joined once, straightest pairs first.
 void JoinThroughHoles(const ColumnHeights& heights, FaultLines& lines)
 {
-  const EndSearch search(heights, lines);
-  const std::vector<LineEnd> ends = search.FindEnds();
+  const std::vector<LineEnd> ends = FindEnds(heights, lines);
   std::vector<bool> isJoined(ends.size(), false);
   FaultLines joins;
-  for (const EndPair& pair : search.FindPairs(ends))
+  for (const EndPair& pair : FindPairs(heights, ends))
   {
     if (!isJoined[pair.First] && !isJoined[pair.Second])
     {
@@ -313,57 +286,49 @@ void JoinThroughHoles(const ColumnHeights& heights, FaultLines& lines)
 
 static_assert(WindowReach + 1 < ColumnHeights::Margin);
 
-class DifferenceRows
+void LoadDifferences(const ColumnHeights& heights, LinkSide side, std::int64_t y, float* row)
 {
-public:
-  DifferenceRows(const ColumnHeights& heights, LinkSide side)
-    : Heights(heights)
-    , Kind(side)
-    , Width(heights.Raster().Width())
-    , Values(WindowSide * this->Width, std::numeric_limits<float>::quiet_NaN())
+  const LinkGrid& raster = heights.Raster();
+  const bool isEast = side == LinkSide::East;
+  std::fill(row, row + raster.Width(), std::numeric_limits<float>::quiet_NaN());
+  if (y < 0 || y + (isEast ? 0 : 1) >= raster.Height())
   {
+    return;
   }
-
-  void Load(std::int64_t y)
+  const double* const before = heights.Row(y);
+  const double* const beyond = isEast ? before + 1 : heights.Row(y + 1);
+  for (std::int64_t x = 0; x < raster.Width() - (isEast ? 1 : 0); ++x)
   {
-    const LinkGrid& raster = this->Heights.Raster();
-    const bool isEast = this->Kind == LinkSide::East;
-    float* const row = this->Row(y);
-    std::fill(row, row + this->Width, std::numeric_limits<float>::quiet_NaN());
-    if (y < 0 || y + (isEast ? 0 : 1) >= raster.Height())
-    {
-      return;
-    }
-    const double* const before = this->Heights.Row(y);
-    const double* const beyond = isEast ? before + 1 : this->Heights.Row(y + 1);
-    for (std::int64_t x = 0; x < this->Width - (isEast ? 1 : 0); ++x)
-    {
-      row[x] = float(beyond[x] - before[x]);
-    }
+    row[x] = float(beyond[x] - before[x]);
   }
+}
 
-  float* Row(std::int64_t y) { return this->Values.data() + (y + WindowSide) % WindowSide * this->Width; }
-
-private:
-  const ColumnHeights& Heights;
-  const LinkSide Kind;
-  const std::int64_t Width;
-  std::vector<float> Values;
-};
-
-/// East and north links alternate in `deviations`.
-void FindRow(DifferenceRows& differences, std::int64_t y, std::vector<float>& medians, float* deviations)
+/// East and north links alternate in `deviations`, which are found for rows `first` to before `last`.
+void FindDeviationsOfRows(
+  const ColumnHeights& heights, LinkSide side, std::int64_t first, std::int64_t last, RawVector<float>& deviations)
 {
-  std::array<const float*, WindowSide> rows;
-  for (std::int64_t n = 0; n < WindowSide; ++n)
+  const std::int64_t width = heights.Raster().Width();
+  std::vector<float> ring(WindowSide * width);
+  const auto rowAt = [&](std::int64_t y) { return ring.data() + (y + WindowSide) % WindowSide * width; };
+  for (std::int64_t y = first - WindowReach; y < first + WindowReach; ++y)
   {
-    rows[n] = differences.Row(y - WindowReach + n);
+    LoadDifferences(heights, side, y, rowAt(y));
   }
-  FindWindowMedians(rows, std::int64_t(medians.size()), medians.data());
-  const float* const row = rows[WindowReach];
-  for (std::size_t x = 0; x < medians.size(); ++x)
+  std::vector<float> medians(std::size_t(width), 0.0F);
+  for (std::int64_t y = first; y < last; ++y)
   {
-    deviations[2 * x] = row[x] - medians[x];
+    LoadDifferences(heights, side, y + WindowReach, rowAt(y + WindowReach));
+    std::array<const float*, WindowSide> rows;
+    for (std::int64_t n = 0; n < WindowSide; ++n)
+    {
+      rows[n] = rowAt(y - WindowReach + n);
+    }
+    FindWindowMedians(rows, width, medians.data());
+    float* const deviationsOfRow = deviations.data() + heights.Raster().LinkOf(0, y, side);
+    for (std::int64_t x = 0; x < width; ++x)
+    {
+      deviationsOfRow[2 * x] = rows[WindowReach][x] - medians[x];
+    }
   }
 }
 
@@ -380,17 +345,7 @@ RawVector<float> FindDeviations(const ColumnHeights& heights, const Monitor& mon
     {
       for (const LinkSide side : { LinkSide::East, LinkSide::North })
       {
-        DifferenceRows differences(heights, side);
-        std::vector<float> medians(std::size_t(raster.Width()));
-        for (std::int64_t y = first - WindowReach; y < first + WindowReach; ++y)
-        {
-          differences.Load(y);
-        }
-        for (std::int64_t y = first; y < last; ++y)
-        {
-          differences.Load(y + WindowReach);
-          FindRow(differences, y, medians, deviations.data() + raster.LinkOf(0, y, side));
-        }
+        FindDeviationsOfRows(heights, side, first, last, deviations);
       }
     });
   return deviations;
@@ -529,20 +484,6 @@ constexpr int FewestStrong = 5;
 // Rounding to integers creates steps of 1, but not of 2.
 constexpr double LeastWholeStep = 1.5;
 
-template <typename Item, typename Find>
-std::vector<Item> CollectChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monitor, Find&& find)
-{
-  std::vector<std::vector<Item>> parts(CountChunks(size, chunkSize));
-  ForEachChunk(size, chunkSize, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last) { find(parts[chunk], first, last); });
-  std::vector<Item> all;
-  for (const std::vector<Item>& part : parts)
-  {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
-}
-
 std::vector<FaultCandidate> FindSteep(
   const ColumnHeights& heights, const RawVector<float>& deviations, double low, double high, const Monitor& monitor)
 {
@@ -561,8 +502,7 @@ std::vector<FaultCandidate> FindSteep(
     });
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Bands of missing columns
+// ---- Bands of missing columns ---------------------------------------------------------------------------------------
 
 /// Throw is the plane beyond the band minus the plane before, Height their mean.
 struct GapStep
@@ -580,54 +520,10 @@ constexpr std::int64_t Across = 1;
 constexpr int FewestFitted = 6;
 static_assert(Along < ColumnHeights::Margin);
 
-/// A strip is a row for links to the east, or a grid column for links to the north.
-class Strips
-{
-public:
-  Strips(const ColumnHeights& heights, LinkSide side)
-    : Heights(heights)
-    , Kind(side)
-  {
-  }
-
-  std::int64_t Length() const { return this->IsEast() ? this->Raster().Width() : this->Raster().Height(); }
-  std::int64_t Number() const { return this->IsEast() ? this->Raster().Height() : this->Raster().Width(); }
-
-  bool Has(std::int64_t along, std::int64_t strip) const
-  {
-    return along >= 0 && along < this->Length() && strip >= 0 && strip < this->Number() &&
-      !std::isnan(this->Height(along, strip));
-  }
-
-  double Height(std::int64_t along, std::int64_t strip) const
-  {
-    return this->Heights.At(
-      this->IsEast() ? strip * this->Raster().Width() + along : along * this->Raster().Width() + strip);
-  }
-
-  std::int64_t GridAlong(std::int64_t along) const
-  {
-    return this->IsEast() ? this->Heights.GridX(along) : this->Heights.GridY(along);
-  }
-
-  std::int64_t GridLink(std::int64_t gridAlong, std::int64_t strip) const
-  {
-    const LinkGrid& grid = this->Heights.Grid();
-    return this->IsEast() ? grid.LinkOf(gridAlong, this->Heights.GridY(strip), this->Kind)
-                          : grid.LinkOf(this->Heights.GridX(strip), gridAlong, this->Kind);
-  }
-
-private:
-  const LinkGrid& Raster() const { return this->Heights.Raster(); }
-  bool IsEast() const { return this->Kind == LinkSide::East; }
-
-  const ColumnHeights& Heights;
-  const LinkSide Kind;
-};
-
 /// The plane through columns from `first` on is evaluated `distance` before the first. The result is NaN with too few
 /// columns, or with columns in a line.
-double ExtendPlane(const Strips& strips, std::int64_t strip, std::int64_t first, std::int64_t step, double distance)
+double ExtendPlane(const ColumnHeights& heights, const Lanes& lanes, std::int64_t lane, std::int64_t first,
+  std::int64_t step, double distance)
 {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -637,46 +533,51 @@ double ExtendPlane(const Strips& strips, std::int64_t strip, std::int64_t first,
     const std::int64_t along = first + n * step;
     for (std::int64_t across = -Across; across <= Across; ++across)
     {
-      if (strips.Has(along, strip + across))
+      const bool isInside =
+        along >= 0 && along < lanes.Length() && lane + across >= 0 && lane + across < lanes.Number();
+      const double height = isInside ? heights.At(lanes.Column(along, lane + across)) : NoValue;
+      if (!std::isnan(height))
       {
         const Eigen::Vector3d row(1.0, double(step) * (distance + double(n)), double(across));
         matrix += row * row.transpose();
-        right += row * strips.Height(along, strip + across);
+        right += row * height;
         ++points;
       }
     }
   }
   // The values are multiples of one half, so that the determinant for points in a line is rounding alone.
   constexpr double Nothing = 1e-6;
-  if (points < FewestFitted || matrix.determinant() < Nothing)
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return matrix.ldlt().solve(right)[0];
+  return points < FewestFitted || matrix.determinant() < Nothing ? NoValue : matrix.ldlt().solve(right)[0];
 }
 
-void FindStripSteps(const Strips& strips, std::int64_t strip, int longest, double smallest, std::vector<GapStep>& steps)
+void FindStepsInLane(const ColumnHeights& heights, const Lanes& lanes, std::int64_t lane, int longest, double smallest,
+  std::vector<GapStep>& steps)
 {
+  const Lanes gridLanes{ heights.Grid(), lanes.Side };
+  const auto toGrid = [&](std::int64_t along)
+  { return LinkGrid::FirstColumn(heights.ToGrid(lanes.Link(along, lane))); };
   std::int64_t before = -1;
-  for (std::int64_t along = 0; along < strips.Length(); ++along)
+  for (std::int64_t along = 0; along < lanes.Length(); ++along)
   {
-    if (!strips.Has(along, strip))
+    if (std::isnan(heights.At(lanes.Column(along, lane))))
     {
       continue;
     }
     if (before >= 0 && along - before > 1)
     {
-      const std::int64_t gridBefore = strips.GridAlong(before);
-      const std::int64_t gridAlong = strips.GridAlong(along);
+      const std::int64_t gridLane = gridLanes.LaneOf(toGrid(along));
+      const std::int64_t gridBefore = gridLanes.AlongOf(toGrid(before));
+      const std::int64_t gridAlong = gridLanes.AlongOf(toGrid(along));
       if (gridAlong - gridBefore - 1 <= longest)
       {
         const double half = 0.5 * double(gridAlong - gridBefore);
-        const double low = ExtendPlane(strips, strip, before, -1, half);
-        const double high = ExtendPlane(strips, strip, along, 1, half);
+        const double low = ExtendPlane(heights, lanes, lane, before, -1, half);
+        const double high = ExtendPlane(heights, lanes, lane, along, 1, half);
         if (std::abs(high - low) >= smallest)
         {
-          steps.push_back({ strips.GridLink(gridBefore, strip), strips.GridLink((gridBefore + gridAlong) / 2, strip),
-            strips.GridLink(gridAlong - 1, strip), high - low, 0.5 * (low + high) });
+          steps.push_back(
+            { gridLanes.Link(gridBefore, gridLane), gridLanes.Link((gridBefore + gridAlong) / 2, gridLane),
+              gridLanes.Link(gridAlong - 1, gridLane), high - low, 0.5 * (low + high) });
         }
       }
     }
@@ -686,37 +587,23 @@ void FindStripSteps(const Strips& strips, std::int64_t strip, int longest, doubl
 
 std::vector<GapStep> FindGapSteps(const ColumnHeights& heights, int longest, double smallest, const Monitor& monitor)
 {
+  constexpr std::int64_t lanesPerChunk = 16;
   std::vector<GapStep> all;
   for (const LinkSide side : { LinkSide::East, LinkSide::North })
   {
-    const Strips strips(heights, side);
-    constexpr std::int64_t ChunkSize = 16;
-    const std::vector<GapStep> steps = CollectChunks<GapStep>(strips.Number(), ChunkSize, monitor,
+    const Lanes lanes{ heights.Raster(), side };
+    const std::vector<GapStep> steps = CollectChunks<GapStep>(lanes.Number(), lanesPerChunk, monitor,
       [&](std::vector<GapStep>& part, std::int64_t first, std::int64_t last)
       {
-        for (std::int64_t strip = first; strip < last; ++strip)
+        for (std::int64_t lane = first; lane < last; ++lane)
         {
-          FindStripSteps(strips, strip, longest, smallest, part);
+          FindStepsInLane(heights, lanes, lane, longest, smallest, part);
         }
       });
     all.insert(all.end(), steps.begin(), steps.end());
   }
   std::sort(all.begin(), all.end(), [](const GapStep& a, const GapStep& b) { return a.Middle < b.Middle; });
   return all;
-}
-
-std::vector<std::int64_t> FindNear(
-  const std::vector<FaultCandidate>& candidates, std::int64_t first, std::int64_t last, std::int64_t step)
-{
-  std::vector<std::int64_t> near;
-  for (std::int64_t link = first; link <= last; link += step)
-  {
-    if (std::binary_search(candidates.begin(), candidates.end(), FaultCandidate{ link }))
-    {
-      near.push_back(link);
-    }
-  }
-  return near;
 }
 
 /// Links beside the band join its cut to candidates of the next line:
@@ -727,27 +614,25 @@ std::vector<std::int64_t> FindNear(
 void JoinBesideGap(const LinkGrid& grid, const GapStep& gap, const std::vector<FaultCandidate>& candidates,
   std::vector<FaultCandidate>& joints)
 {
-  const LinkSide side = LinkGrid::SideOf(gap.Middle);
-  const bool isEast = side == LinkSide::East;
-  const std::int64_t along = isEast ? 1 : grid.Width();
-  const std::int64_t across = isEast ? grid.Width() : 1;
-  const std::int64_t first = LinkGrid::FirstColumn(gap.Middle);
-  const std::int64_t strip = isEast ? first / grid.Width() : first % grid.Width();
-  const LinkSide other = isEast ? LinkSide::North : LinkSide::East;
-  assert(gap.First <= gap.Middle && gap.Middle <= gap.Last && LinkGrid::SideOf(gap.First) == side);
-  for (const std::int64_t next : { strip - 1, strip + 1 })
+  assert(gap.First <= gap.Middle && gap.Middle <= gap.Last);
+  assert(LinkGrid::SideOf(gap.First) == LinkGrid::SideOf(gap.Middle));
+  const Lanes lanes{ grid, LinkGrid::SideOf(gap.Middle) };
+  const std::int64_t lane = lanes.LaneOf(LinkGrid::FirstColumn(gap.Middle));
+  const std::int64_t middle = lanes.AlongOf(LinkGrid::FirstColumn(gap.Middle));
+  const std::int64_t last = lanes.AlongOf(LinkGrid::FirstColumn(gap.Last));
+  for (const std::int64_t next : { lane - 1, lane + 1 })
   {
-    if (next < 0 || next >= (isEast ? grid.Height() : grid.Width()))
+    if (next < 0 || next >= lanes.Number())
     {
       continue;
     }
-    const std::int64_t shift = 2 * (next - strip) * across;
-    for (const std::int64_t link : FindNear(candidates, gap.First + shift, gap.Last + shift, 2 * along))
+    for (std::int64_t target = lanes.AlongOf(LinkGrid::FirstColumn(gap.First)); target <= last; ++target)
     {
-      const std::int64_t target = LinkGrid::FirstColumn(link - shift);
-      for (std::int64_t column = std::min(first, target) + along; column <= std::max(first, target); column += along)
+      const bool isNear =
+        std::binary_search(candidates.begin(), candidates.end(), FaultCandidate{ lanes.Link(target, next) });
+      for (std::int64_t along = std::min(middle, target) + 1; isNear && along <= std::max(middle, target); ++along)
       {
-        joints.push_back({ grid.LinkOf(next < strip ? column - across : column, other), 0.0F, false });
+        joints.push_back({ lanes.Across(along, std::min(lane, next)), 0.0F, false });
       }
     }
   }
@@ -766,66 +651,31 @@ std::vector<FaultCandidate> AddGaps(
   {
     JoinBesideGap(grid, gap, candidates, joints);
   }
-  // A candidate has priority over a joint at the same link.
-  candidates.insert(candidates.end(), joints.begin(), joints.end());
-  std::stable_sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end(),
-                     [](const FaultCandidate& a, const FaultCandidate& b) { return a.Link == b.Link; }),
-    candidates.end());
+  AddCandidates(candidates, joints);
   return candidates;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Lines
+// ---- Lines ----------------------------------------------------------------------------------------------------------
 
-class LinkMeter
+FaultedLink MeasureLink(const ColumnHeights& heights, const std::vector<GapStep>& gaps,
+  const std::vector<LinkThrow>& ramps, std::int64_t link, bool isForward)
 {
-public:
-  LinkMeter(const ColumnHeights& heights, const std::vector<GapStep>& gaps, const std::vector<LinkThrow>& ramps)
-    : Heights(heights)
-    , Gaps(gaps)
-    , Ramps(ramps)
+  FaultedLink cut = MeasureCut(heights, link, isForward);
+  const auto gap = std::lower_bound(
+    gaps.begin(), gaps.end(), link, [](const GapStep& step, std::int64_t place) { return step.Middle < place; });
+  if (gap != gaps.end() && gap->Middle == link)
   {
+    cut.Throw = gap->Throw;
+    cut.Middle = gap->Height;
   }
-
-  FaultedLink Measure(std::int64_t link, bool isForward) const
+  const auto ramp = std::lower_bound(
+    ramps.begin(), ramps.end(), link, [](const LinkThrow& step, std::int64_t place) { return step.Link < place; });
+  // A crack through a ramp keeps its own, larger throw.
+  if (ramp != ramps.end() && ramp->Link == link && !(std::abs(cut.Throw) > std::abs(ramp->Throw)))
   {
-    FaultedLink cut = MeasureCut(this->Heights, link, isForward);
-    const auto gap = std::lower_bound(this->Gaps.begin(), this->Gaps.end(), link,
-      [](const GapStep& step, std::int64_t place) { return step.Middle < place; });
-    if (gap != this->Gaps.end() && gap->Middle == link)
-    {
-      cut.Throw = gap->Throw;
-      cut.Middle = gap->Height;
-    }
-    const auto ramp = std::lower_bound(this->Ramps.begin(), this->Ramps.end(), link,
-      [](const LinkThrow& step, std::int64_t place) { return step.Link < place; });
-    // A crack through a ramp keeps its own, larger throw.
-    if (ramp != this->Ramps.end() && ramp->Link == link && !(std::abs(cut.Throw) > std::abs(ramp->Throw)))
-    {
-      cut.Throw = ramp->Throw;
-    }
-    return cut;
+    cut.Throw = ramp->Throw;
   }
-
-private:
-  const ColumnHeights& Heights;
-  const std::vector<GapStep>& Gaps;
-  const std::vector<LinkThrow>& Ramps;
-};
-
-FaultLines TraceLines(const CornerGraph& graph, const LinkMeter& meter)
-{
-  FaultLines lines;
-  for (const std::vector<ForestStep>& line : ListLines(graph))
-  {
-    for (const ForestStep& step : line)
-    {
-      lines.Append(meter.Measure(graph.Edge(step.Edge).Link, step.IsForward));
-    }
-    lines.Close();
-  }
-  return lines;
+  return cut;
 }
 }
 
@@ -888,7 +738,14 @@ FaultDetection DetectFaults(const ColumnHeights& heights, const FaultDetectionOp
   CornerGraph graph(grid, std::move(candidates));
   monitor.Progress(0.95);
   KeepForest(graph, { options.SmallestExtent, options.SmallestBranch, FewestStrong });
-  detection.Lines = TraceLines(graph, LinkMeter(heights, gaps, ramps));
+  for (const std::vector<ForestStep>& line : ListLines(graph))
+  {
+    for (const ForestStep& step : line)
+    {
+      detection.Lines.Append(MeasureLink(heights, gaps, ramps, graph.Edge(step.Edge).Link, step.IsForward));
+    }
+    detection.Lines.Close();
+  }
   if (options.JoinThroughHoles)
   {
     JoinThroughHoles(heights, detection.Lines);

@@ -24,6 +24,14 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
+void AddCandidates(std::vector<FaultCandidate>& candidates, const std::vector<FaultCandidate>& more)
+{
+  candidates.insert(candidates.end(), more.begin(), more.end());
+  std::stable_sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 CornerGraph::CornerGraph(const LinkGrid& grid, std::vector<FaultCandidate> candidates)
   : Links(grid)
   , Candidates(std::move(candidates))
@@ -43,7 +51,10 @@ CornerGraph::CornerGraph(const LinkGrid& grid, std::vector<FaultCandidate> candi
   {
     const std::array<std::int64_t, 2> corners = grid.CornersOf(candidate.Link);
     this->EndsOfEdge.push_back({ this->FindVertex(corners[0]), this->FindVertex(corners[1]) });
-    assert(this->EndsOfEdge.back()[0] >= 0 && this->EndsOfEdge.back()[1] > this->EndsOfEdge.back()[0]);
+    const auto [first, second] = this->EndsOfEdge.back();
+    assert(first >= 0 && second > first);
+    ++this->Degrees[first];
+    ++this->Degrees[second];
   }
   this->EdgesAt = ItemLists<std::int32_t>(this->NumberOfVertices(),
     [this](auto&& add)
@@ -54,11 +65,6 @@ CornerGraph::CornerGraph(const LinkGrid& grid, std::vector<FaultCandidate> candi
         add(this->Ends(edge)[1], edge);
       }
     });
-  for (const std::array<std::int32_t, 2>& ends : this->EndsOfEdge)
-  {
-    ++this->Degrees[ends[0]];
-    ++this->Degrees[ends[1]];
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -98,8 +104,7 @@ DisjointSets JoinKept(const CornerGraph& graph)
   return groups;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Bridges
+// ---- Bridges --------------------------------------------------------------------------------------------------------
 
 struct CornerStep
 {
@@ -114,124 +119,77 @@ CornerStep StepFrom(const LinkGrid& grid, std::int64_t corner, int direction)
 {
   const bool isForward = direction < 2;
   const bool isAcrossNorth = direction % 2 == 0;
-  const std::int64_t shift = isForward ? 1 : -1;
-  const std::int64_t x = grid.CornerX(corner) + (isAcrossNorth ? shift : 0);
-  const std::int64_t y = grid.CornerY(corner) + (isAcrossNorth ? 0 : shift);
-  // The column of the link is below and left of the end of a forward step.
-  const std::int64_t columnX = isAcrossNorth && !isForward ? x + 1 : x;
-  const std::int64_t columnY = !isAcrossNorth && !isForward ? y + 1 : y;
-  if (columnX < 0 || columnY < 0 || columnX >= grid.Width() || columnY >= grid.Height())
+  std::int64_t x = grid.CornerX(corner);
+  std::int64_t y = grid.CornerY(corner);
+  std::int64_t& changed = isAcrossNorth ? x : y;
+  changed += isForward ? 1 : -1;
+  const std::int64_t target = grid.CornerOf(x, y);
+  changed += isForward ? 0 : 1; // The column of the link is below and left of the end of a forward step.
+  if (x < 0 || y < 0 || x >= grid.Width() || y >= grid.Height())
   {
     return {};
   }
-  const std::int64_t link = grid.LinkOf(columnX, columnY, isAcrossNorth ? LinkSide::North : LinkSide::East);
-  return grid.IsInside(link) ? CornerStep{ link, grid.CornerOf(x, y), isForward } : CornerStep{};
+  const std::int64_t link = grid.LinkOf(x, y, isAcrossNorth ? LinkSide::North : LinkSide::East);
+  return grid.IsInside(link) ? CornerStep{ link, target, isForward } : CornerStep{};
 }
 
-class EndBridges
+using StepAcross = std::function<float(std::int64_t)>; // height difference without the dip, by link, or NaN
+
+float LeftStep(const StepAcross& step, std::int64_t link, bool isForward)
 {
-public:
-  EndBridges(const CornerGraph& graph, const std::function<float(std::int64_t)>& step, float least)
-    : Graph(graph)
-    , Groups(JoinKept(graph))
-    , StepAcross(step)
-    , Least(least)
-  {
-  }
+  return IsLeftBeyond(LinkGrid::SideOf(link), isForward) ? step(link) : -step(link);
+}
 
-  std::vector<std::int64_t> Find()
+/// Returns the step to the left of the only edge at a vertex, on the way to the vertex or from it.
+float OnlyLeftStep(const CornerGraph& graph, const StepAcross& step, std::int32_t vertex, bool isTo)
+{
+  std::int32_t only = -1;
+  graph.ForEachEdgeAt(vertex, [&only](std::int32_t edge, std::int32_t) { only = edge; });
+  assert(only >= 0 && graph.Degree(vertex) == 1);
+  return LeftStep(step, graph.Edge(only).Link, graph.Ends(only)[isTo ? 1 : 0] == vertex);
+}
+
+/// A path of two links must end at a single candidate with its left on the same side.
+std::vector<std::int64_t> FindBridges(const CornerGraph& graph, const StepAcross& step, float least)
+{
+  DisjointSets groups = JoinKept(graph);
+  std::vector<std::int64_t> links;
+  for (std::int32_t vertex = 0; vertex < graph.NumberOfVertices(); ++vertex)
   {
-    for (std::int32_t vertex = 0; vertex < this->Graph.NumberOfVertices(); ++vertex)
+    if (graph.Degree(vertex) != 1)
     {
-      if (this->Graph.Degree(vertex) == 1)
-      {
-        const std::int32_t edge = this->OnlyEdge(vertex);
-        const bool isForward = this->Graph.Ends(edge)[1] == vertex;
-        this->FindFrom(vertex, this->LeftStep(this->Graph.Edge(edge).Link, isForward));
-      }
+      continue;
     }
-    std::sort(this->Links.begin(), this->Links.end());
-    this->Links.erase(std::unique(this->Links.begin(), this->Links.end()), this->Links.end());
-    return std::move(this->Links);
-  }
-
-private:
-  std::int32_t OnlyEdge(std::int32_t vertex) const
-  {
-    std::int32_t only = -1;
-    this->Graph.ForEachEdgeAt(vertex, [&only](std::int32_t edge, std::int32_t) { only = edge; });
-    return only;
-  }
-
-  float LeftStep(std::int64_t link, bool isForward) const
-  {
-    const float step = this->StepAcross(link);
-    return IsLeftBeyond(LinkGrid::SideOf(link), isForward) ? step : -step;
-  }
-
-  bool Continues(const CornerStep& step, float left) const
-  {
-    return this->LeftStep(step.Link, step.IsForward) * (left < 0.0F ? -1.0F : 1.0F) >= this->Least;
-  }
-
-  bool IsOfOtherGroup(std::int32_t vertex, std::int32_t other)
-  {
-    return other >= 0 && this->Groups.Find(other) != this->Groups.Find(vertex);
-  }
-
-  /// A single candidate must start at the vertex, with its left on the same side.
-  bool StartsAlike(std::int32_t vertex, float left) const
-  {
-    if (this->Graph.Degree(vertex) != 1)
-    {
-      return false;
-    }
-    const std::int32_t edge = this->OnlyEdge(vertex);
-    const bool isForward = this->Graph.Ends(edge)[0] == vertex;
-    return this->LeftStep(this->Graph.Edge(edge).Link, isForward) * left > 0.0F;
-  }
-
-  void FindFrom(std::int32_t vertex, float left)
-  {
-    const LinkGrid& grid = this->Graph.Grid();
+    const float left = OnlyLeftStep(graph, step, vertex, true);
+    const auto continues = [&](const CornerStep& next)
+    { return LeftStep(step, next.Link, next.IsForward) * (left < 0.0F ? -1.0F : 1.0F) >= least; };
+    const auto isOfOtherGroup = [&](std::int32_t other)
+    { return other >= 0 && groups.Find(other) != groups.Find(vertex); };
     for (int direction = 0; direction < NumberOfDirections; ++direction)
     {
-      const CornerStep first = StepFrom(grid, this->Graph.Corner(vertex), direction);
-      const std::int32_t middle = first.Link >= 0 ? this->Graph.FindVertex(first.Target) : -1;
-      if (this->IsOfOtherGroup(vertex, middle))
+      const CornerStep first = StepFrom(graph.Grid(), graph.Corner(vertex), direction);
+      const std::int32_t middle = first.Link >= 0 ? graph.FindVertex(first.Target) : -1;
+      if (isOfOtherGroup(middle))
       {
-        this->Links.push_back(first.Link);
+        links.push_back(first.Link);
       }
-      if (first.Link < 0 || middle >= 0 || !this->Continues(first, left))
+      for (int next = 0; next < NumberOfDirections && first.Link >= 0 && middle < 0 && continues(first); ++next)
       {
-        continue;
-      }
-      for (int next = 0; next < NumberOfDirections; ++next)
-      {
-        const CornerStep second = StepFrom(grid, first.Target, next);
-        if (second.Link < 0 || !this->Continues(second, left))
+        const CornerStep second = StepFrom(graph.Grid(), first.Target, next);
+        const std::int32_t end = second.Link >= 0 && continues(second) ? graph.FindVertex(second.Target) : -1;
+        if (isOfOtherGroup(end) && graph.Degree(end) == 1 && OnlyLeftStep(graph, step, end, false) * left > 0.0F)
         {
-          continue;
-        }
-        const std::int32_t end = this->Graph.FindVertex(second.Target);
-        if (this->IsOfOtherGroup(vertex, end) && this->StartsAlike(end, left))
-        {
-          this->Links.push_back(first.Link);
-          this->Links.push_back(second.Link);
+          links.insert(links.end(), { first.Link, second.Link });
         }
       }
     }
   }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
 
-  const CornerGraph& Graph;
-  DisjointSets Groups;
-  const std::function<float(std::int64_t)>& StepAcross;
-  const float Least;
-  std::vector<std::int64_t> Links;
-};
-
-//----------------------------------------------------------------------------------------------------------------------
-// Forest
+// ---- Forest ---------------------------------------------------------------------------------------------------------
 
 void KeepTrees(CornerGraph& graph)
 {
@@ -338,8 +296,7 @@ void PruneBranches(CornerGraph& graph, int smallest)
   }
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Lines
+// ---- Lines ----------------------------------------------------------------------------------------------------------
 
 class TreePaths
 {
@@ -369,7 +326,6 @@ public:
         {
           if (edge != this->EdgeBack[vertex])
           {
-            assert(!this->IsVisited(opposite));
             this->Back[opposite] = vertex;
             this->EdgeBack[opposite] = edge;
             order.push_back(opposite);
@@ -431,7 +387,7 @@ std::vector<FaultCandidate> BridgeEnds(const LinkGrid& grid, std::vector<FaultCa
   const std::function<float(std::int64_t)>& step, float least)
 {
   const CornerGraph graph(grid, candidates);
-  for (const std::int64_t link : EndBridges(graph, step, least).Find())
+  for (const std::int64_t link : FindBridges(graph, step, least))
   {
     const float size = std::abs(step(link));
     candidates.push_back({ link, std::isnan(size) ? 0.0F : size, false });
@@ -452,14 +408,13 @@ void KeepForest(CornerGraph& graph, const ForestLimits& limits)
 std::vector<std::vector<ForestStep>> ListLines(const CornerGraph& graph)
 {
   std::vector<std::vector<ForestStep>> lines;
-  TreePaths probe(graph);
   TreePaths paths(graph);
   for (std::int32_t vertex = 0; vertex < graph.NumberOfVertices(); ++vertex)
   {
-    if (graph.Degree(vertex) > 0 && !probe.IsVisited(vertex))
+    if (graph.Degree(vertex) > 0 && !paths.IsVisited(vertex))
     {
       // The vertex farthest from any other is an end of the longest path.
-      const std::int32_t end = probe.Visit(vertex).back();
+      const std::int32_t end = paths.Visit(vertex).back();
       const std::vector<std::int32_t> order = paths.Visit(end);
       paths.AppendLines(order, lines);
     }

@@ -23,7 +23,11 @@ struct FaultCandidate
   bool IsStrong = false;
 
   friend bool operator<(const FaultCandidate& a, const FaultCandidate& b) { return a.Link < b.Link; }
+  friend bool operator==(const FaultCandidate& a, const FaultCandidate& b) { return a.Link == b.Link; }
 };
+
+/// Sorts candidates by link. At the same link a candidate has priority over `more`.
+void AddCandidates(std::vector<FaultCandidate>& candidates, const std::vector<FaultCandidate>& more);
 
 /// Edges are candidates, vertices the corners that their cuts connect.
 class CornerGraph

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <tuple>
@@ -42,8 +43,7 @@ void RequireFinite(
   throw InputError(text.str() + ") in " + units + ", expected finite numbers");
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Clipping
+// ---- Clipping -------------------------------------------------------------------------------------------------------
 
 class ClippedAxis
 {
@@ -120,158 +120,80 @@ struct NearSegment
   bool IsEmpty() const { return this->First > this->Last; }
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-// Passages
+// ---- Passages -------------------------------------------------------------------------------------------------------
 
-class StickProbe
+struct StickSample
 {
-public:
-  explicit StickProbe(const ColumnHeights& heights)
-    : Heights(heights)
-  {
-  }
+  MapPlace Place;
+  double Above = std::numeric_limits<double>::quiet_NaN(); // height above the horizon
+};
 
-  std::vector<MapPlace> FindPassages(const std::vector<SpacePoint>& places) const
-  {
-    std::vector<MapPlace> passages;
-    Sample last;
-    for (std::size_t n = 1; n < places.size(); ++n)
-    {
-      const SpacePoint& a = places[n - 1];
-      const SpacePoint& b = places[n];
-      const NearSegment near(this->Heights.Grid(), { a.X, a.Y }, { b.X, b.Y });
-      if (near.IsEmpty())
-      {
-        continue;
-      }
-      const MapPlace& from = near.From;
-      const MapPlace& to = near.To;
-      const double halfRise = 0.5 * b.Z - 0.5 * a.Z;
-      const int samples = int(std::ceil(2.0 * std::hypot(to.X - from.X, to.Y - from.Y)) + 1.0);
-      for (int sample = 0; sample <= samples; ++sample)
-      {
-        const double share = double(sample) / samples;
-        const double part = near.First + share * (near.Last - near.First);
-        const Sample next = this->Take({ from.X + share * (to.X - from.X), from.Y + share * (to.Y - from.Y) },
-          a.Z + part * halfRise + part * halfRise);
-        if (std::isnan(next.Above))
-        {
-          continue;
-        }
-        if (!std::isnan(last.Above) && (last.Above < 0.0) != (next.Above < 0.0))
-        {
-          passages.push_back(this->Passage(last, next));
-        }
-        last = next;
-      }
-    }
-    return passages;
-  }
+/// The nearest column determines the height.
+StickSample TakeSample(const ColumnHeights& heights, const MapPlace& place, double height)
+{
+  const double x = std::round(place.X);
+  const double y = std::round(place.Y);
+  const LinkGrid& grid = heights.Grid();
+  const bool isInside = x >= 0.0 && y >= 0.0 && x < double(grid.Width()) && y < double(grid.Height());
+  return { place, isInside ? height - heights[std::int64_t(y) * grid.Width() + std::int64_t(x)] : NoValue };
+}
 
-private:
-  struct Sample
+MapPlace PassageBetween(const PlanePoint& least, const StickSample& before, const StickSample& after)
+{
+  const double known = 0.5 * before.Above / (0.5 * before.Above - 0.5 * after.Above);
+  const double share = std::isfinite(known) ? known : 0.5; // Infinite heights have no quotient.
+  return { least.X + before.Place.X + share * (after.Place.X - before.Place.X),
+    least.Y + before.Place.Y + share * (after.Place.Y - before.Place.Y) };
+}
+
+// ---- Cuts -----------------------------------------------------------------------------------------------------------
+
+/// Walks over blocks of two by two columns.
+void CutSegment(const ColumnHeights& heights, const MapPlace& start, const MapPlace& end, FaultLines& lines)
+{
+  const LinkGrid& grid = heights.Grid();
+  const NearSegment near(grid, start, end);
+  if (near.IsEmpty())
   {
-    MapPlace Place;
-    double Above = std::numeric_limits<double>::quiet_NaN(); // height above the horizon
+    lines.Close();
+    return;
+  }
+  const auto cut = [&](std::int64_t i, std::int64_t j, LinkSide side, bool isForward)
+  {
+    const bool isColumn = i >= 0 && j >= 0 && i < grid.Width() && j < grid.Height();
+    const std::int64_t link = isColumn ? grid.LinkOf(i, j, side) : 0;
+    isColumn&& grid.IsInside(link) ? lines.Append(MeasureCut(heights, link, isForward)) : lines.Close();
   };
-
-  MapPlace Passage(const Sample& before, const Sample& after) const
+  const auto block = [](double place) { return std::int64_t(std::floor(place)); };
+  const MapPlace& from = near.From;
+  const MapPlace& to = near.To;
+  std::int64_t x = block(from.X);
+  std::int64_t y = block(from.Y);
+  std::int64_t stepsX = std::abs(block(to.X) - x);
+  std::int64_t stepsY = std::abs(block(to.Y) - y);
+  const bool isEastward = to.X > from.X;
+  const bool isNorthward = to.Y > from.Y;
+  while (stepsX + stepsY > 0)
   {
-    const PlanePoint& least = this->Heights.Grid().Origin();
-    const double known = 0.5 * before.Above / (0.5 * before.Above - 0.5 * after.Above);
-    const double share = std::isfinite(known) ? known : 0.5; // Infinite heights have no quotient.
-    return { least.X + before.Place.X + share * (after.Place.X - before.Place.X),
-      least.Y + before.Place.Y + share * (after.Place.Y - before.Place.Y) };
-  }
-
-  /// The nearest column determines the height.
-  Sample Take(const MapPlace& place, double height) const
-  {
-    Sample sample;
-    sample.Place = place;
-    const double x = std::round(place.X);
-    const double y = std::round(place.Y);
-    const LinkGrid& grid = this->Heights.Grid();
-    if (x >= 0.0 && y >= 0.0 && x < double(grid.Width()) && y < double(grid.Height()))
+    // At a corner of the block, the side to the east or west comes first.
+    const std::int64_t sideX = isEastward ? x + 1 : x;
+    const std::int64_t sideY = isNorthward ? y + 1 : y;
+    const double partX = stepsX > 0 ? (double(sideX) - from.X) / (to.X - from.X) : 2.0;
+    const double partY = stepsY > 0 ? (double(sideY) - from.Y) / (to.Y - from.Y) : 2.0;
+    if (partX <= partY)
     {
-      sample.Above = height - this->Heights[std::int64_t(y) * grid.Width() + std::int64_t(x)];
+      cut(sideX, y, LinkSide::North, isEastward);
+      x += isEastward ? 1 : -1;
+      --stepsX;
     }
-    return sample;
-  }
-
-  const ColumnHeights& Heights;
-};
-
-//----------------------------------------------------------------------------------------------------------------------
-// Walks
-
-class BlockWalk
-{
-public:
-  BlockWalk(const ColumnHeights& heights, FaultLines& lines)
-    : Heights(heights)
-    , Grid(heights.Grid())
-    , Lines(lines)
-  {
-  }
-
-  void Follow(const MapPlace& start, const MapPlace& end)
-  {
-    const NearSegment near(this->Grid, start, end);
-    if (near.IsEmpty())
+    else
     {
-      this->Lines.Close();
-      return;
-    }
-    const MapPlace& from = near.From;
-    const MapPlace& to = near.To;
-    std::int64_t x = Block(from.X);
-    std::int64_t y = Block(from.Y);
-    std::int64_t stepsX = std::abs(Block(to.X) - x);
-    std::int64_t stepsY = std::abs(Block(to.Y) - y);
-    const bool isEastward = to.X > from.X;
-    const bool isNorthward = to.Y > from.Y;
-    while (stepsX + stepsY > 0)
-    {
-      // At a corner of the block, the side to the east or west comes first.
-      const double sideX = double(isEastward ? x + 1 : x);
-      const double sideY = double(isNorthward ? y + 1 : y);
-      const double partX = stepsX > 0 ? (sideX - from.X) / (to.X - from.X) : 2.0;
-      const double partY = stepsY > 0 ? (sideY - from.Y) / (to.Y - from.Y) : 2.0;
-      if (partX <= partY)
-      {
-        this->Cut(isEastward ? x + 1 : x, y, LinkSide::North, isEastward);
-        x += isEastward ? 1 : -1;
-        --stepsX;
-      }
-      else
-      {
-        this->Cut(x, isNorthward ? y + 1 : y, LinkSide::East, isNorthward);
-        y += isNorthward ? 1 : -1;
-        --stepsY;
-      }
+      cut(x, sideY, LinkSide::East, isNorthward);
+      y += isNorthward ? 1 : -1;
+      --stepsY;
     }
   }
-
-private:
-  static std::int64_t Block(double place) { return std::int64_t(std::floor(place)); }
-
-  void Cut(std::int64_t x, std::int64_t y, LinkSide side, bool isForward)
-  {
-    const bool isColumn = x >= 0 && y >= 0 && x < this->Grid.Width() && y < this->Grid.Height();
-    const std::int64_t link = isColumn ? this->Grid.LinkOf(x, y, side) : 0;
-    if (!isColumn || !this->Grid.IsInside(link))
-    {
-      this->Lines.Close();
-      return;
-    }
-    this->Lines.Append(MeasureCut(this->Heights, link, isForward));
-  }
-
-  const ColumnHeights& Heights;
-  const LinkGrid& Grid;
-  FaultLines& Lines;
-};
+}
 
 void CheckNumber(const FaultLines& lines, const LinkGrid& grid)
 {
@@ -281,6 +203,82 @@ void CheckNumber(const FaultLines& lines, const LinkGrid& grid)
     throw InputError("fault polylines that cut " + std::to_string(lines.NumberOfLinks()) + " links of a horizon of " +
       std::to_string(grid.NumberOfColumns()) + " columns, expected at most " + std::to_string(most));
   }
+}
+
+// ---- Polygons -------------------------------------------------------------------------------------------------------
+
+constexpr std::size_t MostCrossings = 100000000;
+
+struct Stretch
+{
+  std::int32_t Row;
+  double First;
+  double Last;
+
+  friend bool operator<(const Stretch& a, const Stretch& b)
+  {
+    return std::tie(a.Row, a.First) < std::tie(b.Row, b.First);
+  }
+};
+
+/// A side includes its lower end only, so that corners count once. Halves avoid infinite differences.
+void CrossRows(
+  const std::vector<std::int32_t>& rows, const MapPlace& from, const MapPlace& to, std::vector<Stretch>& crossings)
+{
+  const double low = std::min(from.Y, to.Y);
+  const double high = std::max(from.Y, to.Y);
+  const double rise = 0.5 * to.Y - 0.5 * from.Y;
+  for (auto row = std::lower_bound(rows.begin(), rows.end(), low); row != rows.end() && double(*row) < high; ++row)
+  {
+    const double part = (0.5 * double(*row) - 0.5 * from.Y) / rise;
+    crossings.push_back({ *row, (1.0 - part) * from.X + part * to.X, 0.0 });
+    if (crossings.size() > MostCrossings)
+    {
+      throw InputError("fault polygons that cross rows of the lattice more than " + std::to_string(MostCrossings) +
+        " times, expected simpler polygons");
+    }
+  }
+}
+
+/// Returns the stretches of rows in closed lines, in order and without overlaps.
+std::vector<Stretch> FindInside(PlanePoints columns, const std::vector<FaultPolyline>& lines)
+{
+  std::vector<std::int32_t> rows;
+  for (const PlanePoint& column : columns)
+  {
+    rows.push_back(column.Y);
+  }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  std::vector<Stretch> crossings;
+  for (const FaultPolyline& line : lines)
+  {
+    const std::size_t begin = crossings.size();
+    for (std::size_t n = 1; n < line.size() && IsClosed(line); ++n)
+    {
+      CrossRows(rows, line[n - 1], line[n], crossings);
+    }
+    std::sort(crossings.begin() + std::ptrdiff_t(begin), crossings.end());
+  }
+  std::vector<Stretch> all;
+  for (std::size_t n = 1; n < crossings.size(); n += 2)
+  {
+    all.push_back({ crossings[n].Row, crossings[n - 1].First, crossings[n].First });
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<Stretch> joined;
+  for (const Stretch& next : all)
+  {
+    if (!joined.empty() && joined.back().Row == next.Row && next.First <= joined.back().Last)
+    {
+      joined.back().Last = std::max(joined.back().Last, next.Last);
+    }
+    else
+    {
+      joined.push_back(next);
+    }
+  }
+  return joined;
 }
 }
 
@@ -365,7 +363,40 @@ void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<MapPlace> FindPassages(const ColumnHeights& heights, const std::vector<SpacePoint>& line)
 {
-  return StickProbe(heights).FindPassages(line);
+  std::vector<MapPlace> passages;
+  StickSample last;
+  for (std::size_t n = 1; n < line.size(); ++n)
+  {
+    const SpacePoint& a = line[n - 1];
+    const SpacePoint& b = line[n];
+    const NearSegment near(heights.Grid(), { a.X, a.Y }, { b.X, b.Y });
+    if (near.IsEmpty())
+    {
+      continue;
+    }
+    const MapPlace& from = near.From;
+    const MapPlace& to = near.To;
+    const double halfRise = 0.5 * b.Z - 0.5 * a.Z;
+    const int samples = int(std::ceil(2.0 * std::hypot(to.X - from.X, to.Y - from.Y)) + 1.0);
+    for (int sample = 0; sample <= samples; ++sample)
+    {
+      const double share = double(sample) / samples;
+      const double part = near.First + share * (near.Last - near.First);
+      const StickSample next =
+        TakeSample(heights, { from.X + share * (to.X - from.X), from.Y + share * (to.Y - from.Y) },
+          a.Z + part * halfRise + part * halfRise);
+      if (std::isnan(next.Above))
+      {
+        continue;
+      }
+      if (!std::isnan(last.Above) && (last.Above < 0.0) != (next.Above < 0.0))
+      {
+        passages.push_back(PassageBetween(heights.Grid().Origin(), last, next));
+      }
+      last = next;
+    }
+  }
+  return passages;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -379,16 +410,38 @@ FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolylin
     }
   }
   FaultLines lines;
-  BlockWalk walk(heights, lines);
   for (const FaultPolyline& polyline : polylines)
   {
     for (std::size_t n = 1; n < polyline.size(); ++n)
     {
       CheckNumber(lines, heights.Grid());
-      walk.Follow(polyline[n - 1], polyline[n]);
+      CutSegment(heights, polyline[n - 1], polyline[n], lines);
     }
     lines.Close();
   }
   return lines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsClosed(const FaultPolyline& line)
+{
+  return line.size() > 3 && line.front().X == line.back().X && line.front().Y == line.back().Y;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+KeptPoints FindOutside(PlanePoints columns, const std::vector<FaultPolyline>& lines)
+{
+  if (std::none_of(lines.begin(), lines.end(), IsClosed))
+  {
+    return KeptPoints::All(columns.size());
+  }
+  const std::vector<Stretch> inside = FindInside(columns, lines);
+  return KeptPoints::If(columns.size(),
+    [&](std::size_t point)
+    {
+      const PlanePoint& column = columns[point];
+      const auto after = std::upper_bound(inside.begin(), inside.end(), Stretch{ column.Y, double(column.X), 0.0 });
+      return after == inside.begin() || std::prev(after)->Row != column.Y || double(column.X) > std::prev(after)->Last;
+    });
 }
 }

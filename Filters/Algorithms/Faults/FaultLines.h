@@ -11,6 +11,7 @@
 #define SeismicHorizonsFaultLines_h
 
 #include "ColumnHeights.h"
+#include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/Types.h"
 #include "LinkGrid.h"
 
@@ -74,6 +75,14 @@ using FaultPolyline = std::vector<MapPlace>;
 /// Returns a line for each section of a polyline inside the bounding box. A polyline exactly through a column passes on
 /// the side of lesser coordinates. Throws InputError for places that are not finite, and far more cuts than links.
 FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines);
+
+/// Fault polygons are closed lines around the area that a fault leaves empty in a horizon. Mapping programs fill their
+/// inside with values that are not data. A closed line ends where it began and has an inside.
+bool IsClosed(const FaultPolyline& line);
+
+/// Returns the points outside all closed lines, by the even-odd rule for each line. Throws InputError for more than a
+/// hundred million crossings of rows.
+KeptPoints FindOutside(PlanePoints columns, const std::vector<FaultPolyline>& lines);
 
 struct FaultStick
 {

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -139,37 +140,10 @@ private:
   std::vector<MeanHeight> Means;
 };
 
-/// A lane is a row or a grid column of the raster.
-struct Lanes
-{
-  const ColumnHeights& Heights;
-  LinkSide Side;
-
-  bool IsEast() const { return this->Side == LinkSide::East; }
-  std::int64_t Length() const
-  {
-    return this->IsEast() ? this->Heights.Raster().Width() : this->Heights.Raster().Height();
-  }
-  std::int64_t Number() const
-  {
-    return this->IsEast() ? this->Heights.Raster().Height() : this->Heights.Raster().Width();
-  }
-  std::int64_t Column(std::int64_t along, std::int64_t lane) const
-  {
-    return this->IsEast() ? lane * this->Heights.Raster().Width() + along
-                          : along * this->Heights.Raster().Width() + lane;
-  }
-  std::int64_t Link(std::int64_t along, std::int64_t lane) const
-  {
-    return LinkGrid::LinkOf(this->Column(along, lane), this->Side);
-  }
-};
-
 // Adjacent grid columns share cache lines.
 constexpr std::int64_t LanesOfChunk = 8;
 
-//----------------------------------------------------------------------------------------------------------------------
-// 2. Peaks.
+// ---- Peaks ----------------------------------------------------------------------------------------------------------
 
 struct RampPeak
 {
@@ -236,7 +210,7 @@ private:
 
   bool IsAcross(const Lanes& lanes, std::int64_t along, std::int64_t lane) const
   {
-    const Lanes others{ lanes.Heights, lanes.IsEast() ? LinkSide::North : LinkSide::East };
+    const Lanes others = lanes.Others();
     double sum = 0.0;
     int number = 0;
     for (std::int64_t n = std::max<std::int64_t>(0, lane - 1); n <= std::min(lane, others.Length() - 1); ++n)
@@ -298,8 +272,10 @@ private:
     {
       return; // Several faults lie side by side.
     }
-    peak.Along = lanes.IsEast() ? this->Heights.GridX(place) : this->Heights.GridY(place);
-    peak.Lane = lanes.IsEast() ? this->Heights.GridY(lane) : this->Heights.GridX(lane);
+    const Lanes gridLanes{ this->Heights.Grid(), lanes.Side };
+    const std::int64_t column = LinkGrid::FirstColumn(this->Heights.ToGrid(lanes.Link(place, lane)));
+    peak.Along = gridLanes.AlongOf(column);
+    peak.Lane = gridLanes.LaneOf(column);
     peaks.push_back(peak);
   }
 
@@ -345,31 +321,24 @@ private:
   const RampLimits& Limits;
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-// 3. Joints.
+// ---- Joints ---------------------------------------------------------------------------------------------------------
+
+struct RampLink
+{
+  std::int64_t Link = 0;
+  float Throw = 0.0F;
+  float Fall = 0.0F;
+  bool IsPeak = false;
+  bool IsStrong = false;
+  bool IsStep = false;
+  bool IsOfRamp = false; // Most peaks of its line are no steps.
+};
 
 // A ramp may skip two lanes.
 constexpr std::int64_t LargestHop = 3;
 constexpr std::int64_t LargestLaneShift = 2; // columns from lane to lane
 
-struct GridLanes
-{
-  const LinkGrid& Grid;
-  LinkSide Side;
-
-  std::int64_t Link(std::int64_t along, std::int64_t lane) const
-  {
-    return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::East)
-                                        : this->Grid.LinkOf(lane, along, LinkSide::North);
-  }
-  std::int64_t Across(std::int64_t along, std::int64_t lane) const
-  {
-    return this->Side == LinkSide::East ? this->Grid.LinkOf(along, lane, LinkSide::North)
-                                        : this->Grid.LinkOf(lane, along, LinkSide::East);
-  }
-};
-
-void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std::vector<LinkThrow>& joints)
+void Join(const Lanes& lanes, const RampPeak& from, const RampPeak& to, std::vector<RampLink>& joints)
 {
   const std::int64_t hop = to.Lane - from.Lane;
   const double mean = 0.5 * (double(from.Throw) + double(to.Throw));
@@ -381,17 +350,17 @@ void Join(const GridLanes& lanes, const RampPeak& from, const RampPeak& to, std:
     for (std::int64_t column = std::min(along, next) + 1; column <= std::max(along, next); ++column)
     {
       // Where the ramp shifts, the next lane is before it while this lane is beyond.
-      joints.push_back({ lanes.Across(column, lane - 1), next > along ? -mean : mean });
+      joints.push_back({ lanes.Across(column, lane - 1), float(next > along ? -mean : mean) });
     }
     if (lane < to.Lane)
     {
-      joints.push_back({ lanes.Link(next, lane), mean });
+      joints.push_back({ lanes.Link(next, lane), float(mean) });
     }
     along = next;
   }
 }
 
-void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::vector<LinkThrow>& joints)
+void JoinPeaks(const Lanes& lanes, const std::vector<RampPeak>& peaks, std::vector<RampLink>& joints)
 {
   const auto byPlace = [](const RampPeak& a, const RampPeak& b)
   { return a.Lane != b.Lane ? a.Lane < b.Lane : a.Along < b.Along; };
@@ -421,155 +390,89 @@ void JoinPeaks(const GridLanes& lanes, const std::vector<RampPeak>& peaks, std::
   }
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// 4. Lines.
-
-bool IsSameLink(const FaultCandidate& a, const FaultCandidate& b)
-{
-  return a.Link == b.Link;
-}
+// ---- Lines ----------------------------------------------------------------------------------------------------------
 
 // The mean loss half way to the shoulders is 0.43 for ramps as wide as the means and 0.57 for steps, but at most 0.35
 // for folds at least 20 columns long.
 constexpr double LeastMeanFall = 0.29;
 
-struct RampLink
+std::vector<FaultCandidate> ToCandidates(const std::vector<RampLink>& links)
 {
-  std::int64_t Link = 0;
-  float Throw = 0.0F;
-  float Fall = 0.0F;
-  bool IsPeak = false;
-  bool IsStrong = false;
-  bool IsStep = false;
-  bool IsOfRamp = false; // Most peaks of its line are no steps.
-};
+  std::vector<FaultCandidate> candidates;
+  for (const RampLink& link : links)
+  {
+    candidates.push_back({ link.Link, link.IsPeak ? std::abs(link.Throw) : 0.0F, link.IsStrong });
+  }
+  return candidates;
+}
 
-class RampLinks
+/// Returns the links of long and steep lines, in order.
+std::vector<RampLink> KeepLines(const LinkGrid& grid, std::vector<RampLink> all, const ForestLimits& limits)
 {
-public:
-  explicit RampLinks(const LinkGrid& grid)
-    : Grid(grid)
+  std::stable_sort(all.begin(), all.end(),
+    [](const RampLink& a, const RampLink& b) { return a.Link != b.Link ? a.Link < b.Link : a.IsPeak && !b.IsPeak; });
+  all.erase(std::unique(all.begin(), all.end(), [](const RampLink& a, const RampLink& b) { return a.Link == b.Link; }),
+    all.end());
+  CornerGraph graph(grid, ToCandidates(all));
+  KeepForest(graph, limits);
+  std::vector<RampLink> kept;
+  for (const std::vector<ForestStep>& line : ListLines(graph))
   {
-  }
-
-  void Append(LinkSide side, const std::vector<RampPeak>& peaks)
-  {
-    const GridLanes lanes{ this->Grid, side };
-    std::vector<LinkThrow> joints;
-    JoinPeaks(lanes, peaks, joints);
-    for (const RampPeak& peak : peaks)
+    double falls = 0.0;
+    int peaks = 0;
+    int steps = 0;
+    for (const ForestStep& step : line)
     {
-      this->Links.push_back(
-        { lanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong, peak.IsStep, false });
+      const RampLink& link = all[std::size_t(step.Edge)];
+      falls += double(link.Fall);
+      peaks += link.IsPeak ? 1 : 0;
+      steps += link.IsStep ? 1 : 0;
     }
-    for (const LinkThrow& joint : joints)
+    for (std::size_t n = 0; n < line.size() && falls >= LeastMeanFall * peaks; ++n)
     {
-      this->Links.push_back({ joint.Link, float(joint.Throw), 0.0F, false, false, false, false });
-    }
-  }
-
-  void KeepLines(const ForestLimits& limits)
-  {
-    std::stable_sort(this->Links.begin(), this->Links.end(),
-      [](const RampLink& a, const RampLink& b) { return a.Link != b.Link ? a.Link < b.Link : a.IsPeak && !b.IsPeak; });
-    this->Links.erase(std::unique(this->Links.begin(), this->Links.end(),
-                        [](const RampLink& a, const RampLink& b) { return a.Link == b.Link; }),
-      this->Links.end());
-    CornerGraph graph(this->Grid, this->Candidates());
-    KeepForest(graph, limits);
-    std::vector<RampLink> kept;
-    for (const std::vector<ForestStep>& line : ListLines(graph))
-    {
-      std::vector<RampLink> links;
-      double falls = 0.0;
-      int peaks = 0;
-      int steps = 0;
-      for (const ForestStep& step : line)
-      {
-        links.push_back(this->Links[std::size_t(step.Edge)]);
-        falls += double(links.back().Fall);
-        peaks += links.back().IsPeak ? 1 : 0;
-        steps += links.back().IsStep ? 1 : 0;
-      }
-      if (falls >= LeastMeanFall * peaks)
-      {
-        for (RampLink& link : links)
-        {
-          link.IsOfRamp = 2 * steps < peaks;
-        }
-        kept.insert(kept.end(), links.begin(), links.end());
-      }
-    }
-    std::sort(kept.begin(), kept.end(), [](const RampLink& a, const RampLink& b) { return a.Link < b.Link; });
-    this->Links.swap(kept);
-  }
-
-  std::vector<FaultCandidate> Candidates() const
-  {
-    std::vector<FaultCandidate> candidates;
-    for (const RampLink& link : this->Links)
-    {
-      candidates.push_back({ link.Link, link.IsPeak ? std::abs(link.Throw) : 0.0F, link.IsStrong });
-    }
-    return candidates;
-  }
-
-  std::vector<LinkThrow> Throws() const
-  {
-    std::vector<LinkThrow> throws;
-    for (const RampLink& link : this->Links)
-    {
-      throws.push_back({ link.Link, double(link.Throw) });
-    }
-    return throws;
-  }
-
-  /// Links beside a ramp belong to it if their size is below the listed size.
-  std::vector<FaultCandidate> ListBeside(std::int64_t reach) const
-  {
-    std::vector<FaultCandidate> beside;
-    for (const RampLink& ramp : this->Links)
-    {
-      if (ramp.IsPeak && !ramp.IsStep && ramp.IsOfRamp)
-      {
-        this->AppendBeside(ramp, reach, beside);
-      }
-    }
-    std::sort(beside.begin(), beside.end(),
-      [](const FaultCandidate& a, const FaultCandidate& b)
-      { return a.Link != b.Link ? a.Link < b.Link : a.Size > b.Size; });
-    beside.erase(std::unique(beside.begin(), beside.end(), IsSameLink), beside.end());
-    return beside;
-  }
-
-private:
-  void AppendBeside(const RampLink& ramp, std::int64_t reach, std::vector<FaultCandidate>& beside) const
-  {
-    const LinkSide side = LinkGrid::SideOf(ramp.Link);
-    const GridLanes lanes{ this->Grid, side };
-    const bool isEast = side == LinkSide::East;
-    const std::int64_t column = LinkGrid::FirstColumn(ramp.Link);
-    const std::int64_t x = column % this->Grid.Width();
-    const std::int64_t y = column / this->Grid.Width();
-    const std::int64_t middle = isEast ? x : y;
-    const std::int64_t lane = isEast ? y : x;
-    const std::int64_t length = isEast ? this->Grid.Width() : this->Grid.Height();
-    const float least = float(StepShare) * std::abs(ramp.Throw);
-    for (std::int64_t along = std::max<std::int64_t>(0, middle - reach); along <= std::min(middle + reach, length - 1);
-         ++along)
-    {
-      beside.push_back({ lanes.Link(along, lane), least, false });
-      beside.push_back({ lanes.Across(along, lane), least, false });
-      if (lane > 0)
-      {
-        beside.push_back({ lanes.Across(along, lane - 1), least, false });
-      }
+      kept.push_back(all[std::size_t(line[n].Edge)]);
+      kept.back().IsOfRamp = 2 * steps < peaks;
     }
   }
+  std::sort(kept.begin(), kept.end(), [](const RampLink& a, const RampLink& b) { return a.Link < b.Link; });
+  return kept;
+}
 
-  const LinkGrid& Grid;
-  std::vector<RampLink> Links;
-};
+void AppendBeside(const LinkGrid& grid, const RampLink& ramp, std::int64_t reach, std::vector<FaultCandidate>& beside)
+{
+  const Lanes lanes{ grid, LinkGrid::SideOf(ramp.Link) };
+  const std::int64_t middle = lanes.AlongOf(LinkGrid::FirstColumn(ramp.Link));
+  const std::int64_t lane = lanes.LaneOf(LinkGrid::FirstColumn(ramp.Link));
+  const std::int64_t last = std::min(middle + reach, lanes.Length() - 1);
+  const float least = float(StepShare) * std::abs(ramp.Throw);
+  for (std::int64_t along = std::max<std::int64_t>(0, middle - reach); along <= last; ++along)
+  {
+    beside.push_back({ lanes.Link(along, lane), least, false });
+    beside.push_back({ lanes.Across(along, lane), least, false });
+    if (lane > 0)
+    {
+      beside.push_back({ lanes.Across(along, lane - 1), least, false });
+    }
+  }
+}
+
+/// Links beside a ramp belong to it if their size is below the listed size.
+std::vector<FaultCandidate> ListBeside(const LinkGrid& grid, const std::vector<RampLink>& links, std::int64_t reach)
+{
+  std::vector<FaultCandidate> beside;
+  for (const RampLink& ramp : links)
+  {
+    if (ramp.IsPeak && !ramp.IsStep && ramp.IsOfRamp)
+    {
+      AppendBeside(grid, ramp, reach, beside);
+    }
+  }
+  std::sort(beside.begin(), beside.end(),
+    [](const FaultCandidate& a, const FaultCandidate& b)
+    { return a.Link != b.Link ? a.Link < b.Link : a.Size > b.Size; });
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  return beside;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -580,7 +483,7 @@ RawVector<float> FindRises(const ColumnHeights& heights, int largest, const Moni
   rises.resize(heights.Raster().NumberOfLinks());
   for (const LinkSide side : { LinkSide::East, LinkSide::North })
   {
-    const Lanes lanes{ heights, side };
+    const Lanes lanes{ heights.Raster(), side };
     ForEachChunk(lanes.Number(), LanesOfChunk, monitor,
       [&](std::size_t, std::int64_t first, std::int64_t last)
       {
@@ -615,31 +518,31 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
   std::vector<LinkThrow>& throws, const Monitor& monitor)
 {
   const RampScale scale(largest);
-  RampLinks ramps(heights.Grid());
+  std::vector<RampLink> all;
   for (const LinkSide side : { LinkSide::East, LinkSide::North })
   {
-    const Lanes lanes{ heights, side };
+    const Lanes lanes{ heights.Raster(), side };
     const PeakSearch search(heights, scale, rises, deviations, limits);
-    std::vector<std::vector<RampPeak>> parts(CountChunks(lanes.Number(), LanesOfChunk));
-    ForEachChunk(lanes.Number(), LanesOfChunk, monitor,
-      [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+    const std::vector<RampPeak> peaks = CollectChunks<RampPeak>(lanes.Number(), LanesOfChunk, monitor,
+      [&](std::vector<RampPeak>& part, std::int64_t first, std::int64_t last)
       {
         for (std::int64_t lane = first; lane < last; ++lane)
         {
-          search.FindInLane(lanes, lane, parts[chunk]);
+          search.FindInLane(lanes, lane, part);
         }
       });
-    std::vector<RampPeak> peaks;
-    for (const std::vector<RampPeak>& part : parts)
+    const Lanes gridLanes{ heights.Grid(), side };
+    for (const RampPeak& peak : peaks)
     {
-      peaks.insert(peaks.end(), part.begin(), part.end());
+      all.push_back(
+        { gridLanes.Link(peak.Along, peak.Lane), peak.Throw, peak.Fall, true, peak.IsStrong, peak.IsStep, false });
     }
-    ramps.Append(side, peaks);
+    JoinPeaks(gridLanes, peaks, all);
   }
   ForestLimits forest = limits.Forest;
   forest.SmallestExtent = std::max(forest.SmallestExtent, 2 * largest);
-  ramps.KeepLines(forest);
-  const std::vector<FaultCandidate> beside = ramps.ListBeside(scale.Half);
+  const std::vector<RampLink> ramps = KeepLines(heights.Grid(), std::move(all), forest);
+  const std::vector<FaultCandidate> beside = ListBeside(heights.Grid(), ramps, scale.Half);
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                      [&beside](const FaultCandidate& candidate)
                      {
@@ -647,12 +550,11 @@ std::vector<FaultCandidate> AddRamps(const ColumnHeights& heights, int largest, 
                        return place != beside.end() && place->Link == candidate.Link && candidate.Size < place->Size;
                      }),
     candidates.end());
-  // Candidates have priority over ramps at the same link.
-  const std::vector<FaultCandidate> added = ramps.Candidates();
-  candidates.insert(candidates.end(), added.begin(), added.end());
-  std::stable_sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end(), IsSameLink), candidates.end());
-  throws = ramps.Throws();
+  AddCandidates(candidates, ToCandidates(ramps));
+  for (const RampLink& ramp : ramps)
+  {
+    throws.push_back({ ramp.Link, double(ramp.Throw) });
+  }
   return candidates;
 }
 }

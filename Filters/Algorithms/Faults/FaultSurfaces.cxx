@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // 1. Sticks are grouped by the name of the fault.
-// 2. StickOrder sorts sticks along the fault by nearest neighbours, then without crossings.
+// 2. SortAlongFault sorts sticks along the fault by nearest neighbours, then without crossings.
 // 3. BuildSheet creates levels, interpolates sticks at these, and continues short sticks and ends.
 // 4. SheetTracer follows lines down the sheet, half a column apart, to their passages through the horizon.
 
 #include "FaultSurfaces.h"
+
+#include "Common/Horizon/Median.h"
 
 #include <Eigen/Core>
 
@@ -15,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
@@ -104,127 +107,100 @@ double Distance(const LevelStick& a, const LevelStick& b)
   return (a.RelativeAt(middle) - b.RelativeAt(middle)).norm();
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// 2. Order.
+// ---- Order ----------------------------------------------------------------------------------------------------------
 
-class StickOrder
+using StickOrder = std::vector<std::size_t>;
+
+/// Returns 0 beyond the ends.
+double Way(const std::vector<LevelStick>& sticks, const StickOrder& order, std::ptrdiff_t from, std::ptrdiff_t to)
 {
-public:
-  explicit StickOrder(std::vector<LevelStick>& sticks)
-    : Sticks(sticks)
+  const bool isInside = from >= 0 && to < std::ptrdiff_t(order.size());
+  return isInside ? Distance(sticks[order[from]], sticks[order[to]]) : 0.0;
+}
+
+double LengthOf(const std::vector<LevelStick>& sticks, const StickOrder& order)
+{
+  double sum = 0.0;
+  for (std::ptrdiff_t n = 1; n < std::ptrdiff_t(order.size()); ++n)
   {
+    sum += Way(sticks, order, n - 1, n);
   }
+  return sum;
+}
 
-  void Sort() const
+/// Starts at the stick farthest from the first.
+StickOrder OrderByNearest(const std::vector<LevelStick>& sticks)
+{
+  StickOrder rest(sticks.size());
+  std::iota(rest.begin(), rest.end(), std::size_t(0));
+  std::vector<double> ways;
+  const auto measureFrom = [&](std::size_t stick)
   {
-    std::vector<std::size_t> asGiven(this->Sticks.size());
-    for (std::size_t n = 0; n < asGiven.size(); ++n)
+    ways.resize(rest.size());
+    std::transform(
+      rest.begin(), rest.end(), ways.begin(), [&](std::size_t n) { return Distance(sticks[stick], sticks[n]); });
+  };
+  measureFrom(0);
+  auto next = std::max_element(ways.begin(), ways.end()) - ways.begin();
+  StickOrder order;
+  for (;;)
+  {
+    order.push_back(rest[next]);
+    rest.erase(rest.begin() + next);
+    if (rest.empty())
     {
-      asGiven[n] = n;
+      return order;
     }
-    std::vector<std::size_t> order = this->Nearest();
-    this->Uncross(order);
-    this->Uncross(asGiven);
-    if (!(this->Length(order) < this->Length(asGiven)))
-    {
-      order = asGiven;
-    }
-    std::vector<LevelStick> sorted;
-    for (const std::size_t n : order)
-    {
-      sorted.push_back(std::move(this->Sticks[n]));
-    }
-    this->Sticks.swap(sorted);
+    measureFrom(order.back());
+    next = std::min_element(ways.begin(), ways.end()) - ways.begin();
   }
+}
 
-private:
-  static constexpr std::size_t MostToUncross = 1000; // The cost is quadratic.
-  static constexpr int MostRounds = 20;
-
-  double Way(const std::vector<std::size_t>& order, std::size_t from, std::size_t to) const
+void Uncross(const std::vector<LevelStick>& sticks, StickOrder& order)
+{
+  constexpr std::size_t mostToUncross = 1000; // The cost is quadratic.
+  constexpr int mostRounds = 20;
+  const auto size = std::ptrdiff_t(order.size());
+  bool isShorter = order.size() <= mostToUncross;
+  for (int round = 0; isShorter && round < mostRounds; ++round)
   {
-    return to >= order.size() ? 0.0 : Distance(this->Sticks[order[from]], this->Sticks[order[to]]);
-  }
-
-  double Length(const std::vector<std::size_t>& order) const
-  {
-    double sum = 0.0;
-    for (std::size_t n = 0; n + 1 < order.size(); ++n)
+    isShorter = false;
+    for (std::ptrdiff_t first = 0; first + 1 < size; ++first)
     {
-      sum += this->Way(order, n, n + 1);
-    }
-    return sum;
-  }
-
-  std::vector<std::size_t> Nearest() const
-  {
-    std::vector<std::size_t> rest(this->Sticks.size());
-    std::size_t last = 0;
-    double farthest = -1.0;
-    for (std::size_t n = 0; n < rest.size(); ++n)
-    {
-      rest[n] = n;
-      const double distance = Distance(this->Sticks[0], this->Sticks[n]);
-      if (distance > farthest)
+      for (std::ptrdiff_t last = first + 1; last < size; ++last)
       {
-        farthest = distance;
-        last = n;
-      }
-    }
-    std::vector<std::size_t> order;
-    for (;;)
-    {
-      order.push_back(rest[last]);
-      rest.erase(rest.begin() + std::ptrdiff_t(last));
-      if (rest.empty())
-      {
-        return order;
-      }
-      double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t n = 0; n < rest.size(); ++n)
-      {
-        const double distance = Distance(this->Sticks[order.back()], this->Sticks[rest[n]]);
-        if (distance < nearest)
+        const double now = Way(sticks, order, first - 1, first) + Way(sticks, order, last, last + 1);
+        const double then = Way(sticks, order, first - 1, last) + Way(sticks, order, first, last + 1);
+        if (then < now * (1.0 - 1e-9))
         {
-          nearest = distance;
-          last = n;
-        }
-      }
-      last = std::min(last, rest.size() - 1);
-    }
-  }
-
-  void Uncross(std::vector<std::size_t>& order) const
-  {
-    if (order.size() > MostToUncross)
-    {
-      return;
-    }
-    bool isShorter = true;
-    for (int round = 0; isShorter && round < MostRounds; ++round)
-    {
-      isShorter = false;
-      for (std::size_t first = 0; first + 1 < order.size(); ++first)
-      {
-        for (std::size_t last = first + 1; last < order.size(); ++last)
-        {
-          const double now = (first > 0 ? this->Way(order, first - 1, first) : 0.0) + this->Way(order, last, last + 1);
-          const double then = (first > 0 ? this->Way(order, first - 1, last) : 0.0) + this->Way(order, first, last + 1);
-          if (then < now * (1.0 - 1e-9))
-          {
-            std::reverse(order.begin() + std::ptrdiff_t(first), order.begin() + std::ptrdiff_t(last) + 1);
-            isShorter = true;
-          }
+          std::reverse(order.begin() + first, order.begin() + last + 1);
+          isShorter = true;
         }
       }
     }
   }
+}
 
-  std::vector<LevelStick>& Sticks;
-};
+void SortAlongFault(std::vector<LevelStick>& sticks)
+{
+  StickOrder asGiven(sticks.size());
+  std::iota(asGiven.begin(), asGiven.end(), std::size_t(0));
+  StickOrder order = OrderByNearest(sticks);
+  Uncross(sticks, order);
+  Uncross(sticks, asGiven);
+  if (!(LengthOf(sticks, order) < LengthOf(sticks, asGiven)))
+  {
+    order = asGiven;
+  }
+  std::vector<LevelStick> sorted;
+  for (const std::size_t n : order)
+  {
+    sorted.push_back(std::move(sticks[n]));
+  }
+  sticks.swap(sorted);
+}
 
-//----------------------------------------------------------------------------------------------------------------------
-// 3. Sheets.
+// ---- Sheets ---------------------------------------------------------------------------------------------------------
 
 // The unit is the height of the sheet.
 constexpr double LevelStep = 0.01;
@@ -265,14 +241,14 @@ void ContinueShortSticks(const std::vector<LevelStick>& sticks, const std::vecto
   {
     for (std::size_t level = 0; level < levels.size(); ++level)
     {
-      const std::size_t before = sheet.At(stick - 1, level);
-      const std::size_t after = sheet.At(stick + 1, level);
       const auto reaches = [&](const LevelStick& other)
       { return levels[level] >= other.Least() && levels[level] <= other.Greatest(); };
-      if (sheet.IsKnown(sheet.At(stick, level)) || !reaches(sticks[stick - 1]) || !reaches(sticks[stick + 1]))
+      if (sheet.Places[sheet.At(stick, level)] || !reaches(sticks[stick - 1]) || !reaches(sticks[stick + 1]))
       {
         continue;
       }
+      const SpacePoint& before = *sheet.Places[sheet.At(stick - 1, level)];
+      const SpacePoint& after = *sheet.Places[sheet.At(stick + 1, level)];
       const double end = std::clamp(levels[level], sticks[stick].Least(), sticks[stick].Greatest());
       const SpacePoint atEnd = sticks[stick].At(end);
       const SpacePoint beforeEnd = sticks[stick - 1].At(end);
@@ -282,10 +258,9 @@ void ContinueShortSticks(const std::vector<LevelStick>& sticks, const std::vecto
       const double part = toBefore + toAfter > 0.0 ? toBefore / (toBefore + toAfter) : 0.5;
       const auto continued = [part](double from, double to, double fromEnd, double toEnd, double place)
       { return place + (LevelStick::Between(from, to, part) - LevelStick::Between(fromEnd, toEnd, part)); };
-      sheet.Set(sheet.At(stick, level),
-        { continued(sheet[before].X, sheet[after].X, beforeEnd.X, afterEnd.X, atEnd.X),
-          continued(sheet[before].Y, sheet[after].Y, beforeEnd.Y, afterEnd.Y, atEnd.Y),
-          continued(sheet[before].Z, sheet[after].Z, beforeEnd.Z, afterEnd.Z, atEnd.Z) });
+      sheet.Places[sheet.At(stick, level)] = { continued(before.X, after.X, beforeEnd.X, afterEnd.X, atEnd.X),
+        continued(before.Y, after.Y, beforeEnd.Y, afterEnd.Y, atEnd.Y),
+        continued(before.Z, after.Z, beforeEnd.Z, afterEnd.Z, atEnd.Z) };
     }
   }
 }
@@ -294,14 +269,14 @@ FaultSheet BuildSheet(const std::string& fault, const std::vector<LevelStick>& s
 {
   const std::vector<double> levels = ListLevels(sticks);
   const double reach = LevelStep * (levels.back() - levels.front());
-  FaultSheet sheet(fault, sticks.size(), levels.size());
+  FaultSheet sheet{ fault, sticks.size(), levels.size() };
   for (std::size_t stick = 0; stick < sticks.size(); ++stick)
   {
     for (std::size_t level = 0; level < levels.size(); ++level)
     {
       if (levels[level] >= sticks[stick].Least() - reach && levels[level] <= sticks[stick].Greatest() + reach)
       {
-        sheet.Set(sheet.At(stick, level), sticks[stick].At(levels[level]));
+        sheet.Places[sheet.At(stick, level)] = sticks[stick].At(levels[level]);
       }
     }
   }
@@ -310,28 +285,19 @@ FaultSheet BuildSheet(const std::string& fault, const std::vector<LevelStick>& s
   {
     return sheet;
   }
-  FaultSheet extended(fault, sticks.size() + 2, levels.size());
+  FaultSheet extended{ fault, sticks.size() + 2, levels.size() };
+  std::copy(sheet.Places.begin(), sheet.Places.end(), extended.Places.begin() + extended.At(1, 0));
   const std::size_t last = sticks.size() - 1;
   for (std::size_t level = 0; level < levels.size(); ++level)
   {
-    for (std::size_t stick = 0; stick <= last; ++stick)
-    {
-      if (sheet.IsKnown(sheet.At(stick, level)))
-      {
-        extended.Set(extended.At(stick + 1, level), sheet[sheet.At(stick, level)]);
-      }
-    }
     for (const auto& [from, to, beyond] : { std::array<std::size_t, 3>{ 1, 0, 0 }, { last - 1, last, last + 2 } })
     {
-      const std::size_t a = sheet.At(from, level);
-      const std::size_t b = sheet.At(to, level);
-      if (sheet.IsKnown(a) && sheet.IsKnown(b))
+      const std::optional<SpacePoint>& a = sheet.Places[sheet.At(from, level)];
+      const std::optional<SpacePoint>& b = sheet.Places[sheet.At(to, level)];
+      const SpacePoint place = a && b ? Continue(*a, *b) : SpacePoint();
+      if (a && b && std::isfinite(place.X) && std::isfinite(place.Y) && std::isfinite(place.Z))
       {
-        const SpacePoint place = Continue(sheet[a], sheet[b]);
-        if (std::isfinite(place.X) && std::isfinite(place.Y) && std::isfinite(place.Z))
-        {
-          extended.Set(extended.At(beyond, level), place);
-        }
+        extended.Places[extended.At(beyond, level)] = place;
       }
     }
   }
@@ -374,19 +340,17 @@ void Prepare(std::vector<LevelStick>& sticks)
   }
 }
 
-/// Sticks without a name belong to different faults if their distance exceeds the median by this factor.
-constexpr double LargestWay = 5.0;
-
-std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks)
+/// Sticks without a name belong to different faults if their distance exceeds the median by a factor.
+std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks, bool areNamed)
 {
+  constexpr double largestWay = 5.0;
   std::vector<double> ways;
   for (std::size_t n = 0; n + 1 < sticks.size(); ++n)
   {
     ways.push_back(Distance(sticks[n], sticks[n + 1]));
   }
-  std::vector<double> sorted = ways;
-  std::sort(sorted.begin(), sorted.end());
-  const double largest = LargestWay * sorted[sorted.size() / 2];
+  std::vector<double> reordered = ways;
+  const double largest = areNamed ? std::numeric_limits<double>::infinity() : largestWay * UpperMedian(reordered);
   std::vector<std::vector<LevelStick>> parts(1);
   for (std::size_t n = 0; n < sticks.size(); ++n)
   {
@@ -399,8 +363,7 @@ std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks
   return parts;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// 4. Traces.
+// ---- Traces ---------------------------------------------------------------------------------------------------------
 
 class SheetTracer
 {
@@ -414,7 +377,7 @@ public:
 
   void Follow()
   {
-    for (std::size_t stick = 0; stick + 1 < this->Sheet.NumberOfSticks(); ++stick)
+    for (std::size_t stick = 0; stick + 1 < this->Sheet.Sticks; ++stick)
     {
       this->FollowStrip(stick);
     }
@@ -428,17 +391,17 @@ private:
 
   void FollowStrip(std::size_t stick)
   {
-    std::vector<std::array<std::size_t, 2>> rungs;
+    std::vector<std::array<SpacePoint, 2>> rungs;
     double width = 0.0;
     const LinkGrid& grid = this->Heights.Grid();
-    for (std::size_t level = 0; level < this->Sheet.NumberOfLevels(); ++level)
+    for (std::size_t level = 0; level < this->Sheet.Levels; ++level)
     {
-      const std::size_t a = this->Sheet.At(stick, level);
-      const std::size_t b = this->Sheet.At(stick + 1, level);
-      if (this->Sheet.IsKnown(a) && this->Sheet.IsKnown(b))
+      const std::optional<SpacePoint>& a = this->Sheet.Places[this->Sheet.At(stick, level)];
+      const std::optional<SpacePoint>& b = this->Sheet.Places[this->Sheet.At(stick + 1, level)];
+      if (a && b)
       {
-        rungs.push_back({ a, b });
-        width = std::max(width, std::hypot(this->Sheet[b].X - this->Sheet[a].X, this->Sheet[b].Y - this->Sheet[a].Y));
+        rungs.push_back({ *a, *b });
+        width = std::max(width, std::hypot(b->X - a->X, b->Y - a->Y));
       }
     }
     if (rungs.size() < 2)
@@ -455,8 +418,7 @@ private:
       const double part = double(n) / double(lines);
       for (std::size_t rung = 0; rung < rungs.size(); ++rung)
       {
-        const SpacePoint& a = this->Sheet[rungs[rung][0]];
-        const SpacePoint& b = this->Sheet[rungs[rung][1]];
+        const auto& [a, b] = rungs[rung];
         line[rung] = { LevelStick::Between(a.X, b.X, part), LevelStick::Between(a.Y, b.Y, part),
           LevelStick::Between(a.Z, b.Z, part) };
       }
@@ -529,7 +491,7 @@ std::vector<std::array<std::size_t, 3>> FaultSheet::ListTriangles() const
       for (const std::size_t place : { this->At(stick, level), this->At(stick + 1, level),
              this->At(stick + 1, level + 1), this->At(stick, level + 1) })
       {
-        if (this->Known[place])
+        if (this->Places[place])
         {
           corners.push_back(place);
         }
@@ -572,17 +534,8 @@ std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, b
       continue;
     }
     Prepare(ofFault);
-    StickOrder(ofFault).Sort();
-    std::vector<std::vector<LevelStick>> parts(1);
-    if (name.empty())
-    {
-      parts = SplitAtJumps(std::move(ofFault));
-    }
-    else
-    {
-      parts[0] = std::move(ofFault);
-    }
-    for (const std::vector<LevelStick>& part : parts)
+    SortAlongFault(ofFault);
+    for (const std::vector<LevelStick>& part : SplitAtJumps(std::move(ofFault), !name.empty()))
     {
       if (part.size() > 1)
       {

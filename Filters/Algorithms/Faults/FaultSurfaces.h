@@ -14,44 +14,23 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace SeismicHorizons
 {
-class FaultSheet
+struct FaultSheet
 {
-public:
-  FaultSheet(std::string fault, std::size_t sticks, std::size_t levels)
-    : Fault(std::move(fault))
-    , Sticks(sticks)
-    , Levels(levels)
-    , Places(sticks * levels)
-    , Known(sticks * levels, false)
-  {
-  }
+  std::string Fault;
+  std::size_t Sticks = 0;
+  std::size_t Levels = 0;
+  /// Places are stick by stick, without value where a stick does not reach a level.
+  std::vector<std::optional<SpacePoint>> Places = std::vector<std::optional<SpacePoint>>(Sticks * Levels);
 
-  const std::string& Name() const { return this->Fault; }
-  std::size_t NumberOfSticks() const { return this->Sticks; }
-  std::size_t NumberOfLevels() const { return this->Levels; }
   std::size_t At(std::size_t stick, std::size_t level) const { return stick * this->Levels + level; }
-  bool IsKnown(std::size_t place) const { return this->Known[place]; }
-  SpacePoint& operator[](std::size_t place) { return this->Places[place]; }
-  const SpacePoint& operator[](std::size_t place) const { return this->Places[place]; }
-  void Set(std::size_t place, const SpacePoint& value)
-  {
-    this->Places[place] = value;
-    this->Known[place] = true;
-  }
 
   std::vector<std::array<std::size_t, 3>> ListTriangles() const;
-
-private:
-  std::string Fault;
-  std::size_t Sticks;
-  std::size_t Levels;
-  std::vector<SpacePoint> Places;
-  std::vector<bool> Known;
 };
 
 /// Sheets need two sticks. The given order stays if no shorter one is found; unnamed sticks are split at large

@@ -109,6 +109,39 @@ private:
   std::int64_t SizeX;
   std::int64_t SizeY;
 };
+
+/// Lanes are the rows of a grid for links to the east, and its columns for links to the north.
+struct Lanes
+{
+  const LinkGrid& Grid;
+  LinkSide Side;
+
+  bool IsEast() const { return this->Side == LinkSide::East; }
+  Lanes Others() const { return { this->Grid, this->IsEast() ? LinkSide::North : LinkSide::East }; }
+
+  std::int64_t Length() const { return this->IsEast() ? this->Grid.Width() : this->Grid.Height(); }
+  std::int64_t Number() const { return this->Others().Length(); }
+
+  std::int64_t Column(std::int64_t along, std::int64_t lane) const
+  {
+    return this->IsEast() ? lane * this->Grid.Width() + along : along * this->Grid.Width() + lane;
+  }
+  std::int64_t AlongOf(std::int64_t column) const
+  {
+    return this->IsEast() ? column % this->Grid.Width() : column / this->Grid.Width();
+  }
+  std::int64_t LaneOf(std::int64_t column) const { return this->Others().AlongOf(column); }
+
+  std::int64_t Link(std::int64_t along, std::int64_t lane) const
+  {
+    return LinkGrid::LinkOf(this->Column(along, lane), this->Side);
+  }
+  /// Returns the link to the next lane.
+  std::int64_t Across(std::int64_t along, std::int64_t lane) const
+  {
+    return LinkGrid::LinkOf(this->Column(along, lane), this->Others().Side);
+  }
+};
 }
 
 #endif

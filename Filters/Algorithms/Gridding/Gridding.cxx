@@ -18,11 +18,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -62,35 +62,17 @@ double RoundLatticeStep(double step)
   return best;
 }
 
-struct PlaceBox
+SurveyLattice AutomaticLattice(const Eigen::AlignedBox2d& box, std::size_t picks)
 {
-  Eigen::Vector2d Least = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d Greatest = -Least;
-
-  void Add(const Eigen::Vector2d& place)
-  {
-    this->Least = this->Least.cwiseMin(place);
-    this->Greatest = this->Greatest.cwiseMax(place);
-  }
-
-  int LongAxis() const { return (this->Greatest - this->Least).y() > (this->Greatest - this->Least).x() ? 1 : 0; }
-
-  double Distance(const Eigen::Vector2d& place) const
-  {
-    return (this->Least - place).cwiseMax(place - this->Greatest).cwiseMax(0.0).norm();
-  }
-};
-
-SurveyLattice AutomaticLattice(const PlaceBox& box, std::size_t picks)
-{
-  const Eigen::Vector2d extent = box.Greatest - box.Least;
+  assert(!box.isEmpty());
+  const Eigen::Vector2d extent = box.sizes();
   const double area = extent.x() * extent.y();
   const double step = area > 0.0 ? std::sqrt(area / double(picks)) : std::max(extent.x(), extent.y()) / double(picks);
   const double size = step > 0.0 && std::isfinite(step) ? RoundLatticeStep(step) : 1.0;
   SurveyLattice lattice;
   lattice.ColumnStep = size * Eigen::Vector2d::UnitX();
   lattice.RowStep = size * Eigen::Vector2d::UnitY();
-  lattice.Origin = size * (box.Least / size).array().floor();
+  lattice.Origin = size * (box.min() / size).array().floor();
   return lattice;
 }
 
@@ -98,10 +80,10 @@ SurveyLattice AutomaticLattice(const PlaceBox& box, std::size_t picks)
 SurveyLattice FindGrid(
   const std::vector<Eigen::Vector2d>& places, const GriddingOptions& options, const std::string& strays)
 {
-  PlaceBox box;
+  Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& place : places)
   {
-    box.Add(place);
+    box.extend(place);
   }
   SurveyLattice lattice = AutomaticLattice(box, places.size());
   if (options.Placement.Source == LatticeSource::OriginAndSteps)
@@ -111,14 +93,14 @@ SurveyLattice FindGrid(
     lattice.RowStep = options.Placement.RowStep;
   }
   const Eigen::Matrix2d toColumns = lattice.Steps().inverse();
-  PlaceBox columns;
+  Eigen::AlignedBox2d columns;
   for (const Eigen::Vector2d& place : places)
   {
-    columns.Add(toColumns * (place - lattice.Origin));
+    columns.extend(toColumns * (place - lattice.Origin));
   }
   const Eigen::Vector2d margin = options.Radius * toColumns.rowwise().norm();
-  const Eigen::Vector2d first = (columns.Least - margin).array().floor();
-  const Eigen::Vector2d last = (columns.Greatest + margin).array().ceil();
+  const Eigen::Vector2d first = (columns.min() - margin).array().floor();
+  const Eigen::Vector2d last = (columns.max() + margin).array().ceil();
   const Eigen::Vector2d size = last - first + Eigen::Vector2d::Ones();
   if (!(size.prod() <=
         std::min(MostLatticeColumns, std::max(AllowedColumns, MostColumnsPerPick * double(places.size())))))
@@ -148,6 +130,7 @@ public:
     , Order(places.size())
     , Boxes(places.size())
   {
+    assert(!places.empty());
     std::iota(this->Order.begin(), this->Order.end(), 0);
     this->Build(0, this->Order.size());
   }
@@ -166,6 +149,8 @@ public:
   }
 
 private:
+  static int LongAxis(const Eigen::AlignedBox2d& box) { return box.sizes().y() > box.sizes().x() ? 1 : 0; }
+
   const Eigen::Vector2d& PlaceAt(std::size_t node) const { return this->Places[std::size_t(this->Order[node])]; }
 
   void Build(std::size_t first, std::size_t last)
@@ -177,9 +162,9 @@ private:
     const std::size_t middle = first + (last - first) / 2;
     for (std::size_t node = first; node < last; ++node)
     {
-      this->Boxes[middle].Add(this->PlaceAt(node));
+      this->Boxes[middle].extend(this->PlaceAt(node));
     }
-    const int axis = this->Boxes[middle].LongAxis();
+    const int axis = LongAxis(this->Boxes[middle]);
     const auto begin = this->Order.begin();
     std::nth_element(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(middle), begin + std::ptrdiff_t(last),
       [&](std::int32_t a, std::int32_t b)
@@ -191,7 +176,7 @@ private:
   void Look(std::size_t first, std::size_t last, const Eigen::Vector2d& place, Found& found) const
   {
     const std::size_t middle = first + (last - first) / 2;
-    if (first == last || this->Boxes[middle].Distance(place) > found.Distance)
+    if (first == last || this->Boxes[middle].exteriorDistance(place) > found.Distance)
     {
       return;
     }
@@ -201,7 +186,7 @@ private:
     {
       found = { pick, distance };
     }
-    const int axis = this->Boxes[middle].LongAxis();
+    const int axis = LongAxis(this->Boxes[middle]);
     const bool isBelow = place[axis] < this->PlaceAt(middle)[axis];
     for (const bool looksBelow : { isBelow, !isBelow })
     {
@@ -211,7 +196,7 @@ private:
 
   const std::vector<Eigen::Vector2d>& Places;
   std::vector<std::int32_t> Order;
-  std::vector<PlaceBox> Boxes;
+  std::vector<Eigen::AlignedBox2d> Boxes;
 };
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -225,6 +210,7 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
 /// Andrew's chains give the corners in order.
 std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> places)
 {
+  assert(!places.empty());
   std::sort(places.begin(), places.end(),
     [](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
     { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
@@ -284,6 +270,7 @@ struct Trend
 
   Trend(const Picks& picks, const Eigen::Matrix2d& steps)
   {
+    assert(!picks.Z.empty() && picks.Place.size() == picks.Z.size());
     constexpr double leastSteps = 0.5;
     constexpr double leastPart = 0.02;
     const double count = double(picks.Z.size());
@@ -341,6 +328,7 @@ struct Spring
 /// Picks within a tenth of a column share a spring, as their noise would tilt the plate, for example in a well.
 std::vector<Spring> MakeSprings(const std::vector<double>& z, const Trend& trend)
 {
+  assert(trend.Places.size() == z.size());
   constexpr double near = 0.1;
   std::vector<Spring> springs;
   std::vector<Eigen::Vector2d> firsts;
@@ -384,6 +372,7 @@ void AddProduct(SiteSystem<2>& system, std::int64_t place, const Left& left, con
   const auto add = [&](const PlateTerm& from, const PlateTerm& to)
   {
     const std::int32_t site = system.Sites.Number[std::size_t(system.Sites.Near->Beside(place, from.X, from.Y))];
+    assert(site != NoSite);
     system.Matrix[std::size_t(site)][StencilMatrix<2>::Index(to.X - from.X, to.Y - from.Y)] +=
       0.5 * weight * from.Coefficient * to.Coefficient;
   };
@@ -567,21 +556,10 @@ private:
   {
     const Trend trend(this->Given, this->Lattice.Steps());
     const std::vector<Spring> springs = MakeSprings(this->Given.Z, trend);
-    const std::vector<BoxRun> runs = this->PlateRuns(springs);
-    const auto near = std::make_shared<const BoxPlaces>(runs, SiteBox::Margin);
-    SiteBox sites(near);
-    for (const BoxRun& run : runs)
-    {
-      const std::int64_t first = near->Find({ run.First, run.Row });
-      for (int i = run.First; i <= run.Last; ++i)
-      {
-        sites.Add(first + i - run.First);
-      }
-    }
-    SiteSystem<2> plate(std::move(sites));
+    SiteSystem<2> plate(SiteBox::Fill(this->PlateRuns(springs)));
     this->AddEnergy(plate);
     std::vector<double> values = this->AddSprings(plate, springs);
-    SiteSolver<2>(plate).Solve(values, monitor);
+    MakeSiteSolver(plate)->Solve(values, monitor);
     // Rounding errors would become vertical steps of level areas.
     const double largest = std::max(std::abs(*std::min_element(this->Given.Z.begin(), this->Given.Z.end())),
       std::abs(*std::max_element(this->Given.Z.begin(), this->Given.Z.end())));
@@ -591,7 +569,7 @@ private:
       const int i = int(column % std::size_t(this->Width));
       const int j = int(column / std::size_t(this->Width));
       const double z = trend.Plane[0] + trend.Plane[1] * i + trend.Plane[2] * j +
-        values[std::size_t(plate.Sites.Number[std::size_t(near->Find({ i, j }))])];
+        values[std::size_t(plate.Sites.Number[std::size_t(plate.Sites.Near->Find({ i, j }))])];
       this->Result[column] = unit * std::round(z / unit);
     }
   }

@@ -4,6 +4,7 @@
 #include "BoxPlaces.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace SeismicHorizons
@@ -56,6 +57,7 @@ std::vector<BoxRun> Merged(std::vector<BoxRun> runs)
 BoxPlaces::BoxPlaces(const std::vector<BoxRun>& runs, int reach)
   : Runs(Widened(runs, reach))
 {
+  assert(reach >= 2);
   std::int64_t size = 0;
   for (const BoxRun& run : this->Runs)
   {
@@ -91,7 +93,9 @@ std::int64_t BoxPlaces::Find(const PlanePoint& column) const
 {
   const BoxRun wanted = { column.Y, column.X, column.X };
   const auto after = std::upper_bound(this->Runs.begin(), this->Runs.end(), wanted, IsRunBefore);
+  assert(after != this->Runs.begin());
   const std::size_t run = std::size_t(after - this->Runs.begin()) - 1;
+  assert(this->Runs[run].Row == column.Y && column.X <= this->Runs[run].Last);
   return this->Begins[run] + (column.X - this->Runs[run].First);
 }
 }

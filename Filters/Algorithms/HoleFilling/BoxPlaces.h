@@ -30,9 +30,9 @@ public:
   /// `reach` is at least 2, so that only neighbours along a row have successive numbers.
   BoxPlaces(const std::vector<BoxRun>& runs, int reach);
 
+  const std::vector<BoxRun> Runs; // Two boxes with equal runs are equal.
+
   std::int64_t Size() const { return std::int64_t(this->Places.size()); }
-  /// Two boxes with equal runs are equal.
-  const std::vector<BoxRun>& GetRuns() const { return this->Runs; }
 
   PlanePoint Column(std::int64_t place) const { return this->Places[std::size_t(place)].Column; }
   std::int64_t Find(const PlanePoint& column) const;
@@ -60,7 +60,6 @@ private:
     std::int32_t ToBelow = 0;
   };
 
-  std::vector<BoxRun> Runs;
   std::vector<std::int64_t> Begins;
   std::vector<BoxPlace> Places;
 };

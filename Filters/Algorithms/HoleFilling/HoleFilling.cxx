@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The smoothing of plates is chosen first. Holes are found by runs of empty columns and divided where cuts cross them;
-// each section is cut out (HoleRegion.h) and filled (HoleFiller.h). Sections without a link to a known column stay open.
-// Threads share small holes; large holes, which take seconds, are filled one by one.
+// Holes are found by runs of empty columns and divided where cuts cross them; each section is cut out and filled
+// (HoleRegion.h). Sections without a link to a known column stay open. Threads share small holes; large holes,
+// which take seconds, are filled one by one.
 
 #include "HoleFilling.h"
 
@@ -12,9 +12,6 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/ColumnIndex.h"
-#include "Common/Horizon/LinkCuts.h"
-#include "Common/Horizon/PlaneGeometry.h"
-#include "HoleFiller.h"
 #include "HoleRegion.h"
 #include "SiteSolver.h"
 
@@ -22,20 +19,18 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
-// ---- Smoothing ------------------------------------------------------------------------------------------------------
-// Chooses the smoothing of plates by the roughness of the horizon.
-struct PlateChoice
-{
-  double RimSmoothing = 1.0;
-  int RimWidth = 3;
-};
+// ---- Smoothing of plates --------------------------------------------------------------------------------------------
+
+using PlateChoice = std::pair<double, int>; // RimSmoothing and RimWidth
 
 constexpr int WidestChosenRim = 5;
 
@@ -52,10 +47,8 @@ constexpr double RoundingSquare = 4.0 / 12.0;
 class TwistSums
 {
 public:
-  TwistSums(
-    const ColumnIndex& index, const RasterFrame& frame, const std::vector<double>& heights, const LinkCuts* cuts)
+  TwistSums(const ColumnIndex& index, const std::vector<double>& heights, const LinkCuts* cuts)
     : Index(index)
-    , Frame(frame)
     , Heights(heights)
     , Cuts(cuts)
   {
@@ -106,14 +99,13 @@ private:
     {
       const std::int64_t x = n % (side + 1);
       const std::int64_t y = n / (side + 1);
-      const PlanePoint column = this->Frame.Column(place + y * this->Index.Width() + x);
+      const PlanePoint column = this->Index.GivenColumn(place + y * this->Index.Width() + x);
       isWhole = !(x < side && this->Cuts->IsCutEast(column)) && !(y < side && this->Cuts->IsCutNorth(column));
     }
     return isWhole;
   }
 
   const ColumnIndex& Index;
-  const RasterFrame& Frame;
   const std::vector<double>& Heights;
   const LinkCuts* const Cuts;
   double Sum[2] = { 0.0, 0.0 }; // for l = 1 and 2
@@ -127,8 +119,7 @@ private:
 ///  - Above 2.4 there is hardly any noise, and the plate interpolates.
 ///  - Below 1.4, and if integer heights have twists of rounding alone, it smooths strongly.
 ///  - Otherwise, and without such squares, it smooths slightly.
-PlateChoice ChoosePlate(
-  const ColumnIndex& index, const RasterFrame& frame, const std::vector<double>& heights, const LinkCuts* cuts)
+PlateChoice ChoosePlate(const ColumnIndex& index, const std::vector<double>& heights, const LinkCuts* cuts)
 {
   constexpr std::int64_t enough = 250000;
   // Sampled rows are spread by the golden ratio, as noise may repeat with the rows.
@@ -136,7 +127,7 @@ PlateChoice ChoosePlate(
   const std::int64_t width = index.Width();
   const std::int64_t rows = index.Height() - 2; // A square of size 2 reaches two rows further.
   const std::int64_t step = width * index.Height() / enough + 1;
-  TwistSums twists(index, frame, heights, cuts);
+  TwistSums twists(index, heights, cuts);
   double part = 0.0;
   for (std::int64_t first = 0; first < rows; first += step)
   {
@@ -150,52 +141,8 @@ PlateChoice ChoosePlate(
   return twists.Choose();
 }
 
-constexpr std::int64_t HolesPerTask = 16;
-
-void CheckFillingOptions(const HoleFillingOptions& options)
-{
-  CheckAtLeast<std::int64_t>("largest hole size", options.LargestHoleSize, 0, " columns");
-  CheckWithin("rim smoothing", options.RimSmoothing, 0.0, LargestRimSmoothing, "");
-  CheckWithin("rim width", options.RimWidth, 1, LargestRimWidth, " columns");
-  CheckWithin("extrapolation distance", options.ExtrapolationDistance, 0, LargestExtrapolationDistance, " columns");
-}
-
-std::vector<std::int32_t> Continued(std::vector<std::int32_t> numbers, const std::vector<bool>& isKnown)
-{
-  const std::size_t first = std::size_t(std::find(isKnown.begin(), isKnown.end(), true) - isKnown.begin());
-  for (std::size_t n = first; n-- > 0;)
-  {
-    numbers[n] = numbers[n + 1] - 1;
-  }
-  for (std::size_t n = first + 1; n < numbers.size(); ++n)
-  {
-    numbers[n] = isKnown[n] ? numbers[n] : numbers[n - 1] + 1;
-  }
-  return numbers;
-}
-
-/// Every row and column of the index with a hole has a point.
-RasterFrame FindFrame(PlanePoints columns, const ColumnIndex& index)
-{
-  const PlanePoints near = index.Columns();
-  std::vector<std::int32_t> columnOf(std::size_t(index.Width()), 0);
-  std::vector<std::int32_t> rowOf(std::size_t(index.Height()), 0);
-  std::vector<bool> isColumnKnown(columnOf.size());
-  std::vector<bool> isRowKnown(rowOf.size());
-  const std::int64_t first = columns.empty() ? 0 : index.Place(near.front());
-  for (std::size_t point = 0; point < columns.size(); ++point)
-  {
-    const std::size_t x = std::size_t(first % index.Width() + near[point].X - near.front().X);
-    const std::size_t y = std::size_t(first / index.Width() + near[point].Y - near.front().Y);
-    columnOf[x] = columns[point].X;
-    rowOf[y] = columns[point].Y;
-    isColumnKnown[x] = true;
-    isRowKnown[y] = true;
-  }
-  return RasterFrame(index, Continued(std::move(columnOf), isColumnKnown), Continued(std::move(rowOf), isRowKnown));
-}
-
 // ---- Holes ----------------------------------------------------------------------------------------------------------
+
 // Holes are groups of empty columns, connected by edges, that patches enclose, as with a radius of 1.
 
 struct HoleRun
@@ -204,130 +151,67 @@ struct HoleRun
   std::int64_t Last;
 };
 
-/// Holes are numbered row by row from the least y.
-struct HoleList
+struct EmptyRuns
 {
-  ItemLists<HoleRun> Runs;
-  std::vector<std::int64_t> Columns;
-};
-
-/// Without `some`, the run of the first row, the rim of the index, belongs to the outside.
-class EmptyRuns
-{
-public:
-  explicit EmptyRuns(const ColumnIndex& index, const std::vector<bool>* some = nullptr)
-    : Index(index)
-    , Some(some)
-  {
-    std::size_t before = 0;
-    for (std::int64_t row = 0; row < index.Height(); ++row)
-    {
-      const std::size_t begin = this->Runs.size();
-      this->AddRow(row);
-      this->JoinRows(before, begin);
-      before = begin;
-    }
-  }
-
-  HoleList FoundHoles()
-  {
-    HoleList result;
-    std::vector<std::int32_t> hole(this->Runs.size(), NoHole);
-    for (std::size_t run = 0; run < this->Runs.size(); ++run)
-    {
-      const std::size_t root = std::size_t(this->Sets.Find(std::int32_t(run)));
-      if (root == 0 && !this->Some)
-      {
-        continue;
-      }
-      if (root == run)
-      {
-        hole[run] = std::int32_t(result.Columns.size());
-        result.Columns.push_back(0);
-      }
-      hole[run] = hole[root]; // The root has the least number of its set, and therefore came before.
-      result.Columns[hole[run]] += this->Runs[run].Last - this->Runs[run].First + 1;
-    }
-    result.Runs = ItemLists<HoleRun>(std::int64_t(result.Columns.size()),
-      [&](auto&& add)
-      {
-        for (std::size_t run = 0; run < hole.size(); ++run)
-        {
-          if (hole[run] != NoHole)
-          {
-            add(hole[run], this->Runs[run]);
-          }
-        }
-      });
-    return result;
-  }
-
-  std::vector<bool> Outside()
-  {
-    std::vector<bool> result(std::size_t(this->Index.NumberOfPlaces()), false);
-    for (std::size_t run = 0; run < this->Runs.size(); ++run)
-    {
-      if (this->Sets.Find(std::int32_t(run)) == 0)
-      {
-        std::fill(result.begin() + this->Runs[run].First, result.begin() + this->Runs[run].Last + 1, true);
-      }
-    }
-    return result;
-  }
-
-private:
-  static constexpr std::int32_t NoHole = -1;
-
-  void AddRow(std::int64_t row)
-  {
-    const std::int64_t end = (row + 1) * this->Index.Width();
-    bool wasEmpty = false;
-    for (std::int64_t place = row * this->Index.Width(); place < end; ++place)
-    {
-      const bool isEmpty = this->Some ? (*this->Some)[std::size_t(place)] : !this->Index.Has(place);
-      if (isEmpty && !wasEmpty)
-      {
-        this->Runs.push_back({ place, place });
-        this->Sets.Add();
-      }
-      else if (isEmpty)
-      {
-        this->Runs.back().Last = place;
-      }
-      wasEmpty = isEmpty;
-    }
-  }
-
-  void JoinRows(std::size_t before, std::size_t begin)
-  {
-    std::size_t a = before;
-    std::size_t b = begin;
-    while (a < begin && b < this->Runs.size())
-    {
-      const HoleRun below = { this->Runs[a].First + this->Index.Width(), this->Runs[a].Last + this->Index.Width() };
-      const HoleRun& run = this->Runs[b];
-      if (below.First <= run.Last && run.First <= below.Last)
-      {
-        this->Sets.Join(std::int32_t(a), std::int32_t(b));
-      }
-      ++(below.Last < run.Last ? a : b);
-    }
-  }
-
-  const ColumnIndex& Index;
-  const std::vector<bool>* const Some;
   std::vector<HoleRun> Runs;
-  DisjointSets Sets;
+  DisjointSets Sets; // of runs that touch
 };
 
-std::vector<bool> FindNearOutside(const ColumnIndex& index, const RasterFrame& frame, std::vector<bool> outside,
-  int distance, const std::optional<PlaneBox>& box)
+template <typename IsEmpty>
+EmptyRuns FindEmptyRuns(const ColumnIndex& index, IsEmpty&& isEmpty)
 {
+  EmptyRuns empty;
+  std::vector<HoleRun>& runs = empty.Runs;
+  std::size_t below = 0; // the next run of the row before
+  for (std::int64_t row = 0; row < index.Height(); ++row)
+  {
+    const std::size_t begin = runs.size();
+    const std::int64_t end = (row + 1) * index.Width();
+    bool wasEmpty = false;
+    for (std::int64_t place = row * index.Width(); place < end; ++place)
+    {
+      const bool isNow = isEmpty(place);
+      if (isNow && !wasEmpty)
+      {
+        runs.push_back({ place, place });
+        empty.Sets.Add();
+      }
+      else if (isNow)
+      {
+        runs.back().Last = place;
+      }
+      wasEmpty = isNow;
+    }
+    for (std::size_t run = begin; below < begin && run < runs.size();)
+    {
+      const std::int64_t belowLast = runs[below].Last + index.Width();
+      if (runs[below].First + index.Width() <= runs[run].Last && runs[run].First <= belowLast)
+      {
+        empty.Sets.Join(std::int32_t(below), std::int32_t(run));
+      }
+      ++(belowLast < runs[run].Last ? below : run);
+    }
+    below = begin;
+  }
+  return empty;
+}
+
+/// Returns the places of the area of the first run that extrapolation reaches.
+std::vector<bool> FindNearOutside(const ColumnIndex& index, EmptyRuns& empty, const HoleFillingOptions& options)
+{
+  std::vector<bool> outside(std::size_t(index.NumberOfPlaces()), false);
+  for (std::size_t run = 0; run < empty.Runs.size(); ++run)
+  {
+    if (empty.Sets.Find(std::int32_t(run)) == 0)
+    {
+      std::fill(outside.begin() + empty.Runs[run].First, outside.begin() + empty.Runs[run].Last + 1, true);
+    }
+  }
   std::vector<bool> near(outside.size(), false);
   std::vector<std::int64_t> front;
   index.ForEachPoint(0, index.NumberOfPlaces(), [&](std::int64_t place, PointId) { front.push_back(place); });
   std::vector<std::int64_t> next;
-  for (int step = 0; step < distance && !front.empty(); ++step)
+  for (int step = 0; step < options.ExtrapolationDistance && !front.empty(); ++step)
   {
     for (const std::int64_t place : front)
     {
@@ -336,11 +220,8 @@ std::vector<bool> FindNearOutside(const ColumnIndex& index, const RasterFrame& f
         const std::int64_t neighbour = place + (n / 3 - 1) * index.Width() + n % 3 - 1;
         if (outside[std::size_t(neighbour)])
         {
-          const PlanePoint column = frame.Column(neighbour);
           outside[std::size_t(neighbour)] = false;
-          if (!box ||
-            (column.X >= box->Least.X && column.Y >= box->Least.Y && column.X <= box->Greatest.X &&
-              column.Y <= box->Greatest.Y))
+          if (!options.Survey || options.Survey->Contains(index.GivenColumn(neighbour)))
           {
             near[std::size_t(neighbour)] = true;
             next.push_back(neighbour);
@@ -354,29 +235,69 @@ std::vector<bool> FindNearOutside(const ColumnIndex& index, const RasterFrame& f
   return near;
 }
 
-struct AllHoles
+/// Holes come first, row by row from the least y, then areas outside.
+struct HoleList
 {
-  HoleList Enclosed;
-  HoleList Outside;
+  std::size_t Enclosed = 0;
+  std::vector<std::int64_t> Columns; // number by hole
+  ItemLists<HoleRun> Runs;
 };
 
-AllHoles FindHoles(const ColumnIndex& index, const RasterFrame& frame, const HoleFillingOptions& options)
+HoleList FindHoles(const ColumnIndex& index, const HoleFillingOptions& options)
 {
-  EmptyRuns all(index);
-  AllHoles holes;
-  holes.Enclosed = all.FoundHoles();
+  constexpr std::int32_t none = -1;
+  HoleList holes;
+  std::vector<HoleRun> runs;
+  std::vector<std::int32_t> holeOf; // by run
+  const auto append = [&](EmptyRuns& empty, bool isFirstOutside)
+  {
+    const std::size_t begin = runs.size();
+    runs.insert(runs.end(), empty.Runs.begin(), empty.Runs.end());
+    for (std::size_t run = 0; run < empty.Runs.size(); ++run)
+    {
+      const auto root = std::size_t(empty.Sets.Find(std::int32_t(run)));
+      if (root == run && !(run == 0 && isFirstOutside))
+      {
+        holeOf.push_back(std::int32_t(holes.Columns.size()));
+        holes.Columns.push_back(0);
+      }
+      else // The root has the least number of its set, and therefore came before.
+      {
+        holeOf.push_back(root == run ? none : holeOf[begin + root]);
+      }
+      if (holeOf.back() != none)
+      {
+        holes.Columns[std::size_t(holeOf.back())] += empty.Runs[run].Last - empty.Runs[run].First + 1;
+      }
+    }
+  };
+  // The first row is the rim of the index, outside.
+  EmptyRuns empty = FindEmptyRuns(index, [&](std::int64_t place) { return !index.Has(place); });
+  append(empty, true);
+  holes.Enclosed = holes.Columns.size();
   if (options.ExtrapolationDistance > 0 && index.NumberOfPlaces() > 0)
   {
-    const std::vector<bool> near =
-      FindNearOutside(index, frame, all.Outside(), options.ExtrapolationDistance, options.Survey);
-    holes.Outside = EmptyRuns(index, &near).FoundHoles();
+    const std::vector<bool> near = FindNearOutside(index, empty, options);
+    empty = FindEmptyRuns(index, [&](std::int64_t place) { return near[std::size_t(place)]; });
+    append(empty, false);
   }
+  holes.Runs = ItemLists<HoleRun>(std::int64_t(holes.Columns.size()),
+    [&](auto&& add)
+    {
+      for (std::size_t run = 0; run < runs.size(); ++run)
+      {
+        if (holeOf[run] != none)
+        {
+          add(holeOf[run], runs[run]);
+        }
+      }
+    });
   return holes;
 }
 
 /// Sections are in the order of their first places.
 std::vector<std::vector<std::int64_t>> SplitHole(
-  const ColumnIndex& index, const RasterFrame& frame, const LinkCuts& cuts, const std::vector<std::int64_t>& hole)
+  const ColumnIndex& index, const LinkCuts& cuts, const std::vector<std::int64_t>& gap)
 {
   DisjointSets sets(hole.size());
   for (std::size_t n = 0; n < hole.size(); ++n)
@@ -389,13 +310,13 @@ std::vector<std::vector<std::int64_t>> SplitHole(
         sets.Join(std::int32_t(found - hole.begin()), std::int32_t(n));
       }
     };
-    const std::int64_t west = hole[n] - 1;
-    const std::int64_t south = hole[n] - index.Width();
-    if (!cuts.IsCutEast(frame.Column(west)))
+    const std::int64_t west = gap[n] - 1;
+    const std::int64_t south = gap[n] - index.Width();
+    if (!cuts.IsCutEast(index.GivenColumn(west)))
     {
       join(west);
     }
-    if (!cuts.IsCutNorth(frame.Column(south)))
+    if (!cuts.IsCutNorth(index.GivenColumn(south)))
     {
       join(south);
     }
@@ -415,20 +336,21 @@ std::vector<std::vector<std::int64_t>> SplitHole(
   return parts;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
+// ---- Filling --------------------------------------------------------------------------------------------------------
+
+constexpr std::int64_t HolesPerTask = 16;
 
 class HoleFiller
 {
 public:
-  HoleFiller(const ColumnIndex& index, const RasterFrame& frame, const std::vector<double>& heights,
-    const std::vector<PointValue>& attributes, const HoleFillingOptions& options, const LinkCuts* cuts)
+  HoleFiller(const ColumnIndex& index, const std::vector<double>& heights, const std::vector<PointValue>& attributes,
+    const HoleFillingOptions& options, const LinkCuts* cuts)
     : Index(index)
-    , Frame(frame)
     , Heights(heights)
     , Attributes(attributes)
     , Options(options)
     , Cuts(cuts)
-    , Holes(FindHoles(index, frame, options))
+    , Holes(FindHoles(index, options))
   {
   }
 
@@ -437,7 +359,7 @@ public:
     this->Allocate();
     // Large holes report their own progress.
     const auto small = std::partition(this->Closed.begin(), this->Closed.end(),
-      [this](std::size_t hole) { return this->SizeOf(hole) >= std::int64_t(MultigridSize); });
+      [this](std::size_t hole) { return this->Holes.Columns[hole] >= std::int64_t(MultigridSize); });
     const std::size_t large = std::size_t(small - this->Closed.begin());
     const double share = large == 0 ? 0.0 : large == this->Closed.size() ? 1.0 : 0.8;
     for (std::size_t n = 0; n < large; ++n)
@@ -453,70 +375,53 @@ public:
           this->Fill(this->Closed[large + std::size_t(n)], Monitor());
         }
       });
-    return this->WithoutOpenHoles();
+    this->CountHoles();
+    if (std::find(this->Result.Nearest.begin(), this->Result.Nearest.end(), NoPoint) != this->Result.Nearest.end())
+    {
+      this->DropCutOff();
+    }
+    return std::move(this->Result);
   }
 
 private:
-  // Holes are numbered first, then areas outside.
-  std::size_t NumberOfHoles() const { return this->Holes.Enclosed.Columns.size(); }
-  bool IsOutside(std::size_t hole) const { return hole >= this->NumberOfHoles(); }
-  std::int64_t SizeOf(std::size_t hole) const
-  {
-    return this->IsOutside(hole) ? this->Holes.Outside.Columns[hole - this->NumberOfHoles()]
-                                 : this->Holes.Enclosed.Columns[hole];
-  }
-
   void Allocate()
   {
-    const std::size_t holes = this->NumberOfHoles() + this->Holes.Outside.Columns.size();
-    this->Begin.assign(holes, 0);
     std::size_t size = 0;
-    for (std::size_t hole = 0; hole < holes; ++hole)
+    for (std::size_t hole = 0; hole < this->Holes.Columns.size(); ++hole)
     {
-      this->Begin[hole] = size;
-      if (hole == this->NumberOfHoles())
-      {
-        this->Result.FirstOutside = size;
-      }
-      if (this->IsOutside(hole) || this->SizeOf(hole) <= this->Options.LargestHoleSize)
+      this->Begin.push_back(size);
+      const bool isEnclosed = hole < this->Holes.Enclosed;
+      if (!isEnclosed || this->Holes.Columns[hole] <= this->Options.LargestHoleSize)
       {
         this->Closed.push_back(hole);
-        size += std::size_t(this->SizeOf(hole));
+        size += std::size_t(this->Holes.Columns[hole]);
+        this->Result.FirstOutside = isEnclosed ? size : this->Result.FirstOutside;
       }
     }
-    this->Result.FirstOutside = this->Holes.Outside.Columns.empty() ? size : this->Result.FirstOutside;
     this->Result.Column.resize(size);
     this->Result.Height.resize(size);
     this->Result.Nearest.resize(size, NoPoint);
     this->Result.Attribute.assign(this->Attributes.size(), std::vector<double>(size));
   }
 
-  std::vector<std::int64_t> Places(std::size_t hole) const
+  void Fill(std::size_t hole, const Monitor& monitor)
   {
     std::vector<std::int64_t> places;
-    places.reserve(std::size_t(this->SizeOf(hole)));
-    const ItemLists<HoleRun>& runs = this->IsOutside(hole) ? this->Holes.Outside.Runs : this->Holes.Enclosed.Runs;
-    const std::size_t own = this->IsOutside(hole) ? hole - this->NumberOfHoles() : hole;
-    for (const HoleRun* run = runs.begin(own); run != runs.end(own); ++run)
+    places.reserve(std::size_t(this->Holes.Columns[hole]));
+    for (const HoleRun* run = this->Holes.Runs.begin(hole); run != this->Holes.Runs.end(hole); ++run)
     {
       for (std::int64_t place = run->First; place <= run->Last; ++place)
       {
         places.push_back(place);
       }
     }
-    return places;
-  }
-
-  void Fill(std::size_t hole, const Monitor& monitor)
-  {
-    const std::vector<std::int64_t> places = this->Places(hole);
+    std::size_t begin = this->Begin[hole];
     if (!this->Cuts)
     {
-      this->FillPart(places, this->Begin[hole], monitor);
+      this->FillPart(places, begin, monitor);
       return;
     }
-    std::size_t begin = this->Begin[hole];
-    for (const std::vector<std::int64_t>& part : SplitHole(this->Index, this->Frame, *this->Cuts, places))
+    for (const std::vector<std::int64_t>& part : SplitHole(this->Index, *this->Cuts, places))
     {
       this->FillPart(part, begin, monitor);
       begin += part.size();
@@ -525,84 +430,66 @@ private:
 
   void FillPart(const std::vector<std::int64_t>& places, std::size_t begin, const Monitor& monitor)
   {
-    const HoleRegion region(this->Index, this->Frame, this->Cuts, places, this->Options.RimWidth);
-    const HoleFill fill = FillHole(region, this->Heights, this->Attributes, this->Options, this->Plates, monitor);
-    if (fill.Nearest.empty())
-    {
-      return;
-    }
-    for (std::size_t n = 0; n < places.size(); ++n)
-    {
-      this->Result.Column[begin + n] = this->Frame.Column(places[n]);
-    }
-    std::copy(fill.Height.begin(), fill.Height.end(), this->Result.Height.begin() + std::ptrdiff_t(begin));
-    std::copy(fill.Nearest.begin(), fill.Nearest.end(), this->Result.Nearest.begin() + std::ptrdiff_t(begin));
-    for (std::size_t a = 0; a < fill.Attribute.size(); ++a)
-    {
-      std::copy(
-        fill.Attribute[a].begin(), fill.Attribute[a].end(), this->Result.Attribute[a].begin() + std::ptrdiff_t(begin));
-    }
+    const HoleRegion region(this->Index, this->Cuts, places, this->Options.RimWidth);
+    std::transform(places.begin(), places.end(), this->Result.Column.begin() + std::ptrdiff_t(begin),
+      [this](std::int64_t place) { return this->Index.GivenColumn(place); });
+    FillHole(region, this->Heights, this->Attributes, this->Options, this->Plates, begin, this->Result, monitor);
   }
 
-  FilledColumns WithoutOpenHoles()
+  void CountHoles()
   {
-    bool isAnyCutOff = false;
     for (const std::size_t hole : this->Closed)
     {
       const auto begin = this->Result.Nearest.begin() + std::ptrdiff_t(this->Begin[hole]);
-      const bool isCutOff = std::count(begin, begin + this->SizeOf(hole), NoPoint) > 0;
-      this->Result.FilledHoles += isCutOff || this->IsOutside(hole) ? 0 : 1;
-      isAnyCutOff = isAnyCutOff || isCutOff;
+      const bool isCutOff = std::count(begin, begin + this->Holes.Columns[hole], NoPoint) > 0;
+      this->Result.FilledHoles += isCutOff || hole >= this->Holes.Enclosed ? 0 : 1;
     }
-    this->Result.OpenHoles = std::int64_t(this->NumberOfHoles()) - this->Result.FilledHoles;
-    if (isAnyCutOff)
-    {
-      this->DropCutOff();
-    }
-    return std::move(this->Result);
+    this->Result.OpenHoles = std::int64_t(this->Holes.Enclosed) - this->Result.FilledHoles;
   }
 
+  /// Columns of sections without a link to a known column go.
   void DropCutOff()
   {
-    std::size_t kept = 0;
-    const std::size_t firstOutside = this->Result.FirstOutside;
-    for (std::size_t n = 0; n < this->Result.Nearest.size(); ++n)
+    const std::vector<PointId> nearest = this->Result.Nearest;
+    const auto keep = [&nearest](auto& values)
     {
-      this->Result.FirstOutside = n == firstOutside ? kept : this->Result.FirstOutside;
-      if (this->Result.Nearest[n] != NoPoint)
+      std::size_t kept = 0;
+      for (std::size_t n = 0; n < nearest.size(); ++n)
       {
-        this->Result.Column[kept] = this->Result.Column[n];
-        this->Result.Height[kept] = this->Result.Height[n];
-        this->Result.Nearest[kept] = this->Result.Nearest[n];
-        for (std::vector<double>& values : this->Result.Attribute)
+        if (nearest[n] != NoPoint)
         {
-          values[kept] = values[n];
+          values[kept++] = values[n];
         }
-        ++kept;
       }
-    }
-    this->Result.FirstOutside = std::min(this->Result.FirstOutside, kept);
-    this->Result.Column.resize(kept);
-    this->Result.Height.resize(kept);
-    this->Result.Nearest.resize(kept);
-    for (std::vector<double>& values : this->Result.Attribute)
-    {
       values.resize(kept);
-    }
+    };
+    const auto outside = nearest.begin() + std::ptrdiff_t(this->Result.FirstOutside);
+    this->Result.FirstOutside -= std::size_t(std::count(nearest.begin(), outside, NoPoint));
+    keep(this->Result.Column);
+    keep(this->Result.Height);
+    keep(this->Result.Nearest);
+    std::for_each(this->Result.Attribute.begin(), this->Result.Attribute.end(), keep);
   }
 
   const ColumnIndex& Index;
-  const RasterFrame& Frame;
   const std::vector<double>& Heights;
   const std::vector<PointValue>& Attributes;
   const HoleFillingOptions& Options;
   const LinkCuts* const Cuts;
-  const AllHoles Holes;
+  const HoleList Holes;
   HolePlates Plates;
-  std::vector<std::size_t> Closed;
-  std::vector<std::size_t> Begin;
+  std::vector<std::size_t> Closed; // holes that are filled
+  std::vector<std::size_t> Begin; // of a hole in the result
   FilledColumns Result;
 };
+
+void CheckFillingOptions(const HoleFillingOptions& options)
+{
+  CheckAtLeast<std::int64_t>("largest hole size", options.LargestHoleSize, 0, " columns");
+  CheckWithin("rim smoothing", options.RimSmoothing, 0.0, LargestRimSmoothing, "");
+  CheckWithin("rim width", options.RimWidth, 1, LargestRimWidth, " columns");
+  CheckWithin("extrapolation distance", options.ExtrapolationDistance, 0, LargestExtrapolationDistance, " columns");
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -619,17 +506,14 @@ FilledColumns FillHoles(PlanePoints columns, const std::vector<double>& heights,
   const int outside = options.ExtrapolationDistance;
   const ColumnIndex index(
     columns, rimWidth + SiteBox::Margin + outside, outside > 0 ? ColumnIndex::AllBands : rimWidth);
-  const RasterFrame frame = FindFrame(columns, index);
   HoleFillingOptions chosen = options;
   if (isChosen)
   {
-    const PlateChoice choice = ChoosePlate(index, frame, heights, cuts);
     chosen.Method = FillMethod::Plate;
-    chosen.RimSmoothing = choice.RimSmoothing;
-    chosen.RimWidth = choice.RimWidth;
+    std::tie(chosen.RimSmoothing, chosen.RimWidth) = ChoosePlate(index, heights, cuts);
   }
   monitor.Progress(0.1);
-  FilledColumns filled = HoleFiller(index, frame, heights, attributes, chosen, cuts).Run(monitor.Step(0.1, 1.0));
+  FilledColumns filled = HoleFiller(index, heights, attributes, chosen, cuts).Run(monitor.Step(0.1, 1.0));
   filled.RimSmoothing = chosen.RimSmoothing;
   filled.RimWidth = chosen.RimWidth;
   return filled;

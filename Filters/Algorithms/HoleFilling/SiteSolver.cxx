@@ -14,11 +14,11 @@
 #include "SiteSolver.h"
 
 #include "Common/Base/Errors.h"
-#include "StencilTable.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -38,8 +38,7 @@ constexpr int MostCycles = 500;
 /// The residual, as the expected error in energy, must fall by this factor.
 constexpr double MultigridAccuracy = 1e-11;
 
-//----------------------------------------------------------------------------------------------------------------------
-// Direct solution
+// ---- Direct solution ------------------------------------------------------------------------------------------------
 
 using SiteOrder = std::vector<std::int32_t>;
 
@@ -114,7 +113,7 @@ SiteOrder ChooseOrder(const SiteSystem<Radius>& system)
   return order;
 }
 
-class EnvelopeCholesky
+class EnvelopeCholesky final : public SiteSolver
 {
 public:
   template <int Radius>
@@ -144,9 +143,9 @@ public:
     this->Factor();
   }
 
-  bool IsDefinite() const { return this->Definite; }
+  bool IsDefinite() const override { return this->Definite; }
 
-  void Solve(std::vector<double>& values) const;
+  void Solve(std::vector<double>& values, const Monitor&) const override;
 
 private:
   /// A block of columns is used together, so that the columns that it changes are read and written once.
@@ -255,7 +254,7 @@ void EnvelopeCholesky::SubtractBlock(std::size_t first)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void EnvelopeCholesky::Solve(std::vector<double>& values) const
+void EnvelopeCholesky::Solve(std::vector<double>& values, const Monitor&) const
 {
   assert(values.size() == this->Order.size() && this->Definite);
   std::vector<double> x(values.size());
@@ -282,8 +281,155 @@ void EnvelopeCholesky::Solve(std::vector<double>& values) const
   }
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Multigrid
+// ---- The matrix of a level ------------------------------------------------------------------------------------------
+
+/// Most rows, inside the hole, are equal and stored once, so that they stay in the cache. Sites are grouped in
+/// stretches whose neighbours are at equal offsets.
+template <int Radius>
+class StencilTable
+{
+public:
+  static constexpr int Side = StencilMatrix<Radius>::Side;
+  using Steps = std::array<std::ptrdiff_t, std::size_t(Side)>;
+
+  struct Row
+  {
+    typename StencilMatrix<Radius>::Row Coefficients;
+    double InverseCentre = 0.0;
+
+    double operator[](int dx) const { return this->Coefficients[std::size_t(StencilMatrix<Radius>::Centre + dx)]; }
+
+    double Rows(int first, int last, const Steps& steps, const double* values) const
+    {
+      double sum = 0.0;
+      for (int dy = first; dy <= last; ++dy)
+      {
+        const double* const coefficients = this->Coefficients.data() + (dy + Radius) * Side + Radius;
+        const double* const beside = values + steps[std::size_t(dy + Radius)];
+        double part = 0.0;
+        for (int dx = -Radius; dx <= Radius; ++dx)
+        {
+          part += coefficients[dx] * beside[dx];
+        }
+        sum += part;
+      }
+      return sum;
+    }
+
+    double Before(const Steps& steps, const double* values) const
+    {
+      double sum = this->Rows(-Radius, -1, steps, values);
+      for (int dx = -Radius; dx < 0; ++dx)
+      {
+        sum += (*this)[dx] * values[dx]; // The nearest value comes last, as it was computed last.
+      }
+      return sum;
+    }
+    double After(const Steps& steps, const double* values) const
+    {
+      double sum = this->Rows(1, Radius, steps, values);
+      for (int dx = Radius; dx > 0; --dx)
+      {
+        sum += (*this)[dx] * values[dx];
+      }
+      return sum;
+    }
+  };
+
+  explicit StencilTable(const SiteSystem<Radius>& system)
+  {
+    this->FindStretches(system.Sites);
+    this->FindRows(system);
+  }
+
+  template <typename Visitor>
+  void ForEach(Visitor&& visit) const
+  {
+    for (const Stretch& stretch : this->Stretches)
+    {
+      for (std::size_t site = stretch.First; site < stretch.End; ++site)
+      {
+        visit(
+          site, stretch.Place + std::int64_t(site - stretch.First), this->Distinct[this->RowOf[site]], stretch.Next);
+      }
+    }
+  }
+
+  template <typename Visitor>
+  void ForEachBackwards(Visitor&& visit) const
+  {
+    for (auto stretch = this->Stretches.rbegin(); stretch != this->Stretches.rend(); ++stretch)
+    {
+      for (std::size_t site = stretch->End; site-- > stretch->First;)
+      {
+        visit(
+          site, stretch->Place + std::int64_t(site - stretch->First), this->Distinct[this->RowOf[site]], stretch->Next);
+      }
+    }
+  }
+
+private:
+  struct Stretch
+  {
+    std::size_t First;
+    std::size_t End;
+    std::int64_t Place;
+    Steps Next;
+  };
+
+  void FindStretches(const SiteBox& sites)
+  {
+    for (std::size_t site = 0; site < sites.Size(); ++site)
+    {
+      const std::int64_t place = sites.Place[site];
+      Steps next;
+      for (int dy = -Radius; dy <= Radius; ++dy)
+      {
+        next[std::size_t(dy + Radius)] = sites.Near->Beside(place, 0, dy) - place;
+      }
+      if (site == 0 || sites.Place[site - 1] != place - 1 || this->Stretches.back().Next != next)
+      {
+        this->Stretches.push_back({ site, site, place, next });
+      }
+      this->Stretches.back().End = site + 1;
+    }
+  }
+
+  /// A small hash table of recent rows replaces a full search.
+  void FindRows(const SiteSystem<Radius>& system)
+  {
+    constexpr int hashBits = 12;
+    std::vector<std::int32_t> recent(std::size_t(1) << hashBits, 0);
+    this->RowOf.reserve(system.Sites.Size());
+    for (std::size_t site = 0; site < system.Sites.Size(); ++site)
+    {
+      const typename StencilMatrix<Radius>::Row& row = system.Matrix[site];
+      if (site > 0 && this->Distinct[this->RowOf.back()].Coefficients == row)
+      {
+        this->RowOf.push_back(this->RowOf.back());
+        continue;
+      }
+      std::uint64_t hash = 0;
+      for (const double coefficient : row)
+      {
+        hash = (hash ^ std::hash<double>()(coefficient)) * 0x9E3779B97F4A7C15U; // The multiplier is the golden ratio.
+      }
+      std::int32_t& known = recent[hash >> (64 - hashBits)];
+      if (this->Distinct.empty() || this->Distinct[known].Coefficients != row)
+      {
+        known = std::int32_t(this->Distinct.size());
+        this->Distinct.push_back({ row, 1.0 / row[StencilMatrix<Radius>::Centre] });
+      }
+      this->RowOf.push_back(known);
+    }
+  }
+
+  std::vector<Stretch> Stretches;
+  std::vector<std::int32_t> RowOf; // by site, in Distinct
+  std::vector<Row> Distinct;
+};
+
+// ---- Multigrid ------------------------------------------------------------------------------------------------------
 
 struct CoarsePair
 {
@@ -467,7 +613,7 @@ public:
   void SolveDirectly()
   {
     std::vector<double> values = this->AtSites(this->Side);
-    this->Direct->Solve(values);
+    this->Direct->Solve(values, Monitor());
     this->Solution = this->AtPlaces(values);
   }
 
@@ -522,16 +668,7 @@ private:
 template <int Radius>
 std::unique_ptr<SiteSystem<Radius>> GridLevel<Radius>::MakeCoarser()
 {
-  const std::vector<BoxRun> runs = this->CoarseRuns();
-  SiteBox sites(std::make_shared<const BoxPlaces>(runs, SiteBox::Margin));
-  for (const BoxRun& run : runs)
-  {
-    const std::int64_t first = sites.Near->Find({ run.First, run.Row });
-    for (std::int64_t place = first; place <= first + run.Last - run.First; ++place)
-    {
-      sites.Add(place);
-    }
-  }
+  SiteBox sites = SiteBox::Fill(this->CoarseRuns());
   this->CoarseOf.reserve(this->Size());
   for (std::size_t site = 0; site < this->Size(); ++site)
   {
@@ -617,7 +754,7 @@ void AddTo(std::vector<double>& a, double factor, const std::vector<double>& b)
 }
 
 template <int Radius>
-class Multigrid
+class Multigrid final : public SiteSolver
 {
 public:
   explicit Multigrid(const SiteSystem<Radius>& system)
@@ -633,18 +770,18 @@ public:
     this->Levels.back()->Factor();
   }
 
-  void Solve(std::vector<double>& values, const Monitor& monitor);
+  void Solve(std::vector<double>& values, const Monitor& monitor) const override;
 
 private:
   /// The cycle is symmetric, as conjugate gradients require.
-  void Cycle(const std::vector<double>& side, std::vector<double>& solution)
+  void Cycle(const std::vector<double>& side, std::vector<double>& solution) const
   {
     this->Levels.front()->Side = side;
     this->Descend(0);
     solution.swap(this->Levels.front()->Solution);
   }
 
-  void Descend(std::size_t n)
+  void Descend(std::size_t n) const
   {
     GridLevel<Radius>& level = *this->Levels[n];
     if (n + 1 == this->Levels.size())
@@ -665,7 +802,7 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 template <int Radius>
-void Multigrid<Radius>::Solve(std::vector<double>& values, const Monitor& monitor)
+void Multigrid<Radius>::Solve(std::vector<double>& values, const Monitor& monitor) const
 {
   assert(!this->Levels.empty());
   const GridLevel<Radius>& finest = *this->Levels.front();
@@ -706,56 +843,15 @@ void Multigrid<Radius>::Solve(std::vector<double>& values, const Monitor& monito
 
 //----------------------------------------------------------------------------------------------------------------------
 template <int Radius>
-struct SiteSolver<Radius>::Method
+std::unique_ptr<const SiteSolver> MakeSiteSolver(const SiteSystem<Radius>& system)
 {
-  explicit Method(const SiteSystem<Radius>& system)
+  if (system.Sites.Size() < MultigridSize || IsNarrow(system))
   {
-    if (system.Sites.Size() < MultigridSize || IsNarrow(system))
-    {
-      this->Direct.emplace(system);
-    }
-    else
-    {
-      this->Levels.emplace(system);
-    }
+    return std::make_unique<const EnvelopeCholesky>(system);
   }
-
-  std::optional<EnvelopeCholesky> Direct;
-  std::optional<Multigrid<Radius>> Levels;
-};
-
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-SiteSolver<Radius>::SiteSolver(const SiteSystem<Radius>& system)
-  : Chosen(std::make_unique<Method>(system))
-{
+  return std::make_unique<const Multigrid<Radius>>(system);
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-SiteSolver<Radius>::~SiteSolver() = default;
-
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-bool SiteSolver<Radius>::IsDefinite() const
-{
-  return !this->Chosen->Direct || this->Chosen->Direct->IsDefinite();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-void SiteSolver<Radius>::Solve(std::vector<double>& values, const Monitor& monitor) const
-{
-  if (this->Chosen->Direct)
-  {
-    this->Chosen->Direct->Solve(values);
-  }
-  else
-  {
-    this->Chosen->Levels->Solve(values, monitor);
-  }
-}
-
-template class SiteSolver<1>;
-template class SiteSolver<2>;
+template std::unique_ptr<const SiteSolver> MakeSiteSolver(const SiteSystem<1>& system);
+template std::unique_ptr<const SiteSolver> MakeSiteSolver(const SiteSystem<2>& system);
 }

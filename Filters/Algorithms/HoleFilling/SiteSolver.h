@@ -10,6 +10,7 @@
 #include "Common/Base/Monitor.h"
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,9 +32,25 @@ struct SiteBox
   {
   }
 
+  /// Makes all places of the runs sites.
+  static SiteBox Fill(const std::vector<BoxRun>& runs)
+  {
+    SiteBox box(std::make_shared<const BoxPlaces>(runs, Margin));
+    for (const BoxRun& run : runs)
+    {
+      const std::int64_t first = box.Near->Find({ run.First, run.Row });
+      for (std::int64_t place = first; place <= first + run.Last - run.First; ++place)
+      {
+        box.Add(place);
+      }
+    }
+    return box;
+  }
+
   /// Sites must be added in ascending order.
   void Add(std::int64_t place)
   {
+    assert(this->Place.empty() || this->Place.back() < place);
     this->Number[place] = std::int32_t(this->Place.size());
     this->Place.push_back(place);
   }
@@ -97,27 +114,22 @@ struct SiteSystem
 /// Larger systems use multigrid, unless they are narrow.
 constexpr std::size_t MultigridSize = 10000;
 
-/// A radius of 1 implies a membrane, 2 a plate.
-template <int Radius>
 class SiteSolver
 {
 public:
-  /// The system must outlive the solver.
-  explicit SiteSolver(const SiteSystem<Radius>& system);
-  ~SiteSolver();
+  virtual ~SiteSolver() = default;
 
   /// This is always true for multigrid, which cannot test it.
-  bool IsDefinite() const;
+  virtual bool IsDefinite() const { return true; }
 
   /// Replaces the right side by the solution. Throws InputError if multigrid does not converge, which was never
   /// observed.
-  void Solve(std::vector<double>& values, const Monitor& monitor) const;
-
-private:
-  struct Method;
-
-  std::unique_ptr<Method> Chosen;
+  virtual void Solve(std::vector<double>& values, const Monitor& monitor) const = 0;
 };
+
+/// A radius of 1 implies a membrane, 2 a plate. The system must outlive the solver.
+template <int Radius>
+std::unique_ptr<const SiteSolver> MakeSiteSolver(const SiteSystem<Radius>& system);
 }
 
 #endif

@@ -17,7 +17,8 @@
 #include "SurfaceJoining.h"
 
 #include "Common/Base/CountingSort.h"
-#include "Common/Base/Parallel.h"
+#include "Common/Base/DisjointSets.h"
+#include "Common/Base/FixedChunks.h"
 
 #include <algorithm>
 #include <array>
@@ -156,38 +157,6 @@ public:
     } while (pick != set);
   }
 
-  /// Members in the order of memory are visited faster.
-  void SortMembers(const ColumnWindow& window)
-  {
-    const auto forEachUpwards = [&](auto&& visit)
-    {
-      for (int j = window.EndJ; j-- > window.FirstJ;)
-      {
-        const PointId end = this->Picks.Begin(this->Picks.ColumnAt(window.EndI, j));
-        for (PointId pick = end; pick-- > this->Picks.Begin(this->Picks.ColumnAt(window.FirstI, j));)
-        {
-          visit(pick, this->SetOf(pick));
-        }
-      }
-    };
-    forEachUpwards(
-      [this](PointId pick, PointId set)
-      {
-        if (set == pick)
-        {
-          this->Members[pick].Next = pick;
-        }
-      });
-    forEachUpwards(
-      [this](PointId pick, PointId set)
-      {
-        if (set != pick && set != NoPoint)
-        {
-          this->Members[pick].Next = std::exchange(this->Members[set].Next, pick);
-        }
-      });
-  }
-
   /// Members in columns that `big` has are dropped.
   void Absorb(PointId big, PointId small, bool areShared)
   {
@@ -256,33 +225,13 @@ public:
   bool MayJoin(
     PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const
   {
-    if (columns)
-    {
-      const auto hasColumn = [columns](int i, int j) { return columns->Has(i, j); };
-      return this->MayJoin(big, small, window, hasColumn, shared);
-    }
-    const auto hasColumn = [this, big](int i, int j) { return this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j)); };
-    return this->MayJoin(big, small, window, hasColumn, shared);
-  }
-
-  const ReflectionPicks& Picks;
-  const ReflectionLinks& Links;
-
-private:
-  struct Contact
-  {
-    std::int64_t Facing = 0;
-    std::int64_t Linked = 0;
-  };
-
-  template <typename HasColumn>
-  bool MayJoin(
-    PointId big, PointId small, const ColumnWindow& window, HasColumn&& hasColumn, std::int64_t& shared) const
-  {
+    const auto hasColumn = [&](int i, int j)
+    { return columns ? columns->Has(i, j) : this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j)); };
     const PointId size = this->Sets.SizeOf(small);
     const auto most = std::int64_t(this->Rules.LargestShare * size);
     const bool needsContact = size >= this->Rules.ContactSize;
-    Contact contact;
+    std::int64_t facing = 0;
+    std::int64_t linked = 0;
     const auto look = [&](PointId partner, int i, int j)
     {
       if (!window.Has(i, j))
@@ -290,8 +239,8 @@ private:
         return;
       }
       const bool isLinked = partner != NoPoint && this->Sets.SetOf(partner) == big;
-      contact.Linked += isLinked ? 1 : 0;
-      contact.Facing += isLinked || hasColumn(i, j) ? 1 : 0;
+      linked += isLinked ? 1 : 0;
+      facing += isLinked || hasColumn(i, j) ? 1 : 0;
     };
     shared = 0;
     this->Sets.ForEachMember(small,
@@ -308,14 +257,18 @@ private:
         }
         return shared <= most;
       });
-    return shared <= most && (!needsContact || this->IsEnough(big, small, contact));
+    return shared <= most && (!needsContact || this->IsEnough(big, small, facing, linked));
   }
 
-  bool IsEnough(PointId big, PointId small, const Contact& contact) const
+  const ReflectionPicks& Picks;
+  const ReflectionLinks& Links;
+
+private:
+  bool IsEnough(PointId big, PointId small, std::int64_t facingPairs, std::int64_t linkedPairs) const
   {
     const PointId size = this->Sets.SizeOf(small);
-    const double facing = double(contact.Facing);
-    const double linked = double(contact.Linked);
+    const double facing = double(facingPairs);
+    const double linked = double(linkedPairs);
     if (linked < this->Rules.SmallestContact * facing)
     {
       return false;
@@ -324,7 +277,7 @@ private:
     {
       return true;
     }
-    return this->Rules.Correlate && contact.Linked >= this->Rules.FewestWidePairs &&
+    return this->Rules.Correlate && linkedPairs >= this->Rules.FewestWidePairs &&
       linked >= this->Rules.SmallestWideContact * facing &&
       this->Rules.Correlate(this->ListPairs(big, small)) >= this->Rules.SmallestWideCorrelation;
   }
@@ -446,10 +399,6 @@ public:
 
   void Run(const Monitor& monitor)
   {
-    if (!this->Here.IsFirst)
-    {
-      this->Sets.SortMembers(this->Here);
-    }
     std::vector<RankedLink> links = this->Here.IsFirst ? this->ListAll() : this->ListLeft();
     this->Here.IsFirst ? RankedLink::SortByRank(links) : std::sort(links.begin(), links.end());
     this->TryAll(links, monitor);
@@ -821,5 +770,45 @@ void BestFirstJoining::Run(const ReflectionLinks& links, const JoiningRules& rul
 RawVector<PointId> BestFirstJoining::TakeSurfaces()
 {
   return this->Joined->Sets.TakeLabels();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RawVector<PointId> FindConnectedPicks(
+  const ReflectionPicks& picks, ColumnConnectivity connectivity, PickDepth largestStep, const Monitor& monitor)
+{
+  constexpr std::int64_t band = 64;
+  const int steps = int(connectivity) / 2;
+  DisjointSets sets(picks.Places.size());
+  const auto joinRow = [&](int j, int firstStep, int endStep)
+  {
+    for (int n = firstStep; n < endStep; ++n)
+    {
+      const ColumnStep& step = TraceSteps[n];
+      for (int i = std::max(0, -step.I); i < picks.Columns[0] - std::max(0, step.I); ++i)
+      {
+        picks.ForEachPair(picks.ColumnAt(i, j), picks.ColumnAt(i + step.I, j + step.J), largestStep,
+          [&sets](PointId a, PointId b) { sets.Join(a, b); });
+      }
+    }
+  };
+  // Threads join bands of rows, then one thread joins their seams.
+  ForEachChunk(picks.Columns[1], band, monitor,
+    [&](std::size_t, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t j = first; j < last; ++j)
+      {
+        joinRow(int(j), 0, j + 1 < last ? steps : 1);
+      }
+    });
+  for (std::int64_t j = band; j < picks.Columns[1]; j += band)
+  {
+    joinRow(int(j - 1), 1, steps);
+  }
+  RawVector<PointId> components(picks.Places.size());
+  for (PointId pick = 0; pick < picks.Size(); ++pick)
+  {
+    components[pick] = sets.Find(pick);
+  }
+  return components;
 }
 }

@@ -76,7 +76,7 @@ public:
       this->Found[seed.Column] = seed.Pick;
     }
     this->MeasureDistances();
-    for (const auto& [hits, part] : this->PartsWithSeeds())
+    for (const PointId part : ListParts(this->CountVotes(), [](const Votes& vote) { return vote.Hits >= vote.Misses; }))
     {
       this->TakePart(part, LargestSeededConflict);
     }
@@ -120,7 +120,7 @@ private:
 
   bool AreSameEvent(PointId a, PointId b) const
   {
-    return std::abs(this->Picks.PlaceOf(a) - this->Picks.PlaceOf(b)) <= this->Joining.Quarter;
+    return std::abs(this->Picks.Places[a] - this->Picks.Places[b]) <= this->Joining.Quarter;
   }
 
   /// Hits are seeds on a part, misses are seeds that it passes elsewhere.
@@ -201,18 +201,22 @@ private:
     }
   }
 
-  std::vector<std::pair<std::int64_t, PointId>> PartsWithSeeds() const
+  /// Returns wanted parts, most hits first.
+  template <typename IsWanted>
+  static std::vector<PointId> ListParts(const std::map<PointId, Votes>& votes, IsWanted&& isWanted)
   {
     std::vector<std::pair<std::int64_t, PointId>> parts;
-    for (const auto& [part, vote] : this->CountVotes())
+    for (const auto& [part, vote] : votes)
     {
-      if (vote.Hits >= vote.Misses)
+      if (isWanted(vote))
       {
         parts.push_back({ -vote.Hits, part });
       }
     }
     std::sort(parts.begin(), parts.end());
-    return parts;
+    std::vector<PointId> sorted(parts.size());
+    std::transform(parts.begin(), parts.end(), sorted.begin(), [](const auto& part) { return part.second; });
+    return sorted;
   }
 
   bool TakePart(PointId part, double largestConflict)
@@ -362,18 +366,13 @@ private:
         }
       }
     }
-    std::vector<std::pair<std::int64_t, PointId>> parts;
-    for (const auto& [part, vote] : votes)
+    const auto isLikeGrowth = [](const Votes& vote)
     {
       const std::int64_t common = vote.Hits + vote.Misses;
-      if (common >= FewestCommonColumns && double(vote.Hits) >= SmallestAgreement * double(common))
-      {
-        parts.push_back({ -vote.Hits, part });
-      }
-    }
-    std::sort(parts.begin(), parts.end());
+      return common >= FewestCommonColumns && double(vote.Hits) >= SmallestAgreement * double(common);
+    };
     bool isAny = false;
-    for (const auto& [hits, part] : parts)
+    for (const PointId part : ListParts(votes, isLikeGrowth))
     {
       isAny |= this->TakePart(part, LargestGrownConflict);
     }

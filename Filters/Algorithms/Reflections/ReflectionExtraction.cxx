@@ -29,7 +29,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -40,6 +39,7 @@ namespace SeismicHorizons
 namespace
 {
 // ---- The phase of the wavelet ---------------------------------------------------------------------------------------
+
 // A wavelet of phase 0 has its peak, and its pick, on the interface; at 90 degrees a zero crossing between two picks.
 // A turn by an angle a makes x cos a + h sin a of a trace x with Hilbert transform h. Fourth moments of x and h give
 // the kurtosis at any angle without turning traces.
@@ -181,16 +181,7 @@ int Difference(int a, int b)
   return std::min(difference, 180 - difference);
 }
 
-// ---- Reflections of guides ------------------------------------------------------------------------------------------
-// Finds the reflections that picks of an interpreter mean.
-struct GuideSeeds
-{
-  int Sign = 0; // 0 positive, 1 negative
-  std::vector<GuideSeed> Seeds; // in different columns
-  std::int64_t OtherSign = 0;
-  /// These picks are near no reflection of the sign, or another pick of their column is nearer.
-  std::vector<std::size_t> Unused;
-};
+// ---- The reflections that picks of an interpreter mean --------------------------------------------------------------
 
 std::string PlaceText(const GuidePick& pick)
 {
@@ -199,135 +190,119 @@ std::string PlaceText(const GuidePick& pick)
   return text.str();
 }
 
-class SeedFinder
+std::string NameText(const Guide& guide)
 {
-public:
-  SeedFinder(const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, double tolerance)
-    : Given(guide)
-    , BySign(bySign)
-    , Tolerance(tolerance)
-    , Order(guide.Picks.size())
-  {
-    std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
-    std::sort(this->Order.begin(), this->Order.end(),
-      [&picks = guide.Picks](std::size_t a, std::size_t b) {
-        return std::tie(picks[a].J, picks[a].I, picks[a].Place, a) <
-          std::tie(picks[b].J, picks[b].I, picks[b].Place, b);
-      });
-  }
+  return "guide \"" + guide.Name + "\": ";
+}
 
-  void Check(int samples, double quarter) const
-  {
-    if (this->Given.Picks.empty())
-    {
-      throw InputError(this->Name() + "no picks, expected one or more");
-    }
-    const GuidePick* previous = nullptr;
-    for (const std::size_t number : this->Order)
-    {
-      const GuidePick& pick = this->Given.Picks[number];
-      const std::array<int, 2>& columns = this->BySign[0].Columns;
-      if (pick.I < 0 || pick.I >= columns[0] || pick.J < 0 || pick.J >= columns[1] ||
-        !(pick.Place >= 0.0 && pick.Place <= samples - 1))
-      {
-        throw InputError(this->Name() + "pick " + std::to_string(number + 1) + ' ' + PlaceText(pick) +
-          ", is outside of the cube, which has " + std::to_string(columns[0]) + " columns, " +
-          std::to_string(columns[1]) + " rows and " + std::to_string(samples) + " samples");
-      }
-      if (previous && previous->I == pick.I && previous->J == pick.J && pick.Place - previous->Place > quarter)
-      {
-        std::ostringstream text;
-        text << this->Name() << "two picks in one column, " << PlaceText(*previous) << " and " << pick.Place
-             << ", expected one, or both within a quarter of the dominant period, " << quarter << " samples";
-        throw InputError(text.str());
-      }
-      previous = &pick;
-    }
-  }
+std::vector<std::size_t> ListByColumn(const std::vector<GuidePick>& picks)
+{
+  std::vector<std::size_t> order(picks.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+    [&picks](std::size_t a, std::size_t b) {
+      return std::tie(picks[a].J, picks[a].I, picks[a].Place, a) < std::tie(picks[b].J, picks[b].I, picks[b].Place, b);
+    });
+  return order;
+}
 
-  GuideSeeds Find() const
+/// Picks of a column must be within `quarter`.
+void CheckGuide(const Guide& guide, const std::vector<std::size_t>& order, const std::array<int, 2>& columns,
+  int samples, double quarter)
+{
+  if (guide.Picks.empty())
   {
-    std::array<double, 2> votes = { 0.0, 0.0 };
-    for (const GuidePick& pick : this->Given.Picks)
+    throw InputError(NameText(guide) + "no picks, expected one or more");
+  }
+  const GuidePick* previous = nullptr;
+  for (const std::size_t number : order)
+  {
+    const GuidePick& pick = guide.Picks[number];
+    if (pick.I < 0 || pick.I >= columns[0] || pick.J < 0 || pick.J >= columns[1] ||
+      !(pick.Place >= 0.0 && pick.Place <= samples - 1))
     {
-      for (const int sign : { 0, 1 })
-      {
-        votes[sign] += this->NearestTo(pick, sign).Weight;
-      }
+      throw InputError(NameText(guide) + "pick " + std::to_string(number + 1) + ' ' + PlaceText(pick) +
+        ", is outside of the cube, which has " + std::to_string(columns[0]) + " columns, " +
+        std::to_string(columns[1]) + " rows and " + std::to_string(samples) + " samples");
     }
-    GuideSeeds result;
-    result.Sign = votes[1] > votes[0] ? 1 : 0;
-    for (const std::size_t number : this->Order)
-    {
-      this->AddSeed(number, result);
-    }
-    std::sort(result.Unused.begin(), result.Unused.end());
-    if (result.Seeds.empty())
+    if (previous && previous->I == pick.I && previous->J == pick.J && pick.Place - previous->Place > quarter)
     {
       std::ostringstream text;
-      text << this->Name() << "none of " << this->Given.Picks.size() << " picks is within " << this->Tolerance
-           << " samples of a strong reflection, expected one at least: a larger GuideTolerance, or a lower threshold";
+      text << NameText(guide) << "two picks in one column, " << PlaceText(*previous) << " and " << pick.Place
+           << ", expected one, or both within a quarter of the dominant period, " << quarter << " samples";
       throw InputError(text.str());
     }
-    return result;
+    previous = &pick;
   }
+}
 
-private:
-  struct Candidate
-  {
-    PointId Pick = NoPoint;
-    double Weight = 0.0;
-  };
-
-  std::string Name() const { return "guide \"" + this->Given.Name + "\": "; }
-
-  Candidate NearestTo(const GuidePick& pick, int sign) const
-  {
-    const ReflectionPicks& picks = this->BySign[sign];
-    const std::int64_t column = picks.ColumnAt(pick.I, pick.J);
-    Candidate best;
-    for (PointId candidate = picks.Begin(column); candidate < picks.End(column); ++candidate)
-    {
-      // A little weight is left at the tolerance itself.
-      const double distance = std::abs(InSamples(picks.PlaceOf(candidate)) - pick.Place);
-      const double weight = (1.01 - distance / this->Tolerance) * StrengthOf(picks.CoarseStrengthOf(candidate));
-      if (distance <= this->Tolerance && weight > best.Weight)
-      {
-        best = { candidate, weight };
-      }
-    }
-    return best;
-  }
-
-  void AddSeed(std::size_t number, GuideSeeds& result) const
-  {
-    const GuidePick& pick = this->Given.Picks[number];
-    const Candidate found = this->NearestTo(pick, result.Sign);
-    const Candidate other = this->NearestTo(pick, 1 - result.Sign);
-    result.OtherSign += other.Weight > found.Weight ? 1 : 0;
-    const auto column = std::int32_t(this->BySign[result.Sign].ColumnAt(pick.I, pick.J));
-    if (found.Pick == NoPoint || (!result.Seeds.empty() && result.Seeds.back().Column == column))
-    {
-      result.Unused.push_back(number);
-      return;
-    }
-    result.Seeds.push_back({ found.Pick, column, number });
-  }
-
-  const Guide& Given;
-  const std::array<ReflectionPicks, 2>& BySign;
-  const double Tolerance;
-  std::vector<std::size_t> Order;
+struct SeedCandidate
+{
+  PointId Pick = NoPoint;
+  double Weight = 0.0;
 };
 
-/// A guide has the sign whose stronger reflections are nearer to its picks. Throws InputError if picks are missing,
-/// outside of the cube, farther apart in a column than `quarter`, or all beyond `tolerance`.
-GuideSeeds FindGuideSeeds(
-  const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, int samples, double tolerance, double quarter)
+SeedCandidate FindNearest(const ReflectionPicks& picks, const GuidePick& pick, double tolerance)
 {
-  const SeedFinder finder(guide, bySign, tolerance);
-  finder.Check(samples, quarter);
-  return finder.Find();
+  const std::int64_t column = picks.ColumnAt(pick.I, pick.J);
+  SeedCandidate best;
+  for (PointId candidate = picks.Begin(column); candidate < picks.End(column); ++candidate)
+  {
+    // A little weight is left at the tolerance itself.
+    const double distance = std::abs(InSamples(picks.Places[candidate]) - pick.Place);
+    const double weight = (1.01 - distance / tolerance) * picks.StrengthOf(candidate);
+    if (distance <= tolerance && weight > best.Weight)
+    {
+      best = { candidate, weight };
+    }
+  }
+  return best;
+}
+
+/// Returns seeds in different columns. A guide has the sign whose stronger reflections are nearer to its picks. Throws
+/// InputError if picks are missing, outside of the cube, farther apart in a column than `quarter`, or all beyond
+/// `tolerance`.
+std::vector<GuideSeed> FindGuideSeeds(const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, int samples,
+  double tolerance, double quarter, GuideUse& use)
+{
+  const std::vector<std::size_t> order = ListByColumn(guide.Picks);
+  CheckGuide(guide, order, bySign[0].Columns, samples, quarter);
+  std::array<double, 2> votes = { 0.0, 0.0 };
+  for (const GuidePick& pick : guide.Picks)
+  {
+    for (const int sign : { 0, 1 })
+    {
+      votes[sign] += FindNearest(bySign[sign], pick, tolerance).Weight;
+    }
+  }
+  use.IsNegative = votes[1] > votes[0];
+  const ReflectionPicks& picks = bySign[use.IsNegative ? 1 : 0];
+  std::vector<GuideSeed> seeds;
+  for (const std::size_t number : order)
+  {
+    const GuidePick& pick = guide.Picks[number];
+    const SeedCandidate found = FindNearest(picks, pick, tolerance);
+    const SeedCandidate other = FindNearest(bySign[use.IsNegative ? 0 : 1], pick, tolerance);
+    use.OtherSign += other.Weight > found.Weight ? 1 : 0;
+    const auto column = std::int32_t(picks.ColumnAt(pick.I, pick.J));
+    if (found.Pick == NoPoint || (!seeds.empty() && seeds.back().Column == column))
+    {
+      use.Unused.push_back(number); // Or another pick of its column is nearer.
+    }
+    else
+    {
+      seeds.push_back({ found.Pick, column, number });
+    }
+  }
+  std::sort(use.Unused.begin(), use.Unused.end());
+  if (seeds.empty())
+  {
+    std::ostringstream text;
+    text << NameText(guide) << "none of " << guide.Picks.size() << " picks is within " << tolerance
+         << " samples of a strong reflection, expected one at least: a larger GuideTolerance, or a lower threshold";
+    throw InputError(text.str());
+  }
+  return seeds;
 }
 
 // ---- Joining -------------------------------------------------------------------------------------------------------
@@ -354,63 +329,46 @@ constexpr double SmallestWideCorrelation = 0.9;
 constexpr double StepPerPeriod = 0.3;
 constexpr double LeastLinkStep = 2.0;
 
+PickDepth InDepths(double samples)
+{
+  return PickDepth(std::lround(samples * DepthsPerSample));
+}
+
 int HalfWidth(double periods, double period)
 {
   return std::max(1, int(std::lround(periods * period)));
 }
 
-class SurfaceJoiner
+RawVector<PointId> JoinSurfaces(const TraceCube& cube, const ReflectionPicks& picks, const ExtractionOptions& options,
+  const Extraction& figures, double& medianCorrelation, const Monitor& monitor)
 {
-public:
-  SurfaceJoiner(const TraceCube& cube, const ExtractionOptions& options, const Extraction& figures)
-    : Cube(cube)
-    , Options(options)
-    , Period(figures.Period)
+  LinkOptions link{ options.Connectivity, InDepths(figures.LargestStep) };
+  if (options.Joining == SurfaceJoining::Components)
   {
-    this->Link.Connectivity = options.Connectivity;
-    this->Link.LargestStep = PickDepth(std::lround(figures.LargestStep * DepthsPerSample));
+    return FindConnectedPicks(picks, link.Connectivity, link.LargestStep, monitor);
   }
-
-  PickDepth LargestStep() const { return this->Link.LargestStep; }
-
-  RawVector<PointId> Join(const ReflectionPicks& picks, double& medianCorrelation, const Monitor& monitor)
+  link.HalfWidth = HalfWidth(LongWaveform, figures.Period);
+  JoiningRules rules;
+  rules.SmallestContact = options.SmallestContact;
+  BestFirstJoining joining(picks);
   {
-    if (this->Options.Joining == SurfaceJoining::Components)
-    {
-      return FindConnectedPicks(picks, this->Link.Connectivity, this->Link.LargestStep, monitor);
-    }
-    this->Link.HalfWidth = HalfWidth(LongWaveform, this->Period);
-    std::optional<ReflectionLinks> links(std::in_place, this->Cube, picks, this->Link, monitor.Step(0.0, 0.3));
-    medianCorrelation = links->MedianCorrelation();
-    links->Drop(this->Options.SmallestCorrelation * medianCorrelation);
-    JoiningRules rules;
-    rules.SmallestContact = this->Options.SmallestContact;
-    BestFirstJoining joining(picks);
-    joining.Run(*links, rules, monitor.Step(0.3, 0.7));
-    links.reset();
-    rules.SmallestWideCorrelation = std::max(SmallestWideCorrelation, WidePart * medianCorrelation);
-    rules.Correlate = MakeContactCorrelation(this->Cube, picks, this->Link.HalfWidth);
-    this->Fill(picks, rules, joining, monitor.Step(0.7, 1.0));
-    return joining.TakeSurfaces();
+    ReflectionLinks links(cube, picks, link, monitor.Step(0.0, 0.3));
+    medianCorrelation = links.MedianCorrelation();
+    links.Drop(options.SmallestCorrelation * medianCorrelation);
+    joining.Run(links, rules, monitor.Step(0.3, 0.7));
   }
-
-private:
-  void Fill(const ReflectionPicks& picks, JoiningRules rules, BestFirstJoining& joining, const Monitor& monitor)
-  {
-    this->Link.HalfWidth = HalfWidth(ShortWaveform, this->Period);
-    ReflectionLinks links(this->Cube, picks, this->Link, monitor.Step(0.0, 0.4));
-    links.Drop(std::min(LargestFillCorrelation, FillPart * links.MedianCorrelation()));
-    rules.ContactSize = 1;
-    rules.LargestFilled = LargestFilled;
-    rules.LargestFilledWidth = LargestFilledWidth;
-    joining.Run(links, rules, monitor.Step(0.4, 1.0));
-  }
-
-  const TraceCube& Cube;
-  const ExtractionOptions& Options;
-  const double Period;
-  LinkOptions Link;
-};
+  rules.SmallestWideCorrelation = std::max(SmallestWideCorrelation, WidePart * medianCorrelation);
+  rules.Correlate = MakeContactCorrelation(cube, picks, link.HalfWidth);
+  rules.ContactSize = 1;
+  rules.LargestFilled = LargestFilled;
+  rules.LargestFilledWidth = LargestFilledWidth;
+  link.HalfWidth = HalfWidth(ShortWaveform, figures.Period);
+  const Monitor filling = monitor.Step(0.7, 1.0);
+  ReflectionLinks links(cube, picks, link, filling.Step(0.0, 0.4));
+  links.Drop(std::min(LargestFillCorrelation, FillPart * links.MedianCorrelation()));
+  joining.Run(links, rules, filling.Step(0.4, 1.0));
+  return joining.TakeSurfaces();
+}
 
 // ---- Which surfaces come out ---------------------------------------------------------------------------------------
 
@@ -447,7 +405,7 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
         return;
       }
       Extent& extent = extents[surfaces[pick]];
-      const double strength = StrengthOf(picks.CoarseStrengthOf(pick));
+      const double strength = picks.StrengthOf(pick);
       const bool isNew = extent.LastColumn != column;
       const double cube = strength * strength * strength;
       const double more = isNew ? cube : std::max(0.0, cube - extent.LastStrength);
@@ -507,26 +465,21 @@ public:
       : std::max(LeastTolerance, TolerancePerPeriod * this->Period);
     for (const Guide& guide : guides)
     {
-      this->Seeds.push_back(FindGuideSeeds(guide, reflections.BySign, samples, tolerance, this->Period / 4.0));
-      GuideUse use;
-      use.IsNegative = this->Seeds.back().Sign == 1;
-      use.OtherSign = this->Seeds.back().OtherSign;
-      use.Unused = this->Seeds.back().Unused;
-      result.Guides.push_back(std::move(use));
+      this->Seeds.push_back(FindGuideSeeds(
+        guide, reflections.BySign, samples, tolerance, this->Period / 4.0, result.Guides.emplace_back()));
     }
   }
 
-  void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, RawVector<PointId>& surfaces,
-    PickDepth largestStep, const Monitor& monitor)
+  void Follow(
+    const TraceCube& cube, int sign, const ReflectionPicks& picks, RawVector<PointId>& surfaces, const Monitor& monitor)
   {
-    if (std::none_of(this->Seeds.begin(), this->Seeds.end(), [&](const GuideSeeds& s) { return s.Sign == sign; }))
+    const std::vector<GuideUse>& guides = this->Result.Guides;
+    if (std::none_of(guides.begin(), guides.end(), [&](const GuideUse& use) { return use.IsNegative == (sign == 1); }))
     {
       return;
     }
-    LinkOptions link;
-    link.Connectivity = ColumnConnectivity::Eight;
-    link.LargestStep = largestStep;
-    link.HalfWidth = HalfWidth(GrowthWaveform, this->Period);
+    const LinkOptions link{ ColumnConnectivity::Eight, InDepths(this->Result.LargestStep),
+      HalfWidth(GrowthWaveform, this->Period) };
     ReflectionLinks links(cube, picks, link, monitor.Step(0.0, 0.7));
     links.Drop(this->Options.GrowthCorrelation);
     const GuidedJoining joining(picks, surfaces, links, this->Period, this->Options);
@@ -535,9 +488,9 @@ public:
       {
         for (std::int64_t n = begin; n < end; ++n)
         {
-          if (this->Seeds[n].Sign == sign)
+          if (this->SignOf(n) == sign)
           {
-            this->Surfaces[n] = joining.Follow(std::move(this->Seeds[n].Seeds));
+            this->Surfaces[n] = joining.Follow(std::move(this->Seeds[n]));
           }
         }
       });
@@ -550,7 +503,7 @@ public:
     {
       for (const GuidedPick& pick : this->Surfaces[n].Picks)
       {
-        positions[this->Seeds[n].Sign][pick.Pick] = PointId(n);
+        positions[this->SignOf(n)][pick.Pick] = PointId(n);
       }
     }
   }
@@ -580,29 +533,20 @@ private:
   static constexpr double TolerancePerPeriod = 0.2;
   static constexpr double LeastTolerance = 1.5;
 
-  /// The least claim is best.
-  struct Claim
-  {
-    PickOrigin Origin = PickOrigin::Growth;
-    int Distance = 0;
-    std::size_t Guide = 0;
+  using Claim = std::tuple<PickOrigin, int, std::size_t>; // distance and guide; the least claim is best
 
-    bool operator<(const Claim& other) const
-    {
-      return std::tie(this->Origin, this->Distance, this->Guide) < std::tie(other.Origin, other.Distance, other.Guide);
-    }
-  };
+  int SignOf(std::size_t guide) const { return this->Result.Guides[guide].IsNegative ? 1 : 0; }
 
   /// A shared pick belongs to the guide that means it, or the nearest that has its part.
   void ClaimPicks(const ReflectionPicks& picks, int sign, RawVector<PointId>& surfaces)
   {
     const std::size_t none = this->Surfaces.size();
-    std::vector<Claim> best(picks.Places.size(), { PickOrigin::Growth, std::numeric_limits<int>::max(), none });
+    std::vector<Claim> best(picks.Places.size(), Claim(PickOrigin::Growth, std::numeric_limits<int>::max(), none));
     const auto forEachGuide = [&](auto&& visit)
     {
       for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
       {
-        if (this->Seeds[n].Sign == sign)
+        if (this->SignOf(n) == sign)
         {
           visit(n, this->Surfaces[n].Picks);
         }
@@ -613,7 +557,7 @@ private:
       {
         for (const GuidedPick& pick : taken)
         {
-          best[pick.Pick] = std::min(best[pick.Pick], { pick.Origin, pick.Distance, n });
+          best[pick.Pick] = std::min(best[pick.Pick], Claim(pick.Origin, pick.Distance, n));
         }
       });
     forEachGuide(
@@ -624,7 +568,7 @@ private:
         std::vector<GuidedPick> kept;
         for (const GuidedPick& pick : taken)
         {
-          const std::size_t owner = best[pick.Pick].Guide;
+          const std::size_t owner = std::get<2>(best[pick.Pick]);
           if (owner == n)
           {
             kept.push_back(pick);
@@ -638,13 +582,13 @@ private:
       });
     for (PointId pick = 0; pick < picks.Size(); ++pick)
     {
-      surfaces[pick] = best[pick].Guide == none ? surfaces[pick] : NoPoint;
+      surfaces[pick] = std::get<2>(best[pick]) == none ? surfaces[pick] : NoPoint;
     }
   }
 
   const GuidanceOptions& Options;
   const double Period;
-  std::vector<GuideSeeds> Seeds;
+  std::vector<std::vector<GuideSeed>> Seeds; // by guide
   std::vector<GuidedSurface> Surfaces;
   Extraction& Result;
 };
@@ -658,100 +602,83 @@ struct Taken
   Reflection Pick;
 };
 
-class Writer
+void ReadRow(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
+  const std::array<RawVector<PointId>, 2>& positions, int j, std::vector<Taken>& row)
 {
-public:
-  Writer(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
-    const std::array<RawVector<PointId>, 2>& positions)
-    : Cube(cube)
-    , Reflections(reflections)
-    , Limits(limits)
-    , Positions(positions)
-  {
-  }
-
-  /// Threads read blocks of rows; one thread writes.
-  void Write(std::vector<LatticeHorizon>& horizons, const Monitor& monitor) const
-  {
-    constexpr int rowsAtATime = 32;
-    std::array<std::vector<Taken>, rowsAtATime> rows;
-    for (int first = 0; first < this->Cube.Size[1]; first += rowsAtATime)
+  row.clear();
+  std::vector<float> block;
+  std::vector<Reflection> found;
+  ForEachTrace(cube, j, block,
+    [&](int i, const float* trace)
     {
-      monitor.Progress(double(first) / double(this->Cube.Size[1]));
-      const int count = std::min(rowsAtATime, this->Cube.Size[1] - first);
-      ParallelFor(count, 1,
-        [&](std::int64_t begin, std::int64_t end)
-        {
-          for (std::int64_t n = begin; n < end; ++n)
-          {
-            this->ReadRow(first + int(n), rows[n]);
-          }
-        });
-      for (int n = 0; n < count; ++n)
+      found.clear();
+      const std::array<ReflectionPicks, 2>& picks = reflections.BySign;
+      const std::int64_t column = picks[0].ColumnAt(i, j);
+      FindReflections(trace, cube.Size[2], reflections.Rules, found);
+      LeaveOutBeyond(limits, column, 0, found);
+      std::array<PointId, 2> next = { picks[0].Begin(column), picks[1].Begin(column) };
+      for (const Reflection& reflection : found)
       {
-        for (const Taken& taken : rows[n])
+        const int sign = reflections.SignOf(reflection);
+        if (sign >= 0)
         {
-          Add(horizons[taken.Position], taken, first + n);
+          const PointId position = positions[sign][next[sign]++];
+          if (position != NoPoint)
+          {
+            row.push_back({ i, position, reflection });
+          }
         }
       }
-    }
-  }
+      assert(next[0] == picks[0].End(column) && next[1] == picks[1].End(column));
+    });
+}
 
-private:
-  void ReadRow(int j, std::vector<Taken>& row) const
+void AddPick(LatticeHorizon& horizon, const Taken& taken, int j)
+{
+  const Reflection& pick = taken.Pick;
+  if (!horizon.Column.empty() && horizon.Column.back() == PlanePoint{ taken.I, j })
   {
-    row.clear();
-    std::vector<float> block;
-    std::vector<Reflection> found;
-    ForEachTrace(this->Cube, j, block,
-      [&](int i, const float* trace)
+    ++horizon.DroppedDuplicates;
+    if (std::abs(pick.Amplitude) <= std::abs(horizon.Amplitude.back()))
+    {
+      return;
+    }
+    ForEachVoxelArray(horizon, [](auto& values) { values.pop_back(); });
+  }
+  horizon.Column.push_back({ taken.I, j });
+  horizon.K.push_back(NearestSample(pick.Place));
+  horizon.Thickness.push_back(pick.Thickness);
+  horizon.Amplitude.push_back(pick.Amplitude);
+  horizon.RealZ.push_back(InSamples(pick.Place));
+}
+
+/// Threads read blocks of rows; one thread writes.
+void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
+  const std::array<RawVector<PointId>, 2>& positions, std::vector<LatticeHorizon>& horizons, const Monitor& monitor)
+{
+  constexpr int rowsAtATime = 32;
+  std::array<std::vector<Taken>, rowsAtATime> rows;
+  for (int first = 0; first < cube.Size[1]; first += rowsAtATime)
+  {
+    monitor.Progress(double(first) / double(cube.Size[1]));
+    const int count = std::min(rowsAtATime, cube.Size[1] - first);
+    ParallelFor(count, 1,
+      [&](std::int64_t begin, std::int64_t end)
       {
-        found.clear();
-        const std::array<ReflectionPicks, 2>& picks = this->Reflections.BySign;
-        const std::int64_t column = picks[0].ColumnAt(i, j);
-        FindReflections(trace, this->Cube.Size[2], this->Reflections.Rules, found);
-        LeaveOutBeyond(this->Limits, column, 0, found);
-        std::array<PointId, 2> next = { picks[0].Begin(column), picks[1].Begin(column) };
-        for (const Reflection& reflection : found)
+        for (std::int64_t n = begin; n < end; ++n)
         {
-          const int sign = this->Reflections.SignOf(reflection);
-          if (sign >= 0)
-          {
-            const PointId position = this->Positions[sign][next[sign]++];
-            if (position != NoPoint)
-            {
-              row.push_back({ i, position, reflection });
-            }
-          }
+          ReadRow(cube, reflections, limits, positions, first + int(n), rows[n]);
         }
-        assert(next[0] == picks[0].End(column) && next[1] == picks[1].End(column));
       });
-  }
-
-  static void Add(LatticeHorizon& horizon, const Taken& taken, int j)
-  {
-    const Reflection& pick = taken.Pick;
-    if (!horizon.Column.empty() && horizon.Column.back().X == taken.I && horizon.Column.back().Y == j)
+    for (int n = 0; n < count; ++n)
     {
-      ++horizon.DroppedDuplicates;
-      if (std::abs(pick.Amplitude) <= std::abs(horizon.Amplitude.back()))
+      for (const Taken& taken : rows[n])
       {
-        return;
+        AddPick(horizons[taken.Position], taken, first + n);
       }
-      ForEachVoxelArray(horizon, [](auto& values) { values.pop_back(); });
     }
-    horizon.Column.push_back({ taken.I, j });
-    horizon.K.push_back(NearestSample(pick.Place));
-    horizon.Thickness.push_back(pick.Thickness);
-    horizon.Amplitude.push_back(pick.Amplitude);
-    horizon.RealZ.push_back(InSamples(pick.Place));
   }
-
-  const TraceCube& Cube;
-  const CubeReflections& Reflections;
-  const TraceLimits& Limits;
-  const std::array<RawVector<PointId>, 2>& Positions;
-};
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -848,9 +775,8 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     const ReflectionPicks& picks = reflections.BySign[sign];
     const Monitor part = monitor.Step(sign == 0 ? 0.3 : 0.6, sign == 0 ? 0.6 : 0.9);
     const double joined = guides.empty() ? 1.0 : 0.7;
-    SurfaceJoiner joiner(cube, options, result);
-    surfaces[sign] = joiner.Join(picks, medians[sign], part.Step(0.0, joined));
-    guided.Follow(cube, sign, picks, surfaces[sign], joiner.LargestStep(), part.Step(joined, 1.0));
+    surfaces[sign] = JoinSurfaces(cube, picks, options, result, medians[sign], part.Step(0.0, joined));
+    guided.Follow(cube, sign, picks, surfaces[sign], part.Step(joined, 1.0));
     if (guides.empty() || options.Guidance.KeepOthers)
     {
       ListSizes(picks, surfaces[sign], sign, result.SmallestSize, sizes);
@@ -872,7 +798,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
-  Writer(cube, reflections, limits, surfaces).Write(result.Surfaces, monitor.Step(0.9, 1.0));
+  WriteSurfaces(cube, reflections, limits, surfaces, result.Surfaces, monitor.Step(0.9, 1.0));
   guided.AddAttributes();
   return result;
 }

@@ -373,8 +373,17 @@ public:
     }
     if (isPercentile && !isMiddle)
     {
-      result.Threshold = SelectPercentile(
-        this->Options.AmplitudePercentile, [this](MagnitudeCounts& counts) { this->CountStrengths(counts); });
+      result.Threshold = SelectPercentile(this->Options.AmplitudePercentile,
+        [this](MagnitudeCounts& counts)
+        {
+          for (const RowReflections& row : this->Rows)
+          {
+            for (const Found& found : row.All)
+            {
+              counts.Add(std::abs(found.Strength));
+            }
+          }
+        });
     }
     std::vector<double> energies;
     for (const int sign : { 0, 1 })
@@ -445,17 +454,6 @@ private:
         const std::lock_guard<std::mutex> lock(mutex);
         counts.Merge(part);
       });
-  }
-
-  void CountStrengths(MagnitudeCounts& counts) const
-  {
-    for (const RowReflections& row : this->Rows)
-    {
-      for (const Found& found : row.All)
-      {
-        counts.Add(std::abs(found.Strength));
-      }
-    }
   }
 
   void FindRows(const ReflectionRules& rules, const Monitor& monitor)

@@ -100,14 +100,6 @@ inline std::uint16_t CoarseStrength(float strength)
   return std::uint16_t(bits >> 16);
 }
 
-inline float StrengthOf(std::uint16_t coarse)
-{
-  const std::uint32_t bits = std::uint32_t(coarse) << 16;
-  float strength = 0.0F;
-  std::memcpy(&strength, &bits, sizeof(strength));
-  return strength;
-}
-
 /// Picks are in order of columns, i fastest, then downwards. Other values are found again for the picks that come out.
 struct ReflectionPicks
 {
@@ -124,8 +116,13 @@ struct ReflectionPicks
   PointId Begin(std::int64_t column) const { return this->Starts[column]; }
   PointId End(std::int64_t column) const { return this->Starts[column + 1]; }
   PointId Size() const { return PointId(this->Places.size()); }
-  PickDepth PlaceOf(PointId pick) const { return this->Places[pick]; }
-  std::uint16_t CoarseStrengthOf(PointId pick) const { return this->Strengths[pick]; }
+  float StrengthOf(PointId pick) const
+  {
+    const std::uint32_t bits = std::uint32_t(this->Strengths[pick]) << 16;
+    float strength = 0.0F;
+    std::memcpy(&strength, &bits, sizeof(strength));
+    return strength;
+  }
 
   template <typename Visit>
   void ForEach(Visit&& visit) const
@@ -147,12 +144,12 @@ struct ReflectionPicks
     const PointId endB = this->End(columnB);
     for (PointId a = this->Begin(columnA); a < endA; ++a)
     {
-      const PickDepth place = this->PlaceOf(a);
-      while (low < endB && this->PlaceOf(low) < place - largestStep)
+      const PickDepth place = this->Places[a];
+      while (low < endB && this->Places[low] < place - largestStep)
       {
         ++low;
       }
-      for (PointId b = low; b < endB && this->PlaceOf(b) <= place + largestStep; ++b)
+      for (PointId b = low; b < endB && this->Places[b] <= place + largestStep; ++b)
       {
         visit(a, b);
       }

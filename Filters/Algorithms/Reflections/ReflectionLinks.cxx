@@ -26,7 +26,7 @@ namespace
 {
 // ---- Waveforms -----------------------------------------------------------------------------------------------------
 
-constexpr int Lanes = 8;
+constexpr int VectorLanes = 8;
 
 // Interpolation reads zeros beyond the half width.
 constexpr int Margin = 2;
@@ -41,10 +41,10 @@ std::array<float, 4> CubicWeights(float t)
 /// Lanes let compilers vectorize the sum.
 float Energy(const std::vector<float>& values)
 {
-  std::array<float, Lanes> sums = {};
-  for (std::size_t n = 0; n < values.size(); n += Lanes)
+  std::array<float, VectorLanes> sums = {};
+  for (std::size_t n = 0; n < values.size(); n += VectorLanes)
   {
-    for (std::size_t lane = 0; lane < Lanes; ++lane)
+    for (std::size_t lane = 0; lane < VectorLanes; ++lane)
     {
       sums[lane] += values[n + lane] * values[n + lane];
     }
@@ -60,7 +60,7 @@ public:
   /// `halfWidth` is in samples before and after the pick.
   explicit WaveformCutter(int halfWidth)
     : HalfWidth(halfWidth)
-    , ValuesPerWaveform((2 * halfWidth + 1 + Lanes - 1) / Lanes * Lanes)
+    , ValuesPerWaveform((2 * halfWidth + 1 + VectorLanes - 1) / VectorLanes * VectorLanes)
     , Shape(this->ValuesPerWaveform, 0.0F)
   {
   }
@@ -132,7 +132,7 @@ public:
         this->Cutter.SetTrace(trace, cube.Size[2]);
         for (PointId pick = picks.Begin(firstColumn + i); pick < picks.End(firstColumn + i); ++pick)
         {
-          this->Cutter.CutOut(picks.PlaceOf(pick), waveform);
+          this->Cutter.CutOut(picks.Places[pick], waveform);
           waveform += this->Cutter.Width();
         }
       });
@@ -208,7 +208,7 @@ private:
     const std::int32_t column = this->Picks.ColumnOf(pick);
     this->Cube.Read(this->Picks.JOf(column), this->Picks.IOf(column), 1, this->Trace.data());
     this->Cutter.SetTrace(this->Trace.data(), this->Cube.Size[2]);
-    this->Cutter.CutOut(this->Picks.PlaceOf(pick), this->Waveform.data());
+    this->Cutter.CutOut(this->Picks.Places[pick], this->Waveform.data());
     std::transform(sum.begin(), sum.end(), this->Waveform.begin(), sum.begin(), std::plus<>());
   }
 
@@ -306,7 +306,7 @@ private:
       [&](PointId a, PointId b)
       {
         const std::int32_t correlation = RowWaveforms::Correlate(this->Row, a, other, b);
-        const PickDepth step = std::abs(picks.PlaceOf(b) - picks.PlaceOf(a));
+        const PickDepth step = std::abs(picks.Places[b] - picks.Places[a]);
         const double score = ScoreOf(double(correlation) / RowWaveforms::One, step);
         Consider(this->OfA[a - beginA], b, score, correlation);
         Consider(this->OfB[b - beginB], a, score, correlation);
@@ -361,16 +361,8 @@ ReflectionLinks::ReflectionLinks(
 //----------------------------------------------------------------------------------------------------------------------
 double ReflectionLinks::Score(PointId pick, int direction) const
 {
-  const PickDepth step = this->Picks.PlaceOf(this->Next(pick, direction)) - this->Picks.PlaceOf(pick);
+  const PickDepth step = this->Picks.Places[this->Next(pick, direction)] - this->Picks.Places[pick];
   return ScoreOf(this->Correlation(pick, direction), std::abs(step));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::int64_t ReflectionLinks::Size() const
-{
-  std::int64_t size = 0;
-  this->ForEach([&size](PointId, int) { ++size; });
-  return size;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -400,8 +392,8 @@ double ReflectionLinks::MedianCorrelation() const
 //----------------------------------------------------------------------------------------------------------------------
 bool ReflectionLinks::AreOfLikeStrength(PointId a, PointId b) const
 {
-  const float strengthA = StrengthOf(this->Picks.CoarseStrengthOf(a));
-  const float strengthB = StrengthOf(this->Picks.CoarseStrengthOf(b));
+  const float strengthA = this->Picks.StrengthOf(a);
+  const float strengthB = this->Picks.StrengthOf(b);
   return std::min(strengthA, strengthB) >= SmallestStrengthRatio * std::max(strengthA, strengthB);
 }
 

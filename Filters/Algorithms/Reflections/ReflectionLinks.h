@@ -105,7 +105,6 @@ public:
   PointId PickOf(LinkId link) const { return PointId(link / LinkId(this->Directions())); }
   int DirectionOf(LinkId link) const { return int(link % LinkId(this->Directions())); }
 
-  std::int64_t Size() const;
   /// Returns 0 without links.
   double MedianCorrelation() const;
   /// Drops links between very different strengths, too.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Joins picks of a sign to surfaces: BestFirstJoining.cxx, ConnectedPicks.cxx.
+// Joins picks of a sign to surfaces (BestFirstJoining.cxx).
 
 #ifndef SeismicHorizonsSurfaceJoining_h
 #define SeismicHorizonsSurfaceJoining_h

@@ -164,19 +164,19 @@ void MakesTriangles()
   {
     return;
   }
-  CHECK_EQUAL(sheets[0].Name(), "F");
-  CHECK_EQUAL(sheets[0].NumberOfSticks(), 3U);
-  CHECK_EQUAL(sheets[0].NumberOfLevels(), 3U); // 0, 10 and 20
+  CHECK_EQUAL(sheets[0].Fault, "F");
+  CHECK_EQUAL(sheets[0].Sticks, 3U);
+  CHECK_EQUAL(sheets[0].Levels, 3U); // 0, 10 and 20
   CHECK_EQUAL(sheets[0].ListTriangles().size(), 8U);
   // The short one goes on along the plane of the others.
-  const SpacePoint continued = sheets[0][sheets[0].At(1, 2)];
+  const SpacePoint continued = *sheets[0].Places[sheets[0].At(1, 2)];
   CHECK(
     std::abs(continued.X - 20.25) < 1e-9 && std::abs(continued.Y - 4.0) < 1e-9 && std::abs(continued.Z - 20.0) < 1e-9);
   // By as much as there is between the last two, on either side.
   const auto extended = MakeFaultSheets({ Stick(2.0, 0.0, 20.0), Stick(4.0, 0.0, 20.0), Stick(8.0, 0.0, 20.0) }, true);
-  CHECK_EQUAL(extended[0].NumberOfSticks(), 5U);
-  CHECK(std::abs(extended[0][extended[0].At(0, 0)].Y - 0.0) < 1e-9);
-  CHECK(std::abs(extended[0][extended[0].At(4, 0)].Y - 12.0) < 1e-9);
+  CHECK_EQUAL(extended[0].Sticks, 5U);
+  CHECK(std::abs(extended[0].Places[extended[0].At(0, 0)]->Y - 0.0) < 1e-9);
+  CHECK(std::abs(extended[0].Places[extended[0].At(4, 0)]->Y - 12.0) < 1e-9);
   CHECK_EQUAL(extended[0].ListTriangles().size(), 8U);
 }
 

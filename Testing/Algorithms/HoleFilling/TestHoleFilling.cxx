@@ -247,9 +247,7 @@ void TestDiagonal()
   {
     gap.push_back(index.Place(column));
   }
-  const RasterFrame frame(index, std::vector<std::int32_t>(std::size_t(index.Width())),
-    std::vector<std::int32_t>(std::size_t(index.Height())));
-  const HoleRegion region(index, frame, nullptr, gap, options.RimWidth);
+  const HoleRegion region(index, nullptr, gap, options.RimWidth);
   CHECK(region.Kind.size() < 15 * gap.size());
 }
 

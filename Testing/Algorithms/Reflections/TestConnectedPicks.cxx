@@ -22,7 +22,7 @@ std::vector<PointId> BruteForce(const ReflectionPicks& picks, bool overCorners, 
     const int di = std::abs(columns[std::size_t(a)] % picks.Columns[0] - columns[std::size_t(b)] % picks.Columns[0]);
     const int dj = std::abs(columns[std::size_t(a)] / picks.Columns[0] - columns[std::size_t(b)] / picks.Columns[0]);
     const bool areNeighbours = di + dj == 1 || (overCorners && di == 1 && dj == 1);
-    return areNeighbours && std::abs(picks.PlaceOf(a) - picks.PlaceOf(b)) <= step;
+    return areNeighbours && std::abs(picks.Places[a] - picks.Places[b]) <= step;
   };
   std::vector<PointId> component(std::size_t(picks.Size()), NoPoint);
   for (PointId first = 0; first < picks.Size(); ++first)

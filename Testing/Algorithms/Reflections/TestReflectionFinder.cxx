@@ -118,8 +118,8 @@ void TestOrder()
   const CubeReflections found = FindReflections(traces.View(), Amplitude(0.0));
   CHECK((found.BySign[0].Starts == std::vector<PointId>{ 0, 0, 2, 3, 3 }));
   CHECK((found.BySign[1].Starts == std::vector<PointId>{ 0, 0, 1, 1, 1 }));
-  CHECK_EQUAL(found.BySign[0].PlaceOf(1), 5 * DepthsPerSample);
-  CHECK_EQUAL(StrengthOf(found.BySign[0].CoarseStrengthOf(2)), 4.0F);
+  CHECK_EQUAL(found.BySign[0].Places[1], 5 * DepthsPerSample);
+  CHECK_EQUAL(found.BySign[0].StrengthOf(2), 4.0F);
   CHECK_EQUAL(found.BySign[0].ListColumns()[2], 2);
   CHECK_EQUAL(found.Samples, 32);
 }
