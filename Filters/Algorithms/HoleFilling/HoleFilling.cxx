@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Holes are found by runs of empty columns and divided where cuts cross them; each section is cut out and filled
-// (HoleRegion.h). Sections without a link to a known column stay open. Threads share small holes; large holes,
-// which take seconds, are filled one by one.
+// The smoothing of plates is chosen first. Holes are found by runs of empty columns and divided where cuts cross them;
+// each section is cut out and filled (HoleRegion.h). Sections without a link to a known column stay open. Threads share
+// small holes; large holes, which take seconds, are filled one by one.
 
 #include "HoleFilling.h"
 
@@ -297,7 +297,7 @@ HoleList FindHoles(const ColumnIndex& index, const HoleFillingOptions& options)
 
 /// Sections are in the order of their first places.
 std::vector<std::vector<std::int64_t>> SplitHole(
-  const ColumnIndex& index, const LinkCuts& cuts, const std::vector<std::int64_t>& gap)
+  const ColumnIndex& index, const LinkCuts& cuts, const std::vector<std::int64_t>& hole)
 {
   DisjointSets sets(hole.size());
   for (std::size_t n = 0; n < hole.size(); ++n)
@@ -310,8 +310,8 @@ std::vector<std::vector<std::int64_t>> SplitHole(
         sets.Join(std::int32_t(found - hole.begin()), std::int32_t(n));
       }
     };
-    const std::int64_t west = gap[n] - 1;
-    const std::int64_t south = gap[n] - index.Width();
+    const std::int64_t west = hole[n] - 1;
+    const std::int64_t south = hole[n] - index.Width();
     if (!cuts.IsCutEast(index.GivenColumn(west)))
     {
       join(west);

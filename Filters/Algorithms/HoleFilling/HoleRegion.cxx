@@ -25,9 +25,9 @@ namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
 HoleRegion::HoleRegion(
-  const ColumnIndex& index, const LinkCuts* cuts, const std::vector<std::int64_t>& gap, int ringWidth)
+  const ColumnIndex& index, const LinkCuts* cuts, const std::vector<std::int64_t>& hole, int ringWidth)
 {
-  assert(!gap.empty() && std::is_sorted(gap.begin(), gap.end()));
+  assert(!hole.empty() && std::is_sorted(hole.begin(), hole.end()));
   std::int64_t leftmost = index.Width();
   std::int64_t rightmost = 0;
   for (const std::int64_t place : hole)

@@ -37,7 +37,7 @@ class HoleRegion
 public:
   /// `hole` is ascending. The ring consists of known columns within `ringWidth` steps to eight neighbours, over no
   /// faulted link and through no block with one.
-  HoleRegion(const ColumnIndex& index, const LinkCuts* cuts, const std::vector<std::int64_t>& gap, int ringWidth);
+  HoleRegion(const ColumnIndex& index, const LinkCuts* cuts, const std::vector<std::int64_t>& hole, int ringWidth);
 
   std::shared_ptr<const BoxPlaces> Near;
   std::vector<PlaceKind> Kind; // by place
