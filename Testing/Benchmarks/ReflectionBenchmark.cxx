@@ -79,7 +79,7 @@ void MeasureSteps(const Cube& cube)
     "reflections and thinning", Time([&]() { found = FindReflections(cube.Traces); }), cube.Samples(), "samples");
   const double picks = double(found.CountPicks());
   LinkOptions options;
-  options.LargestStep = Depth(0.3 * found.Period * DepthsPerSample);
+  options.LargestStep = PickDepth(0.3 * found.Period * DepthsPerSample);
   options.HalfWidth = int(std::lround(3.5 * found.Period));
   const auto forEachSign = [&](auto&& work)
   {

@@ -31,8 +31,7 @@ void CheckDespikingOptions(const DespikingOptions& options)
   CheckWithin("spur width", options.SpurWidth, 0, LargestSpurWidth, " columns");
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Spurs
+// ---- Spurs ----------------------------------------------------------------------------------------------------------
 
 /// A mark stays if the next `length` places of the line, its own included, are marked.
 void Erode(unsigned char* line, std::int64_t places, std::int64_t stride, int length)
@@ -84,8 +83,7 @@ std::vector<PointId> FindSpurs(const ColumnIndex& index, int width)
   return spurs;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Spikes
+// ---- Spikes ---------------------------------------------------------------------------------------------------------
 
 double Median(std::vector<double>& values)
 {

@@ -22,8 +22,7 @@ namespace
 {
 constexpr std::int64_t Numbers = WindowSide * WindowSide;
 
-//----------------------------------------------------------------------------------------------------------------------
-// Networks
+// ---- Networks -------------------------------------------------------------------------------------------------------
 
 constexpr std::size_t NumberOfLanes = 64;
 using LaneValues = std::array<float, NumberOfLanes>;
@@ -130,8 +129,7 @@ Network MakeMerge(std::size_t size, std::size_t others)
   return network;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Windows without missing numbers
+// ---- Windows without missing numbers --------------------------------------------------------------------------------
 
 class WindowBlock
 {
@@ -195,8 +193,7 @@ private:
   std::array<LaneValues, 4 * Side> Four = {};
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-// Other windows
+// ---- Other windows --------------------------------------------------------------------------------------------------
 
 struct SortedColumn
 {

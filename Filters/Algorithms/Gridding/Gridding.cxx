@@ -48,8 +48,7 @@ struct Picks
   std::vector<double> Z;
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-// The lattice
+// ---- The lattice ----------------------------------------------------------------------------------------------------
 
 double RoundLatticeStep(double step)
 {
@@ -118,8 +117,7 @@ SurveyLattice FindGrid(
   return lattice;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// Nearest picks
+// ---- Nearest picks --------------------------------------------------------------------------------------------------
 
 /// Nodes are medians along the longer axis of their box.
 class PickSearch
@@ -199,8 +197,7 @@ private:
   std::vector<Eigen::AlignedBox2d> Boxes;
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-// The convex hull
+// ---- The convex hull ------------------------------------------------------------------------------------------------
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
 {
@@ -258,8 +255,7 @@ std::array<int, 2> SpanOf(const std::vector<Eigen::Vector2d>& hull, double row)
     : std::array<int, 2>{ 0, -1 };
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-// One horizon
+// ---- One horizon ----------------------------------------------------------------------------------------------------
 
 /// Noise of picks on a line, or in two wells, would tilt the plane across. It is level where places deviate by less
 /// than half a step, or a fiftieth of the other direction; if none is off by a step, picks move onto the line.

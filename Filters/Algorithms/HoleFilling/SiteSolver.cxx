@@ -145,16 +145,119 @@ public:
 
   bool IsDefinite() const override { return this->Definite; }
 
-  void Solve(std::vector<double>& values, const Monitor&) const override;
+  void Solve(std::vector<double>& values, const Monitor&) const override
+  {
+    assert(values.size() == this->Order.size() && this->Definite);
+    std::vector<double> x(values.size());
+    std::transform(this->Order.begin(), this->Order.end(), x.begin(), [&](std::int32_t site) { return values[site]; });
+    for (std::size_t n = 0; n < x.size(); ++n)
+    {
+      const double* const column = this->Column(n);
+      const double factor = x[n] / column[n];
+      for (std::size_t row = n + 1; row < this->Ends[n]; ++row)
+      {
+        x[row] -= factor * column[row];
+      }
+    }
+    for (std::size_t n = x.size(); n-- > 0;)
+    {
+      const double* const column = this->Column(n);
+      double sum = x[n];
+      for (std::size_t row = n + 1; row < this->Ends[n]; ++row)
+      {
+        sum -= column[row] * x[row];
+      }
+      x[n] = sum / column[n];
+      values[this->Order[n]] = x[n];
+    }
+  }
 
 private:
   /// A block of columns is used together, so that the columns that it changes are read and written once.
   static constexpr std::size_t Block = 4;
 
-  void Allocate();
-  void Factor();
-  void FactorBlock(std::size_t first, std::size_t last, const std::vector<double>& diagonal);
-  void SubtractBlock(std::size_t first);
+  /// A column reaches as far as earlier columns, which change it; the columns of a block reach equally far.
+  void Allocate()
+  {
+    assert(this->Offsets.empty() && !this->Ends.empty());
+    const std::size_t size = this->Ends.size();
+    std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin(),
+      [](std::size_t a, std::size_t b) { return std::max(a, b); });
+    std::ptrdiff_t sum = 0;
+    for (std::size_t n = 0; n < size; ++n)
+    {
+      this->Ends[n] = this->Ends[std::min(n | (Block - 1), size - 1)];
+      this->Offsets.push_back(sum - std::ptrdiff_t(n));
+      sum += std::ptrdiff_t(this->Ends[n] - n);
+    }
+    this->Values.assign(sum, 0.0);
+  }
+
+  void Factor()
+  {
+    const std::size_t size = this->Order.size();
+    std::vector<double> diagonal(size);
+    for (std::size_t n = 0; n < size; ++n)
+    {
+      diagonal[n] = this->Column(n)[n];
+    }
+    for (std::size_t first = 0; first < size && this->Definite; first += Block)
+    {
+      this->FactorBlock(first, std::min(first + Block, size), diagonal);
+      if (this->Definite && first + Block < size)
+      {
+        this->SubtractBlock(first);
+      }
+    }
+  }
+
+  void FactorBlock(std::size_t first, std::size_t last, const std::vector<double>& diagonal)
+  {
+    for (std::size_t n = first; n < last; ++n)
+    {
+      const double* const column = this->Column(n);
+      if (!(column[n] > SmallestPivot * diagonal[n]))
+      {
+        this->Definite = false;
+        return;
+      }
+      for (std::size_t target = n + 1; target < last; ++target)
+      {
+        const double factor = column[target] / column[n];
+        double* const changed = this->Column(target);
+        for (std::size_t row = target; row < this->Ends[n]; ++row)
+        {
+          changed[row] -= factor * column[row];
+        }
+      }
+    }
+  }
+
+  void SubtractBlock(std::size_t first)
+  {
+    static_assert(Block == 4, "one name for each column");
+    const double* const a = this->Column(first);
+    const double* const b = this->Column(first + 1);
+    const double* const c = this->Column(first + 2);
+    const double* const d = this->Column(first + 3);
+    const std::size_t end = this->Ends[first];
+    for (std::size_t target = first + Block; target < end; ++target)
+    {
+      if (a[target] == 0.0 && b[target] == 0.0 && c[target] == 0.0 && d[target] == 0.0)
+      {
+        continue; // The target belongs to another arm of the hole.
+      }
+      const double byA = a[target] / a[first];
+      const double byB = b[target] / b[first + 1];
+      const double byC = c[target] / c[first + 2];
+      const double byD = d[target] / d[first + 3];
+      double* const changed = this->Column(target);
+      for (std::size_t row = target; row < end; ++row)
+      {
+        changed[row] = changed[row] - byA * a[row] - byB * b[row] - byC * c[row] - byD * d[row];
+      }
+    }
+  }
 
   double* Column(std::size_t n) { return this->Values.data() + this->Offsets[n]; }
   const double* Column(std::size_t n) const { return this->Values.data() + this->Offsets[n]; }
@@ -165,121 +268,6 @@ private:
   std::vector<double> Values;
   bool Definite = true;
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-/// A column reaches as far as earlier columns, which change it; the columns of a block reach equally far.
-void EnvelopeCholesky::Allocate()
-{
-  assert(this->Offsets.empty() && !this->Ends.empty());
-  const std::size_t size = this->Ends.size();
-  std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin(),
-    [](std::size_t a, std::size_t b) { return std::max(a, b); });
-  std::ptrdiff_t sum = 0;
-  for (std::size_t n = 0; n < size; ++n)
-  {
-    this->Ends[n] = this->Ends[std::min(n | (Block - 1), size - 1)];
-    this->Offsets.push_back(sum - std::ptrdiff_t(n));
-    sum += std::ptrdiff_t(this->Ends[n] - n);
-  }
-  this->Values.assign(sum, 0.0);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void EnvelopeCholesky::Factor()
-{
-  const std::size_t size = this->Order.size();
-  std::vector<double> diagonal(size);
-  for (std::size_t n = 0; n < size; ++n)
-  {
-    diagonal[n] = this->Column(n)[n];
-  }
-  for (std::size_t first = 0; first < size && this->Definite; first += Block)
-  {
-    this->FactorBlock(first, std::min(first + Block, size), diagonal);
-    if (this->Definite && first + Block < size)
-    {
-      this->SubtractBlock(first);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void EnvelopeCholesky::FactorBlock(std::size_t first, std::size_t last, const std::vector<double>& diagonal)
-{
-  for (std::size_t n = first; n < last; ++n)
-  {
-    const double* const column = this->Column(n);
-    if (!(column[n] > SmallestPivot * diagonal[n]))
-    {
-      this->Definite = false;
-      return;
-    }
-    for (std::size_t target = n + 1; target < last; ++target)
-    {
-      const double factor = column[target] / column[n];
-      double* const changed = this->Column(target);
-      for (std::size_t row = target; row < this->Ends[n]; ++row)
-      {
-        changed[row] -= factor * column[row];
-      }
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void EnvelopeCholesky::SubtractBlock(std::size_t first)
-{
-  static_assert(Block == 4, "one name for each column");
-  const double* const a = this->Column(first);
-  const double* const b = this->Column(first + 1);
-  const double* const c = this->Column(first + 2);
-  const double* const d = this->Column(first + 3);
-  const std::size_t end = this->Ends[first];
-  for (std::size_t target = first + Block; target < end; ++target)
-  {
-    if (a[target] == 0.0 && b[target] == 0.0 && c[target] == 0.0 && d[target] == 0.0)
-    {
-      continue; // The target belongs to another arm of the hole.
-    }
-    const double byA = a[target] / a[first];
-    const double byB = b[target] / b[first + 1];
-    const double byC = c[target] / c[first + 2];
-    const double byD = d[target] / d[first + 3];
-    double* const changed = this->Column(target);
-    for (std::size_t row = target; row < end; ++row)
-    {
-      changed[row] = changed[row] - byA * a[row] - byB * b[row] - byC * c[row] - byD * d[row];
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void EnvelopeCholesky::Solve(std::vector<double>& values, const Monitor&) const
-{
-  assert(values.size() == this->Order.size() && this->Definite);
-  std::vector<double> x(values.size());
-  std::transform(this->Order.begin(), this->Order.end(), x.begin(), [&](std::int32_t site) { return values[site]; });
-  for (std::size_t n = 0; n < x.size(); ++n)
-  {
-    const double* const column = this->Column(n);
-    const double factor = x[n] / column[n];
-    for (std::size_t row = n + 1; row < this->Ends[n]; ++row)
-    {
-      x[row] -= factor * column[row];
-    }
-  }
-  for (std::size_t n = x.size(); n-- > 0;)
-  {
-    const double* const column = this->Column(n);
-    double sum = x[n];
-    for (std::size_t row = n + 1; row < this->Ends[n]; ++row)
-    {
-      sum -= column[row] * x[row];
-    }
-    x[n] = sum / column[n];
-    values[this->Order[n]] = x[n];
-  }
-}
 
 // ---- The matrix of a level ------------------------------------------------------------------------------------------
 
@@ -541,7 +529,23 @@ public:
 
   std::size_t Size() const { return this->System.Sites.Size(); }
 
-  std::unique_ptr<SiteSystem<Radius>> MakeCoarser();
+  std::unique_ptr<SiteSystem<Radius>> MakeCoarser()
+  {
+    SiteBox sites = SiteBox::Fill(this->CoarseRuns());
+    this->CoarseOf.reserve(this->Size());
+    for (std::size_t site = 0; site < this->Size(); ++site)
+    {
+      const PlanePoint column = this->ColumnOf(site);
+      this->CoarseOf.push_back(sites.Near->Find(
+        { std::int32_t(Coarsened<Radius>(column.X).Low), std::int32_t(Coarsened<Radius>(column.Y).Low) }));
+    }
+    auto coarse = std::make_unique<SiteSystem<Radius>>(std::move(sites));
+    for (std::size_t site = 0; site < this->Size(); ++site)
+    {
+      this->AddCoarseRows(site, *coarse);
+    }
+    return coarse;
+  }
 
   /// Coarse surfaces that agree on all fine sites make the matrix singular, which is harmless; a slightly larger
   /// diagonal makes it regular.
@@ -653,9 +657,57 @@ private:
     return this->System.Sites.Near->Column(this->System.Sites.Place[site]);
   }
 
-  std::vector<BoxRun> CoarseRuns() const;
+  std::vector<BoxRun> CoarseRuns() const
+  {
+    std::vector<BoxRun> fine;
+    fine.reserve(this->Size());
+    for (std::size_t site = 0; site < this->Size(); ++site)
+    {
+      const PlanePoint column = this->ColumnOf(site);
+      fine.push_back({ column.Y, column.X, column.X });
+    }
+    std::vector<BoxRun> coarse;
+    for (const BoxRun& run : Merged(std::move(fine)))
+    {
+      const CoarsePair last = Coarsened<Radius>(run.Last);
+      const CoarsePair across = Coarsened<Radius>(run.Row);
+      const BoxRun low = { std::int32_t(across.Low), std::int32_t(Coarsened<Radius>(run.First).Low),
+        std::int32_t(last.Low + (last.HighWeight > 0.0 ? 1 : 0)) };
+      coarse.push_back(low);
+      if (across.HighWeight > 0.0)
+      {
+        coarse.push_back({ low.Row + 1, low.First, low.Last });
+      }
+    }
+    return Merged(std::move(coarse));
+  }
 
-  void AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const;
+  void AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const
+  {
+    const PlanePoint column = this->ColumnOf(site);
+    const std::array<CoarseRow, CoarseReach> image =
+      CoarseImage<Radius>(this->System.Matrix[site].data(), column.X, column.Y);
+    const std::int64_t beginX = Coarsened<Radius>(column.X - Radius).Low;
+    const std::int64_t beginY = Coarsened<Radius>(column.Y - Radius).Low;
+    this->ForEachCoarseOf(site, coarse.Sites,
+      [&](std::int64_t place, double weight)
+      {
+        typename StencilMatrix<Radius>::Row& target = coarse.Matrix[coarse.Sites.Number[place]];
+        const PlanePoint centre = coarse.Sites.Near->Column(place);
+        const std::int64_t dx = beginX - centre.X;
+        const std::int64_t dy = beginY - centre.Y;
+        for (int row = 0; row < CoarseReach; ++row)
+        {
+          for (int file = 0; file < CoarseReach; ++file)
+          {
+            if (image[row][file] != 0.0)
+            {
+              target[StencilMatrix<Radius>::Index(dx + file, dy + row)] += weight * image[row][file];
+            }
+          }
+        }
+      });
+  }
 
   const std::unique_ptr<SiteSystem<Radius>> Own; // null on the finest level
   const SiteSystem<Radius>& System;
@@ -663,82 +715,6 @@ private:
   std::vector<std::int64_t> CoarseOf;
   std::optional<EnvelopeCholesky> Direct;
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-std::unique_ptr<SiteSystem<Radius>> GridLevel<Radius>::MakeCoarser()
-{
-  SiteBox sites = SiteBox::Fill(this->CoarseRuns());
-  this->CoarseOf.reserve(this->Size());
-  for (std::size_t site = 0; site < this->Size(); ++site)
-  {
-    const PlanePoint column = this->ColumnOf(site);
-    this->CoarseOf.push_back(sites.Near->Find(
-      { std::int32_t(Coarsened<Radius>(column.X).Low), std::int32_t(Coarsened<Radius>(column.Y).Low) }));
-  }
-  auto coarse = std::make_unique<SiteSystem<Radius>>(std::move(sites));
-  for (std::size_t site = 0; site < this->Size(); ++site)
-  {
-    this->AddCoarseRows(site, *coarse);
-  }
-  return coarse;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-std::vector<BoxRun> GridLevel<Radius>::CoarseRuns() const
-{
-  std::vector<BoxRun> fine;
-  fine.reserve(this->Size());
-  for (std::size_t site = 0; site < this->Size(); ++site)
-  {
-    const PlanePoint column = this->ColumnOf(site);
-    fine.push_back({ column.Y, column.X, column.X });
-  }
-  std::vector<BoxRun> coarse;
-  for (const BoxRun& run : Merged(std::move(fine)))
-  {
-    const CoarsePair last = Coarsened<Radius>(run.Last);
-    const CoarsePair across = Coarsened<Radius>(run.Row);
-    const BoxRun low = { std::int32_t(across.Low), std::int32_t(Coarsened<Radius>(run.First).Low),
-      std::int32_t(last.Low + (last.HighWeight > 0.0 ? 1 : 0)) };
-    coarse.push_back(low);
-    if (across.HighWeight > 0.0)
-    {
-      coarse.push_back({ low.Row + 1, low.First, low.Last });
-    }
-  }
-  return Merged(std::move(coarse));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-void GridLevel<Radius>::AddCoarseRows(std::size_t site, SiteSystem<Radius>& coarse) const
-{
-  const PlanePoint column = this->ColumnOf(site);
-  const std::array<CoarseRow, CoarseReach> image =
-    CoarseImage<Radius>(this->System.Matrix[site].data(), column.X, column.Y);
-  const std::int64_t beginX = Coarsened<Radius>(column.X - Radius).Low;
-  const std::int64_t beginY = Coarsened<Radius>(column.Y - Radius).Low;
-  this->ForEachCoarseOf(site, coarse.Sites,
-    [&](std::int64_t place, double weight)
-    {
-      typename StencilMatrix<Radius>::Row& target = coarse.Matrix[coarse.Sites.Number[place]];
-      const PlanePoint centre = coarse.Sites.Near->Column(place);
-      const std::int64_t dx = beginX - centre.X;
-      const std::int64_t dy = beginY - centre.Y;
-      for (int row = 0; row < CoarseReach; ++row)
-      {
-        for (int file = 0; file < CoarseReach; ++file)
-        {
-          if (image[row][file] != 0.0)
-          {
-            target[StencilMatrix<Radius>::Index(dx + file, dy + row)] += weight * image[row][file];
-          }
-        }
-      }
-    });
-}
 
 double Product(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -770,7 +746,44 @@ public:
     this->Levels.back()->Factor();
   }
 
-  void Solve(std::vector<double>& values, const Monitor& monitor) const override;
+  void Solve(std::vector<double>& values, const Monitor& monitor) const override
+  {
+    assert(!this->Levels.empty());
+    const GridLevel<Radius>& finest = *this->Levels.front();
+    std::vector<double> residual = finest.AtPlaces(values);
+    std::vector<double> solution(residual.size(), 0.0);
+    std::vector<double> corrected(residual.size(), 0.0);
+    std::vector<double> direction(residual.size(), 0.0);
+    std::vector<double> image(residual.size(), 0.0);
+    this->Cycle(residual, corrected);
+    double energy = Product(residual, corrected);
+    const double enough = MultigridAccuracy * MultigridAccuracy * energy;
+    double before = 0.0;
+    int cycle = 0;
+    for (; energy > enough && cycle < MostCycles; ++cycle)
+    {
+      monitor.Progress(1.0 - 1.0 / (1.0 + 0.1 * cycle));
+      const double part = before > 0.0 ? energy / before : 0.0;
+      for (std::size_t n = 0; n < direction.size(); ++n)
+      {
+        direction[n] = corrected[n] + part * direction[n];
+      }
+      finest.Multiply(direction, image);
+      const double step = energy / Product(direction, image);
+      AddTo(solution, step, direction);
+      AddTo(residual, -step, image);
+      this->Cycle(residual, corrected);
+      before = energy;
+      energy = Product(residual, corrected);
+    }
+    if (!(energy <= enough))
+    {
+      throw InputError("the surface over a hole of " + std::to_string(finest.Size()) +
+        " unknowns did not converge in " + std::to_string(MostCycles) +
+        " cycles, expected a few dozen at most; Membrane converges faster than Plate");
+    }
+    values = finest.AtSites(solution);
+  }
 
 private:
   /// The cycle is symmetric, as conjugate gradients require.
@@ -800,45 +813,6 @@ private:
   std::vector<std::unique_ptr<GridLevel<Radius>>> Levels;
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-template <int Radius>
-void Multigrid<Radius>::Solve(std::vector<double>& values, const Monitor& monitor) const
-{
-  assert(!this->Levels.empty());
-  const GridLevel<Radius>& finest = *this->Levels.front();
-  std::vector<double> residual = finest.AtPlaces(values);
-  std::vector<double> solution(residual.size(), 0.0);
-  std::vector<double> corrected(residual.size(), 0.0);
-  std::vector<double> direction(residual.size(), 0.0);
-  std::vector<double> image(residual.size(), 0.0);
-  this->Cycle(residual, corrected);
-  double energy = Product(residual, corrected);
-  const double enough = MultigridAccuracy * MultigridAccuracy * energy;
-  double before = 0.0;
-  int cycle = 0;
-  for (; energy > enough && cycle < MostCycles; ++cycle)
-  {
-    monitor.Progress(1.0 - 1.0 / (1.0 + 0.1 * cycle));
-    const double part = before > 0.0 ? energy / before : 0.0;
-    for (std::size_t n = 0; n < direction.size(); ++n)
-    {
-      direction[n] = corrected[n] + part * direction[n];
-    }
-    finest.Multiply(direction, image);
-    const double step = energy / Product(direction, image);
-    AddTo(solution, step, direction);
-    AddTo(residual, -step, image);
-    this->Cycle(residual, corrected);
-    before = energy;
-    energy = Product(residual, corrected);
-  }
-  if (!(energy <= enough))
-  {
-    throw InputError("the surface over a hole of " + std::to_string(finest.Size()) + " unknowns did not converge in " +
-      std::to_string(MostCycles) + " cycles, expected a few dozen at most; Membrane converges faster than Plate");
-  }
-  values = finest.AtSites(solution);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -194,10 +195,8 @@ private:
 class MagnitudeCounts
 {
 public:
-  MagnitudeCounts() = default;
-  explicit MagnitudeCounts(std::uint32_t upper)
+  explicit MagnitudeCounts(std::optional<std::uint32_t> upper = std::nullopt)
     : Upper(upper)
-    , CountsLower(true)
   {
   }
 
@@ -205,11 +204,11 @@ public:
   {
     std::uint32_t bits = 0;
     std::memcpy(&bits, &magnitude, sizeof(bits));
-    if (!this->CountsLower)
+    if (!this->Upper)
     {
       ++this->Counts[bits >> 16];
     }
-    else if (bits >> 16 == this->Upper)
+    else if (bits >> 16 == *this->Upper)
     {
       ++this->Counts[bits & 0xFFFFU];
     }
@@ -235,8 +234,7 @@ public:
   }
 
 private:
-  std::uint32_t Upper = 0;
-  bool CountsLower = false;
+  std::optional<std::uint32_t> Upper;
   std::vector<std::int64_t> Counts = std::vector<std::int64_t>(1 << 16, 0);
 };
 
