@@ -181,11 +181,8 @@ void WriteFaultSheets(const std::vector<FaultSheet>& sheets, vtkPolyData* output
       triangles->InsertNextCell(3);
       for (const std::size_t place : triangle)
       {
-        if (ids[place] < 0)
-        {
-          const SpacePoint& at = *sheet.Places[place];
-          ids[place] = points->InsertNextPoint(at.X, at.Y, at.Z);
-        }
+        const SpacePoint& at = *sheet.Places[place];
+        ids[place] = ids[place] < 0 ? points->InsertNextPoint(at.X, at.Y, at.Z) : ids[place];
         triangles->InsertCellPoint(ids[place]);
       }
       names->InsertNextValue(sheet.Fault);
