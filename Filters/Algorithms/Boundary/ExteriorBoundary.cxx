@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: clockwise growth; the scan that finds all loops for hops to neighbours (also with bridges of growth by
-// distance, and with seams); the choice between the two; the classification of points.
+// In this order: clockwise growth; hops to neighbours, with bridges of growth by distance and through seams; the scan
+// that finds all loops for these; the choice between the two; the classification of points.
 //
 // Both methods walk around faces of a plane graph. The graph is decided before the walk, which therefore needs no rules
 // of its own and cannot cross itself.
@@ -13,11 +13,9 @@
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/ColumnIndex.h"
-#include "CutFaces.h"
 #include "Hops.h"
 #include "PatchComponents.h"
 #include "PlanarHops.h"
-#include "SeamGaps.h"
 
 #include <algorithm>
 #include <array>
@@ -41,26 +39,19 @@ constexpr std::size_t SmallestWalkToRemember = 16;
 
 constexpr std::size_t FacesPerBatch = 256;
 
-std::unique_ptr<const CutBlocks> FindCutBlocks(
-  const BoundaryOptions& options, PlanePoints columns, const ColumnIndex& index)
-{
-  return options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, columns, index) : nullptr;
-}
-
-/// With cuts, holes without a loop are walked as well, and CutFaces decides which of them stay open.
+/// With cuts, holes without a loop are walked as well, and CutFaces decides which of them stay open. Options are not checked, and MinimumPatchSize is ignored.
 class FaceFinder
 {
 public:
-  FaceFinder(
-    const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams, const Monitor& monitor)
+  FaceFinder(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
     : Columns(index.Columns())
     , Options(options)
     , Index(index)
     , Hops(options.Radius, this->Index.Width())
-    , Gaps(this->Columns, this->Index, options, seams)
-    , Blocks(FindCutBlocks(options, this->Columns, this->Index))
+    , Gaps(columns, this->Index, options)
+    , Blocks(options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, this->Columns, this->Index) : nullptr)
     , Graph(this->Index, this->Hops, this->Gaps, this->Blocks.get(), monitor)
-    , Parts(options.Cuts ? FindHopComponents(this->Columns, this->Index, this->Hops, this->Graph)
+    , Parts(options.Cuts ? FindHopComponents(this->Index, this->Columns.size(), this->Hops, this->Graph)
                          : FindPatchComponents(this->Index, this->Columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
     , WalksHoles(options.HoleBoundaries || options.Cuts)
@@ -218,15 +209,180 @@ private:
   std::vector<FaceStep> Steps;
 };
 
-/// Unlike FindExteriorBoundary, it checks no options and ignores MinimumPatchSize. `cracks` receives input for
-/// FindCracks.
-ExteriorBoundary FindClockwiseBoundary(const ColumnIndex& index, const BoundaryOptions& options,
-  const SeamPresence& seams, std::vector<CrackSide>& cracks, const Monitor& monitor)
+// ---- Hops to neighbours ---------------------------------------------------------------------------------------------
+// Growth by distance (thesis Alg. 3.1) has all hops to the eight neighbours, and bridges from short to long between
+// parts that these leave separate. Bridges belong to a minimum spanning tree, so that they cross and enclose nothing
+// (PlanarHops.h); the walk takes each one out and back.
+
+struct SweepResult
 {
-  FaceFinder finder(index, options, seams, monitor.Step(0.0, 0.5));
-  cracks = finder.FindCrackSides();
-  return finder.Run(monitor.Step(0.5, 1.0));
+  HopId Next;
+  bool PassedEast; // The sweep passed the column to the right, which is therefore empty.
+};
+
+/// Of two opposite hops only the rising one is listed. Hops with the nearest ends come first.
+std::vector<HopId> FindLongHops(const HopVectors& hops)
+{
+  std::vector<HopId> result;
+  for (HopId hop = 0; hop < hops.Size(); ++hop)
+  {
+    const PlanePoint& vector = hops.Vector(hop);
+    if (LongHops::IsLongAndRising(vector))
+    {
+      result.push_back(hop);
+    }
+  }
+  std::stable_sort(
+    result.begin(), result.end(), [&hops](HopId a, HopId b) { return IsNearer(hops.Vector(a), hops.Vector(b)); });
+  return result;
 }
+
+std::vector<std::int64_t> FindPlaces(PlanePoints columns, const ColumnIndex& index, const Loops& loops)
+{
+  std::vector<std::int64_t> places;
+  places.reserve(loops.TotalLength());
+  loops.ForEachPoint([&](PointId point) { places.push_back(index.Place(columns[point])); });
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+class PatchBridges
+{
+public:
+  /// `parts` is the boundary for k = 1; bridges join its patches.
+  PatchBridges(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts)
+    : Index(index)
+    , Hops(hops)
+    , HasEnd(columns.size(), false)
+  {
+    if (parts.NumberOfPatches > 1)
+    {
+      this->Join(FindPlaces(columns, index, parts.Boundary), parts);
+    }
+    std::sort(this->Ends.begin(), this->Ends.end(),
+      [](const End& a, const End& b) { return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop; });
+  }
+
+  bool IsEmpty() const { return this->Ends.empty(); }
+
+  HopId Next(std::int64_t place, HopId from) const
+  {
+    if (!this->HasEnd[this->Index[place]])
+    {
+      return NoHop;
+    }
+    auto end = std::lower_bound(
+      this->Ends.begin(), this->Ends.end(), place, [](const End& a, std::int64_t b) { return a.Place < b; });
+    HopId best = NoHop;
+    for (; end != this->Ends.end() && end->Place == place; ++end)
+    {
+      best = best == NoHop || this->Hops.Turn(from, end->Hop) < this->Hops.Turn(from, best) ? end->Hop : best;
+    }
+    return best;
+  }
+
+private:
+  struct End
+  {
+    std::int64_t Place;
+    HopId Hop;
+  };
+
+  void Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
+  {
+    const auto part = [&](std::int64_t place) { return parts.Patch[this->Index[place]]; };
+    DisjointSets joined(parts.NumberOfPatches);
+    for (const HopId hop : FindLongHops(this->Hops))
+    {
+      for (const std::int64_t place : onLoops)
+      {
+        const std::int64_t end = place + this->Hops.Offset(hop);
+        if (this->Index.Has(end) && part(place) != part(end) && joined.Join(part(place), part(end)))
+        {
+          this->AddEnd(place, hop);
+          this->AddEnd(end, this->Hops.Opposite(hop));
+        }
+      }
+    }
+  }
+
+  void AddEnd(std::int64_t place, HopId hop)
+  {
+    this->Ends.push_back({ place, hop });
+    this->HasEnd[this->Index[place]] = true;
+  }
+
+  const ColumnIndex& Index;
+  const HopVectors& Hops;
+  std::vector<End> Ends; // sorted by place, then hop
+  std::vector<bool> HasEnd;
+};
+
+class NeighbourGraph
+{
+public:
+  /// Bridges may be null.
+  NeighbourGraph(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const PatchBridges* bridges)
+    : Index(index)
+    , Hops(hops)
+    , Gaps(gaps)
+    , Bridges(bridges)
+    , East(hops.Find({ 1, 0 }))
+    , West(hops.Find({ -1, 0 }))
+  {
+    assert(hops.ToNeighbours().size() == this->Neighbours.size());
+    std::copy(hops.ToNeighbours().begin(), hops.ToNeighbours().end(), this->Neighbours.begin());
+    for (HopId hop = 0; hop < hops.Size(); ++hop)
+    {
+      const auto next = std::upper_bound(this->Neighbours.begin(), this->Neighbours.end(), hop);
+      this->After.push_back(std::size_t(next - this->Neighbours.begin()));
+    }
+  }
+
+  /// Returns the first hop after `from` in a clockwise sweep, `from` last.
+  SweepResult Sweep(std::int64_t place, HopId from) const
+  {
+    if (this->Gaps.Has(place))
+    {
+      return { this->Hops.Opposite(from), false };
+    }
+    const HopId bridge = this->Bridges ? this->Bridges->Next(place, from) : NoHop;
+    bool passedEast = false;
+    for (std::size_t n = this->After[from]; n < this->After[from] + this->Neighbours.size(); ++n)
+    {
+      const HopId next = this->Neighbours[n % this->Neighbours.size()];
+      if (bridge != NoHop && this->Hops.Turn(from, bridge) < this->Hops.Turn(from, next))
+      {
+        break;
+      }
+      if (this->Leads(place, next))
+      {
+        return { next, passedEast };
+      }
+      passedEast = passedEast || next == this->East;
+    }
+    return { bridge, passedEast };
+  }
+
+  bool LeadsEast(std::int64_t place) const { return this->Leads(place, this->East); }
+
+private:
+  bool Leads(std::int64_t place, HopId hop) const
+  {
+    const std::int64_t end = place + this->Hops.Offset(hop);
+    return this->Index.Has(end) || ((hop == this->East || hop == this->West) && this->Gaps.Has(end));
+  }
+
+  const ColumnIndex& Index;
+  const HopVectors& Hops;
+  const SeamGaps& Gaps;
+  const PatchBridges* const Bridges;
+  const HopId East;
+  const HopId West;
+  std::array<HopId, 8> Neighbours;
+  std::vector<std::size_t> After; // by hop: position in Neighbours of the next one in a sweep
+};
 
 // ---- The scan -------------------------------------------------------------------------------------------------------
 // Finds all loops in one pass over the lattice if hops lead to neighbours (Suzuki and Abe, "Topological structural
@@ -239,31 +395,22 @@ ExteriorBoundary FindClockwiseBoundary(const ColumnIndex& index, const BoundaryO
 //     . . # . # . .        walk around the patch has marked. The empty column between them is in a hole.
 //     . . # # # . .
 
-struct SweepResult
-{
-  HopId Next;
-  bool PassedEast; // The sweep passed the column to the right, which is therefore empty.
-};
-
-/// Sweep(place, from) returns the first hop of the plane graph after `from` in a clockwise sweep, `from` last.
-/// LeadsEast(place) returns whether a hop leads to the column on the right.
-template <typename Graph>
 class BorderScan
 {
 public:
   BorderScan(
-    PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, Graph graph, const BoundaryOptions& options)
-    : Columns(columns)
+    const ColumnIndex& index, const HopVectors& hops, const NeighbourGraph& graph, const BoundaryOptions& options)
+    : Columns(index.Columns())
     , Index(index)
     , Hops(hops)
-    , HopGraph(std::move(graph))
+    , HopGraph(graph)
     , Options(options)
     , West(hops.Find({ -1, 0 }))
     , East(hops.Find({ 1, 0 }))
-    , OutsideEast(columns.size(), false)
-    , FilledHoleEast(options.HoleBoundaries ? columns.size() : 0, false)
+    , OutsideEast(this->Columns.size(), false)
+    , FilledHoleEast(options.HoleBoundaries ? this->Columns.size() : 0, false)
   {
-    this->Result.Patch = LargeVector(columns.size(), NoPatch);
+    this->Result.Patch = LargeVector(this->Columns.size(), NoPatch);
   }
 
   ExteriorBoundary Run(const Monitor& monitor)
@@ -371,7 +518,7 @@ private:
   const PlanePoints Columns;
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  Graph HopGraph;
+  const NeighbourGraph& HopGraph;
   const BoundaryOptions& Options;
   const HopId West;
   const HopId East;
@@ -383,297 +530,43 @@ private:
   std::vector<PointId> PastEast;
 };
 
-// ---- Growth by distance --------------------------------------------------------------------------------------------
-// Growth by distance (thesis Alg. 3.1) has all hops to the eight neighbours, and bridges from short to long between
-// parts that these leave separate. Bridges belong to a minimum spanning tree, so that they cross and enclose nothing
-// (PlanarHops.h); the walk takes each one out and back.
-
-class NeighbourHops
-{
-public:
-  /// `hops` must have k = 1.
-  explicit NeighbourHops(const ColumnIndex& index, const HopVectors& hops)
-    : Index(index)
-    , East(hops.Find({ 1, 0 }))
-  {
-    for (HopId hop = 0; hop < hops.Size(); ++hop)
-    {
-      this->Offsets[hop] = hops.Offset(hop);
-    }
-  }
-
-  SweepResult Sweep(std::int64_t place, HopId from) const
-  {
-    bool passedEast = false;
-    for (HopId step = 1; step <= 8; ++step)
-    {
-      const HopId next = (from + step) % 8;
-      if (this->Index.Has(place + this->Offsets[next]))
-      {
-        return { next, passedEast };
-      }
-      passedEast = passedEast || next == this->East;
-    }
-    return { NoHop, passedEast };
-  }
-
-  bool LeadsEast(std::int64_t place) const { return this->Index.Has(place + 1); }
-
-private:
-  const ColumnIndex& Index;
-  std::array<std::int64_t, 8> Offsets;
-  HopId East;
-};
-
-/// Of two opposite hops only the rising one is listed. Hops with the nearest ends come first.
-std::vector<HopId> FindLongHops(const HopVectors& hops)
-{
-  std::vector<HopId> result;
-  for (HopId hop = 0; hop < hops.Size(); ++hop)
-  {
-    const PlanePoint& vector = hops.Vector(hop);
-    if (LongHops::IsLongAndRising(vector))
-    {
-      result.push_back(hop);
-    }
-  }
-  std::stable_sort(
-    result.begin(), result.end(), [&hops](HopId a, HopId b) { return IsNearer(hops.Vector(a), hops.Vector(b)); });
-  return result;
-}
-
-std::vector<std::int64_t> FindPlaces(PlanePoints columns, const ColumnIndex& index, const Loops& loops)
-{
-  std::vector<std::int64_t> places;
-  places.reserve(loops.TotalLength());
-  loops.ForEachPoint([&](PointId point) { places.push_back(index.Place(columns[point])); });
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  return places;
-}
-
-class PatchBridges
-{
-public:
-  /// `parts` is the boundary for k = 1; bridges join its patches.
-  PatchBridges(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts)
-    : Index(index)
-    , Hops(hops)
-    , HasEnd(columns.size(), false)
-  {
-    if (parts.NumberOfPatches > 1)
-    {
-      this->Join(FindPlaces(columns, index, parts.Boundary), parts);
-    }
-    std::sort(this->Ends.begin(), this->Ends.end(),
-      [](const End& a, const End& b) { return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop; });
-  }
-
-  bool IsEmpty() const { return this->Ends.empty(); }
-
-  HopId Next(std::int64_t place, HopId from) const
-  {
-    if (!this->HasEnd[this->Index[place]])
-    {
-      return NoHop;
-    }
-    auto end = std::lower_bound(
-      this->Ends.begin(), this->Ends.end(), place, [](const End& a, std::int64_t b) { return a.Place < b; });
-    HopId best = NoHop;
-    const auto order = [&](HopId hop) { return hop > from ? hop : hop + this->Hops.Size(); };
-    for (; end != this->Ends.end() && end->Place == place; ++end)
-    {
-      best = best == NoHop || order(end->Hop) < order(best) ? end->Hop : best;
-    }
-    return best;
-  }
-
-private:
-  struct End
-  {
-    std::int64_t Place;
-    HopId Hop;
-  };
-
-  void Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
-  {
-    const auto part = [&](std::int64_t place) { return parts.Patch[this->Index[place]]; };
-    DisjointSets joined(parts.NumberOfPatches);
-    for (const HopId hop : FindLongHops(this->Hops))
-    {
-      for (const std::int64_t place : onLoops)
-      {
-        const std::int64_t end = place + this->Hops.Offset(hop);
-        if (this->Index.Has(end) && part(place) != part(end) && joined.Join(part(place), part(end)))
-        {
-          this->AddEnd(place, hop);
-          this->AddEnd(end, this->Hops.Opposite(hop));
-        }
-      }
-    }
-  }
-
-  void AddEnd(std::int64_t place, HopId hop)
-  {
-    this->Ends.push_back({ place, hop });
-    this->HasEnd[this->Index[place]] = true;
-  }
-
-  const ColumnIndex& Index;
-  const HopVectors& Hops;
-  std::vector<End> Ends; // sorted by place, then hop
-  std::vector<bool> HasEnd;
-};
-
-class BridgedHops
-{
-public:
-  BridgedHops(const ColumnIndex& index, const HopVectors& hops, const PatchBridges& bridges)
-    : Index(index)
-    , Hops(hops)
-    , Bridges(bridges)
-    , East(hops.Find({ 1, 0 }))
-  {
-    std::size_t found = 0;
-    for (HopId hop = 0; hop < hops.Size(); ++hop)
-    {
-      if (ChebyshevLength(hops.Vector(hop)) == 1)
-      {
-        this->Neighbours[found++] = hop;
-      }
-    }
-  }
-
-  SweepResult Sweep(std::int64_t place, HopId from) const
-  {
-    HopId next = this->Bridges.Next(place, from);
-    for (const HopId hop : this->Neighbours)
-    {
-      const bool isSooner = next == NoHop || this->Between(from, hop) < this->Between(from, next);
-      if (isSooner && this->Index.Has(place + this->Hops.Offset(hop)))
-      {
-        next = hop;
-      }
-    }
-    const bool isEastEmpty = !this->Index.Has(place + this->Hops.Offset(this->East));
-    return { next, isEastEmpty && (next == NoHop || this->Between(from, this->East) < this->Between(from, next)) };
-  }
-
-  bool LeadsEast(std::int64_t place) const { return this->Index.Has(place + 1); }
-
-private:
-  HopId Between(HopId from, HopId to) const { return (to > from ? to : to + this->Hops.Size()) - from; }
-
-  const ColumnIndex& Index;
-  const HopVectors& Hops;
-  const PatchBridges& Bridges;
-  std::array<HopId, 8> Neighbours;
-  HopId East;
-};
-
-// ---- Seams ---------------------------------------------------------------------------------------------------------
-class SeamedHops
-{
-public:
-  SeamedHops(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps)
-    : Index(index)
-    , Gaps(gaps)
-    , East(hops.Find({ 1, 0 }))
-    , West(hops.Find({ -1, 0 }))
-  {
-    for (HopId hop = 0; hop < hops.Size(); ++hop)
-    {
-      this->Offsets[hop] = hops.Offset(hop);
-    }
-  }
-
-  SweepResult Sweep(std::int64_t place, HopId from) const
-  {
-    if (this->Gaps.Has(place))
-    {
-      return { from == this->West ? this->East : this->West, false };
-    }
-    bool passedEast = false;
-    for (HopId step = 1; step <= 8; ++step)
-    {
-      const HopId next = (from + step) % 8;
-      if (this->Leads(place, next))
-      {
-        return { next, passedEast };
-      }
-      passedEast = passedEast || next == this->East;
-    }
-    return { NoHop, passedEast };
-  }
-
-  bool LeadsEast(std::int64_t place) const { return this->Leads(place, this->East); }
-
-private:
-  bool Leads(std::int64_t place, HopId hop) const
-  {
-    const std::int64_t end = place + this->Offsets[hop];
-    return this->Index.Has(end) || ((hop == this->East || hop == this->West) && this->Gaps.Has(end));
-  }
-
-  const ColumnIndex& Index;
-  const SeamGaps& Gaps;
-  std::array<std::int64_t, 8> Offsets;
-  const HopId East;
-  const HopId West;
-};
-
 // ---- The boundary --------------------------------------------------------------------------------------------------
-ExteriorBoundary FollowNeighbours(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
-{
-  const HopVectors hops(1, index.Width());
-  return BorderScan<NeighbourHops>(index.Columns(), index, hops, NeighbourHops(index, hops), options).Run(monitor);
-}
-
-ExteriorBoundary GrowByDistance(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary GrowByDistance(
+  const ColumnIndex& index, const SeamGaps& noGaps, const BoundaryOptions& options, const Monitor& monitor)
 {
   BoundaryOptions allHoles = options;
   allHoles.SmallestHoleSize = 1;
+  const HopVectors neighbours(1, index.Width());
+  const NeighbourGraph parted(index, neighbours, noGaps, nullptr);
+  ExteriorBoundary parts = BorderScan(index, neighbours, parted, allHoles).Run(monitor.Step(0.0, 0.4));
   const HopVectors hops(options.Radius, index.Width());
-  ExteriorBoundary parts = FollowNeighbours(index, allHoles, monitor.Step(0.0, 0.4));
   const PatchBridges bridges(index.Columns(), index, hops, parts);
   monitor.Progress(0.5);
   if (bridges.IsEmpty() && options.SmallestHoleSize <= 1)
   {
     return parts;
   }
-  return BorderScan<BridgedHops>(index.Columns(), index, hops, BridgedHops(index, hops, bridges), options)
-    .Run(monitor.Step(0.5, 1.0));
+  const NeighbourGraph bridged(index, hops, noGaps, &bridges);
+  return BorderScan(index, hops, bridged, options).Run(monitor.Step(0.5, 1.0));
 }
 
-ExteriorBoundary FindBetweenSeams(const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams,
+/// `cracks` receives input for FindCracks().
+ExteriorBoundary Find(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options,
   std::vector<CrackSide>& cracks, const Monitor& monitor)
 {
+  if (options.Cuts || (options.Radius > 1 && options.Growth == GrowthStrategy::Clockwise))
+  {
+    FaceFinder finder(columns, index, options, monitor.Step(0.0, 0.5));
+    cracks = finder.FindCrackSides();
+    return finder.Run(monitor.Step(0.5, 1.0));
+  }
+  const SeamGaps gaps(columns, index, options);
   if (options.Radius > 1)
   {
-    return FindClockwiseBoundary(index, options, seams, cracks, monitor);
+    return GrowByDistance(index, gaps, options, monitor);
   }
   const HopVectors hops(1, index.Width());
-  const SeamGaps gaps(index.Columns(), index, options, seams);
-  return BorderScan<SeamedHops>(index.Columns(), index, hops, SeamedHops(index, hops, gaps), options).Run(monitor);
-}
-
-ExteriorBoundary Find(const ColumnIndex& index, const BoundaryOptions& options, const SeamPresence& seams,
-  std::vector<CrackSide>& cracks, const Monitor& monitor)
-{
-  if (seams.AtLeastRow || seams.AtGreatestRow)
-  {
-    return FindBetweenSeams(index, options, seams, cracks, monitor);
-  }
-  if (options.Cuts)
-  {
-    return FindClockwiseBoundary(index, options, seams, cracks, monitor);
-  }
-  if (options.Radius == 1)
-  {
-    return FollowNeighbours(index, options, monitor);
-  }
-  return options.Growth == GrowthStrategy::Distance ? GrowByDistance(index, options, monitor)
-                                                    : FindClockwiseBoundary(index, options, seams, cracks, monitor);
+  return BorderScan(index, hops, NeighbourGraph(index, hops, gaps, nullptr), options).Run(monitor);
 }
 
 void CheckCuts(const BoundaryOptions& options)
@@ -790,7 +683,7 @@ ExteriorBoundary FindExteriorBoundary(
   CheckBoundaryOptions(columns, options);
   assert(options.Seams.LongestEdge <= ColumnIndex::LongestReach);
   std::vector<CrackSide> cracks;
-  ExteriorBoundary result = Find(index, options, SeamPresence(columns, options.Seams), cracks, monitor);
+  ExteriorBoundary result = Find(columns, index, options, cracks, monitor);
   if (options.MinimumPatchSize > 1)
   {
     result = WithoutSmallPatches(result, options.MinimumPatchSize);

@@ -41,7 +41,7 @@ enum class GrowthStrategy
   Clockwise = 1 // Loops take the first hop of a clockwise sweep, whatever its length.
 };
 
-/// Neighbouring windows of a horizon share the row of a seam (SeamGaps.h). No point lies beyond.
+/// Neighbouring windows of a horizon share the row of a seam (PlanarHops.h). No point lies beyond.
 struct SeamRows
 {
   std::optional<std::int32_t> Lower;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdlib>
 #include <iterator>
 #include <numeric>
@@ -129,6 +130,7 @@ HopVectors::HopVectors(int radius, std::int64_t rasterWidth)
   : MostColumns(radius)
   , RasterWidth(rasterWidth)
 {
+  assert(radius >= 1);
   for (std::int32_t y = -radius; y <= radius; ++y)
   {
     for (std::int32_t x = -radius; x <= radius; ++x)
@@ -147,6 +149,10 @@ HopVectors::HopVectors(int radius, std::int64_t rasterWidth)
   }
   for (const PlanePoint& vector : this->Vectors)
   {
+    if (ChebyshevLength(vector) == 1)
+    {
+      this->Short.push_back(this->Find(vector));
+    }
     this->Offsets.push_back(this->OffsetOf(vector));
     this->Opposites.push_back(this->Find({ -vector.X, -vector.Y }));
     this->NumbersOfParts.push_back(std::gcd(vector.X, vector.Y));

@@ -44,6 +44,10 @@ public:
   /// The columns whose centres a hop passes divide it into this number of parts.
   std::int32_t NumberOfParts(HopId hop) const { return this->NumbersOfParts[hop]; }
   HopId Find(const PlanePoint& vector) const { return this->Hops[this->Slot(vector)]; }
+  /// Returns 1 for the next hop of a clockwise sweep, up to Size() for `from` itself.
+  HopId Turn(HopId from, HopId to) const { return to > from ? to - from : to - from + this->Size(); }
+  /// Returns the eight hops to neighbours, in the order of a sweep.
+  const std::vector<HopId>& ToNeighbours() const { return this->Short; }
 
 private:
   std::size_t Slot(const PlanePoint& vector) const
@@ -58,6 +62,7 @@ private:
   std::vector<HopId> Opposites;
   std::vector<std::int32_t> NumbersOfParts;
   std::vector<HopId> Hops; // by slot
+  std::vector<HopId> Short;
 };
 
 bool IsSweptBefore(const PlanePoint& a, const PlanePoint& b);
@@ -122,7 +127,7 @@ private:
 // A walk sweeps clockwise at each point from the hop it came by, which comes last, and leaves by the first hop of the
 // plane graph. Its face is on the left: the outer face is walked clockwise, a hole counter-clockwise.
 
-/// The hop is NoHop at an isolated point. In the break of a seam there is no point (SeamGaps.h).
+/// The hop is NoHop at an isolated point. In the break of a seam there is no point (SeamGaps).
 struct FaceStep
 {
   PointId Point;

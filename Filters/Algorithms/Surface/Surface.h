@@ -32,7 +32,7 @@
 
 namespace SeismicHorizons
 {
-// Simplifies the seams of a part of a horizon (Boundary/SeamGaps.h), so that neighbouring parts fit.
+// Simplifies the seams of a part of a horizon (Boundary/PlanarHops.h), so that neighbouring parts fit.
 //
 //     P  .  .  Q  .  P  .  .  .  .  P        P    nodes, kept by both parts
 //     |_____________|_______________|        Q    a pin, where a loop of this part turns
