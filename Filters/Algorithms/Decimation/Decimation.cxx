@@ -78,12 +78,9 @@ private:
     this->Result.Triangles.reserve(3 * std::size_t(this->Mesh.Size()));
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        this->Result.Triangles.push_back(PointId(this->Mesh.Corner(triangle, corner)));
-      }
-      const auto place = [&](int corner) { return this->Mesh.Place(this->Mesh.Corner(triangle, corner)); };
-      this->Result.NumberOfSlivers += SineOfSmallestAngle(place(0), place(1), place(2)) < this->SmallestSine ? 1 : 0;
+      const auto& corners = this->Mesh.Corners(triangle);
+      this->Result.Triangles.insert(this->Result.Triangles.end(), corners.begin(), corners.end());
+      this->Result.NumberOfSlivers += this->Mesh.SineOf(triangle) < this->SmallestSine ? 1 : 0;
     }
   }
 
@@ -283,9 +280,9 @@ RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& optio
       triangles.reserve(3 * std::size_t(plane.Size()));
       for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
       {
-        for (int corner = 0; corner < 3; ++corner)
+        for (const VertexId corner : plane.Corners(triangle))
         {
-          triangles.push_back(mesh.SourceOf(plane.Corner(triangle, corner)));
+          triangles.push_back(mesh.SourceOf(corner));
         }
       }
     });

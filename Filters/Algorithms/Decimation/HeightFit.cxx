@@ -564,16 +564,6 @@ private:
   std::vector<unsigned char> IsMoved; // in this pass
   std::vector<FarEdges> IsFar;
 };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor)
-{
-  return HeightFitter(mesh, reach, 0, mesh.Heights()).Run(Powers(aim), monitor);
-}
-
-namespace
-{
 std::vector<InnerHeights> FindUnruled(const std::vector<InnerHeights>& fitted, const std::vector<InnerHeights>& ruled)
 {
   std::vector<InnerHeights> free(fitted.size());
@@ -596,10 +586,7 @@ void Write(const InnerHeights& some, InnerHeights& all)
   std::size_t n = 0;
   for (std::size_t m = 0; m < some.Vertices.size(); ++m)
   {
-    while (all.Vertices[n] != some.Vertices[m])
-    {
-      ++n;
-    }
+    n = std::size_t(std::find(all.Vertices.begin() + n, all.Vertices.end(), some.Vertices[m]) - all.Vertices.begin());
     all.Heights[n] = some.Heights[m];
   }
 }
@@ -610,7 +597,7 @@ void Write(const InnerHeights& some, InnerHeights& all)
 std::vector<InnerHeights> FitAllHeights(
   HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor)
 {
-  const std::vector<InnerHeights> before = mesh.AllHeights();
+  const std::vector<InnerHeights> before = mesh.HeightsOf(mesh.InnerVertices());
   std::vector<InnerHeights> heights = before;
   const auto fit = [&](std::vector<InnerHeights> free, const Monitor& step)
   {

@@ -31,13 +31,10 @@ enum class FitAim
   Mean
 };
 
-/// Vertices on loops stay; heights stay within `reach` of their columns.
-InnerHeights FitHeights(const HeightMesh& mesh, FitAim aim, double reach, const Monitor& monitor);
-
 /// A rule may change fitted heights, which have the same vertices in each horizon.
 using HeightRule = std::function<void(std::vector<InnerHeights>&)>;
 
-/// The mesh is unchanged afterwards.
+/// Vertices on loops stay; heights stay within `reach` of their columns. The mesh is unchanged afterwards.
 std::vector<InnerHeights> FitAllHeights(
   HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor);
 

@@ -54,7 +54,6 @@ std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 //----------------------------------------------------------------------------------------------------------------------
 HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const double* heights)
   : Horizon(std::move(horizon))
-  , OwnHeights(heights ? heights : this->Horizon.Height.data())
   , Places(this->Horizon.ColumnPlaces())
   , Patches(Renumber(std::move(this->Horizon.Patch)))
   , Points(std::size_t(
@@ -62,9 +61,8 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const dou
   , Marks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
 {
   this->MeshLoops(monitor);
-  this->Rasters = this->MakeRasters();
-  this->OnlyRaster = this->Rasters.size() == 1 ? this->Rasters.data() : nullptr;
-  this->FindRange();
+  const double* const own = heights ? heights : this->Horizon.Height.data();
+  this->Add(this->MakeRasters(own), own);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -72,21 +70,27 @@ void HeightMesh::AddHorizon(const std::vector<double>& heights, const std::vecto
 {
   assert(heights.size() == this->NumberOfAllPoints());
   assert(!isKnown || isKnown->size() == heights.size());
-  OtherHorizon other;
-  for (const HeightRaster& raster : this->Rasters)
+  std::vector<HeightRaster> rasters;
+  for (const HeightRaster& raster : this->Horizons.front().Rasters)
   {
-    other.Rasters.emplace_back(raster, heights.data(), isKnown);
+    rasters.emplace_back(raster, heights.data(), isKnown);
   }
-  other.Heights = heights.data();
-  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
+  this->Add(std::move(rasters), heights.data());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Add(std::vector<HeightRaster> rasters, const double* heights)
+{
+  for (const HeightRaster& raster : rasters)
   {
-    other.Vertices.push_back({ this->Vertices[vertex].Column, heights[this->Sources[vertex]] });
+    const double largest = std::max(std::abs(raster.LowestHeight()), std::abs(raster.HighestHeight()));
+    this->RoundingError = std::max(this->RoundingError, UnitsOfRounding * largest);
   }
-  for (const HeightRaster& raster : other.Rasters)
+  this->Horizons.push_back({ std::move(rasters), {}, heights });
+  for (const PointId source : this->Sources)
   {
-    this->AddRounding(raster.LowestHeight(), raster.HighestHeight());
+    this->Horizons.back().Vertices.push_back({ this->Places[source], heights[source] });
   }
-  this->Others.push_back(std::move(other));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -107,7 +111,6 @@ void HeightMesh::MeshLoops(const Monitor& monitor)
     {
       numbers[point] = PointId(this->Sources.size());
       this->Sources.push_back(PointId(point));
-      this->Vertices.push_back({ this->Places[point], this->OwnHeights[point] });
       outline.Plane.push_back(this->Places[point]);
       outline.Patch.push_back(this->Patches[point]);
     }
@@ -121,31 +124,21 @@ void HeightMesh::MeshLoops(const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::FindRange()
+double HeightMesh::HeightRange() const
 {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
-  for (const HeightRaster& raster : this->Rasters)
+  for (const HeightRaster& raster : this->Horizons.front().Rasters)
   {
     lowest = std::min(lowest, raster.LowestHeight());
     highest = std::max(highest, raster.HighestHeight());
   }
-  if (!this->Rasters.empty())
-  {
-    this->Range = highest - lowest;
-    this->AddRounding(lowest, highest);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::AddRounding(double lowest, double highest)
-{
-  this->RoundingError = std::max(this->RoundingError, UnitsOfRounding * std::max(std::abs(lowest), std::abs(highest)));
+  return highest > lowest ? highest - lowest : 1.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 // Patches can be far apart or lie in holes of each other, so each has its own raster.
-std::vector<HeightRaster> HeightMesh::MakeRasters() const
+std::vector<HeightRaster> HeightMesh::MakeRasters(const double* heights) const
 {
   std::vector<HeightRaster> rasters;
   const std::vector<std::int32_t>& patch = this->Patches;
@@ -163,7 +156,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters() const
   if (patches == 1)
   {
     rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Places, this->OwnHeights, this->Horizon.Cuts.get());
+      this->Places, heights, this->Horizon.Cuts.get());
     return rasters;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -171,7 +164,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters() const
   for (std::int32_t number = 0; number < patches; ++number)
   {
     rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Places, this->OwnHeights, this->Horizon.Cuts.get());
+      this->Places, heights, this->Horizon.Cuts.get());
   }
   return rasters;
 }
@@ -208,15 +201,13 @@ void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<Triangle
   this->Mesh.Insert(this->Places[point], triangle, around);
   if (!around.empty())
   {
-    const HeightRaster& raster = this->RasterOf(triangle);
     this->Marks[point] = 1;
     this->Sources.push_back(point);
     this->AreOnLoops.push_back(0);
     this->AreFixed.push_back(0);
-    this->Vertices.push_back({ this->Places[point], raster.HeightAt(this->Places[point]) });
-    for (OtherHorizon& other : this->Others)
+    for (RaisedHorizon& raised : this->Horizons)
     {
-      other.Vertices.push_back({ this->Places[point], other.Heights[point] });
+      raised.Vertices.push_back({ this->Places[point], raised.Heights[point] });
     }
   }
 }
@@ -224,10 +215,9 @@ void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<Triangle
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::PutBack(VertexId vertex)
 {
-  this->Vertices[vertex].Height = this->ColumnHeight(vertex);
-  for (std::size_t other = 0; other < this->Others.size(); ++other)
+  for (RaisedHorizon& raised : this->Horizons)
   {
-    this->Others[other].Vertices[vertex].Height = this->ColumnHeight(other + 1, vertex);
+    raised.Vertices[vertex].Height = raised.Heights[this->Sources[vertex]];
   }
 }
 
@@ -257,10 +247,9 @@ void HeightMesh::SortVertices()
   this->Sources = Gather<std::vector<PointId>>(this->Sources, order);
   this->AreOnLoops = Gather<std::vector<unsigned char>>(this->AreOnLoops, order);
   this->AreFixed = Gather<std::vector<unsigned char>>(this->AreFixed, order);
-  this->Vertices = Gather<std::vector<RaisedPoint>>(this->Vertices, order);
-  for (OtherHorizon& other : this->Others)
+  for (RaisedHorizon& raised : this->Horizons)
   {
-    other.Vertices = Gather<std::vector<RaisedPoint>>(other.Vertices, order);
+    raised.Vertices = Gather<std::vector<RaisedPoint>>(raised.Vertices, order);
   }
   this->Removed = 0;
 }
@@ -280,40 +269,17 @@ void HeightMesh::Compact()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InnerHeights HeightMesh::Heights(std::size_t horizon) const
+std::vector<VertexId> HeightMesh::InnerVertices() const
 {
-  InnerHeights heights;
+  std::vector<VertexId> vertices;
   for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
   {
     if (!this->IsOnLoop(vertex) && !this->IsRemoved(vertex))
     {
-      heights.Vertices.push_back(vertex);
-      heights.Heights.push_back(this->Height(horizon, vertex));
+      vertices.push_back(vertex);
     }
   }
-  return heights;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::SetHeights(const InnerHeights& heights, std::size_t horizon)
-{
-  assert(heights.Vertices.size() == heights.Heights.size() && horizon < this->NumberOfHorizons());
-  std::vector<RaisedPoint>& raised = horizon == 0 ? this->Vertices : this->Others[horizon - 1].Vertices;
-  for (std::size_t n = 0; n < heights.Vertices.size(); ++n)
-  {
-    raised[heights.Vertices[n]].Height = heights.Heights[n];
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<InnerHeights> HeightMesh::AllHeights() const
-{
-  std::vector<InnerHeights> heights;
-  for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)
-  {
-    heights.push_back(this->Heights(horizon));
-  }
-  return heights;
+  return vertices;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -331,9 +297,15 @@ std::vector<InnerHeights> HeightMesh::HeightsOf(const std::vector<VertexId>& ver
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::SetAllHeights(const std::vector<InnerHeights>& heights)
 {
+  assert(heights.size() == this->NumberOfHorizons());
   for (std::size_t horizon = 0; horizon < heights.size(); ++horizon)
   {
-    this->SetHeights(heights[horizon], horizon);
+    const InnerHeights& inner = heights[horizon];
+    assert(inner.Vertices.size() == inner.Heights.size());
+    for (std::size_t n = 0; n < inner.Vertices.size(); ++n)
+    {
+      this->Horizons[horizon].Vertices[inner.Vertices[n]].Height = inner.Heights[n];
+    }
   }
 }
 
@@ -360,23 +332,19 @@ void HeightMesh::Measure(
   this->MeasureEach(triangles, monitor,
     [&](TriangleId triangle)
     {
-      const HeightRaster& raster = this->RasterOf(triangle);
-      const RaisedTriangle corners = this->RaisedCorners(triangle);
-      return power.Power == 0 ? this->MeasureOthers(triangle, bound, raster.MeasureAbove(corners, bound))
-                              : raster.Measure(corners, power);
+      if (power.Power > 0)
+      {
+        return this->RasterOf(triangle).Measure(this->RaisedCorners(triangle), power);
+      }
+      HeightError largest;
+      for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)
+      {
+        const HeightError error =
+          this->RasterOf(horizon, triangle).MeasureAbove(this->RaisedCorners(horizon, triangle), bound);
+        largest = error.Largest > largest.Largest ? error : largest;
+      }
+      return largest;
     });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-HeightError HeightMesh::MeasureOthers(TriangleId triangle, double bound, HeightError error) const
-{
-  for (std::size_t horizon = 1; horizon < this->NumberOfHorizons(); ++horizon)
-  {
-    const HeightError other =
-      this->RasterOf(horizon, triangle).MeasureAbove(this->RaisedCorners(horizon, triangle), bound);
-    error = other.Largest > error.Largest ? other : error;
-  }
-  return error;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -395,23 +363,11 @@ void HeightMesh::FindPoints(const std::vector<TriangleId>& triangles, double bou
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureAll(const ErrorPower& power, double bound, const Monitor& monitor)
-{
-  this->Measure(this->AllTriangles(), power, bound, monitor);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureEdges(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor)
+void HeightMesh::MeasureEdges(
+  const std::vector<TriangleId>& triangles, double bound, bool isEachOnce, const Monitor& monitor)
 {
   this->MeasureEach(
-    triangles, monitor, [&](TriangleId triangle) { return this->MeasureEdges(triangle, bound, false); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeasureAllEdges(double bound, const Monitor& monitor)
-{
-  this->MeasureEach(
-    this->AllTriangles(), monitor, [&](TriangleId triangle) { return this->MeasureEdges(triangle, bound, true); });
+    triangles, monitor, [&](TriangleId triangle) { return this->EdgesError(triangle, bound, isEachOnce); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -445,32 +401,23 @@ std::vector<TriangleId> HeightMesh::AllTriangles() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightError HeightMesh::MeasureEdges(TriangleId triangle, double bound, bool isEachOnce) const
+// Errors up to the bound are ignored.
+HeightError HeightMesh::EdgesError(TriangleId triangle, double bound, bool isEachOnce) const
 {
   HeightError error = this->Errors[triangle];
   for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)
   {
-    const HeightError ofEdges = this->MeasureEdges(horizon, triangle, bound, isEachOnce);
-    error = ofEdges.Largest > error.Largest ? ofEdges : error;
-  }
-  return error;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Errors up to the bound are ignored.
-HeightError HeightMesh::MeasureEdges(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const
-{
-  const HeightRaster& raster = this->RasterOf(horizon, triangle);
-  HeightError error;
-  for (int edge = 0; edge < 3; ++edge)
-  {
-    const TriangleId beyond = this->Mesh.Neighbour(triangle, edge);
-    const RaisedPoint& from = this->Raised(horizon, this->Mesh.Corner(triangle, edge));
-    const RaisedPoint& to = this->Raised(horizon, this->Mesh.Corner(triangle, NextCorner(edge)));
-    if (beyond != NoTriangle && (beyond > triangle || !isEachOnce) && !raster.IsEdgeWithin(from, to, bound))
+    const HeightRaster& raster = this->RasterOf(horizon, triangle);
+    for (int edge = 0; edge < 3; ++edge)
     {
-      const HeightError ofEdge = raster.MeasureEdge(from, to, this->Marks);
-      error = ofEdge.Largest > std::max(bound, error.Largest) ? ofEdge : error;
+      const TriangleId beyond = this->Mesh.Neighbour(triangle, edge);
+      const RaisedPoint& from = this->Raised(horizon, this->Mesh.Corner(triangle, edge));
+      const RaisedPoint& to = this->Raised(horizon, this->Mesh.Corner(triangle, NextCorner(edge)));
+      if (beyond != NoTriangle && (beyond > triangle || !isEachOnce) && !raster.IsEdgeWithin(from, to, bound))
+      {
+        const HeightError ofEdge = raster.MeasureEdge(from, to, this->Marks);
+        error = ofEdge.Largest > std::max(bound, error.Largest) ? ofEdge : error;
+      }
     }
   }
   return error;
@@ -479,12 +426,9 @@ HeightError HeightMesh::MeasureEdges(std::size_t horizon, TriangleId triangle, d
 //----------------------------------------------------------------------------------------------------------------------
 double HeightMesh::LargestError() const
 {
-  double largest = 0.0;
-  for (const HeightError& error : this->Errors)
-  {
-    largest = std::max(largest, error.Largest);
-  }
-  return largest;
+  const auto largest = std::max_element(this->Errors.begin(), this->Errors.end(),
+    [](const HeightError& a, const HeightError& b) { return a.Largest < b.Largest; });
+  return largest == this->Errors.end() ? 0.0 : largest->Largest;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -547,10 +491,9 @@ HeightMesh::ErrorSums HeightMesh::SumErrors(double unit) const
     all.Errors += sum.Errors;
     all.Squares += sum.Squares;
   }
-  const InnerHeights inner = this->Heights();
-  for (std::size_t n = 0; n < inner.Vertices.size(); ++n)
+  for (const VertexId vertex : this->InnerVertices())
   {
-    add(inner.Heights[n] - this->ColumnHeight(inner.Vertices[n]), all);
+    add(this->Height(vertex) - this->ColumnHeight(vertex), all);
   }
   return all;
 }

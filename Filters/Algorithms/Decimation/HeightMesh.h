@@ -54,7 +54,7 @@ public:
   /// Adds other heights of the same points, which must outlive the mesh. Errors become maxima over all horizons; sums,
   /// and functions without a horizon number, use the first. Points not marked in isKnown have no errors.
   void AddHorizon(const std::vector<double>& heights, const std::vector<unsigned char>* isKnown = nullptr);
-  std::size_t NumberOfHorizons() const { return 1 + this->Others.size(); }
+  std::size_t NumberOfHorizons() const { return this->Horizons.size(); }
 
   /// Invalidates the mesh.
   BoundedHorizon TakeHorizon();
@@ -68,11 +68,11 @@ public:
   const PlaneMesh& Triangles() const { return this->Mesh; }
   PlaneMesh& Triangles() { return this->Mesh; }
 
-  std::size_t NumberOfVertices() const { return this->Vertices.size() - this->Removed; }
+  std::size_t NumberOfVertices() const { return this->Sources.size() - this->Removed; }
   std::size_t NumberOfInnerVertices() const { return this->NumberOfVertices() - this->OnLoops; }
   bool IsVertex(PointId point) const { return this->Marks[point] != 0; }
   /// All vertices are below, including removed vertices.
-  VertexId EndOfVertices() const { return VertexId(this->Vertices.size()); }
+  VertexId EndOfVertices() const { return VertexId(this->Sources.size()); }
   bool IsRemoved(VertexId vertex) const { return this->Sources[vertex] == NoPoint; }
   bool IsOnLoop(VertexId vertex) const { return this->AreOnLoops[vertex] != 0; }
   /// Vertices on loops, and vertices passed to Fix(), are never removed.
@@ -80,6 +80,8 @@ public:
   void Fix(VertexId vertex) { this->AreFixed[vertex] = 1; }
   PointId SourceOf(VertexId vertex) const { return this->Sources[vertex]; }
   std::vector<VertexId> VerticesByPoint() const;
+  /// Returns vertices on no loop, ascending.
+  std::vector<VertexId> InnerVertices() const;
   /// Returns NoVertex if the point is no corner.
   VertexId CornerOf(TriangleId triangle, PointId point) const;
 
@@ -94,46 +96,38 @@ public:
   void SortByPlace();
   void Compact();
 
-  /// Height() is on the mesh, ColumnHeight() on the horizon.
-  double Height(VertexId vertex) const { return this->Vertices[vertex].Height; }
-  double ColumnHeight(VertexId vertex) const { return this->RasterAt(vertex).HeightAt(this->Vertices[vertex].Column); }
-  InnerHeights Heights(std::size_t horizon = 0) const;
-  void SetHeights(const InnerHeights& heights, std::size_t horizon = 0);
-  std::vector<InnerHeights> AllHeights() const;
   std::vector<InnerHeights> HeightsOf(const std::vector<VertexId>& vertices) const;
   void SetAllHeights(const std::vector<InnerHeights>& heights);
+  /// Height() is on the mesh, ColumnHeight() on the horizon.
   double Height(std::size_t horizon, VertexId vertex) const { return this->Raised(horizon, vertex).Height; }
+  double Height(VertexId vertex) const { return this->Height(0, vertex); }
   double ColumnHeight(std::size_t horizon, VertexId vertex) const
   {
-    return horizon == 0 ? this->ColumnHeight(vertex) : this->Others[horizon - 1].Heights[this->Sources[vertex]];
+    return this->Horizons[horizon].Heights[this->Sources[vertex]];
   }
-
-  const RaisedPoint& Raised(VertexId vertex) const { return this->Vertices[vertex]; }
-  RaisedTriangle RaisedCorners(TriangleId triangle) const
-  {
-    return { this->Raised(this->Mesh.Corner(triangle, 0)), this->Raised(this->Mesh.Corner(triangle, 1)),
-      this->Raised(this->Mesh.Corner(triangle, 2)) };
-  }
-  const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterAt(this->Mesh.Corner(triangle, 0)); }
+  double ColumnHeight(VertexId vertex) const { return this->ColumnHeight(0, vertex); }
 
   const RaisedPoint& Raised(std::size_t horizon, VertexId vertex) const
   {
-    return horizon == 0 ? this->Vertices[vertex] : this->Others[horizon - 1].Vertices[vertex];
+    return this->Horizons[horizon].Vertices[vertex];
   }
+  const RaisedPoint& Raised(VertexId vertex) const { return this->Raised(0, vertex); }
   RaisedTriangle RaisedCorners(std::size_t horizon, TriangleId triangle) const
   {
     return { this->Raised(horizon, this->Mesh.Corner(triangle, 0)),
       this->Raised(horizon, this->Mesh.Corner(triangle, 1)), this->Raised(horizon, this->Mesh.Corner(triangle, 2)) };
   }
+  RaisedTriangle RaisedCorners(TriangleId triangle) const { return this->RaisedCorners(0, triangle); }
+  const HeightRaster& RasterAt(std::size_t horizon, VertexId vertex) const
+  {
+    const std::vector<HeightRaster>& rasters = this->Horizons[horizon].Rasters;
+    return rasters[rasters.size() == 1 ? 0 : this->Patches[this->Sources[vertex]]];
+  }
   const HeightRaster& RasterOf(std::size_t horizon, TriangleId triangle) const
   {
     return this->RasterAt(horizon, this->Mesh.Corner(triangle, 0));
   }
-  const HeightRaster& RasterAt(std::size_t horizon, VertexId vertex) const
-  {
-    return horizon == 0 ? this->RasterAt(vertex)
-                        : this->Others[horizon - 1].Rasters[this->Patches[this->Sources[vertex]]];
-  }
+  const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterOf(0, triangle); }
 
   HeightError MeasureCrossings(TriangleId triangle, int edge, const ErrorPower& power = ErrorPower()) const
   {
@@ -143,15 +137,14 @@ public:
 
   /// Stores errors: only above the bound with power 0, else all with their sums.
   void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor);
-  void MeasureAll(const ErrorPower& power, double bound, const Monitor& monitor);
   /// Finds points of errors that were measured with a power.
   void FindPoints(const std::vector<TriangleId>& triangles, double bound);
-  /// Raises stored errors to the errors of inner edges at grid lines, unless both columns there are vertices.
-  void MeasureEdges(const std::vector<TriangleId>& triangles, double bound, const Monitor& monitor);
-  void MeasureAllEdges(double bound, const Monitor& monitor);
+  /// Raises stored errors to the errors of inner edges at grid lines, unless both columns there are vertices. With
+  /// isEachOnce, an edge counts for one of its triangles.
+  void MeasureEdges(const std::vector<TriangleId>& triangles, double bound, bool isEachOnce, const Monitor& monitor);
   /// Sets an error of 1 where a marked point is no vertex, at the point farthest inside, else 0.
   void MeasureMarked(const std::vector<TriangleId>& triangles, const std::vector<unsigned char>& marks);
-  void MeasureAllMarked(const std::vector<unsigned char>& marks) { this->MeasureMarked(this->AllTriangles(), marks); }
+  std::vector<TriangleId> AllTriangles() const;
   const HeightError& Error(TriangleId triangle) const { return this->Errors[triangle]; }
   void SetError(TriangleId triangle, const HeightError& error) { this->Errors[triangle] = error; }
   /// All triangles must have been measured after the last change.
@@ -172,33 +165,25 @@ public:
   ErrorSums SumErrors(double unit) const;
   /// Bounds the rounding of heights in a triangle.
   double Rounding() const { return this->RoundingError; }
-  double HeightRange() const { return this->Range > 0.0 ? this->Range : 1.0; }
+  /// Returns 1 for a level horizon.
+  double HeightRange() const;
 
 private:
-  struct OtherHorizon
+  struct RaisedHorizon
   {
-    std::vector<HeightRaster> Rasters;
+    std::vector<HeightRaster> Rasters; // by patch
     std::vector<RaisedPoint> Vertices;
-    const double* Heights;
+    const double* Heights; // by point
   };
 
-  const HeightRaster& RasterAt(VertexId vertex) const
-  {
-    return this->OnlyRaster ? *this->OnlyRaster : this->Rasters[this->Patches[this->Sources[vertex]]];
-  }
   void MeshLoops(const Monitor& monitor);
-  std::vector<HeightRaster> MakeRasters() const;
-  void AddRounding(double lowest, double highest);
-  void FindRange();
-  std::vector<TriangleId> AllTriangles() const;
-  HeightError MeasureOthers(TriangleId triangle, double bound, HeightError error) const;
-  HeightError MeasureEdges(std::size_t horizon, TriangleId triangle, double bound, bool isEachOnce) const;
-  HeightError MeasureEdges(TriangleId triangle, double bound, bool isEachOnce) const;
+  std::vector<HeightRaster> MakeRasters(const double* heights) const;
+  void Add(std::vector<HeightRaster> rasters, const double* heights);
+  HeightError EdgesError(TriangleId triangle, double bound, bool isEachOnce) const;
   template <typename Measuring>
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 
   BoundedHorizon Horizon; // Patch has moved into Patches
-  const double* const OwnHeights;
   const PlanePoints Places;
   std::vector<std::int32_t> Patches; // per point, contiguous from 0; negative outside the horizon
   std::size_t Points;
@@ -206,14 +191,10 @@ private:
   std::vector<PointId> Sources; // per vertex; NoPoint if removed
   std::vector<unsigned char> AreOnLoops;
   std::vector<unsigned char> AreFixed;
-  std::vector<RaisedPoint> Vertices;
-  std::vector<OtherHorizon> Others;
+  std::vector<RaisedHorizon> Horizons;
   std::size_t OnLoops = 0;
   std::size_t Removed = 0;
   PlaneMesh Mesh;
-  std::vector<HeightRaster> Rasters; // per patch
-  const HeightRaster* OnlyRaster; // null if there are several
-  double Range = 0.0;
   double RoundingError = 0.0;
   std::vector<HeightError> Errors; // per triangle
 };

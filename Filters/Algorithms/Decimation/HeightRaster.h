@@ -88,8 +88,6 @@ public:
     this->SetFloats(isKnown);
   }
 
-  double HeightAt(const PlanePoint& column) const { return this->At<double>(this->Place(column.X, column.Y)); }
-
   /// The column may lie outside the raster.
   PointId PointAt(const PlanePoint& column) const
   {

@@ -39,39 +39,30 @@ struct MeshCost
   }
 
   /// Returns infinity if the cost reaches `most` or an error is too large.
-  double TriangleCost(const HeightRaster& raster, const RaisedTriangle& triangle, double most = Infinity) const
-  {
-    return raster.SumWithin(triangle, this->Power, this->LargestError, most);
-  }
-
   double TriangleCost(const HeightMesh& mesh, const std::array<VertexId, 3>& corners, double most = Infinity) const
   {
     double sum = 0.0;
     for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < most; ++horizon)
     {
-      sum += this->TriangleCost(mesh.RasterAt(horizon, corners[0]),
-        { mesh.Raised(horizon, corners[0]), mesh.Raised(horizon, corners[1]), mesh.Raised(horizon, corners[2]) },
-        most - sum);
+      const RaisedTriangle raised = { mesh.Raised(horizon, corners[0]), mesh.Raised(horizon, corners[1]),
+        mesh.Raised(horizon, corners[2]) };
+      sum += mesh.RasterAt(horizon, corners[0]).SumWithin(raised, this->Power, this->LargestError, most - sum);
     }
     return sum < most ? sum : Infinity;
   }
 
   /// Edges weigh less: at a cliff every edge is far from the grid lines it crosses, and would dominate.
-  double EdgeCost(const HeightRaster& raster, const RaisedPoint& from, const RaisedPoint& to) const
-  {
-    if (this->LargestError < Infinity)
-    {
-      return raster.IsEdgeWithin(from, to, this->LargestError) ? 0.0 : Infinity;
-    }
-    return EdgeWeight * raster.MeasureCrossings(from, to, this->Power).Sum;
-  }
-
   double EdgeCost(const HeightMesh& mesh, VertexId from, VertexId to) const
   {
     double sum = 0.0;
     for (std::size_t horizon = 0; horizon < mesh.NumberOfHorizons() && sum < Infinity; ++horizon)
     {
-      sum += this->EdgeCost(mesh.RasterAt(horizon, from), mesh.Raised(horizon, from), mesh.Raised(horizon, to));
+      const HeightRaster& raster = mesh.RasterAt(horizon, from);
+      const RaisedPoint& start = mesh.Raised(horizon, from);
+      const RaisedPoint& end = mesh.Raised(horizon, to);
+      sum += this->LargestError == Infinity ? EdgeWeight * raster.MeasureCrossings(start, end, this->Power).Sum
+        : raster.IsEdgeWithin(start, end, this->LargestError) ? 0.0
+                                                              : Infinity;
     }
     return sum;
   }
@@ -259,12 +250,6 @@ private:
   std::vector<unsigned char> IsChanged;
 };
 
-//----------------------------------------------------------------------------------------------------------------------
-void FlipEdges(HeightMesh& mesh, const MeshCost& cost, const Monitor& monitor)
-{
-  EdgeFlips(mesh, cost).Run(monitor);
-}
-
 // ---- Removal -------------------------------------------------------------------------------------------------------
 // Half-edge collapses remove inner vertices (Hoppe 1996, "Progressive meshes"), the cheapest first, except beside
 // vertices that the round has removed.
@@ -351,7 +336,7 @@ private:
         }
       }
     }
-    for (const VertexId vertex : this->Mesh.Heights().Vertices)
+    for (const VertexId vertex : this->Mesh.InnerVertices())
     {
       if (!this->Mesh.IsFixed(vertex))
       {
@@ -535,9 +520,7 @@ private:
         for (std::int64_t n = first; n < last; ++n)
         {
           const TriangleId triangle = this->Changed[n];
-          const PlaneMesh& mesh = this->Mesh.Triangles();
-          this->Costs[triangle] = this->Cost.TriangleCost(
-            this->Mesh, { mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2) });
+          this->Costs[triangle] = this->Cost.TriangleCost(this->Mesh, this->Mesh.Triangles().Corners(triangle));
         }
       });
     this->Candidates.erase(std::remove_if(this->Candidates.begin(), this->Candidates.end(),
@@ -560,15 +543,15 @@ private:
     for (const TriangleId triangle : ring)
     {
       this->IsChanged[triangle] = 1;
-      for (int corner = 0; corner < 3 && !mesh.IsGone(triangle); ++corner)
+      if (mesh.IsGone(triangle))
       {
-        const std::size_t vertex = std::size_t(mesh.Corner(triangle, corner));
+        continue;
+      }
+      this->Changed.push_back(triangle);
+      for (const VertexId vertex : mesh.Corners(triangle))
+      {
         this->TriangleAt[vertex] = triangle;
         this->IsOld[vertex] = 1;
-      }
-      if (!mesh.IsGone(triangle))
-      {
-        this->Changed.push_back(triangle);
       }
     }
   }
@@ -582,12 +565,6 @@ private:
   std::vector<unsigned char> IsChanged;
   std::vector<TriangleId> Changed;
 };
-
-//----------------------------------------------------------------------------------------------------------------------
-void RemoveVertices(HeightMesh& mesh, const MeshCost& cost, std::size_t leastVertices, const Monitor& monitor)
-{
-  VertexRemoval(mesh, cost).Run(leastVertices, monitor);
-}
 
 // ---- Insertion -----------------------------------------------------------------------------------------------------
 // Heights are fitted at a larger error, and move less than the error, to leave room for points that are not fitted.
@@ -649,15 +626,15 @@ void ImproveWithinError(
   };
   // The smaller mesh is faster, and leaves the fewest vertices.
   mesh.SortByPlace();
-  RemoveVertices(mesh, cost, 0, monitor.Step(0.0, 0.3));
+  VertexRemoval(mesh, cost).Run(0, monitor.Step(0.0, 0.3));
   bool isWorthIt = true;
   for (int round = 0; round < MostRounds && isWorthIt; ++round)
   {
     const Monitor step = monitor.Step(0.3 + 0.15 * round, 0.45 + 0.15 * round);
     const std::size_t before = mesh.NumberOfInnerVertices();
-    FlipEdges(mesh, cost, step.Step(0.0, 0.3));
+    EdgeFlips(mesh, cost).Run(step.Step(0.0, 0.3));
     fit(FitAim::LargestError, step.Step(0.3, 0.5));
-    RemoveVertices(mesh, cost, 0, step.Step(0.5, 1.0));
+    VertexRemoval(mesh, cost).Run(0, step.Step(0.5, 1.0));
     isWorthIt = double(before - mesh.NumberOfInnerVertices()) >= LeastFractionOfRound * double(before);
   }
   fit(FitAim::Squares, monitor.Step(0.9, 1.0));
@@ -669,29 +646,29 @@ void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOpti
   const double largest = mesh.LargestError();
   mesh.SortByPlace();
   MeshCost cost(options.Priority, largest > 0.0 ? largest : 1.0, options.SmallestAngle);
-  FlipEdges(mesh, cost, monitor.Step(0.0, 0.2));
+  EdgeFlips(mesh, cost).Run(monitor.Step(0.0, 0.2));
   // A mesh flipped and fitted half-way shows better which vertices can go.
   const std::size_t onLoops = mesh.NumberOfVertices() - mesh.NumberOfInnerVertices();
   assert(vertices >= onLoops);
   const std::size_t halfWay = onLoops + std::size_t(HalfWay * double(vertices - onLoops));
   const auto improve = [&](const Monitor& step)
   {
-    FlipEdges(mesh, cost, step.Step(0.0, 0.6));
+    EdgeFlips(mesh, cost).Run(step.Step(0.0, 0.6));
     if (options.FitHeights)
     {
       FitToNumber(mesh, options.Priority, step.Step(0.6, 1.0));
     }
   };
-  RemoveVertices(mesh, cost, halfWay, monitor.Step(0.2, 0.5));
+  VertexRemoval(mesh, cost).Run(halfWay, monitor.Step(0.2, 0.5));
   improve(monitor.Step(0.5, 0.65));
-  RemoveVertices(mesh, cost, vertices, monitor.Step(0.65, 0.8));
+  VertexRemoval(mesh, cost).Run(vertices, monitor.Step(0.65, 0.8));
   // Angles that prevent removal may become smaller.
   const double sine = cost.SmallestSine;
   for (int halving = 1; mesh.NumberOfVertices() > vertices && cost.SmallestSine > 0.0; ++halving)
   {
     cost.SmallestSine = halving < MostHalvings ? 0.5 * cost.SmallestSine : 0.0;
     const double fraction = 0.8 + 0.05 * double(halving) / (MostHalvings + 1);
-    RemoveVertices(mesh, cost, vertices, monitor.Step(fraction, fraction));
+    VertexRemoval(mesh, cost).Run(vertices, monitor.Step(fraction, fraction));
   }
   cost.SmallestSine = sine;
   improve(monitor.Step(0.85, 1.0));
@@ -707,33 +684,33 @@ void FlipToNumber(HeightMesh& mesh, const DecimationOptions& options, const Moni
   {
     cost.LargestError = largest + mesh.Rounding();
   }
-  FlipEdges(mesh, cost, monitor);
+  EdgeFlips(mesh, cost).Run(monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void FitToNumber(HeightMesh& mesh, DecimationPriority priority, const Monitor& monitor)
 {
-  mesh.MeasureAll(ErrorPower(), 0.0, monitor.Step(0.0, 0.1));
+  mesh.Measure(mesh.AllTriangles(), ErrorPower(), 0.0, monitor.Step(0.0, 0.1));
   const double largest = mesh.LargestError();
   if (!(largest > 0.0))
   {
     return;
   }
   const bool isForLargest = priority == DecimationPriority::LargestError;
-  const InnerHeights heights =
-    FitHeights(mesh, isForLargest ? FitAim::LargestError : FitAim::Mean, largest, monitor.Step(0.1, 1.0));
+  const FitAim aim = isForLargest ? FitAim::LargestError : FitAim::Mean;
+  const std::vector<InnerHeights> heights = FitAllHeights(mesh, aim, largest, HeightRule(), monitor.Step(0.1, 1.0));
   if (isForLargest)
   {
-    MoveHeightsWithin(mesh, largest, { heights });
+    MoveHeightsWithin(mesh, largest, heights);
     return;
   }
-  const InnerHeights before = mesh.Heights();
+  const std::vector<InnerHeights> before = mesh.HeightsOf(heights.front().Vertices);
   const HeightMesh::ErrorSums sums = mesh.SumErrors(largest);
-  mesh.SetHeights(heights);
+  mesh.SetAllHeights(heights);
   const HeightMesh::ErrorSums fitted = mesh.SumErrors(largest);
   if (fitted.Errors > sums.Errors || fitted.Squares > sums.Squares)
   {
-    mesh.SetHeights(before);
+    mesh.SetAllHeights(before);
   }
 }
 }

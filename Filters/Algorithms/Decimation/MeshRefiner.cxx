@@ -11,7 +11,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <string>
 
 namespace SeismicHorizons
@@ -39,7 +38,7 @@ MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationP
 void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
   const double bound = error + this->Mesh.Rounding();
-  this->Mesh.MeasureAll(this->Power, bound, monitor.Step(0.0, 0.1));
+  this->Mesh.Measure(this->Mesh.AllTriangles(), this->Power, bound, monitor.Step(0.0, 0.1));
   const double first = this->Mesh.LargestError();
   this->StartWith(bound);
   double fraction = 0.1;
@@ -65,7 +64,7 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
 {
   const double bound = error + this->Mesh.Rounding();
-  this->Mesh.MeasureAllEdges(bound, monitor.Step(0.0, 0.8));
+  this->Mesh.MeasureEdges(this->Mesh.AllTriangles(), bound, true, monitor.Step(0.0, 0.8));
   this->StartWith(bound);
   double limit = 0.0;
   for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(limit, far);)
@@ -79,7 +78,7 @@ void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
         far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
     }
     this->Mesh.Measure(this->New, ErrorPower(), bound, Monitor());
-    this->Mesh.MeasureEdges(this->New, bound, Monitor());
+    this->Mesh.MeasureEdges(this->New, bound, false, Monitor());
     this->KeepFar(bound);
   }
 }
@@ -89,8 +88,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
 {
   const PlaneMesh& mesh = this->Mesh.Triangles();
   const double sine = SineOfDegrees(smallestAngle);
-  std::vector<TriangleId> slivers(std::size_t(mesh.Size()));
-  std::iota(slivers.begin(), slivers.end(), 0);
+  std::vector<TriangleId> slivers = this->Mesh.AllTriangles();
   while (!slivers.empty())
   {
     this->New.clear();
@@ -98,7 +96,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
     std::vector<TriangleId> left;
     for (const TriangleId sliver : slivers)
     {
-      if (this->IsNew[sliver] != 0 || !this->IsSliver(sliver, sine))
+      if (this->IsNew[sliver] != 0 || mesh.SineOf(sliver) >= sine)
       {
         continue;
       }
@@ -117,14 +115,6 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
     std::copy_if(left.begin(), left.end(), std::back_inserter(slivers),
       [this](TriangleId triangle) { return this->IsNew[triangle] == 0; });
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool MeshRefiner::IsSliver(TriangleId triangle, double sine) const
-{
-  const PlaneMesh& mesh = this->Mesh.Triangles();
-  const auto place = [&](int corner) { return mesh.Place(mesh.Corner(triangle, corner)); };
-  return SineOfSmallestAngle(place(0), place(1), place(2)) < sine;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -190,7 +180,7 @@ void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
 {
   assert(marks.size() == this->Mesh.NumberOfAllPoints() && this->MostVertices == 0);
   constexpr double Bound = 0.5;
-  this->Mesh.MeasureAllMarked(marks);
+  this->Mesh.MeasureMarked(this->Mesh.AllTriangles(), marks);
   this->StartWith(Bound);
   double limit = Bound;
   for (std::vector<TriangleId> marked; this->FindUrgent(limit, marked);)

@@ -39,7 +39,6 @@ private:
   bool InsertRound(const std::vector<TriangleId>& triangles);
   void Insert(PointId point, TriangleId triangle);
   void PutBack(VertexId vertex, TriangleId triangle);
-  bool IsSliver(TriangleId triangle, double sine) const;
   PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle) const;
   bool CanInsert(const PlanePoint& place, TriangleId triangle) const;
   void AddNew(TriangleId triangle);

@@ -219,6 +219,13 @@ VertexId PlaneMesh::Beyond(TriangleId triangle, int edge) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double PlaneMesh::SineOf(TriangleId triangle) const
+{
+  const auto& [a, b, c] = this->Corners(triangle);
+  return SineOfSmallestAngle(this->Place(a), this->Place(b), this->Place(c));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int PlaneMesh::CornerAt(TriangleId triangle, VertexId vertex) const
 {
   const auto& corners = this->Triangles[triangle].Corners;
@@ -369,9 +376,9 @@ KeptEdges::KeptEdges(PlaneMesh& mesh, std::size_t vertices)
 {
   for (TriangleId triangle = 0; triangle < mesh.Size(); ++triangle)
   {
-    for (int corner = 0; corner < 3; ++corner)
+    for (const VertexId corner : mesh.Corners(triangle))
     {
-      this->TriangleAt[std::size_t(mesh.Corner(triangle, corner))] = triangle;
+      this->TriangleAt[std::size_t(corner)] = triangle;
     }
   }
 }
@@ -402,8 +409,8 @@ bool KeptEdges::Keep(VertexId from, VertexId to)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Calls visit(triangle, corner) around a vertex until it returns true: counter-clockwise, then clockwise from the
-// first.
+// Calls visit(triangle, corner) around a vertex until it returns true: counter-clockwise, then clockwise from the first.
+// Triangles where the boundary touches itself, which are rare, are searched for last.
 template <typename Visitor>
 bool KeptEdges::AnyAround(VertexId vertex, Visitor&& visit) const
 {
@@ -431,15 +438,7 @@ bool KeptEdges::AnyAround(VertexId vertex, Visitor&& visit) const
       triangle = this->Mesh.Neighbour(triangle, corner);
     }
   }
-  return false;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// AnyAround misses triangles where the boundary touches itself. This is rare.
-template <typename Visitor>
-bool KeptEdges::AnyBeside(VertexId vertex, Visitor&& visit) const
-{
-  for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+  for (triangle = 0; triangle < this->Mesh.Size(); ++triangle)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -473,7 +472,7 @@ bool KeptEdges::FindStart(VertexId from, VertexId to, Edge& crossed, VertexId& n
     crossed = { triangle, NextCorner(corner) };
     return SignedArea(a, b, this->Mesh.Place(right)) < 0 && SignedArea(a, b, this->Mesh.Place(left)) > 0;
   };
-  return this->AnyAround(from, isStart) || this->AnyBeside(from, isStart);
+  return this->AnyAround(from, isStart);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -512,9 +511,9 @@ void KeptEdges::FlipCrossed(VertexId from, VertexId end)
   const PlanePoint& b = this->Mesh.Place(end);
   while (!this->Crossed.empty())
   {
-    const Line line = this->Crossed.front();
+    const std::array<VertexId, 2> line = this->Crossed.front();
     this->Crossed.pop_front();
-    const Edge edge = this->FindEdge(line.From, line.To);
+    const Edge edge = this->FindEdge(line[0], line[1]);
     if (!this->IsConvex(edge))
     {
       this->Crossed.push_back(line);
@@ -540,11 +539,7 @@ KeptEdges::Edge KeptEdges::FindEdge(VertexId a, VertexId b) const
     edge = { triangle, corner };
     return this->Mesh.Corner(triangle, corner) == a && this->Mesh.Corner(triangle, NextCorner(corner)) == b;
   };
-  if (this->AnyAround(a, isIt))
-  {
-    return edge;
-  }
-  this->AnyBeside(a, isIt);
+  this->AnyAround(a, isIt);
   return edge;
 }
 
@@ -565,9 +560,9 @@ void KeptEdges::Flip(const Edge& edge)
   this->Mesh.Flip(edge.Triangle, edge.Number);
   for (const TriangleId triangle : { edge.Triangle, other })
   {
-    for (int corner = 0; corner < 3; ++corner)
+    for (const VertexId corner : this->Mesh.Corners(triangle))
     {
-      this->TriangleAt[std::size_t(this->Mesh.Corner(triangle, corner))] = triangle;
+      this->TriangleAt[std::size_t(corner)] = triangle;
     }
   }
 }

@@ -55,6 +55,9 @@ public:
 
   TriangleId Size() const { return TriangleId(this->Triangles.size()); }
   VertexId Corner(TriangleId triangle, int corner) const { return this->Triangles[triangle].Corners[corner]; }
+  const std::array<VertexId, 3>& Corners(TriangleId triangle) const { return this->Triangles[triangle].Corners; }
+  /// Returns the sine of the smallest angle.
+  double SineOf(TriangleId triangle) const;
   /// Returns NoTriangle at the boundary.
   TriangleId Neighbour(TriangleId triangle, int edge) const { return this->Triangles[triangle].Neighbours[edge]; }
   int EdgeTo(TriangleId triangle, TriangleId neighbour) const;
@@ -136,12 +139,6 @@ public:
   void Legalize();
 
 private:
-  struct Line
-  {
-    VertexId From;
-    VertexId To;
-  };
-
   struct Edge
   {
     TriangleId Triangle = NoTriangle;
@@ -156,12 +153,10 @@ private:
   void Flip(const Edge& edge);
   template <typename Visitor>
   bool AnyAround(VertexId vertex, Visitor&& visit) const;
-  template <typename Visitor>
-  bool AnyBeside(VertexId vertex, Visitor&& visit) const;
 
   PlaneMesh& Mesh;
   std::vector<TriangleId> TriangleAt;
-  std::deque<Line> Crossed; // edges that remain across the line
+  std::deque<std::array<VertexId, 2>> Crossed; // edges that remain across the line
 };
 }
 

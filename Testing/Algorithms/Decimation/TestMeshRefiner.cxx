@@ -27,13 +27,14 @@ void TestFarVertices()
   HeightMesh mesh(horizon, Monitor());
   MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
   refiner.InsertWhereFar(bound, Monitor());
-  InnerHeights heights = mesh.Heights();
+  std::vector<InnerHeights> all = mesh.HeightsOf(mesh.InnerVertices());
+  InnerHeights& heights = all.front();
   CHECK(heights.Vertices.size() > 20);
   for (std::size_t n = 0; n < heights.Vertices.size(); n += 3)
   {
     heights.Heights[n] += n % 2 == 0 ? 3.0 * bound : -20.0 * bound;
   }
-  mesh.SetHeights(heights);
+  mesh.SetAllHeights(all);
   refiner.InsertWhereFar(bound, Monitor());
   refiner.InsertAtEdges(bound, Monitor());
   for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
