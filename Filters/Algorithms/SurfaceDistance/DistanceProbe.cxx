@@ -107,7 +107,6 @@ bool Facet::IsOnlyOne(double distance) const
 DistanceProbe::DistanceProbe(const TriangleSearch& to, const std::vector<Metric>& metrics)
   : To(to)
   , Metrics(metrics)
-  , NumberOfMetrics(metrics.size())
 {
   assert(metrics.size() >= 1 && metrics.size() <= MostMetrics);
 }
@@ -155,7 +154,7 @@ void DistanceProbe::Measure(const Eigen::Vector3d& place, IsWanted&& isWanted)
 {
   const TriangleRaster* const raster = this->To.GetRaster();
   const std::int32_t across = raster != nullptr ? this->FindAcross(*raster, place) : -1;
-  for (std::size_t metric = 0; metric < this->NumberOfMetrics; ++metric)
+  for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
   {
     if (isWanted(metric))
     {
@@ -163,7 +162,7 @@ void DistanceProbe::Measure(const Eigen::Vector3d& place, IsWanted&& isWanted)
         ? this->MeasureByRaster(*raster, place, across, metric)
         : this->To.GetTree().SquaredDistance(place, this->Nearest[metric], this->Metrics[metric]);
       this->Found[metric] = std::sqrt(squared);
-      this->Farthest[metric] = std::max(this->Farthest[metric], this->Found[metric]);
+      this->Largest[metric] = std::max(this->Largest[metric], this->Found[metric]);
     }
   }
 }
@@ -184,7 +183,7 @@ void DistanceProbe::RaiseLargest(const Eigen::Vector3d& place)
     [&](std::size_t metric)
     {
       gap = this->IsAcross && std::isnan(gap) ? std::abs(this->Across.Height() - place.z()) : gap;
-      return !(gap * this->Metrics[metric].Weights()[2] <= this->Farthest[metric]);
+      return !(gap * this->Metrics[metric].Weights()[2] <= this->Largest[metric]);
     });
 }
 
@@ -235,11 +234,7 @@ struct Middle
 
 Middle MiddleOf(const TriangleSurface& surface, std::int64_t triangle)
 {
-  Eigen::AlignedBox3d box;
-  for (const PointId corner : surface.Triangles[triangle])
-  {
-    box.extend(surface.Point(corner));
-  }
+  const Eigen::AlignedBox3d box = surface.Box(surface.Triangles[triangle]);
   const Eigen::Vector3f doubled = (box.min() + box.max()).cast<float>();
   return { { doubled.x(), doubled.y(), doubled.z() }, std::int32_t(triangle) };
 }
@@ -377,13 +372,10 @@ void TriangleTree::FillLowest(std::size_t node)
   for (std::size_t child = 0; child < Fan; ++child)
   {
     Eigen::AlignedBox3d box;
-    const TriangleRange triangles = this->TrianglesOf(node * Fan + child);
-    for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
+    const std::size_t leaf = node * Fan + child;
+    for (std::size_t triangle = leaf * Fan; triangle < this->EndOf(leaf); ++triangle)
     {
-      for (const PointId corner : this->Triangles[triangle])
-      {
-        box.extend(this->Surface.Point(corner));
-      }
+      box.extend(this->Surface.Box(this->Triangles[triangle]));
     }
     if (!box.isEmpty())
     {
@@ -425,24 +417,6 @@ void TriangleTree::FillNodes()
           lowest ? this->FillLowest(node) : this->FillFromChildren(level, node);
         }
       });
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void TriangleTree::SearchLeaf(
-  std::size_t leaf, const Eigen::Vector3d& point, const Metric& metric, std::int32_t& nearest, double& best) const
-{
-  const TriangleRange triangles = this->TrianglesOf(leaf);
-  for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
-  {
-    // Boxes rule out most triangles faster.
-    const Corners& corners = this->Triangles[triangle];
-    if (std::int32_t(triangle) != nearest && metric.SquaredDistanceToBox(this->Surface, corners, point) < best)
-    {
-      const double distance = metric.SquaredDistance(this->Surface, corners, point);
-      nearest = distance < best ? std::int32_t(triangle) : nearest;
-      best = std::min(best, distance);
-    }
   }
 }
 
@@ -502,7 +476,10 @@ double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, std::int32_t&
     },
     [&](std::size_t leaf)
     {
-      this->SearchLeaf(leaf, point, metric, hint, best);
+      for (std::size_t n = leaf * Fan; n < this->EndOf(leaf); ++n)
+      {
+        KeepNearer(this->Surface, this->Triangles[n], std::int32_t(n), point, metric, hint, best);
+      }
       return float(SlackOfDistances * best);
     });
   return best;
@@ -526,10 +503,9 @@ double TriangleTree::FindHeight(const Eigen::Vector3d& point, double tolerance) 
     },
     [&](std::size_t leaf)
     {
-      const TriangleRange triangles = this->TrianglesOf(leaf);
-      for (std::size_t triangle = triangles.First; triangle < triangles.Last; ++triangle)
+      for (std::size_t n = leaf * Fan; n < this->EndOf(leaf); ++n)
       {
-        best = NearerHeight(this->Surface, this->Triangles[triangle], point, tolerance, best);
+        best = NearerHeight(this->Surface, this->Triangles[n], point, tolerance, best);
       }
       return Bound;
     });

@@ -7,7 +7,6 @@
 #define SeismicHorizonsDistanceProbe_h
 
 #include "Common/Base/Monitor.h"
-#include "Metric.h"
 #include "TriangleRaster.h"
 
 #include <Eigen/Core>
@@ -62,17 +61,8 @@ private:
   std::size_t NodesOf(std::size_t level) const { return this->LevelStart[level + 1] - this->LevelStart[level]; }
   std::size_t Levels() const { return this->LevelStart.size() - 1; }
 
-  struct TriangleRange
-  {
-    std::size_t First;
-    std::size_t Last;
-  };
-  TriangleRange TrianglesOf(std::size_t leaf) const
-  {
-    return { leaf * Fan, std::min((leaf + 1) * Fan, this->Triangles.size()) };
-  }
-  void SearchLeaf(
-    std::size_t leaf, const Eigen::Vector3d& point, const Metric& metric, std::int32_t& nearest, double& best) const;
+  /// Returns the end of its triangles, which begin at Fan times its number.
+  std::size_t EndOf(std::size_t leaf) const { return std::min((leaf + 1) * Fan, this->Triangles.size()); }
   template <typename DistancesOf, typename LeafSearch>
   void Descend(float bound, DistancesOf&& distancesOf, LeafSearch&& searchLeaf) const;
 
@@ -210,8 +200,7 @@ public:
   /// The place must be the last measured (TriangleTree::FindHeight).
   double FindHeight(const Eigen::Vector3d& place, double tolerance) const;
 
-  const MetricValues& Largest() const { return this->Farthest; }
-  void SetLargest(const MetricValues& largest) { this->Farthest = largest; }
+  MetricValues Largest = {}; // of all places
 
 private:
   template <typename IsWanted>
@@ -222,12 +211,10 @@ private:
 
   const TriangleSearch& To;
   const std::vector<Metric>& Metrics;
-  std::size_t NumberOfMetrics;
   Facet Across;
   bool IsAcross = false;
   NearestTriangles Nearest = {};
   MetricValues Found = {};
-  MetricValues Farthest = {};
 };
 }
 

@@ -22,7 +22,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace SeismicHorizons
@@ -458,12 +457,6 @@ struct OpenTriangle
 
 using OpenTriangles = std::vector<OpenTriangle>;
 
-void Raise(const MetricValues& other, MetricValues& values)
-{
-  std::transform(
-    other.begin(), other.end(), values.begin(), values.begin(), [](double a, double b) { return std::max(a, b); });
-}
-
 /// Bounds with an excess above 1 must be lowered.
 double Excess(const MetricValues& bound, const MetricValues& enough)
 {
@@ -539,7 +532,7 @@ public:
     triangle.Bound = {};
     for (const Piece& piece : pieces)
     {
-      Raise(piece.Bound, triangle.Bound);
+      KeepLarger(piece.Bound, triangle.Bound);
     }
     return this->Spent;
   }
@@ -558,7 +551,7 @@ private:
       piece.Corner[n] = this->Known.From.Point(point);
       for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
       {
-        piece.Distance[n][metric] = (*this->Known.Distance[metric])[point];
+        piece.Distance[n][metric] = this->Known.Points[metric].Distance[point];
       }
       piece.Nearest[n] = this->Known.Nearest[point];
     }
@@ -589,7 +582,7 @@ private:
     const bool isDone = this->Excess(piece) <= 1.0;
     if (isDone)
     {
-      Raise(piece.Bound, this->Result.Most);
+      KeepLarger(piece.Bound, this->Result.Most);
     }
     return isDone;
   }
@@ -691,7 +684,7 @@ private:
     const MetricValues limits = this->Limits(piece, 1.0);
     const Eigen::Vector3d middle = (piece.Corner[0] + piece.Corner[1] + piece.Corner[2]) / 3.0;
     const MetricValues distance = this->Probe(middle);
-    Raise(distance, this->Result.Found);
+    KeepLarger(distance, this->Result.Found);
     for (std::size_t metric = 0; metric < this->Metrics.size(); ++metric)
     {
       if (piece.Bound[metric] > limits[metric])
@@ -728,7 +721,7 @@ private:
     const Eigen::Vector3d middle = 0.5 * (piece.Corner[from] + piece.Corner[to]);
     this->Spent += 1.0;
     const MetricValues distance = this->Probe(middle);
-    Raise(distance, this->Result.Found);
+    KeepLarger(distance, this->Result.Found);
     const NearestTriangles nearest = this->Probe.Triangles();
     std::array<Piece, 2> halves = { piece, piece };
     for (std::size_t n = 0; n < 2; ++n)
@@ -756,57 +749,60 @@ private:
   double Spent = 0.0;
 };
 
-void Raise(const LargestDistance& other, LargestDistance& largest)
+struct BoundedTriangles
 {
-  Raise(other.Found, largest.Found);
-  Raise(other.Most, largest.Most);
-}
+  LargestDistance Largest;
+  OpenTriangles Open;
 
-OpenTriangles BoundAll(const KnownDistances& known, LargestDistance& largest, const Monitor& monitor)
+  void Add(const BoundedTriangles& other)
+  {
+    this->Largest.Add(other.Largest);
+    this->Open.insert(this->Open.end(), other.Open.begin(), other.Open.end());
+  }
+};
+
+BoundedTriangles BoundAll(const KnownDistances& known, const Monitor& monitor)
 {
-  const std::int64_t size = std::int64_t(known.From.Triangles.size());
-  std::vector<OpenTriangles> open(CountChunks(size, TrianglesPerChunk));
-  std::vector<LargestDistance> parts(open.size());
-  ForEachChunk(size, TrianglesPerChunk, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  return AddUpChunks<BoundedTriangles>(std::int64_t(known.From.Triangles.size()), TrianglesPerChunk, monitor,
+    [&](BoundedTriangles& part, std::int64_t first, std::int64_t last)
     {
       Bounder bounder(known, known.Found);
       for (std::int64_t n = first; n < last; ++n)
       {
-        bounder.Bound(std::int32_t(n), open[chunk]);
+        bounder.Bound(std::int32_t(n), part.Open);
       }
-      parts[chunk] = bounder.Get();
+      part.Largest = bounder.Get();
     });
-  OpenTriangles all;
-  for (std::size_t chunk = 0; chunk < open.size(); ++chunk)
-  {
-    all.insert(all.end(), open[chunk].begin(), open[chunk].end());
-    Raise(parts[chunk], largest);
-  }
-  return all;
 }
+
+struct RoundSums
+{
+  LargestDistance Largest;
+  double Spent = 0.0;
+
+  void Add(const RoundSums& other)
+  {
+    this->Largest.Add(other.Largest);
+    this->Spent += other.Spent;
+  }
+};
 
 double CutRound(
   const KnownDistances& known, OpenTriangle* triangles, std::int64_t size, double allowed, LargestDistance& largest)
 {
-  std::vector<LargestDistance> parts(CountChunks(size, CutPerChunk));
-  std::vector<double> spent(parts.size(), 0.0);
   const MetricValues found = largest.Found;
-  ForEachChunk(size, CutPerChunk, Monitor(),
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  const RoundSums sums = AddUpChunks<RoundSums>(size, CutPerChunk, Monitor(),
+    [&](RoundSums& part, std::int64_t first, std::int64_t last)
     {
       Bounder bounder(known, found);
       for (std::int64_t n = first; n < last; ++n)
       {
-        spent[chunk] += bounder.Cut(triangles[n], allowed);
+        part.Spent += bounder.Cut(triangles[n], allowed);
       }
-      parts[chunk] = bounder.Get();
+      part.Largest = bounder.Get();
     });
-  for (const LargestDistance& part : parts)
-  {
-    Raise(part, largest);
-  }
-  return std::accumulate(spent.begin(), spent.end(), 0.0);
+  largest.Add(sums.Largest);
+  return sums.Spent;
 }
 
 /// Highest bounds come first. Keeps triangles with high bounds, and returns the number of measured distances.
@@ -836,10 +832,10 @@ double CutAll(
 //----------------------------------------------------------------------------------------------------------------------
 LargestDistance FindLargestDistance(const KnownDistances& known, std::int64_t effort, const Monitor& monitor)
 {
-  assert(known.Distance.size() == known.Metrics.size());
+  assert(known.Points.size() == known.Metrics.size());
   assert(known.Nearest.size() == known.From.Points.size());
-  LargestDistance largest{ known.Found, known.Found };
-  OpenTriangles open = BoundAll(known, largest, monitor.Step(0.0, 0.5));
+  auto [largest, open] = BoundAll(known, monitor.Step(0.0, 0.5));
+  largest.Add({ known.Found, known.Found });
   double left = double(effort);
   for (double part = 0.5; !open.empty() && left > LeastLeft * double(effort); part *= 0.5)
   {
@@ -847,9 +843,9 @@ LargestDistance FindLargestDistance(const KnownDistances& known, std::int64_t ef
   }
   for (const OpenTriangle& triangle : open)
   {
-    Raise(triangle.Bound, largest.Most);
+    KeepLarger(triangle.Bound, largest.Most);
   }
-  Raise(largest.Found, largest.Most);
+  KeepLarger(largest.Found, largest.Most);
   return largest;
 }
 }

@@ -8,7 +8,7 @@
 
 #include "Common/Base/Monitor.h"
 #include "DistanceProbe.h"
-#include "Metric.h"
+#include "SurfaceDistance.h"
 #include "TriangleRaster.h"
 
 #include <Eigen/Core>
@@ -50,6 +50,12 @@ struct LargestDistance
 {
   MetricValues Found = {}; // at a place
   MetricValues Most = {}; // of all places, up to rounding
+
+  void Add(const LargestDistance& other)
+  {
+    KeepLarger(other.Found, this->Found);
+    KeepLarger(other.Most, this->Most);
+  }
 };
 
 struct KnownDistances
@@ -58,8 +64,7 @@ struct KnownDistances
   const TriangleSearch& To;
   const PlanOverlay* Overlay; // null unless the other surface is a height field
   const std::vector<Metric>& Metrics;
-  /// Distances are by metric, then point.
-  const std::vector<const std::vector<double>*>& Distance;
+  const std::vector<PointDistances>& Points; // by metric
   const std::vector<NearestTriangles>& Nearest;
   MetricValues Found; // largest so far, and of corners that count
 };

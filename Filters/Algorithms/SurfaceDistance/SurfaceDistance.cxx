@@ -210,21 +210,12 @@ struct MeasuredSurface
 // Chunks are large, as each begins with a slow search.
 constexpr std::int64_t PointsPerChunk = 4096;
 
-void KeepLarger(const MetricValues& other, MetricValues& largest)
+struct LargestValues
 {
-  std::transform(
-    other.begin(), other.end(), largest.begin(), largest.begin(), [](double a, double b) { return std::max(a, b); });
-}
+  MetricValues Values = {};
 
-MetricValues LargestOf(const std::vector<MetricValues>& chunks)
-{
-  MetricValues largest = {};
-  for (const MetricValues& chunk : chunks)
-  {
-    KeepLarger(chunk, largest);
-  }
-  return largest;
-}
+  void Add(const LargestValues& other) { KeepLarger(other.Values, this->Values); }
+};
 
 std::vector<unsigned char> MarkCorners(const TriangleSurface& surface)
 {
@@ -256,9 +247,8 @@ MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to
     nearest->resize(size);
   }
   const std::vector<unsigned char> corners = MarkCorners(from);
-  std::vector<MetricValues> largest(CountChunks(size, PointsPerChunk), MetricValues());
-  ForEachChunk(size, PointsPerChunk, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  const LargestValues all = AddUpChunks<LargestValues>(size, PointsPerChunk, monitor,
+    [&](LargestValues& largest, std::int64_t first, std::int64_t last)
     {
       DistanceProbe probe(to, metrics);
       for (std::int64_t point = first; point < last; ++point)
@@ -279,11 +269,11 @@ MetricValues MeasurePoints(const TriangleSurface& from, const TriangleSearch& to
         }
         if (corners[point] != 0)
         {
-          KeepLarger(found, largest[chunk]);
+          KeepLarger(found, largest.Values);
         }
       }
     });
-  return LargestOf(largest);
+  return all.Values;
 }
 
 // ---- Edges ----------------------------------------------------------------------------------------------------------
@@ -337,29 +327,27 @@ MetricValues MeasureEdges(const TriangleSurface& from, const SurfaceEdges& edges
   assert(points.size() == metrics.size() && points[0].Distance.size() == from.Points.size());
   const std::int64_t size = std::int64_t(from.Points.size());
   const double wide = SpacingOnEdges(from, edges, metrics[0], spacing);
-  std::vector<MetricValues> largest(CountChunks(size, PointsPerChunk), MetricValues());
-  ForEachChunk(size, PointsPerChunk, monitor,
-    [&](std::size_t chunk, std::int64_t first, std::int64_t last)
+  LargestValues all = AddUpChunks<LargestValues>(size, PointsPerChunk, monitor,
+    [&](LargestValues& largest, std::int64_t first, std::int64_t last)
     {
       DistanceProbe probe(to, metrics);
-      probe.SetLargest(ofPoints);
+      probe.Largest = ofPoints;
       edges.ForEach(first, last,
         [&](PointId low, PointId high, std::uint32_t)
         {
           const std::int64_t count = std::int64_t(LengthOf(from, low, high, metrics[0]) / wide);
           if (count > 0 && from.Counts(low) && from.Counts(high) &&
-            MayExceed(from, low, high, metrics, points, probe.Largest()))
+            MayExceed(from, low, high, metrics, points, probe.Largest))
           {
             const std::uint64_t edge = (std::uint64_t(low) << 32U) | std::uint64_t(high);
             SampleEdge(from.Point(low), from.Point(high), count, Scramble(seed ^ Scramble(edge)),
               [&probe](const Eigen::Vector3d& place) { probe.RaiseLargest(place); });
           }
         });
-      largest[chunk] = probe.Largest();
+      largest.Values = probe.Largest;
     });
-  MetricValues result = LargestOf(largest);
-  KeepLarger(ofPoints, result);
-  return result;
+  KeepLarger(ofPoints, all.Values);
+  return all.Values;
 }
 
 // ---- Outline --------------------------------------------------------------------------------------------------------
@@ -415,7 +403,7 @@ public:
     this->EmptyEntries();
     for (std::size_t metric = 0; metric < this->From.Metrics.size(); ++metric)
     {
-      this->Sums.In[metric].Largest = this->Probe.Largest()[metric];
+      this->Sums.In[metric].Largest = this->Probe.Largest[metric];
     }
     return this->Sums;
   }
@@ -519,19 +507,6 @@ void SetFaceFigures(const Direction& faces, std::size_t metric, DistanceFigures&
 // Small surfaces have this effort at least.
 constexpr std::int64_t LeastEffort = 100000;
 
-LargestDistance BoundLargest(const MeasuredSurface& from, const MeasuredSurface& to, Direction& measured,
-  const std::vector<NearestTriangles>& nearest, const MetricValues& found, const Monitor& monitor)
-{
-  std::vector<const std::vector<double>*> distances;
-  for (const PointDistances& points : measured.Points)
-  {
-    distances.push_back(&points.Distance);
-  }
-  const std::int64_t effort = measured.Sums.Samples + LeastEffort;
-  return FindLargestDistance(
-    { from.Surface, to.Search, to.Overlay.get(), from.Metrics, distances, nearest, found }, effort, monitor);
-}
-
 void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, double samples,
   const SurfaceDistanceOptions& options, Direction& result, const Monitor& monitor)
 {
@@ -550,7 +525,10 @@ void MeasureDirection(const MeasuredSurface& from, const MeasuredSurface& to, do
   {
     found[metric] = std::max(found[metric], result.Sums.In[metric].Largest);
   }
-  const LargestDistance largest = BoundLargest(from, to, result, nearest, found, monitor.Step(0.8, 0.95));
+  const KnownDistances known = { from.Surface, to.Search, to.Overlay.get(), from.Metrics, result.Points, nearest,
+    found };
+  const LargestDistance largest =
+    FindLargestDistance(known, result.Sums.Samples + LeastEffort, monitor.Step(0.8, 0.95));
   monitor.Progress(0.95);
   const MetricValues ofOutline = MeasureOutline(from, to, spacing, options.Seed);
   result.Figures.resize(from.Metrics.size());

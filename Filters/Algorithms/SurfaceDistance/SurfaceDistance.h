@@ -11,7 +11,7 @@
 #define SeismicHorizonsSurfaceDistance_h
 
 #include "Common/Base/Monitor.h"
-#include "Metric.h"
+#include "TriangleSurface.h"
 
 #include <array>
 #include <cstdint>

@@ -104,14 +104,9 @@ void ForEachCell(const RasterGrid& grid, const PlanTriangle& triangle, Visitor&&
   }
 }
 
-struct LowAndHigh
-{
-  double Low;
-  double High;
-};
-
-/// The plane of the triangle within a square may narrow the range.
-LowAndHigh HeightsWithin(const TriangleSurface& surface, const Corners& t, const Eigen::Array2d& middle, double reach)
+/// Returns the least and greatest height. The plane of the triangle within a square may narrow the range.
+std::array<double, 2> HeightsWithin(
+  const TriangleSurface& surface, const Corners& t, const Eigen::Array2d& middle, double reach)
 {
   const Eigen::Vector3d& a = surface.Point(t[0]);
   const Eigen::Vector3d& b = surface.Point(t[1]);
@@ -130,8 +125,7 @@ LowAndHigh HeightsWithin(const TriangleSurface& surface, const Corners& t, const
   const double change = slope.abs().sum() * reach + 1e-9 * (high - low);
   const double longer = std::max((b - a).head<2>().squaredNorm(), (c - a).head<2>().squaredNorm());
   const bool isPlane = std::abs(normal.z()) > 1e-5 * longer && std::isfinite(height);
-  return isPlane ? LowAndHigh{ std::max(low, height - change), std::min(high, height + change) }
-                 : LowAndHigh{ low, high };
+  return { isPlane ? std::max(low, height - change) : low, isPlane ? std::min(high, height + change) : high };
 }
 
 // ---- Making the raster ----------------------------------------------------------------------------------------------
@@ -155,12 +149,8 @@ Extent MeasureExtent(const TriangleSurface& surface)
     {
       for (std::int64_t n = first; n < last; ++n)
       {
-        const PlanTriangle triangle(surface, surface.Triangles[n]);
-        for (const PointId corner : surface.Triangles[n])
-        {
-          extent.Box.extend(surface.Point(corner));
-        }
-        extent.PlanArea += 0.5 * std::abs(triangle.DoubledArea());
+        extent.Add({ surface.Box(surface.Triangles[n]),
+          0.5 * std::abs(PlanTriangle(surface, surface.Triangles[n]).DoubledArea()) });
       }
     });
 }
@@ -337,10 +327,10 @@ TriangleRaster::Heights TriangleRaster::HeightsOf(std::int64_t cell) const
   double high = -low;
   for (std::uint32_t n = this->Sort.First(cell); n < this->Sort.End(cell); ++n)
   {
-    const LowAndHigh heights =
+    const auto [least, greatest] =
       HeightsWithin(this->Surface, this->Surface.Triangles[this->TriangleOf(n)], middle, reach);
-    low = std::min(low, heights.Low);
-    high = std::max(high, heights.High);
+    low = std::min(low, least);
+    high = std::max(high, greatest);
   }
   return { float(low - this->Middle) - this->Margin, float(high - this->Middle) + this->Margin };
 }
@@ -422,13 +412,7 @@ void TriangleRaster::SearchCells(const Eigen::Vector3d& place, const Metric& met
     for (std::uint32_t n = this->Sort.First(row * this->Grid.Size[0] + x.First); n < end; ++n)
     {
       const std::int32_t triangle = this->TriangleOf(n);
-      const Corners& corners = this->Surface.Triangles[triangle];
-      if (triangle != nearest && metric.SquaredDistanceToBox(this->Surface, corners, place) < best)
-      {
-        const double distance = metric.SquaredDistance(this->Surface, corners, place);
-        nearest = distance < best ? triangle : nearest;
-        best = std::min(best, distance);
-      }
+      KeepNearer(this->Surface, this->Surface.Triangles[triangle], triangle, place, metric, nearest, best);
     }
   }
 }

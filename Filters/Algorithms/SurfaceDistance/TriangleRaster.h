@@ -14,7 +14,6 @@
 
 #include "Common/Base/CountingSort.h"
 #include "Common/Base/Monitor.h"
-#include "Metric.h"
 #include "TriangleSurface.h"
 
 #include <Eigen/Core>
@@ -169,6 +168,22 @@ struct RasterGrid
     return inside ? std::int64_t(y) * this->Size[0] + std::int64_t(x) : -1;
   }
 };
+
+/// Sorts at most four boxes, the nearest last, faster than std::sort.
+template <typename Waiting>
+void SortByDistance(Waiting* first, Waiting* last)
+{
+  for (Waiting* next = first + 1; next < last; ++next)
+  {
+    const Waiting moved = *next;
+    Waiting* place = next;
+    for (; place > first && (place - 1)->SquaredDistance < moved.SquaredDistance; --place)
+    {
+      *place = *(place - 1);
+    }
+    *place = moved;
+  }
+}
 
 class TriangleRaster
 {

@@ -103,10 +103,7 @@ double MeasureDiagonal(const TriangleSurface& surface)
   Eigen::AlignedBox3d box;
   for (const Corners& triangle : surface.Triangles)
   {
-    for (const PointId corner : triangle)
-    {
-      box.extend(surface.Point(corner));
-    }
+    box.extend(surface.Box(triangle));
   }
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }

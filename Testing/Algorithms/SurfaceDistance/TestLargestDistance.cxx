@@ -63,13 +63,13 @@ LargestDistance FindFromCorners(const TriangleSurface& from, const TriangleSurfa
   const std::unique_ptr<PlanOverlay> overlay(search.GetRaster() ? new PlanOverlay(*search.GetRaster()) : nullptr);
   DistanceProbe probe(search, TwoMetrics);
   DistanceProbe ofCorners(search, TwoMetrics);
-  std::vector<double> distances[2];
+  std::vector<PointDistances> distances(2);
   std::vector<NearestTriangles> nearest;
   for (const Eigen::Vector3d& place : from.Points)
   {
     const MetricValues found = probe(place);
-    distances[0].push_back(found[0]);
-    distances[1].push_back(found[1]);
+    distances[0].Distance.push_back(found[0]);
+    distances[1].Distance.push_back(found[1]);
     nearest.push_back(probe.Triangles());
   }
   for (const Corners& t : from.Triangles)
@@ -83,8 +83,7 @@ LargestDistance FindFromCorners(const TriangleSurface& from, const TriangleSurfa
     }
   }
   return FindLargestDistance(
-    { from, search, overlay.get(), TwoMetrics, { &distances[0], &distances[1] }, nearest, ofCorners.Largest() }, effort,
-    Monitor());
+    { from, search, overlay.get(), TwoMetrics, distances, nearest, ofCorners.Largest }, effort, Monitor());
 }
 
 /// Whether the bounds hold what was found by hand, and are as near as 1 % where that is asked for.

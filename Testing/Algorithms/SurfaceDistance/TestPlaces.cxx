@@ -66,8 +66,8 @@ struct LargestByHand
       SampleTriangle(from.Point(t[0]), from.Point(t[1]), from.Point(t[2]),
         std::max<std::int64_t>(1, std::int64_t(from.Area(t) * density + 0.5)), Scramble(1 ^ Scramble(n)), onFaces);
     }
-    this->OnEdges = onEdges.Largest();
-    this->OnFaces = onFaces.Largest();
+    this->OnEdges = onEdges.Largest;
+    this->OnFaces = onFaces.Largest;
   }
 };
 

@@ -87,7 +87,7 @@ void CheckPlaces(const std::string& name, const TriangleSurface& surface, const 
     }
     for (std::size_t n = 0; n < metrics.size(); ++n)
     {
-      CHECK(std::abs(largest.Largest()[n] - probe.Largest()[n]) <= 1e-12 * probe.Largest()[n]);
+      CHECK(std::abs(largest.Largest[n] - probe.Largest[n]) <= 1e-12 * probe.Largest[n]);
     }
   }
 }
