@@ -97,10 +97,10 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
       number("VolumeAboveContact", volume * VolumeAbove(layers.Plan, layer, level));
     }
     count("Crossings", std::int64_t(repair.Interfaces[layer].Columns));
-    number("DeepestCrossing", height * repair.Interfaces[layer].Deepest);
+    number("DeepestCrossing", height * repair.Interfaces[layer].Largest);
     count("TopMoved", std::int64_t(repair.Horizons[layer].Columns));
     count("BaseMoved", std::int64_t(repair.Horizons[layer + 1].Columns));
-    number("FarthestMove", height * std::max(repair.Horizons[layer].Farthest, repair.Horizons[layer + 1].Farthest));
+    number("FarthestMove", height * std::max(repair.Horizons[layer].Largest, repair.Horizons[layer + 1].Largest));
     const char* const kinds[] = { "PinchedTriangles", "Tetrahedra", "Pyramids", "Wedges" };
     for (std::size_t kind = own.Triangles.size(); kind-- > 0;)
     {
@@ -244,10 +244,10 @@ std::string ReportLayers(const Layers& layers, const std::vector<LayerVolume>& v
     text << names[layer] << "\n  volume " << own.Volume * VolumeOfUnit(stack) << (unit.empty() ? "" : " ") << unit
          << "\n  thickness " << height * own.LeastThickness << " to " << height * own.LargestThickness << ", mean "
          << height * own.MeanThickness << '\n';
-    const CrossedInterface& crossed = layers.Stack.Repair.Interfaces[layer];
+    const RepairFigures& crossed = layers.Stack.Repair.Interfaces[layer];
     if (crossed.Columns > 0)
     {
-      text << "  crossed in " << crossed.Columns << " columns, by up to " << height * crossed.Deepest << '\n';
+      text << "  crossed in " << crossed.Columns << " columns, by up to " << height * crossed.Largest << '\n';
     }
     if (own.FaultArea > 0.0)
     {

@@ -280,7 +280,7 @@ void WriteLayerHorizon(
   vtkFieldData* const figures = output->GetFieldData();
   stack.WriteFields(figures);
   const double height = WorldPerIndex(stack.CommonLattice());
-  const MovedHorizon& moved = layers.Stack.Repair.Horizons[horizon];
+  const RepairFigures& moved = layers.Stack.Repair.Horizons[horizon];
   AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
   AddValue<vtkIdTypeArray>(
     figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.Ledgers.PointsOutside[horizon]));
@@ -294,6 +294,6 @@ void WriteLayerHorizon(
   }
   WriteLedger(ledger, figures);
   AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(moved.Columns));
-  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, height * moved.Farthest);
+  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, height * moved.Largest);
 }
 }

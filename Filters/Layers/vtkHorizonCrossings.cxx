@@ -64,10 +64,10 @@ void WriteRepaired(
   AddArray<vtkDoubleArray>(data, PointArray::VerticalIndex, indices);
   AddArray<vtkDoubleArray>(data, PointArray::Moved, moved);
   ActivateHeight(output);
-  const MovedHorizon& own = repaired.Repair.Horizons[horizon];
+  const RepairFigures& own = repaired.Repair.Horizons[horizon];
   vtkFieldData* const figures = output->GetFieldData();
   AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(own.Columns));
-  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, own.Farthest);
+  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, own.Largest);
 }
 
 /// Lists crossings of neighbours, and moved horizons.
@@ -76,21 +76,21 @@ std::string ReportRepair(const CrossingRepair& repair, const HorizonStack& stack
   std::ostringstream text;
   for (std::size_t n = 0; n < repair.Interfaces.size(); ++n)
   {
-    const CrossedInterface& crossed = repair.Interfaces[n];
+    const RepairFigures& crossed = repair.Interfaces[n];
     text << stack[n].Name << " and " << stack[n + 1].Name << "\n  crossed in " << crossed.Columns << " columns";
     if (crossed.Columns > 0)
     {
-      text << ", by up to " << crossed.Deepest;
+      text << ", by up to " << crossed.Largest;
     }
     text << '\n';
   }
   for (std::size_t n = 0; n < repair.Horizons.size(); ++n)
   {
-    const MovedHorizon& moved = repair.Horizons[n];
+    const RepairFigures& moved = repair.Horizons[n];
     text << stack[n].Name << ": " << moved.Columns << " of " << stack[n].Placed.Columns.size() << " points moved";
     if (moved.Columns > 0)
     {
-      text << ", by up to " << moved.Farthest;
+      text << ", by up to " << moved.Largest;
     }
     text << '\n';
   }

@@ -275,7 +275,7 @@ void vtkHorizonLayers::WarnOfCrossings(
     }
     return *noise[horizon];
   };
-  const auto depthOf = [&](std::size_t layer) { return repair.Interfaces[layer].Deepest; };
+  const auto depthOf = [&](std::size_t layer) { return repair.Interfaces[layer].Largest; };
   std::size_t deep = 0; // crossings
   std::size_t deepest = 0; // the layer of the deepest of these
   for (std::size_t layer = 0; layer < repair.Interfaces.size(); ++layer)

@@ -20,7 +20,7 @@ struct HorizonView
 {
   PlanePoints Columns;
   const double* Heights = nullptr;
-  /// Points from this one on were put into holes and gaps (MissingHeights.h).
+  /// Points from this one on were put into holes and gaps (OrderedStack.h).
   std::size_t FirstFilled = std::numeric_limits<std::size_t>::max();
 
   /// By point, 1 if an earlier stage filled it, 2 if one extrapolated it. May be null.

@@ -203,7 +203,7 @@ void StopWhereAsked(
       std::ostringstream message;
       message << NameOf(n, options) << " and " << NameOf(n + 1, options) << " cross in " << repair.Interfaces[n].Columns
               << (repair.Interfaces[n].Columns == 1 ? " column" : " columns") << ", by up to "
-              << repair.Interfaces[n].Deepest << ' ' << options.Unit
+              << repair.Interfaces[n].Largest << ' ' << options.Unit
               << ", expected none: choose Mean, UpperWins or LowerWins";
       throw InputError(message.str());
     }
@@ -220,16 +220,16 @@ std::string NameOf(std::size_t horizon, const CrossingOptions& options)
 //----------------------------------------------------------------------------------------------------------------------
 void CrossingRepair::Add(const CrossingRepair& other)
 {
-  this->Interfaces.resize(std::max(this->Interfaces.size(), other.Interfaces.size()));
-  this->Horizons.resize(std::max(this->Horizons.size(), other.Horizons.size()));
-  for (std::size_t n = 0; n < other.Interfaces.size(); ++n)
+  const auto add = [](std::vector<RepairFigures>& sums, const std::vector<RepairFigures>& more)
   {
-    this->Interfaces[n].Add(other.Interfaces[n]);
-  }
-  for (std::size_t n = 0; n < other.Horizons.size(); ++n)
-  {
-    this->Horizons[n].Add(other.Horizons[n]);
-  }
+    sums.resize(std::max(sums.size(), more.size()));
+    for (std::size_t n = 0; n < more.size(); ++n)
+    {
+      sums[n].Add(more[n]);
+    }
+  };
+  add(this->Interfaces, other.Interfaces);
+  add(this->Horizons, other.Horizons);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -51,34 +51,22 @@ struct CrossingOptions
 /// "Top", or "horizon 1".
 std::string NameOf(std::size_t horizon, const CrossingOptions& options);
 
-struct CrossedInterface
+struct RepairFigures
 {
   std::int64_t Columns = 0;
-  double Deepest = 0.0;
+  double Largest = 0.0;
 
-  void Add(const CrossedInterface& other)
+  void Add(const RepairFigures& other)
   {
     this->Columns += other.Columns;
-    this->Deepest = std::max(this->Deepest, other.Deepest);
-  }
-};
-
-struct MovedHorizon
-{
-  std::int64_t Columns = 0;
-  double Farthest = 0.0;
-
-  void Add(const MovedHorizon& other)
-  {
-    this->Columns += other.Columns;
-    this->Farthest = std::max(this->Farthest, other.Farthest);
+    this->Largest = std::max(this->Largest, other.Largest);
   }
 };
 
 struct CrossingRepair
 {
-  std::vector<CrossedInterface> Interfaces;
-  std::vector<MovedHorizon> Horizons;
+  std::vector<RepairFigures> Interfaces; // columns in which horizons crossed, and how far
+  std::vector<RepairFigures> Horizons; // columns in which a horizon moved, and how far
 
   void Add(const CrossingRepair& other);
 };

@@ -48,17 +48,13 @@ public:
   }
 
 private:
-  bool IsPinched(PointId vertex) const { return this->Thickness[std::size_t(vertex)] <= 0.0; }
+  bool IsPinched(PointId vertex) const { return this->Plan.Thickness(this->Layer, vertex) <= 0.0; }
   bool HasCell(TriangleId triangle) const { return triangle != NoTriangle && this->IsKept[std::size_t(triangle)] != 0; }
   PointId Begin(TriangleId triangle, int side) const { return this->Mesh.Corner(triangle, side); }
   PointId End(TriangleId triangle, int side) const { return this->Mesh.Corner(triangle, NextCorner(side)); }
 
   void FindCells()
   {
-    for (std::size_t vertex = 0; vertex < this->Plan.Columns.size(); ++vertex)
-    {
-      this->Thickness.push_back(this->Plan.Thickness(this->Layer, PointId(vertex)));
-    }
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       const bool isPinched = this->IsPinched(this->Mesh.Corner(triangle, 0)) &&
@@ -238,7 +234,6 @@ private:
   const LayerPlan& Plan;
   const std::size_t Layer;
   const PlaneMesh Mesh;
-  std::vector<double> Thickness;
   std::vector<unsigned char> IsKept; // by triangle: 1 for those with a cell
   std::vector<unsigned char> IsClosed; // by vertex
   DisjointSets Sectors; // of corners, three per triangle

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "LayerLedger.h"
+#include "LayerPlan.h"
 
-#include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/Decimation/TriangleRows.h"
-#include "LayerPlan.h"
 
 #include <algorithm>
 #include <cassert>

@@ -22,7 +22,6 @@
 #include "Filters/Algorithms/Decimation/PlaneMesh.h"
 #include "Filters/Algorithms/FaultClosing/FaultClosing.h"
 #include "Filters/Algorithms/Surface/Surface.h"
-#include "KeptLines.h"
 #include "LayerRegions.h"
 #include "PinchOuts.h"
 
@@ -41,98 +40,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- Order of horizons ----------------------------------------------------------------------------------------------
-// Puts heights that were fitted to horizons of a stack in order.
-
-/// Fitted heights out of order get their mean, which does not increase the largest error. Horizons stay one if they are
-/// one at the neighbours, too, or on a pinch-out line: else noise would pinch thin layers everywhere.
-class FittedOrder
-{
-public:
-  /// `heights` has the thickness of layers behind the horizons.
-  FittedOrder(const ColumnIndex& index, const HeightStack& heights, std::size_t horizons,
-    const std::vector<unsigned char>& isOnLine, bool downwards)
-    : Heights(heights)
-    , Horizons(horizons)
-    , Index(index)
-    , IsOnLine(isOnLine)
-    , GrowDownwards(downwards)
-  {
-  }
-
-  /// The mesh may have a level horizon before the stack.
-  void Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const;
-
-private:
-  bool AreOne(std::size_t layer, PointId point) const;
-
-  const HeightStack& Heights;
-  const std::size_t Horizons;
-  const ColumnIndex& Index; // with an empty rim
-  const std::vector<unsigned char>& IsOnLine;
-  const bool GrowDownwards;
-};
-
-void FittedOrder::Apply(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const
-{
-  const std::size_t first = mesh.NumberOfHorizons() - this->Heights.size(); // 1 with a level one before the stack
-  std::vector<double> heights;
-  std::vector<unsigned char> isOne;
-  std::vector<std::size_t> known;
-  const std::vector<VertexId>& vertices = fitted.front().Vertices;
-  for (std::size_t n = 0; n < vertices.size(); ++n)
-  {
-    const PointId point = mesh.SourceOf(vertices[n]);
-    heights.clear();
-    isOne.clear();
-    known.clear();
-    for (std::size_t horizon = 0; horizon < this->Horizons; ++horizon)
-    {
-      if (!std::isnan(this->Heights[horizon][std::size_t(point)]))
-      {
-        heights.push_back(fitted[first + horizon].Heights[n]);
-        isOne.push_back(horizon + 1 < this->Horizons && this->AreOne(horizon, point) ? 1 : 0);
-        known.push_back(horizon);
-      }
-    }
-    OrderColumn(heights, isOne, this->GrowDownwards);
-    for (std::size_t horizon = 0, next = 0; horizon < this->Horizons; ++horizon)
-    {
-      next += next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // absent ones get the height above
-      fitted[first + horizon].Heights[n] = heights[next];
-    }
-    for (std::size_t layer = 0; this->Horizons + layer < this->Heights.size(); ++layer)
-    {
-      fitted[first + this->Horizons + layer].Heights[n] =
-        fitted[first + layer].Heights[n] - fitted[first + layer + 1].Heights[n];
-    }
-  }
-}
-
-bool FittedOrder::AreOne(std::size_t layer, PointId point) const
-{
-  const auto thickness = [&](PointId at) {
-    return this->Heights[layer][std::size_t(at)] - this->Heights[layer + 1][std::size_t(at)];
-  }; // nan without the layer
-  if (thickness(point) != 0.0 || this->IsOnLine[std::size_t(point)] != 0)
-  {
-    return thickness(point) == 0.0;
-  }
-  const std::int64_t place = this->Index.Place(this->Index.Columns()[std::size_t(point)]);
-  for (std::int64_t row = place - this->Index.Width(); row <= place + this->Index.Width(); row += this->Index.Width())
-  {
-    for (std::int64_t neighbour = row - 1; neighbour <= row + 1; ++neighbour)
-    {
-      const PointId other = this->Index[neighbour];
-      if (other != NoPoint && std::abs(thickness(other)) > 0.0)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 // ---- Layers ---------------------------------------------------------------------------------------------------------
 constexpr std::int64_t TriangleGrain = 256; // that a thread takes at a time
 
@@ -194,9 +101,8 @@ public:
     const std::vector<Edge> borders = this->FindBorders(boundary, pinchOuts.OnOutline);
     this->AddThickness();
     this->Fill();
-    LayerOutline outline =
-      SimplifyOutline(this->Columns, this->MeshHeights(), this->Known, this->Horizons, this->OwnColumns, boundary,
-        { this->Options.MaximumError, this->OutlineTolerance, pinchOuts.OnOutline }, monitor.Step(0.25, 0.3));
+    LayerOutline outline = SimplifyOutline(this->Columns, this->MeshHeights(), this->Known, this->Horizons,
+      this->OwnColumns, boundary, this->OutlineOptions(std::move(pinchOuts.OnOutline)), monitor.Step(0.25, 0.3));
     this->AddColumnsInside(kept, outline);
     this->Index.emplace(this->Columns);
     HeightMesh mesh = this->MakeMesh(std::move(outline), monitor.Step(0.3, 0.4));
@@ -490,6 +396,16 @@ private:
     return mesh;
   }
 
+  BoundarySimplificationOptions OutlineOptions(std::vector<PointId> fixed) const
+  {
+    BoundarySimplificationOptions options;
+    options.Method = OutlineMethod::FewestPoints;
+    options.DistanceThreshold = this->Options.MaximumError;
+    options.OutlineTolerance = this->OutlineTolerance;
+    options.Fixed = std::move(fixed);
+    return options;
+  }
+
   PinchOutLines FindLines(const ExteriorBoundary& boundary, const Monitor& monitor) const
   {
     if (!this->Options.PinchOutLines)
@@ -511,9 +427,7 @@ private:
     options.FitHeights = this->Options.FitHeights;
     options.SmallestAngle = this->Options.SmallestAngle;
     options.Effort = this->Options.Effort;
-    const FittedOrder order(
-      *this->Index, this->Heights, this->Horizons.size(), this->IsOnLine, this->Options.Crossings.HeightsGrowDownwards);
-    const HeightRule rule = [&](std::vector<InnerHeights>& heights) { order.Apply(mesh, heights); };
+    const HeightRule rule = [&](std::vector<InnerHeights>& heights) { this->OrderFitted(mesh, heights); };
     lines.DropFar();
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
     while (lines.DropFar()) // lines with fitted ends, or cut by a vertex
@@ -566,6 +480,71 @@ private:
         }
       });
     return isAtFar;
+  }
+
+  // ---- Order of fitted heights -------------------------------------------------------------------------------------
+  /// Fitted heights out of order get their mean, which does not increase the largest error. Horizons stay one if they
+  /// are one at the neighbours, too, or on a pinch-out line: else noise would pinch thin layers everywhere.
+  void OrderFitted(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const
+  {
+    const std::size_t horizons = this->Horizons.size();
+    const std::vector<VertexId>& vertices = fitted.front().Vertices;
+    const auto heightOf = [&](std::size_t horizon, std::size_t n) -> double&
+    { return fitted[this->InMesh(horizon)].Heights[n]; };
+    std::vector<double> heights;
+    std::vector<unsigned char> isOne;
+    std::vector<std::size_t> known;
+    for (std::size_t n = 0; n < vertices.size(); ++n)
+    {
+      const PointId point = mesh.SourceOf(vertices[n]);
+      heights.clear();
+      isOne.clear();
+      known.clear();
+      for (std::size_t horizon = 0; horizon < horizons; ++horizon)
+      {
+        if (!std::isnan(this->Heights[horizon][std::size_t(point)]))
+        {
+          heights.push_back(heightOf(horizon, n));
+          isOne.push_back(horizon + 1 < horizons && this->AreOne(horizon, point) ? 1 : 0);
+          known.push_back(horizon);
+        }
+      }
+      OrderColumn(heights, isOne, this->Options.Crossings.HeightsGrowDownwards);
+      for (std::size_t horizon = 0, next = 0; horizon < horizons; ++horizon)
+      {
+        next += next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // absent ones get the height above
+        heightOf(horizon, n) = heights[next];
+      }
+      for (std::size_t layer = 0; horizons + layer < this->Heights.size(); ++layer)
+      {
+        heightOf(horizons + layer, n) = heightOf(layer, n) - heightOf(layer + 1, n);
+      }
+    }
+  }
+
+  bool AreOne(std::size_t layer, PointId point) const
+  {
+    const auto thickness = [&](PointId at) {
+      return this->Heights[layer][std::size_t(at)] - this->Heights[layer + 1][std::size_t(at)];
+    }; // nan without the layer
+    if (thickness(point) != 0.0 || this->IsOnLine[std::size_t(point)] != 0)
+    {
+      return thickness(point) == 0.0;
+    }
+    const std::int64_t width = this->Index->Width();
+    const std::int64_t place = this->Index->Place(this->Columns[std::size_t(point)]);
+    for (std::int64_t row = place - width; row <= place + width; row += width)
+    {
+      for (std::int64_t neighbour = row - 1; neighbour <= row + 1; ++neighbour)
+      {
+        const PointId other = (*this->Index)[neighbour];
+        if (other != NoPoint && std::abs(thickness(other)) > 0.0)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   // ---- The result --------------------------------------------------------------------------------------------------
@@ -803,7 +782,7 @@ private:
   std::optional<LayerRegions> Regions; // if each layer has a domain of its own
   HeightStack Filled; // with regions: a level horizon, and then Heights without gaps
   std::vector<std::vector<unsigned char>> Known; // 1 where Filled counts
-  std::optional<ColumnIndex> Index;
+  std::optional<ColumnIndex> Index; // of Columns, with an empty rim
   std::vector<ColumnIndex> OwnColumns; // by horizon
   std::optional<double> StripArea; // that cuts leave out, if gaps may lie along them
   std::vector<unsigned char> IsOnLine; // by Columns: 1 on pinch-out lines

@@ -4,7 +4,7 @@
 // One triangulation in plan for a stack of horizons, with a height of each at every vertex. Heights at vertices are in
 // order and surfaces linear in between, so that no thickness is negative. Steps:
 //
-//   1. Horizons are put in order (Crossings.h) and missing heights put in (MissingHeights.h).
+//   1. Horizons are put in order (Crossings.h) and missing heights put in (MissingHeights.cxx).
 //   2. The outline is simplified with all horizons within the error (LayerRegions.h).
 //   3. Pinch-out lines (PinchOuts.h) and borders of layers (LayerRegions.h) become edges.
 //   4. Points are inserted where the error of any horizon is largest, and the plan is improved (Decimation.h).
@@ -14,10 +14,11 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Base/RawVector.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/Ledger.h"
 #include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/Types.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
-#include "LayerLedger.h"
 #include "OrderedStack.h"
 
 #include <array>
@@ -86,6 +87,26 @@ struct LayerPlan
   }
 };
 
+// The ledgers of layers and their horizons account for all columns.
+
+/// A column is extrapolated where a horizon follows another one, and left out if it has no cell, but would have one if
+/// holes and gaps were closed and horizons followed others.
+struct LayerLedger
+{
+  Ledger Columns;
+  std::array<double, LedgerEntries> Volumes = {}; // columns times lattice units
+  /// Up to the columns at which the cells around end.
+  double AreaWithout = 0.0; // columns
+  double VolumeWithout = 0.0; // columns times lattice units
+};
+
+struct LayerLedgers
+{
+  std::vector<LayerLedger> OfLayers;
+  std::vector<Ledger> OfHorizons;
+  std::vector<std::int64_t> PointsOutside; // by horizon: all points in no layer that were read
+};
+
 struct Layers
 {
   OrderedStack Stack; // without its filled horizons
@@ -100,6 +121,11 @@ struct Layers
 
 /// Horizons are on one lattice, the uppermost first, with heights in lattice units. Throws InputError as MakeStack does.
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options = LayerOptions(),
+  const Monitor& monitor = Monitor());
+
+/// `indices` of the horizons are needed if the plan has triangles.
+LayerLedgers MakeLayerLedgers(const LayerPlan& plan, const OrderedStack& stack,
+  const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices,
   const Monitor& monitor = Monitor());
 }
 

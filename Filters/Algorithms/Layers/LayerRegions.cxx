@@ -5,7 +5,6 @@
 
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/SpacePoints.h"
-#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 
 #include <algorithm>
 #include <cassert>
@@ -26,25 +25,23 @@ class OutlineMaker
 {
 public:
   OutlineMaker(PlanePoints columns, const HeightStack& heights, const std::vector<std::vector<unsigned char>>& known,
-    const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices, double error, double tolerance)
+    const std::vector<HorizonView>& horizons, const std::vector<ColumnIndex>& indices,
+    BoundarySimplificationOptions options)
     : Columns(columns)
     , Heights(heights)
     , Known(known)
     , Horizons(horizons)
     , Indices(indices)
+    , Options(std::move(options))
   {
-    this->Options.Method = OutlineMethod::FewestPoints;
-    this->Options.DistanceThreshold = error;
-    this->Options.OutlineTolerance = tolerance;
-    if (tolerance > 0.0) // without a tolerance outlines pass over no other columns
+    if (this->Options.OutlineTolerance > 0.0) // without a tolerance outlines pass over no other columns
     {
       this->Index.emplace(columns);
     }
   }
 
-  LayerOutline Run(const ExteriorBoundary& boundary, const std::vector<PointId>& fixed, const Monitor& monitor)
+  LayerOutline Run(const ExteriorBoundary& boundary, const Monitor& monitor)
   {
-    this->Options.Fixed = fixed;
     const std::vector<PointId> ends = boundary.OpenCracks.PointsOfOpenEnds();
     this->Options.Fixed.insert(this->Options.Fixed.end(), ends.begin(), ends.end());
     BoundarySimplification simplified;
@@ -195,13 +192,13 @@ std::int64_t FloorOfThird(std::int64_t sum)
 //----------------------------------------------------------------------------------------------------------------------
 LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const std::vector<HorizonView>& horizons,
-  const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, const LayerOutlineOptions& options,
+  const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, BoundarySimplificationOptions options,
   const Monitor& monitor)
 {
   assert(HaveAll(heights, columns.size()) && indices.size() == horizons.size());
   assert(known.empty() || known.size() == heights.size());
-  return OutlineMaker(columns, heights, known, horizons, indices, options.MaximumError, options.Tolerance)
-    .Run(boundary, options.Fixed, monitor);
+  assert(options.Method == OutlineMethod::FewestPoints);
+  return OutlineMaker(columns, heights, known, horizons, indices, std::move(options)).Run(boundary, monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/Types.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 #include "OrderedStack.h"
 
 #include <array>
@@ -30,17 +31,11 @@ struct LayerOutline
   std::vector<std::int32_t> Patch; // by point: NoPatch for those outside
 };
 
-struct LayerOutlineOptions
-{
-  double MaximumError = 0.0; // lattice units
-  double Tolerance = 0.0; // columns
-  std::vector<PointId> Fixed; // in addition to the ends of cracks
-};
-
-/// `known` has 1 where heights count, or is empty. Points of `horizons` in other columns count below outlines.
+/// `known` has 1 where heights count, or is empty. Points of `horizons` in other columns count below outlines. Ends of
+/// cracks stay, too.
 LayerOutline SimplifyOutline(PlanePoints columns, const HeightStack& heights,
   const std::vector<std::vector<unsigned char>>& known, const std::vector<HorizonView>& horizons,
-  const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, const LayerOutlineOptions& options,
+  const std::vector<ColumnIndex>& indices, const ExteriorBoundary& boundary, BoundarySimplificationOptions options,
   const Monitor& monitor);
 
 class LayerRegions

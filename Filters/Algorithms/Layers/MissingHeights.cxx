@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "MissingHeights.h"
+#include "OrderedStack.h"
 
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/Parallel.h"
@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace SeismicHorizons
@@ -46,8 +45,7 @@ std::vector<PlanePoint> FindGaps(PlanePoints columns, int largest)
       }
     }
   }
-  std::sort(gaps.begin(), gaps.end(),
-    [](const PlanePoint& a, const PlanePoint& b) { return std::tie(a.Y, a.X) < std::tie(b.Y, b.X); });
+  std::sort(gaps.begin(), gaps.end(), PrecedesByRow);
   gaps.erase(std::unique(gaps.begin(), gaps.end()), gaps.end());
   return gaps;
 }

@@ -81,14 +81,14 @@ void TestCounts()
   options.Policies = { Mean, Upper };
   const CrossingRepair repair = RepairCrossings(stack, options);
   CHECK_EQUAL(repair.Interfaces[0].Columns, 2);
-  CHECK_EQUAL(repair.Interfaces[0].Deepest, 3.0);
+  CHECK_EQUAL(repair.Interfaces[0].Largest, 3.0);
   CHECK_EQUAL(repair.Interfaces[1].Columns, 1);
-  CHECK_EQUAL(repair.Interfaces[1].Deepest, 1.0);
+  CHECK_EQUAL(repair.Interfaces[1].Largest, 1.0);
   CHECK_EQUAL(repair.Horizons[0].Columns, 2);
-  CHECK_EQUAL(repair.Horizons[0].Farthest, 1.5);
+  CHECK_EQUAL(repair.Horizons[0].Largest, 1.5);
   CHECK_EQUAL(repair.Horizons[1].Columns, 2);
   CHECK_EQUAL(repair.Horizons[2].Columns, 1);
-  CHECK_EQUAL(repair.Horizons[2].Farthest, 1.0);
+  CHECK_EQUAL(repair.Horizons[2].Largest, 1.0);
   CHECK((stack == HeightStack{ { 1, 1.5, 1.5, 4 }, { 2, 1.5, 1.5, 4 }, { 5, 5, 5, 4 } }));
 }
 
