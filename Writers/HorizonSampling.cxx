@@ -23,6 +23,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -58,89 +59,60 @@ SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
   return lattice;
 }
 
-class Sampler
+bool IsAttribute(vtkDataArray* array)
 {
-public:
-  Sampler(vtkPolyData* horizon, int sign)
-    : Horizon(horizon)
-    , Sign(sign)
-  {
-    this->Columns.Lattice = ReadSurveyLattice(horizon);
-    this->Columns.Survey = ReadSurveyFields(horizon->GetFieldData());
-  }
-
-  HorizonColumns SamplePoints()
-  {
-    const LatticePoints points = ReadColumns(this->Horizon, {});
-    std::vector<std::size_t> places;
-    places.reserve(points.Column.size());
-    for (const PlanePoint& column : points.Column)
-    {
-      const std::size_t place = this->Columns.Tiles.Place(column.X, column.Y);
-      this->Columns.Z.resize(this->Columns.Tiles.Size(), NoValue);
-      this->Columns.Z[place] = this->WorldZ(places.size());
-      places.push_back(place);
-    }
-    vtkPointData* const data = this->Horizon->GetPointData();
-    for (int n = 0; n < data->GetNumberOfArrays(); ++n)
-    {
-      if (IsAttribute(data->GetArray(n)))
-      {
-        this->AddAttribute(data->GetArray(n), places);
-      }
-    }
-    return std::move(this->Columns);
-  }
-
-  HorizonColumns SampleTriangles(const Monitor& monitor)
-  {
-    const Lattice lattice = ReadLattice(this->Horizon);
-    std::vector<SpacePoint> points;
-    for (vtkIdType point = 0; point < this->Horizon->GetNumberOfPoints(); ++point)
-    {
-      const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(this->Horizon->GetPoint(point)));
-      points.push_back({ place.x(), place.y(), place.z() });
-    }
-    MeshSampling sampling(this->Columns.Lattice.Columns);
-    sampling.AddTriangles(points, ReadTriangles(this->Horizon), monitor);
-    for (double& height : sampling.Heights)
-    {
-      height = this->Sign * lattice.ToWorld({ 0.0, 0.0, height }).z();
-    }
-    sampling.AddBarePoints(points, [this](std::size_t point) { return this->WorldZ(point); });
-    this->Columns.Tiles = std::move(sampling.Tiles);
-    this->Columns.Z = std::move(sampling.Heights);
-    return std::move(this->Columns);
-  }
-
-private:
-  double WorldZ(std::size_t point) const { return this->Sign * this->Horizon->GetPoint(vtkIdType(point))[2]; }
-
-  static bool IsAttribute(vtkDataArray* array)
-  {
-    const bool isReal = vtkDoubleArray::SafeDownCast(array) || vtkFloatArray::SafeDownCast(array);
-    return isReal && array->GetName() && array->GetNumberOfComponents() == 1 && !IsOwnArray(array->GetName());
-  }
-
-  /// `places` has an index for each point.
-  void AddAttribute(vtkDataArray* array, const std::vector<std::size_t>& places)
-  {
-    PickAttribute attribute = { array->GetName(), std::vector<double>(this->Columns.Z.size(), NoValue) };
-    for (std::size_t point = 0; point < places.size(); ++point)
-    {
-      attribute.Values[places[point]] = array->GetComponent(vtkIdType(point), 0);
-    }
-    this->Columns.Attributes.push_back(std::move(attribute));
-  }
-
-  vtkPolyData* const Horizon;
-  const int Sign;
-  HorizonColumns Columns;
-};
+  const bool isReal = vtkDoubleArray::SafeDownCast(array) || vtkFloatArray::SafeDownCast(array);
+  return isReal && array->GetName() && array->GetNumberOfComponents() == 1 && !IsOwnArray(array->GetName());
 }
 
-namespace
+void SamplePoints(vtkPolyData* horizon, int sign, HorizonColumns& columns)
 {
+  const LatticePoints points = ReadColumns(horizon, {});
+  std::vector<std::size_t> places; // index of each point
+  for (const PlanePoint& column : points.Column)
+  {
+    const std::size_t place = columns.Tiles.Place(column.X, column.Y);
+    columns.Z.resize(columns.Tiles.Size(), NoValue);
+    columns.Z[place] = sign * horizon->GetPoint(vtkIdType(places.size()))[2];
+    places.push_back(place);
+  }
+  vtkPointData* const data = horizon->GetPointData();
+  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+  {
+    vtkDataArray* const array = data->GetArray(n);
+    if (IsAttribute(array))
+    {
+      PickAttribute& attribute = columns.Attributes.emplace_back();
+      attribute.Name = array->GetName();
+      attribute.Values.resize(columns.Z.size(), NoValue);
+      for (std::size_t point = 0; point < places.size(); ++point)
+      {
+        attribute.Values[places[point]] = array->GetComponent(vtkIdType(point), 0);
+      }
+    }
+  }
+}
+
+void SampleTriangles(vtkPolyData* horizon, int sign, HorizonColumns& columns, const Monitor& monitor)
+{
+  const Lattice lattice = ReadLattice(horizon);
+  std::vector<SpacePoint> points;
+  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+  {
+    const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(horizon->GetPoint(point)));
+    points.push_back({ place.x(), place.y(), place.z() });
+  }
+  MeshSampling sampling(columns.Lattice.Columns);
+  sampling.AddTriangles(points, ReadTriangles(horizon), monitor);
+  for (double& height : sampling.Heights)
+  {
+    height = sign * lattice.ToWorld({ 0.0, 0.0, height }).z();
+  }
+  sampling.AddBarePoints(points, [&](std::size_t point) { return sign * horizon->GetPoint(vtkIdType(point))[2]; });
+  columns.Tiles = std::move(sampling.Tiles);
+  columns.Z = std::move(sampling.Heights);
+}
+
 // The larger of both limits applies to the columns of a grid.
 constexpr std::int64_t EnoughColumns = 1 << 22; // They take 32 MB, and about 40 MB in a file.
 constexpr std::int64_t MostColumnsPerValue = 10000;
@@ -188,8 +160,18 @@ std::size_t CountColumns(int columns, int rows, std::int64_t points)
 HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor)
 {
   monitor.Progress(0.0);
-  Sampler sampler(horizon, sign);
-  return horizon->GetNumberOfPolys() > 0 ? sampler.SampleTriangles(monitor) : sampler.SamplePoints();
+  HorizonColumns columns;
+  columns.Lattice = ReadSurveyLattice(horizon);
+  columns.Survey = ReadSurveyFields(horizon->GetFieldData());
+  if (horizon->GetNumberOfPolys() > 0)
+  {
+    SampleTriangles(horizon, sign, columns, monitor);
+  }
+  else
+  {
+    SamplePoints(horizon, sign, columns);
+  }
+  return columns;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

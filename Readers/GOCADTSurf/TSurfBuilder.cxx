@@ -150,22 +150,6 @@ bool TSurfBuilder::TakeGeometry(std::string_view keyword, LineTokens& line, std:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void TSurfBuilder::TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number)
-{
-  this->Description.TakeOfCoordinates(keyword, line, number);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void TSurfBuilder::TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number)
-{
-  if (TSurfDescription::IsOfProperties(keyword) && !this->Surface.Vertices.empty())
-  {
-    throw ErrorAt(number, std::string(keyword) + " after vertices, expected before the first vertex");
-  }
-  this->Description.TakeOfProperties(keyword, line, number);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void TSurfBuilder::TakeVertex(LineTokens& line, bool hasValues)
 {
   this->AddVertex(this->ReadId(line));
@@ -173,7 +157,7 @@ void TSurfBuilder::TakeVertex(LineTokens& line, bool hasValues)
   {
     this->Surface.Vertices.back()[n] = this->ReadNumber(CoordinateNames[n], line, false);
   }
-  if (hasValues || !(line.AtEnd() || AtFlag(line) || this->Description.Properties.empty()))
+  if (hasValues || !(line.AtEnd() || AtFlag(line) || this->Surface.Properties.empty()))
   {
     this->ReadValues(line); // Some programs write values after VRTX, too.
   }
@@ -281,14 +265,14 @@ double TSurfBuilder::ReadNumber(std::string_view what, LineTokens& line, bool ma
 void TSurfBuilder::ReadValues(LineTokens& line)
 {
   const std::size_t vertex = this->Surface.Vertices.size() - 1;
-  for (std::size_t n = 0; n < this->Description.Properties.size(); ++n)
+  for (std::size_t n = 0; n < this->Surface.Properties.size(); ++n)
   {
-    TSurfProperty& property = this->Description.Properties[n];
+    TSurfProperty& property = this->Surface.Properties[n];
     property.Values.resize(vertex * property.Size, NoValue);
     for (std::size_t component = 0; component < property.Size; ++component)
     {
       const double value = this->ReadNumber(property.Name, line, true);
-      property.Values.push_back(IsNullValue(value, this->Description.Nulls[n]) ? NoValue : value);
+      property.Values.push_back(IsNullValue(value, this->Nulls[n]) ? NoValue : value);
     }
   }
 }
@@ -332,7 +316,7 @@ void TSurfBuilder::SkipFlags(LineTokens& line) const
 /// Drops properties without any value.
 void TSurfBuilder::CompleteValues()
 {
-  std::vector<TSurfProperty>& properties = this->Description.Properties;
+  std::vector<TSurfProperty>& properties = this->Surface.Properties;
   properties.erase(std::remove_if(properties.begin(), properties.end(),
                      [](const TSurfProperty& property) { return property.Values.empty(); }),
     properties.end());
@@ -348,10 +332,6 @@ TSurf TSurfBuilder::Finish(TSurfHeader header)
   this->CompleteValues();
   this->Surface.Name = std::move(header.Name);
   this->Surface.Colour = header.Colour;
-  this->Surface.Positive = this->Description.Positive;
-  this->Surface.HasPositive = this->Description.HasPositive;
-  this->Surface.Survey = std::move(this->Description.Survey);
-  this->Surface.Properties = std::move(this->Description.Properties);
   PlaceAtoms(this->Atoms, this->Ids, this->Surface);
   return std::move(this->Surface);
 }

@@ -20,7 +20,6 @@
 
 namespace SeismicHorizons
 {
-// ---- Lines before the vertices -----------------------------------------------------------------------------------
 struct TSurfHeader
 {
   std::string Name;
@@ -30,30 +29,6 @@ struct TSurfHeader
   void Take(std::string_view line);
 };
 
-class TSurfDescription
-{
-public:
-  VerticalPositive Positive = VerticalPositive::Elevation;
-  bool HasPositive = false; // the file states it
-  SurveyDescription Survey;
-  std::vector<TSurfProperty> Properties;
-  std::vector<double> Nulls; // Null value per property, or nan.
-
-  /// Unknown lines are ignored.
-  void TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number);
-  void TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number);
-
-  static bool IsOfProperties(std::string_view keyword);
-
-private:
-  void TakeNames(LineTokens& line);
-  void TakeSize(std::string_view text, TSurfProperty& property) const;
-  void RequireOneEach(std::string_view keyword, std::size_t found) const;
-
-  std::int64_t Line = 0;
-};
-
-// ---- Geometry ----------------------------------------------------------------------------------------------------
 /// A vertex at the place of another one, which may follow in the file.
 struct Atom
 {
@@ -80,6 +55,9 @@ public:
   TSurf Finish(TSurfHeader header);
 
 private:
+  void TakeNames(LineTokens& line);
+  void TakeSize(std::string_view text, TSurfProperty& property) const;
+  void RequireOneEach(std::string_view keyword, std::size_t found) const;
   void TakeVertex(LineTokens& line, bool hasValues);
   void TakeAtom(LineTokens& line, bool hasValues);
   void TakeTriangle(LineTokens& line);
@@ -96,7 +74,7 @@ private:
   void CompleteValues();
 
   TSurf Surface;
-  TSurfDescription Description;
+  std::vector<double> Nulls; // Null value per property, or nan.
   VertexIds Ids;
   std::vector<Atom> Atoms;
   std::int64_t Line = 0;

@@ -71,6 +71,11 @@ std::string DomainOf(const std::string& text)
   }
   return unit == "m" || unit == "km" || unit == "ft" ? "depth" : "";
 }
+
+bool IsOfProperties(std::string_view keyword)
+{
+  return keyword == "PROPERTIES" || keyword == "ESIZES" || keyword == "NO_DATA_VALUES";
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -94,24 +99,18 @@ void TSurfHeader::Take(std::string_view line)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool TSurfDescription::IsOfProperties(std::string_view keyword)
-{
-  return keyword == "PROPERTIES" || keyword == "ESIZES" || keyword == "NO_DATA_VALUES";
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number)
+void TSurfBuilder::TakeOfCoordinates(std::string_view keyword, LineTokens& line, std::int64_t number)
 {
   if (keyword == "NAME")
   {
-    this->Survey.CoordinateSystem = std::string(Unquote(line.Rest()));
+    this->Surface.Survey.CoordinateSystem = std::string(Unquote(line.Rest()));
   }
   else if (keyword == "AXIS_UNIT")
   {
-    this->Survey.HorizontalUnit = UnitOf(line.NextQuoted());
+    this->Surface.Survey.HorizontalUnit = UnitOf(line.NextQuoted());
     line.NextQuoted(); // x and y have the same unit.
-    this->Survey.VerticalUnit = UnitOf(line.NextQuoted());
-    this->Survey.VerticalDomain = DomainOf(this->Survey.VerticalUnit);
+    this->Surface.Survey.VerticalUnit = UnitOf(line.NextQuoted());
+    this->Surface.Survey.VerticalDomain = DomainOf(this->Surface.Survey.VerticalUnit);
   }
   else if (keyword == "ZPOSITIVE")
   {
@@ -120,15 +119,19 @@ void TSurfDescription::TakeOfCoordinates(std::string_view keyword, LineTokens& l
     {
       throw ErrorAt(number, "ZPOSITIVE " + Quote(Unquote(line.Rest())) + ", expected Elevation or Depth");
     }
-    this->HasPositive = true;
-    this->Positive = way == "depth" ? VerticalPositive::Depth : VerticalPositive::Elevation;
+    this->Surface.HasPositive = true;
+    this->Surface.Positive = way == "depth" ? VerticalPositive::Depth : VerticalPositive::Elevation;
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void TSurfDescription::TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number)
+void TSurfBuilder::TakeOfProperties(std::string_view keyword, LineTokens& line, std::int64_t number)
 {
   this->Line = number;
+  if (IsOfProperties(keyword) && !this->Surface.Vertices.empty())
+  {
+    throw ErrorAt(number, std::string(keyword) + " after vertices, expected before the first vertex");
+  }
   if (keyword == "PROPERTIES")
   {
     this->TakeNames(line);
@@ -141,9 +144,9 @@ void TSurfDescription::TakeOfProperties(std::string_view keyword, LineTokens& li
   std::vector<std::string> words = ReadWords(line);
   if (keyword == "NO_DATA_VALUES" && words.size() == 1)
   {
-    words.resize(this->Properties.size(), words.front()); // Some programs write a single word for all.
+    words.resize(this->Surface.Properties.size(), words.front()); // Some programs write a single word for all.
   }
-  if (keyword == "UNITS" && words.size() != this->Properties.size())
+  if (keyword == "UNITS" && words.size() != this->Surface.Properties.size())
   {
     return; // Units with blanks cannot be assigned to properties.
   }
@@ -152,11 +155,11 @@ void TSurfDescription::TakeOfProperties(std::string_view keyword, LineTokens& li
   {
     if (keyword == "UNITS")
     {
-      this->Properties[n].Unit = words[n] == "none" ? "" : words[n];
+      this->Surface.Properties[n].Unit = words[n] == "none" ? "" : words[n];
     }
     else if (keyword == "ESIZES")
     {
-      this->TakeSize(words[n], this->Properties[n]);
+      this->TakeSize(words[n], this->Surface.Properties[n]);
     }
     else if (words[n] != "**none**" && ReadAnyNumber(words[n], this->Nulls[n]) == NumberKind::NotANumber)
     {
@@ -166,21 +169,21 @@ void TSurfDescription::TakeOfProperties(std::string_view keyword, LineTokens& li
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void TSurfDescription::TakeNames(LineTokens& line)
+void TSurfBuilder::TakeNames(LineTokens& line)
 {
-  if (!this->Properties.empty())
+  if (!this->Surface.Properties.empty())
   {
     throw ErrorAt(this->Line, "PROPERTIES repeated, expected one such line for all of them");
   }
   for (std::string& name : ReadWords(line))
   {
-    this->Properties.emplace_back().Name = std::move(name);
+    this->Surface.Properties.emplace_back().Name = std::move(name);
   }
-  this->Nulls.assign(this->Properties.size(), NoValue);
+  this->Nulls.assign(this->Surface.Properties.size(), NoValue);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void TSurfDescription::TakeSize(std::string_view text, TSurfProperty& property) const
+void TSurfBuilder::TakeSize(std::string_view text, TSurfProperty& property) const
 {
   const int size = ReadPositiveInteger(text);
   if (size < 1 || size > LargestSize)
@@ -192,13 +195,13 @@ void TSurfDescription::TakeSize(std::string_view text, TSurfProperty& property) 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void TSurfDescription::RequireOneEach(std::string_view keyword, std::size_t found) const
+void TSurfBuilder::RequireOneEach(std::string_view keyword, std::size_t found) const
 {
-  if (found != this->Properties.size())
+  if (found != this->Surface.Properties.size())
   {
     throw ErrorAt(this->Line,
       std::to_string(found) + ' ' + std::string(keyword) + ", expected one for each of the " +
-        std::to_string(this->Properties.size()) + " PROPERTIES");
+        std::to_string(this->Surface.Properties.size()) + " PROPERTIES");
   }
 }
 }

@@ -70,21 +70,26 @@ double LargestOf(const TextLines& sample, const TextLayout& layout, std::size_t 
     "Crossline, X, Y, Z");
 }
 
+/// Tests a field and the next one.
+bool AreLineFields(const TextLines& sample, const TextLayout& layout, std::size_t field)
+{
+  return LookAt(sample, layout, field).AreLines && LookAt(sample, layout, field + 1).AreLines;
+}
+
 /// If the lines are too few or too similar to decide, large numbers are coordinates.
 bool AreLinesAndPlaces(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places)
 {
   const PairFit fit = FitPairs(sample, layout, lines, places);
   if (fit.AreTelling)
   {
-    const bool areLines = LookAt(sample, layout, lines).AreLines && LookAt(sample, layout, lines + 1).AreLines;
+    const bool areLines = AreLineFields(sample, layout, lines);
     if (!fit.AreAffine && ((fit.AreMostlyAffine && fit.AreLarger) || (fit.AreCoordinates && areLines)))
     {
       RefuseDoubt(lines, places);
     }
     return fit.AreAffine && fit.AreLarger;
   }
-  const bool areBoth =
-    fit.AreCoordinates && LookAt(sample, layout, lines).AreLines && LookAt(sample, layout, lines + 1).AreLines;
+  const bool areBoth = fit.AreCoordinates && AreLineFields(sample, layout, lines);
   if (!areBoth && FollowOneLine(sample, layout, lines, places))
   {
     RefuseDoubt(lines, places);
@@ -166,8 +171,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
 bool FollowLines(const TextLines& sample, const TextLayout& layout, std::size_t lines, std::size_t places)
 {
   const PairFit fit = FitPairs(sample, layout, lines, places);
-  return fit.AreTelling && fit.AreAffine && fit.AreLarger && LookAt(sample, layout, lines).AreLines &&
-    LookAt(sample, layout, lines + 1).AreLines;
+  return fit.AreTelling && fit.AreAffine && fit.AreLarger && AreLineFields(sample, layout, lines);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -197,8 +201,6 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
     columns.push_back({ areIds ? FieldRole::Ignored : FieldRole::HorizonName, areIds ? "-" : "Name" });
     first = 1;
   }
-  const auto areLines = [&](std::size_t column)
-  { return LookAt(sample, layout, first + column).AreLines && LookAt(sample, layout, first + column + 1).AreLines; };
   const auto areBoth = [&](std::size_t lines, std::size_t places)
   { return count >= first + 5 && AreLinesAndPlaces(sample, layout, first + lines, first + places); };
   using Role = FieldRole;
@@ -211,7 +213,7 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
   {
     roles = { Role::X, Role::Y, Role::Inline, Role::Crossline, Role::Z };
   }
-  else if (areLines(0))
+  else if (AreLineFields(sample, layout, first))
   {
     roles = { Role::Inline, Role::Crossline, Role::Z };
   }

@@ -46,27 +46,193 @@ void ForEachPiece(std::istream& stream, std::size_t bufferSize, const Monitor& m
 class PickCollector
 {
 public:
-  explicit PickCollector(const TextLayout& layout);
+  std::size_t Picks = 0;
 
-  void Reserve(std::size_t picks);
+  explicit PickCollector(const TextLayout& layout)
+    : Layout(layout)
+    , Lines(layout.HeaderLines)
+  {
+    this->Table.Survey = layout.Survey;
+    this->Table.AreLinesGuessed = layout.IsGuessed && layout.Find(FieldRole::Inline) >= 0;
+    if (!layout.Doubt.empty())
+    {
+      this->Table.Warnings.push_back(layout.Doubt);
+    }
+    for (const TextColumn& column : layout.Columns)
+    {
+      if (column.Role == FieldRole::Z && IsElevation(column.Name))
+      {
+        this->Table.Survey.IsUpright = true;
+      }
+      if (column.Role == FieldRole::Attribute)
+      {
+        this->Table.Attributes.push_back({ column.Name, {} });
+      }
+    }
+  }
+
+  void Reserve(std::size_t picks)
+  {
+    for (std::size_t column = 0; column < this->Layout.Columns.size(); ++column)
+    {
+      const FieldRole role = this->Layout.Columns[column].Role;
+      if (role == FieldRole::HorizonName)
+      {
+        this->Table.Horizon.reserve(picks);
+      }
+      else if (role != FieldRole::Ignored)
+      {
+        this->Column(column).reserve(picks);
+      }
+    }
+  }
 
   /// Throws InputError for the first error of a block, and for lines after an end mark.
-  void Add(const PickBlock& block);
-
-  std::size_t Size() const { return this->Picks; }
+  void Add(const PickBlock& block)
+  {
+    if (this->HasEnded && block.FirstLine >= 0)
+    {
+      throw ErrorAt(this->Lines + block.FirstLine + 1, LinesAfterEnd);
+    }
+    if (block.ErrorLine >= 0)
+    {
+      const bool isFirst =
+        this->Picks == 0 && block.ErrorLine == block.FirstLine && block.Error.find(": ") == std::string::npos;
+      throw ErrorAt(this->Lines + block.ErrorLine + 1,
+        block.Error +
+          (isFirst ? "; HeaderLines skips lines above the picks, NullValues lists words for no value" : ""));
+    }
+    // If each pick has the name of its horizon, headers between horizons add nothing.
+    const bool isBetween = !this->Layout.HasNames() && (this->Picks > 0 || block.CommentLine > block.FirstLine);
+    if (block.CommentLine >= 0 && isBetween && !std::exchange(this->HasComment, true))
+    {
+      this->Table.Warnings.push_back("comments between picks, the first in line " +
+        std::to_string(this->Lines + block.CommentLine + 1) +
+        ", are ignored: if they name horizons, put each horizon into its own file");
+    }
+    std::size_t picks = block.Horizon.size();
+    for (std::size_t column = 0; column < block.Values.size(); ++column)
+    {
+      const std::vector<double>& values = block.Values[column];
+      if (!values.empty())
+      {
+        std::vector<double>& all = this->Column(column);
+        all.insert(all.end(), values.begin(), values.end());
+        picks = values.size();
+      }
+    }
+    this->Nulls.insert(this->Nulls.end(), block.Nulls.begin(), block.Nulls.end());
+    this->AddNames(block);
+    this->AddLines(block);
+    this->Picks += picks;
+    this->Lines += block.Lines;
+    this->HasEnded = this->HasEnded || block.EndLine >= 0;
+  }
 
   /// Throws InputError if the header states another number of picks.
-  PickTable Take();
+  PickTable Take()
+  {
+    if (this->Layout.Picks >= 0 && this->Layout.Picks != std::int64_t(this->Picks))
+    {
+      throw CutOffAt(this->Lines,
+        "end of file after " + std::to_string(this->Picks) + " picks, expected " + std::to_string(this->Layout.Picks));
+    }
+    if (this->Table.Names.empty())
+    {
+      this->Table.Names = { this->Layout.HorizonName };
+    }
+    this->CheckNames();
+    WarnOfNulls(this->Nulls, this->Table.Z, this->Table.Warnings);
+    return std::move(this->Table);
+  }
 
 private:
-  void AddNames(const PickBlock& block);
-  void AddLines(const PickBlock& block);
-  void CheckNames();
-  std::vector<double>& Column(std::size_t column);
+  std::vector<double>& Column(std::size_t column)
+  {
+    switch (this->Layout.Columns[column].Role)
+    {
+      case FieldRole::X:
+        return this->Table.X;
+      case FieldRole::Y:
+        return this->Table.Y;
+      case FieldRole::Z:
+        return this->Table.Z;
+      case FieldRole::Inline:
+        return this->Table.Inline;
+      case FieldRole::Crossline:
+        return this->Table.Crossline;
+      default:
+        break;
+    }
+    std::size_t attribute = 0;
+    for (std::size_t before = 0; before < column; ++before)
+    {
+      attribute += this->Layout.Columns[before].Role == FieldRole::Attribute ? 1 : 0;
+    }
+    return this->Table.Attributes[attribute].Values;
+  }
+
+  void AddNames(const PickBlock& block)
+  {
+    std::vector<int> numbers;
+    for (const std::string& name : block.Names)
+    {
+      const auto [place, isNew] = this->Numbers.emplace(name, int(this->Table.Names.size()));
+      if (isNew)
+      {
+        this->Table.Names.push_back(ToUtf8(name));
+        if (this->Table.Names.back() != name && !std::exchange(this->IsLatin1, true))
+        {
+          this->Table.Warnings.push_back("names of horizons that are not in UTF-8, taken for Latin-1, such as " +
+            Quote(this->Table.Names.back()) + ": convert the file, as with iconv, where they are in another encoding");
+        }
+      }
+      numbers.push_back(place->second);
+    }
+    for (const int number : block.Horizon)
+    {
+      this->Table.Horizon.push_back(numbers[number]);
+    }
+  }
+
+  void AddLines(const PickBlock& block)
+  {
+    std::vector<PickLine>& lines = this->Table.Lines;
+    for (const PickLine& picks : block.PickLines)
+    {
+      const PickLine next{ this->Picks + picks.Pick, this->Lines + picks.Line + 1 };
+      if (lines.empty() || next.Line - lines.back().Line != std::int64_t(next.Pick - lines.back().Pick))
+      {
+        lines.push_back(next);
+      }
+    }
+  }
+
+  /// A text that differs in each line is not a name.
+  void CheckNames()
+  {
+    const std::vector<int>& horizon = this->Table.Horizon;
+    const std::vector<std::string>& names = this->Table.Names;
+    constexpr std::size_t few = 20;
+    if (names.size() > few && 2 * names.size() > horizon.size())
+    {
+      throw InputError(std::to_string(names.size()) + " names of horizons for " + std::to_string(horizon.size()) +
+        " picks, expected several picks for each: set Columns, with - for columns to skip");
+    }
+    std::size_t changes = 0;
+    for (std::size_t pick = 1; pick < horizon.size(); ++pick)
+    {
+      changes += horizon[pick] != horizon[pick - 1] ? 1 : 0;
+    }
+    if (names.size() > 1 && horizon.size() > few && 3 * changes > horizon.size())
+    {
+      this->Table.Warnings.push_back("names of horizons that change from line to line, such as " + Quote(names[0]) +
+        " and " + Quote(names[1]) + ": if these are not names of horizons, set Columns with - for them");
+    }
+  }
 
   const TextLayout& Layout;
   PickTable Table;
-  std::size_t Picks = 0;
   std::int64_t Lines = 0; // before the next block
   bool HasEnded = false;
   bool HasComment = false;
@@ -74,185 +240,6 @@ private:
   std::unordered_map<std::string, int> Numbers;
   std::vector<double> Nulls;
 };
-
-PickCollector::PickCollector(const TextLayout& layout)
-  : Layout(layout)
-  , Lines(layout.HeaderLines)
-{
-  this->Table.Survey = layout.Survey;
-  this->Table.AreLinesGuessed = layout.IsGuessed && layout.Find(FieldRole::Inline) >= 0;
-  if (!layout.Doubt.empty())
-  {
-    this->Table.Warnings.push_back(layout.Doubt);
-  }
-  for (const TextColumn& column : layout.Columns)
-  {
-    if (column.Role == FieldRole::Z && IsElevation(column.Name))
-    {
-      this->Table.Survey.IsUpright = true;
-    }
-    if (column.Role == FieldRole::Attribute)
-    {
-      this->Table.Attributes.push_back({ column.Name, {} });
-    }
-  }
-}
-
-std::vector<double>& PickCollector::Column(std::size_t column)
-{
-  switch (this->Layout.Columns[column].Role)
-  {
-    case FieldRole::X:
-      return this->Table.X;
-    case FieldRole::Y:
-      return this->Table.Y;
-    case FieldRole::Z:
-      return this->Table.Z;
-    case FieldRole::Inline:
-      return this->Table.Inline;
-    case FieldRole::Crossline:
-      return this->Table.Crossline;
-    default:
-      break;
-  }
-  std::size_t attribute = 0;
-  for (std::size_t before = 0; before < column; ++before)
-  {
-    attribute += this->Layout.Columns[before].Role == FieldRole::Attribute ? 1 : 0;
-  }
-  return this->Table.Attributes[attribute].Values;
-}
-
-void PickCollector::Reserve(std::size_t picks)
-{
-  for (std::size_t column = 0; column < this->Layout.Columns.size(); ++column)
-  {
-    const FieldRole role = this->Layout.Columns[column].Role;
-    if (role == FieldRole::HorizonName)
-    {
-      this->Table.Horizon.reserve(picks);
-    }
-    else if (role != FieldRole::Ignored)
-    {
-      this->Column(column).reserve(picks);
-    }
-  }
-}
-
-void PickCollector::Add(const PickBlock& block)
-{
-  if (this->HasEnded && block.FirstLine >= 0)
-  {
-    throw ErrorAt(this->Lines + block.FirstLine + 1, LinesAfterEnd);
-  }
-  if (block.ErrorLine >= 0)
-  {
-    const bool isFirst =
-      this->Picks == 0 && block.ErrorLine == block.FirstLine && block.Error.find(": ") == std::string::npos;
-    throw ErrorAt(this->Lines + block.ErrorLine + 1,
-      block.Error + (isFirst ? "; HeaderLines skips lines above the picks, NullValues lists words for no value" : ""));
-  }
-  // If each pick has the name of its horizon, headers between horizons add nothing.
-  const bool isBetween = !this->Layout.HasNames() && (this->Picks > 0 || block.CommentLine > block.FirstLine);
-  if (block.CommentLine >= 0 && isBetween && !std::exchange(this->HasComment, true))
-  {
-    this->Table.Warnings.push_back("comments between picks, the first in line " +
-      std::to_string(this->Lines + block.CommentLine + 1) +
-      ", are ignored: if they name horizons, put each horizon into its own file");
-  }
-  std::size_t picks = block.Horizon.size();
-  for (std::size_t column = 0; column < block.Values.size(); ++column)
-  {
-    const std::vector<double>& values = block.Values[column];
-    if (!values.empty())
-    {
-      std::vector<double>& all = this->Column(column);
-      all.insert(all.end(), values.begin(), values.end());
-      picks = values.size();
-    }
-  }
-  this->Nulls.insert(this->Nulls.end(), block.Nulls.begin(), block.Nulls.end());
-  this->AddNames(block);
-  this->AddLines(block);
-  this->Picks += picks;
-  this->Lines += block.Lines;
-  this->HasEnded = this->HasEnded || block.EndLine >= 0;
-}
-
-void PickCollector::AddNames(const PickBlock& block)
-{
-  std::vector<int> numbers;
-  for (const std::string& name : block.Names)
-  {
-    const auto [place, isNew] = this->Numbers.emplace(name, int(this->Table.Names.size()));
-    if (isNew)
-    {
-      this->Table.Names.push_back(ToUtf8(name));
-      if (this->Table.Names.back() != name && !std::exchange(this->IsLatin1, true))
-      {
-        this->Table.Warnings.push_back("names of horizons that are not in UTF-8, taken for Latin-1, such as " +
-          Quote(this->Table.Names.back()) + ": convert the file, as with iconv, where they are in another encoding");
-      }
-    }
-    numbers.push_back(place->second);
-  }
-  for (const int number : block.Horizon)
-  {
-    this->Table.Horizon.push_back(numbers[number]);
-  }
-}
-
-void PickCollector::AddLines(const PickBlock& block)
-{
-  std::vector<PickLine>& lines = this->Table.Lines;
-  for (const PickLine& picks : block.PickLines)
-  {
-    const PickLine next{ this->Picks + picks.Pick, this->Lines + picks.Line + 1 };
-    if (lines.empty() || next.Line - lines.back().Line != std::int64_t(next.Pick - lines.back().Pick))
-    {
-      lines.push_back(next);
-    }
-  }
-}
-
-PickTable PickCollector::Take()
-{
-  if (this->Layout.Picks >= 0 && this->Layout.Picks != std::int64_t(this->Picks))
-  {
-    throw CutOffAt(this->Lines,
-      "end of file after " + std::to_string(this->Picks) + " picks, expected " + std::to_string(this->Layout.Picks));
-  }
-  if (this->Table.Names.empty())
-  {
-    this->Table.Names = { this->Layout.HorizonName };
-  }
-  this->CheckNames();
-  WarnOfNulls(this->Nulls, this->Table.Z, this->Table.Warnings);
-  return std::move(this->Table);
-}
-
-/// A text that differs in each line is not a name.
-void PickCollector::CheckNames()
-{
-  const std::vector<int>& horizon = this->Table.Horizon;
-  const std::vector<std::string>& names = this->Table.Names;
-  constexpr std::size_t few = 20;
-  if (names.size() > few && 2 * names.size() > horizon.size())
-  {
-    throw InputError(std::to_string(names.size()) + " names of horizons for " + std::to_string(horizon.size()) +
-      " picks, expected several picks for each: set Columns, with - for columns to skip");
-  }
-  std::size_t changes = 0;
-  for (std::size_t pick = 1; pick < horizon.size(); ++pick)
-  {
-    changes += horizon[pick] != horizon[pick - 1] ? 1 : 0;
-  }
-  if (names.size() > 1 && horizon.size() > few && 3 * changes > horizon.size())
-  {
-    this->Table.Warnings.push_back("names of horizons that change from line to line, such as " + Quote(names[0]) +
-      " and " + Quote(names[1]) + ": if these are not names of horizons, set Columns with - for them");
-  }
-}
 
 std::string_view SkipLines(std::string_view text, std::int64_t& count)
 {
@@ -282,7 +269,7 @@ PickTable ParsePickRows(
             parsed[block] = ParsePicks(blocks[block], layout);
           }
         });
-      const bool isFirst = picks.Size() == 0;
+      const bool isFirst = picks.Picks == 0;
       for (const PickBlock& block : parsed)
       {
         picks.Add(block);
@@ -290,7 +277,7 @@ PickTable ParsePickRows(
       if (isFirst && partRead > 0.0)
       {
         // A reserve of 5 % avoids growth, which would hold arrays in memory twice.
-        picks.Reserve(std::size_t(1.05 * double(picks.Size()) / partRead));
+        picks.Reserve(std::size_t(1.05 * double(picks.Picks) / partRead));
       }
     });
   return picks.Take();

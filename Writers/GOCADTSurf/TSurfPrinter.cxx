@@ -74,15 +74,13 @@ public:
   void PrintHeader()
   {
     const std::string& name = this->Surface.Name;
-    this->Out.Print("GOCAD TSurf 1\nHEADER {\nname:");
-    this->Out.Print(RequireLine("name", NeedsQuotes(name) ? '"' + name + '"' : name));
+    this->Out.Print("GOCAD TSurf 1\nHEADER {\nname:", RequireLine("name", NeedsQuotes(name) ? '"' + name + '"' : name));
     if (this->Surface.Colour)
     {
       this->Out.Print("\n*solid*color:");
       for (const double part : *this->Surface.Colour)
       {
-        this->Out.Print(part);
-        this->Out.Print(' ');
+        this->Out.Print(part, ' ');
       }
       this->Out.Print('1');
     }
@@ -93,19 +91,16 @@ public:
   {
     const SurveyDescription& survey = this->Surface.Survey;
     const std::string& system = survey.CoordinateSystem;
-    this->Out.Print("GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME ");
-    this->Out.Print(RequireLine("coordinate system", system.empty() ? "Default" : system));
-    this->Out.Print("\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT");
+    this->Out.Print("GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME ",
+      RequireLine("coordinate system", system.empty() ? "Default" : system),
+      "\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT");
     for (const std::string* const unit : { &survey.HorizontalUnit, &survey.HorizontalUnit, &survey.VerticalUnit })
     {
       ToWord("unit", *unit); // Refuses quotes within the unit.
-      this->Out.Print(" \"");
-      this->Out.Print(*unit);
-      this->Out.Print('"');
+      this->Out.Print(" \"", *unit, '"');
     }
-    this->Out.Print("\nZPOSITIVE ");
-    this->Out.Print(this->Surface.Positive == VerticalPositive::Depth ? "Depth" : "Elevation");
-    this->Out.Print("\nEND_ORIGINAL_COORDINATE_SYSTEM\n");
+    this->Out.Print("\nZPOSITIVE ", this->Surface.Positive == VerticalPositive::Depth ? "Depth" : "Elevation",
+      "\nEND_ORIGINAL_COORDINATE_SYSTEM\n");
   }
 
   void PrintProperties()
@@ -121,8 +116,7 @@ public:
     this->Out.Print("NO_DATA_VALUES");
     for (const double null : this->Nulls)
     {
-      this->Out.Print(' ');
-      this->Out.Print(null);
+      this->Out.Print(' ', null);
     }
     this->Out.Print('\n');
     this->PrintForEach("PROPERTY_CLASSES", name);
@@ -166,8 +160,7 @@ public:
     std::int64_t id = std::int64_t(numberOfVertices);
     for (const std::array<PointId, 2>& border : borders)
     {
-      this->Out.Print("BORDER ");
-      this->Out.Print(++id);
+      this->Out.Print("BORDER ", ++id);
       this->PrintIds(border);
     }
   }
@@ -185,8 +178,7 @@ private:
     this->Out.Print(keyword);
     for (const TSurfProperty& property : this->Surface.Properties)
     {
-      this->Out.Print(' ');
-      this->Out.Print(text(property));
+      this->Out.Print(' ', text(property));
     }
     this->Out.Print('\n');
   }
@@ -196,8 +188,7 @@ private:
   {
     for (const PointId vertex : vertices)
     {
-      this->Out.Print(' ');
-      this->Out.Print(std::int64_t(vertex) + 1);
+      this->Out.Print(' ', std::int64_t(vertex) + 1);
     }
     this->Out.Print('\n');
   }
@@ -211,13 +202,11 @@ private:
       return;
     }
     const auto source = std::size_t(this->Mesh.Sources[vertex]);
-    this->Out.Print(this->Surface.Properties.empty() ? "VRTX " : "PVRTX ");
-    this->Out.Print(std::int64_t(vertex) + 1);
+    this->Out.Print(this->Surface.Properties.empty() ? "VRTX " : "PVRTX ", std::int64_t(vertex) + 1);
     RequireFinitePoint(this->Surface.Vertices[source], std::int64_t(source));
     for (const double coordinate : this->Surface.Vertices[source])
     {
-      this->Out.Print(' ');
-      this->Out.Print(coordinate);
+      this->Out.Print(' ', coordinate);
     }
     this->PrintValues(source);
     this->Out.Print(this->Surface.Properties.empty() ? " CNXYZ\n" : "\n"); // Some readers accept no other ending.
@@ -231,8 +220,7 @@ private:
       for (std::size_t place = source * property.Size; place < (source + 1) * property.Size; ++place)
       {
         const double value = property.Values[place];
-        this->Out.Print(' ');
-        this->Out.Print(std::isfinite(value) ? value : this->Nulls[n]);
+        this->Out.Print(' ', std::isfinite(value) ? value : this->Nulls[n]);
       }
     }
   }

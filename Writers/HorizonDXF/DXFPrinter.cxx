@@ -43,10 +43,7 @@ std::string ToLayerName(const std::string& name)
 template <typename Value>
 void PrintGroup(int code, const Value& value, TextPrinter& out)
 {
-  out.Print(std::int64_t(code));
-  out.Print('\n');
-  out.Print(value);
-  out.Print('\n');
+  out.Print(std::int64_t(code), '\n', value, '\n');
 }
 
 void PrintText(int code, std::string_view text, TextPrinter& out)

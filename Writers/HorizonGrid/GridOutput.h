@@ -48,6 +48,12 @@ public:
 
   void EndLine();
 
+  void WriteLine(std::string_view text)
+  {
+    this->Write(text);
+    this->EndLine();
+  }
+
   /// Counts values that were written by other functions.
   void EndValues(std::int64_t number);
 

@@ -57,15 +57,11 @@ void WriteHeader(GridOutput& output, const SurveyLattice& lattice, const Written
   const std::string y = ToDecimal(lattice.Origin.y());
   const double xLast = lattice.Origin.x() + (lattice.Columns[0] - 1) * irap.ColumnStep;
   const double yLast = lattice.Origin.y() + (lattice.Columns[1] - 1) * irap.RowStep;
-  output.Write(
+  output.WriteLine(
     "-996 " + std::to_string(lattice.Columns[1]) + ' ' + ToDecimal(irap.ColumnStep) + ' ' + ToDecimal(irap.RowStep));
-  output.EndLine();
-  output.Write(x + ' ' + ToDecimal(xLast) + ' ' + y + ' ' + ToDecimal(yLast));
-  output.EndLine();
-  output.Write(std::to_string(lattice.Columns[0]) + ' ' + ToDecimal(irap.Degrees) + ' ' + x + ' ' + y);
-  output.EndLine();
-  output.Write("0 0 0 0 0 0 0");
-  output.EndLine();
+  output.WriteLine(x + ' ' + ToDecimal(xLast) + ' ' + y + ' ' + ToDecimal(yLast));
+  output.WriteLine(std::to_string(lattice.Columns[0]) + ' ' + ToDecimal(irap.Degrees) + ' ' + x + ' ' + y);
+  output.WriteLine("0 0 0 0 0 0 0");
 }
 
 constexpr std::int32_t Mark = -996;

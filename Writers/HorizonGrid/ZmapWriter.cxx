@@ -110,17 +110,13 @@ void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const L
 {
   std::replace_if(
     name.begin(), name.end(), [](char c) { return c == ',' || c == '@' || static_cast<unsigned char>(c) < ' '; }, ' ');
-  output.Write('@' + name + " HEADER, GRID, " + std::to_string(ZmapValuesInLine));
-  output.EndLine();
-  output.Write(std::to_string(layout.Width) + ", " + layout.Null + ", , " + std::to_string(layout.Decimals) + ", 1");
-  output.EndLine();
-  output.Write(std::to_string(axes.Y.Count) + ", " + std::to_string(axes.X.Count) + ", " + ToDecimal(axes.X.First) +
+  output.WriteLine('@' + name + " HEADER, GRID, " + std::to_string(ZmapValuesInLine));
+  output.WriteLine(
+    std::to_string(layout.Width) + ", " + layout.Null + ", , " + std::to_string(layout.Decimals) + ", 1");
+  output.WriteLine(std::to_string(axes.Y.Count) + ", " + std::to_string(axes.X.Count) + ", " + ToDecimal(axes.X.First) +
     ", " + ToDecimal(axes.X.Last) + ", " + ToDecimal(axes.Y.First) + ", " + ToDecimal(axes.Y.Last));
-  output.EndLine();
-  output.Write("0.0, 0.0, 0.0");
-  output.EndLine();
-  output.Write("@");
-  output.EndLine();
+  output.WriteLine("0.0, 0.0, 0.0");
+  output.WriteLine("@");
 }
 }
 

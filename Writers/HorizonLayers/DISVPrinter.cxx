@@ -6,7 +6,7 @@
 #include "LayersPrinter.h"
 
 #include "Common/Base/Errors.h"
-#include "LinePrinter.h"
+#include "Common/Text/TextPrinter.h"
 
 #include <algorithm>
 #include <utility>
@@ -173,23 +173,23 @@ private:
 };
 
 template <typename Value>
-void PrintArray(const std::vector<Value>& values, const Monitor& monitor, LinePrinter& out)
+void PrintArray(const std::vector<Value>& values, const Monitor& monitor, TextPrinter& out)
 {
   constexpr std::size_t onLine = 10;
-  out.Add("    INTERNAL FACTOR 1\n");
+  out.Print("    INTERNAL FACTOR 1\n");
   ForEach(values.size(), monitor,
     [&](std::size_t n)
     {
-      out.Add(n % onLine == 0 ? "      " : " ").Add(values[n]);
-      out.Add(n % onLine + 1 == onLine || n + 1 == values.size() ? "\n" : "");
+      out.Print(n % onLine == 0 ? "      " : " ", values[n]);
+      out.Print(n % onLine + 1 == onLine || n + 1 == values.size() ? "\n" : "");
     });
 }
 
 template <typename Value>
 void PrintLayered(
-  std::string_view name, const std::vector<std::vector<Value>>& values, const Monitor& monitor, LinePrinter& out)
+  std::string_view name, const std::vector<std::vector<Value>>& values, const Monitor& monitor, TextPrinter& out)
 {
-  out.Line("", "  ", name, " LAYERED");
+  out.PrintLine("", "  ", name, " LAYERED");
   const double part = 1.0 / double(values.size());
   for (std::size_t layer = 0; layer < values.size(); ++layer)
   {
@@ -198,7 +198,7 @@ void PrintLayered(
 }
 
 /// MODFLOW wants clockwise order.
-void PrintColumn(const LevelGrid& grid, std::size_t column, LinePrinter& out)
+void PrintColumn(const LevelGrid& grid, std::size_t column, TextPrinter& out)
 {
   std::array<std::int64_t, 3> corners = grid.Triangles[column];
   const auto at = [&](std::size_t n) { return grid.Vertices[std::size_t(corners[n])]; };
@@ -208,7 +208,7 @@ void PrintColumn(const LevelGrid& grid, std::size_t column, LinePrinter& out)
     std::swap(corners[1], corners[2]);
   }
   const auto middle = [&](std::size_t axis) { return at(0)[axis] / 3.0 + at(1)[axis] / 3.0 + at(2)[axis] / 3.0; };
-  out.Line(" ", " ", column + 1, middle(0), middle(1), 3, corners[0] + 1, corners[1] + 1, corners[2] + 1);
+  out.PrintLine(" ", " ", column + 1, middle(0), middle(1), 3, corners[0] + 1, corners[1] + 1, corners[2] + 1);
 }
 }
 
@@ -216,30 +216,31 @@ void PrintColumn(const LevelGrid& grid, std::size_t column, LinePrinter& out)
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
 {
   const LevelGrid grid(cells, monitor.Step(0.0, 0.3));
-  LinePrinter out(stream);
+  TextPrinter out(stream);
   for (std::size_t layer = 0; layer < cells.Names.size(); ++layer)
   {
-    out.Line("", "# layer ", layer + 1, ": ", WithoutQuotes(cells.Names[layer]));
+    out.PrintLine("", "# layer ", layer + 1, ": ", WithoutQuotes(cells.Names[layer]));
   }
-  out.Add("BEGIN OPTIONS\n");
+  out.Print("BEGIN OPTIONS\n");
   if (!cells.LengthUnit.empty())
   {
-    out.Line("", "  LENGTH_UNITS ", cells.LengthUnit);
+    out.PrintLine("", "  LENGTH_UNITS ", cells.LengthUnit);
   }
-  out.Add("END OPTIONS\n\nBEGIN DIMENSIONS\n");
-  out.Line("", "  NLAY ", cells.Names.size());
-  out.Line("", "  NCPL ", grid.Triangles.size());
-  out.Line("", "  NVERT ", grid.Vertices.size());
-  out.Add("END DIMENSIONS\n\nBEGIN GRIDDATA\n  TOP\n");
+  out.Print("END OPTIONS\n\nBEGIN DIMENSIONS\n");
+  out.PrintLine("", "  NLAY ", cells.Names.size());
+  out.PrintLine("", "  NCPL ", grid.Triangles.size());
+  out.PrintLine("", "  NVERT ", grid.Vertices.size());
+  out.Print("END DIMENSIONS\n\nBEGIN GRIDDATA\n  TOP\n");
   PrintArray(grid.Tops, monitor.Step(0.3, 0.4), out);
   PrintLayered("BOTM", grid.Bases, monitor.Step(0.4, 0.6), out);
   PrintLayered("IDOMAIN", grid.Domain, monitor.Step(0.6, 0.7), out);
-  out.Add("END GRIDDATA\n\nBEGIN VERTICES\n");
+  out.Print("END GRIDDATA\n\nBEGIN VERTICES\n");
   ForEach(grid.Vertices.size(), monitor.Step(0.7, 0.8),
-    [&](std::size_t vertex) { out.Line(" ", " ", vertex + 1, grid.Vertices[vertex][0], grid.Vertices[vertex][1]); });
-  out.Add("END VERTICES\n\nBEGIN CELL2D\n");
+    [&](std::size_t vertex)
+    { out.PrintLine(" ", " ", vertex + 1, grid.Vertices[vertex][0], grid.Vertices[vertex][1]); });
+  out.Print("END VERTICES\n\nBEGIN CELL2D\n");
   ForEach(grid.Triangles.size(), monitor.Step(0.8, 1.0), [&](std::size_t column) { PrintColumn(grid, column, out); });
-  out.Add("END CELL2D\n");
+  out.Print("END CELL2D\n");
   out.Flush();
   monitor.Progress(1.0);
 }

@@ -4,7 +4,7 @@
 #include "LayersPrinter.h"
 
 #include "Common/Base/Errors.h"
-#include "LinePrinter.h"
+#include "Common/Text/TextPrinter.h"
 
 #include <algorithm>
 #include <cctype>
@@ -87,7 +87,7 @@ CellNodes NodesWithoutPyramids(const VolumeCells& cells, std::size_t cell)
 
 template <typename Nodes>
 void PrintCells(const VolumeCells& cells, const std::vector<std::size_t>& group, std::string_view between,
-  Nodes&& nodesOf, std::int64_t& printed, LinePrinter& out, const Monitor& monitor)
+  Nodes&& nodesOf, std::int64_t& printed, TextPrinter& out, const Monitor& monitor)
 {
   for (const std::size_t cell : group)
   {
@@ -95,12 +95,12 @@ void PrintCells(const VolumeCells& cells, const std::vector<std::size_t>& group,
     {
       monitor.Progress(double(printed) / double(cells.Size()));
     }
-    out.Add(++printed);
+    out.Print(++printed);
     for (const std::int64_t node : nodesOf(cells, cell))
     {
-      out.Add(between).Add(node);
+      out.Print(between, node);
     }
-    out.Add("\n");
+    out.Print("\n");
   }
 }
 
@@ -134,7 +134,7 @@ void CheckCorners(const VolumeCells& cells, std::size_t cell)
 }
 
 /// Each layer with cells is a physical volume of one entity.
-void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& layers, LinePrinter& out)
+void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& layers, TextPrinter& out)
 {
   std::array<double, 6> box = { HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   for (const std::array<double, 3>& point : cells.Points)
@@ -145,38 +145,38 @@ void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& 
       box[3 + axis] = std::max(box[3 + axis], point[axis]);
     }
   }
-  out.Add("$PhysicalNames\n").Add(layers.size()).Add("\n");
+  out.Print("$PhysicalNames\n", layers.size(), "\n");
   for (const std::size_t layer : layers)
   {
-    out.Line(" ", GmshVolume, layer + 1, '"' + WithoutQuotes(cells.Names[layer]) + '"');
+    out.PrintLine(" ", GmshVolume, layer + 1, '"' + WithoutQuotes(cells.Names[layer]) + '"');
   }
-  out.Add("$EndPhysicalNames\n$Entities\n");
-  out.Line(" ", 0, 0, 0, layers.size());
+  out.Print("$EndPhysicalNames\n$Entities\n");
+  out.PrintLine(" ", 0, 0, 0, layers.size());
   for (const std::size_t layer : layers) // All entities share one bounding box.
   {
-    out.Line(" ", layer + 1, box[0], box[1], box[2], box[3], box[4], box[5], 1, layer + 1, 0);
+    out.PrintLine(" ", layer + 1, box[0], box[1], box[2], box[3], box[4], box[5], 1, layer + 1, 0);
   }
-  out.Add("$EndEntities\n");
+  out.Print("$EndEntities\n");
 }
 
 /// Gmsh wants one owner, although cells of several layers may share the node.
-void PrintGmshNodes(const VolumeCells& cells, std::size_t owner, const Monitor& monitor, LinePrinter& out)
+void PrintGmshNodes(const VolumeCells& cells, std::size_t owner, const Monitor& monitor, TextPrinter& out)
 {
   const std::size_t count = cells.Points.size();
-  out.Add("$Nodes\n");
-  out.Line(" ", 1, count, 1, count);
-  out.Line(" ", GmshVolume, owner + 1, 0, count);
+  out.Print("$Nodes\n");
+  out.PrintLine(" ", 1, count, 1, count);
+  out.PrintLine(" ", GmshVolume, owner + 1, 0, count);
   for (std::size_t point = 1; point <= count; ++point)
   {
-    out.Line("", point);
+    out.PrintLine("", point);
   }
   ForEach(count, monitor,
     [&](std::size_t point)
     {
       const std::array<double, 3>& place = cells.Points[point];
-      out.Line(" ", place[0], place[1], place[2]);
+      out.PrintLine(" ", place[0], place[1], place[2]);
     });
-  out.Add("$EndNodes\n");
+  out.Print("$EndNodes\n");
 }
 }
 
@@ -215,12 +215,12 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
       layers.push_back(layer);
     }
   }
-  LinePrinter out(stream);
-  out.Add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+  TextPrinter out(stream);
+  out.Print("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
   PrintGmshVolumes(cells, layers, out);
   PrintGmshNodes(cells, layers.front(), monitor.Step(0.0, 0.4), out);
-  out.Add("$Elements\n");
-  out.Line(" ", groups.Size(), cells.Size(), 1, cells.Size());
+  out.Print("$Elements\n");
+  out.PrintLine(" ", groups.Size(), cells.Size(), 1, cells.Size());
   std::int64_t printed = 0;
   for (const std::size_t layer : layers)
   {
@@ -229,12 +229,12 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
       const std::vector<std::size_t>& group = groups.Of(layer, kind);
       if (!group.empty())
       {
-        out.Line(" ", GmshVolume, layer + 1, types[kind], group.size());
+        out.PrintLine(" ", GmshVolume, layer + 1, types[kind], group.size());
         PrintCells(cells, group, " ", NodesOf, printed, out, monitor.Step(0.4, 1.0));
       }
     }
   }
-  out.Add("$EndElements\n");
+  out.Print("$EndElements\n");
   out.Flush();
   monitor.Progress(1.0);
 }
@@ -245,13 +245,13 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
   constexpr std::array<std::string_view, Kinds> types = { "C3D6", "C3D6", "C3D4" };
   const CellGroups groups(cells);
   const std::vector<std::string> names = MakeSetNames(cells.Names);
-  LinePrinter out(stream);
-  out.Add("*HEADING\nLayers between seismic horizons\n*NODE\n");
+  TextPrinter out(stream);
+  out.Print("*HEADING\nLayers between seismic horizons\n*NODE\n");
   ForEach(cells.Points.size(), monitor.Step(0.0, 0.4),
     [&](std::size_t point)
     {
       const std::array<double, 3>& place = cells.Points[point];
-      out.Line(", ", point + 1, place[0], place[1], place[2]);
+      out.PrintLine(", ", point + 1, place[0], place[1], place[2]);
     });
   std::int64_t printed = 0;
   for (std::size_t layer = 0; layer < names.size(); ++layer)
@@ -261,7 +261,7 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
       const std::vector<std::size_t>& group = groups.Of(layer, kind);
       if (!group.empty())
       {
-        out.Line("", "*ELEMENT, TYPE=", types[kind], ", ELSET=", names[layer]);
+        out.PrintLine("", "*ELEMENT, TYPE=", types[kind], ", ELSET=", names[layer]);
         PrintCells(cells, group, ", ", NodesWithoutPyramids, printed, out, monitor.Step(0.4, 1.0));
       }
     }

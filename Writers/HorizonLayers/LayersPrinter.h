@@ -9,7 +9,9 @@
 
 #include "Common/Base/Monitor.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
@@ -47,6 +49,28 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
 /// DISV of MODFLOW 6. Cells are horizontal, at mean heights, which preserves volume; idomain is -1 where a layer
 /// pinches out, 0 without a cell. Throws InputError if cells of a triangle are not above each other.
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
+
+// ---- For the printers --------------------------------------------------------------------------------------------
+template <typename Work>
+void ForEach(std::size_t count, const Monitor& monitor, Work&& work)
+{
+  constexpr std::size_t betweenReports = 1 << 14;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    if (n % betweenReports == 0)
+    {
+      monitor.Progress(double(n) / double(count));
+    }
+    work(n);
+  }
+}
+
+inline std::string WithoutQuotes(std::string name)
+{
+  std::replace_if(
+    name.begin(), name.end(), [](char c) { return c == '"' || std::iscntrl(static_cast<unsigned char>(c)); }, '_');
+  return name;
+}
 }
 
 #endif

@@ -45,8 +45,7 @@ void PrintVertex(const Vertex& vertex, TextPrinter& out)
 {
   for (const double coordinate : vertex)
   {
-    out.Print(' ');
-    out.Print(coordinate);
+    out.Print(' ', coordinate);
   }
   out.Print('\n');
 }
@@ -154,8 +153,7 @@ void PrintOBJ(const TSurf& surface, std::ostream& stream, const Monitor& monitor
       out.Print('f');
       for (const PointId corner : triangle)
       {
-        out.Print(' ');
-        out.Print(std::int64_t(corner) + 1);
+        out.Print(' ', std::int64_t(corner) + 1);
       }
       out.Print('\n');
     });

@@ -86,22 +86,16 @@ private:
   {
     if (this->Columns.HasNames)
     {
-      this->Printer.Print(this->Name);
-      this->Printer.Print('\t');
+      this->Printer.Print(this->Name, '\t');
     }
     const SurveyLattice& lattice = this->Horizon.Lattice;
     if (this->Columns.HasLines)
     {
-      this->Printer.Print(lattice.Lines->FirstInline + j * lattice.Lines->InlineStep);
-      this->Printer.Print('\t');
-      this->Printer.Print(lattice.Lines->FirstCrossline + i * lattice.Lines->CrosslineStep);
-      this->Printer.Print('\t');
+      this->Printer.Print(lattice.Lines->FirstInline + j * lattice.Lines->InlineStep, '\t',
+        lattice.Lines->FirstCrossline + i * lattice.Lines->CrosslineStep, '\t');
     }
     const Eigen::Vector2d place = lattice.Origin + i * lattice.ColumnStep + j * lattice.RowStep;
-    this->Printer.Print(place.x());
-    this->Printer.Print('\t');
-    this->Printer.Print(place.y());
-    this->Printer.Print('\t');
+    this->Printer.Print(place.x(), '\t', place.y(), '\t');
     PrintNumber(this->Printer, this->Horizon.Z[index], "z");
     for (std::size_t n = 0; n < this->Values.size(); ++n)
     {
@@ -136,8 +130,7 @@ void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns)
   TextPrinter printer(stream);
   for (std::size_t n = 0; n < names.size(); ++n)
   {
-    printer.Print(n == 0 ? "# " : "\t");
-    printer.Print(Quoted(names[n]));
+    printer.Print(n == 0 ? "# " : "\t", Quoted(names[n]));
   }
   printer.Print("\n# - - - - - - - - - -\n");
   printer.Flush();

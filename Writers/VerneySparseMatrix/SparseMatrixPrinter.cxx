@@ -52,8 +52,7 @@ public:
   void Print(const Monitor& monitor)
   {
     const auto& [nX, nY, nZ] = this->Matrix.Size;
-    this->PrintNumbers({ nX, nY, nZ });
-    this->Out.Print('\n');
+    this->Out.PrintLine(" ", nX, nY, nZ);
     const std::int64_t columns = std::int64_t(nX) * nY;
     auto voxel = this->Voxels.cbegin();
     for (std::int64_t column = 0; column < columns; ++column)
@@ -133,28 +132,8 @@ private:
   {
     const LatticeHorizon& horizon = this->HorizonOf(reference);
     const std::size_t voxel = reference.Voxel;
-    if (!isFirst)
-    {
-      this->Out.Print(' ');
-    }
-    this->PrintNumbers({ horizon.K[voxel], horizon.SurfaceId });
-    for (const double number : { horizon.Thickness[voxel], horizon.Amplitude[voxel], horizon.RealZ[voxel] })
-    {
-      this->Out.Print(' ');
-      this->Out.Print(number);
-    }
-  }
-
-  void PrintNumbers(std::initializer_list<int> numbers)
-  {
-    for (const int* number = numbers.begin(); number != numbers.end(); ++number)
-    {
-      if (number != numbers.begin())
-      {
-        this->Out.Print(' ');
-      }
-      this->Out.Print(std::int64_t(*number));
-    }
+    this->Out.Print(isFirst ? "" : " ", horizon.K[voxel], ' ', horizon.SurfaceId);
+    this->Out.Print(' ', horizon.Thickness[voxel], ' ', horizon.Amplitude[voxel], ' ', horizon.RealZ[voxel]);
   }
 
   const SparseMatrix& Matrix;
