@@ -227,38 +227,39 @@ std::size_t FindFarthest(const PickFit& fit, const PickPlaces& picks)
 /// Throws InputError if picks are between lines, off the lattice, or so far away that it would not fit into memory.
 void CheckFit(const PickFit& fit, const PickTable& picks)
 {
-  std::ostringstream text;
-  const Eigen::Vector2d columns = fit.Range.Columns();
+  const ColumnRange& range = fit.Range;
+  const Eigen::Vector2d columns = range.Columns();
   const std::string steps = " with the steps " + ToText(fit.Lattice.ColumnStep) + " and " + ToText(fit.Lattice.RowStep);
-  const auto size = [&]() -> std::ostream&
-  {
-    text.precision(15);
-    return text << "lattice of " << columns.x() << " x " << columns.y() << " columns";
-  };
   if (!fit.BetweenLines.empty())
   {
-    text << fit.BetweenLines.size() << " of " << picks.Size() << " picks between the lines of the others, "
-         << PicksText(picks, fit.BetweenLines) << "; expected line numbers in equal steps, or StrayPicks LeaveOut";
+    throw InputError(std::to_string(fit.BetweenLines.size()) + " of " + std::to_string(picks.Size()) +
+      " picks between the lines of the others, " + PicksText(picks, fit.BetweenLines) +
+      "; expected line numbers in equal steps, or StrayPicks LeaveOut");
   }
-  else if (fit.Range.OffLattice > 0)
+  if (range.OffLattice > 0)
   {
-    text << fit.Range.OffLattice << " of " << picks.Size() << " picks off the lattice" << steps << ", the farthest, "
-         << PicksText(picks, { fit.Range.Farthest }) << ", by " << fit.Range.LargestDistance
+    std::ostringstream text;
+    text << range.OffLattice << " of " << picks.Size() << " picks off the lattice" << steps << ", the farthest, "
+         << PicksText(picks, { range.Farthest }) << ", by " << range.LargestDistance
          << " columns; expected at most LatticeTolerance, " << fit.Tolerance << ", or StrayPicks LeaveOut, or Gridding";
+    throw InputError(text.str());
   }
-  else if (!(columns.maxCoeff() <= MostColumnsPerSide))
+  if (!(columns.maxCoeff() <= MostColumnsPerSide))
   {
-    size() << steps << ", expected less than 2^28 along a side; is there a pick far away from all others?";
+    std::ostringstream text;
+    text.precision(15);
+    text << "lattice of " << columns.x() << " x " << columns.y() << " columns" << steps
+         << ", expected less than 2^28 along a side; is there a pick far away from all others?";
+    throw InputError(text.str());
   }
-  else if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks.Size())))
+  if (columns.prod() > std::max(EnoughColumns, MostColumnsPerPick * double(picks.Size())))
   {
     const std::size_t farthest = FindFarthest(fit, picks);
-    size() << " for " << picks.Size() << " picks, expected at most " << MostColumnsPerPick << " columns a pick; "
-           << PicksText(picks, { farthest }) << ", in column " << ToText(fit.Index(picks, farthest) - fit.Range.First)
-           << ", is the farthest from the others";
-  }
-  if (!text.str().empty())
-  {
+    std::ostringstream text;
+    text.precision(15);
+    text << "lattice of " << columns.x() << " x " << columns.y() << " columns for " << picks.Size()
+         << " picks, expected at most " << MostColumnsPerPick << " columns a pick; " << PicksText(picks, { farthest })
+         << ", in column " << ToText(fit.Index(picks, farthest) - range.First) << ", is the farthest from the others";
     throw InputError(text.str());
   }
 }
