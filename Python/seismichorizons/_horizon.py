@@ -1,0 +1,286 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Horizons and their lattices."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Pair = tuple[float, float]
+
+
+@dataclasses.dataclass(frozen=True)
+class Lattice:
+    """The regular grid whose columns hold the points of a horizon.
+
+    Attributes
+    ----------
+    shape : (rows, columns)
+        Its size; arrays of `Horizon.grid` have this shape.
+    origin : (x, y)
+        Place of row 0, column 0.
+    column_step, row_step : (x, y)
+        Steps to the next column and to the next row.
+    first_z, vertical_step : float
+        z of vertical index 0, and between vertical indices, in the unit of z. The step is the unit of noise and thresholds.
+    indices : int
+        Number of vertical indices.
+    lines : (first inline, inline step, first crossline, crossline step) or None
+        Inlines are rows, crosslines columns.
+    """
+
+    shape: tuple[int, int]
+    origin: Pair = (0.0, 0.0)
+    column_step: Pair = (1.0, 0.0)
+    row_step: Pair = (0.0, 1.0)
+    first_z: float = 0.0
+    vertical_step: float = 1.0
+    indices: int = 1
+    lines: tuple[float, float, float, float] | None = None
+
+    @property
+    def spacing(self) -> Pair:
+        """Lengths of the steps to the next column and to the next row."""
+        return math.hypot(*self.column_step), math.hypot(*self.row_step)
+
+    @property
+    def azimuth(self) -> float:
+        """Direction of increasing column number, in degrees clockwise from north."""
+        return math.degrees(math.atan2(*self.column_step)) % 360.0
+
+    def places(self, columns: Any, rows: Any) -> tuple[Any, Any]:
+        """x and y of columns and rows, which may be fractions."""
+        (ax, ay), (bx, by), (x, y) = self.column_step, self.row_step, self.origin
+        return ax * columns + bx * rows + x, ay * columns + by * rows + y
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Horizon:
+    """Heights at columns of a lattice, at most one for each, as `horizon` and `read` make them.
+
+    Attributes
+    ----------
+    name : str
+    columns : int32 array of shape (n, 2)
+        Column and row of each point, by rows.
+    z : float64 array of n
+        Time, depth or elevation, in `vertical_unit`; it increases in `direction`.
+    lattice : Lattice
+    attributes : dict of arrays of n
+        Other values of points; `horizon["name"]` gives one as well.
+    direction : "down" or "up"
+    vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
+        Empty where unknown.
+    filled : uint8 array of n
+        1 where z was computed between known points, 2 outside of them, 0 where it was given.
+    taken : tuple of str
+        How the input was understood, in lines.
+    left_out : dict
+        Numbers of points that were left out of the input, by reason.
+    """
+
+    name: str
+    columns: NDArray[np.int32]
+    z: Floats
+    lattice: Lattice
+    attributes: dict[str, NDArray[Any]] = dataclasses.field(default_factory=dict)
+    direction: str = "down"
+    vertical_unit: str = ""
+    vertical_domain: str = ""
+    horizontal_unit: str = ""
+    coordinate_system: str = ""
+    filled: NDArray[np.uint8] = None  # type: ignore[assignment]
+    taken: tuple[str, ...] = ()
+    left_out: dict[str, int] = dataclasses.field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.filled is None:
+            self.filled = np.zeros(len(self.z), np.uint8)
+
+    def __len__(self) -> int:
+        return len(self.z)
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        if name not in self.attributes:
+            raise KeyError("no attribute %s, expected one of %s" % (name, ", ".join(self.attributes) or "none"))
+        return self.attributes[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.attributes)
+
+    def __repr__(self) -> str:
+        rows, columns = self.lattice.shape
+        unit = " " + self.vertical_unit if self.vertical_unit else ""
+        what = self.vertical_domain or ("elevation" if self.direction == "up" else "z down")
+        step = "%.6g x %.6g%s" % (*self.lattice.spacing, " " + self.horizontal_unit if self.horizontal_unit else "")
+        return "Horizon %s: %d columns x %d rows, %s apart, {:,} of {:,} known, %s %.6g to %.6g%s%s".format(
+            int((self.filled == 0).sum()), rows * columns) % (
+                self.name, columns, rows, step, what, self.z.min(), self.z.max(), unit,
+                "; attributes " + ", ".join(self.attributes) if self.attributes else "")
+
+    # ---- Places -----------------------------------------------------------------------------------------------------
+    @property
+    def x(self) -> Floats:
+        return self.lattice.places(*self.columns.T)[0]
+
+    @property
+    def y(self) -> Floats:
+        return self.lattice.places(*self.columns.T)[1]
+
+    @property
+    def inlines(self) -> Floats:
+        """Inline of each point. Raises ValueError without line numbers."""
+        first, step = self._lines()[:2]
+        return first + step * self.columns[:, 1]
+
+    @property
+    def crosslines(self) -> Floats:
+        """Crossline of each point. Raises ValueError without line numbers."""
+        first, step = self._lines()[2:]
+        return first + step * self.columns[:, 0]
+
+    def _lines(self) -> tuple[float, float, float, float]:
+        if self.lattice.lines is None:
+            raise ValueError("%s has no line numbers" % self.name)
+        return self.lattice.lines
+
+    @property
+    def sign(self) -> int:
+        """1 if z increases upwards, otherwise -1."""
+        return 1 if self.direction == "up" else -1
+
+    def grid(self, name: str | None = None) -> NDArray[Any]:
+        """Values on the whole lattice.
+
+        Parameters
+        ----------
+        name : str, optional
+            An attribute; z by default.
+
+        Returns
+        -------
+        array of shape (rows, columns)
+            nan where the horizon has no point.
+        """
+        values = self.z if name is None else self[name]
+        grid = np.full(self.lattice.shape, np.nan)
+        grid[self.columns[:, 1], self.columns[:, 0]] = values
+        return grid
+
+    # ---- For the core -----------------------------------------------------------------------------------------------
+    def _core(self) -> tuple[Any, ...]:
+        (ax, ay), (bx, by), (x, y) = self.lattice.column_step, self.lattice.row_step, self.lattice.origin
+        rows, columns = self.lattice.shape
+        to_world = (ax, bx, 0.0, x, ay, by, 0.0, y, 0.0, 0.0, self.sign * self.lattice.vertical_step,
+                    self.sign * self.lattice.first_z, 0.0, 0.0, 0.0, 1.0)
+        return (np.ascontiguousarray(self.columns, np.int32), np.ascontiguousarray(self.sign * self.z, np.float64),
+                (columns, rows, self.lattice.indices), to_world)
+
+    # ---- Objects of other packages ----------------------------------------------------------------------------------
+    def to_dataframe(self) -> Any:
+        """A pandas DataFrame with X, Y, Z, line numbers where known, and attributes."""
+        import pandas
+
+        lines = {} if self.lattice.lines is None else {"Inline": self.inlines, "Crossline": self.crosslines}
+        return pandas.DataFrame({"X": self.x, "Y": self.y, "Z": self.z, **lines, **self.attributes})
+
+    def to_xarray(self) -> Any:
+        """An xarray Dataset with z and attributes on the lattice; x and y are coordinates of dimensions where these are along
+        the axes, otherwise of both."""
+        import xarray
+
+        rows, columns = self.lattice.shape
+        is_along = self.lattice.column_step[1] == 0.0 and self.lattice.row_step[0] == 0.0
+        if is_along:
+            dims: tuple[str, ...] = ("y", "x")
+            coords: dict[str, Any] = {"x": self.lattice.places(np.arange(columns), 0)[0],
+                                      "y": self.lattice.places(0, np.arange(rows))[1]}
+        else:
+            x, y = self.lattice.places(np.arange(columns)[None], np.arange(rows)[:, None])
+            dims, coords = ("row", "column"), {"x": (("row", "column"), x), "y": (("row", "column"), y)}
+        arrays = {"z": self.grid(), **{name: self.grid(name) for name in self.attributes}}
+        made = xarray.Dataset({name: (dims, values) for name, values in arrays.items()}, coords)
+        made["z"].attrs.update({key: value for key, value in (
+            ("units", self.vertical_unit), ("long_name", self.vertical_domain), ("positive", self.direction)) if value})
+        return made
+
+    def to_xtgeo(self) -> Any:
+        """An xtgeo RegularSurface. Raises ValueError if the steps are not at right angles."""
+        import xtgeo
+
+        (ax, ay), (bx, by) = self.lattice.column_step, self.lattice.row_step
+        dx, dy = self.lattice.spacing
+        if abs(ax * bx + ay * by) > 1e-6 * dx * dy:
+            raise ValueError("%s: steps (%g, %g) and (%g, %g), expected right angles for xtgeo" % (self.name, ax, ay, bx, by))
+        rows, columns = self.lattice.shape
+        return xtgeo.RegularSurface(
+            ncol=columns, nrow=rows, xinc=dx, yinc=dy, xori=self.lattice.origin[0], yori=self.lattice.origin[1],
+            rotation=math.degrees(math.atan2(ay, ax)) % 360.0, yflip=1 if ax * by - ay * bx > 0.0 else -1,
+            values=np.ma.masked_invalid(self.grid().T), name=self.name)
+
+    def to_vtk(self) -> Any:
+        """A vtkPolyData of points; z of the world is upwards."""
+        return _poly_data(np.column_stack((self.x, self.y, self.sign * self.z)), self.attributes, None)
+
+    def to_pyvista(self) -> Any:
+        """A pyvista.PolyData of points; z of the world is upwards."""
+        import pyvista
+
+        return pyvista.wrap(self.to_vtk())
+
+    def plot(self, name: str | None = None, axes: Any = None, **keywords: Any) -> Any:
+        """Draws a map with matplotlib.
+
+        Parameters
+        ----------
+        name : str, optional
+            An attribute; z by default.
+        axes : matplotlib.axes.Axes, optional
+            Where to draw; a new figure by default.
+        **keywords
+            For `pcolormesh`.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        import matplotlib.pyplot
+
+        axes = matplotlib.pyplot.subplots()[1] if axes is None else axes
+        rows, columns = self.lattice.shape
+        x, y = self.lattice.places(np.arange(columns + 1)[None] - 0.5, np.arange(rows + 1)[:, None] - 0.5)
+        colours = {"cmap": "viridis_r" if name is None and self.direction == "down" else "viridis"}
+        drawn = axes.pcolormesh(x, y, self.grid(name), **{**colours, **keywords})
+        label = name or " ".join(filter(None, (self.vertical_domain or "z", "(%s)" % self.vertical_unit if self.vertical_unit else "")))
+        axes.figure.colorbar(drawn, ax=axes, label=label)
+        axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
+        return axes
+
+
+def _poly_data(points: Floats, arrays: Mapping[str, NDArray[Any]], triangles: NDArray[Any] | None) -> Any:
+    try:
+        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+        from vtkmodules.vtkCommonCore import vtkPoints
+        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+    except ImportError:
+        raise ImportError("no module vtkmodules, expected VTK: pip install vtk, or pyvista") from None
+    data, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    data.SetPoints(places)
+    corners = np.arange(len(points)) if triangles is None else triangles.ravel()
+    size = 1 if triangles is None else 3
+    cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, len(corners) + 1, size, dtype=np.int64), deep=True),
+                  numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=True))
+    (data.SetVerts if triangles is None else data.SetPolys)(cells)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    return data

@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Triangle meshes of horizons, and the account of their columns."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._horizon import Floats, Lattice, _poly_data
+
+
+@dataclasses.dataclass(frozen=True)
+class Ledger:
+    """Accounts for the columns of a mesh: each column is in one entry.
+
+    Attributes
+    ----------
+    known : int
+        Columns with a given z, under the mesh.
+    filled, bridged, extrapolated : int
+        Columns under the mesh whose z was computed: before meshing between known columns, by triangles alone, or outside.
+    left_out : int
+        Columns with a given z that the mesh does not cover.
+    column_area : float
+        Area of a column.
+    """
+
+    known: int = 0
+    filled: int = 0
+    bridged: int = 0
+    extrapolated: int = 0
+    left_out: int = 0
+    column_area: float = 1.0
+
+    @property
+    def covered(self) -> int:
+        """Columns under the mesh."""
+        return self.known + self.filled + self.bridged + self.extrapolated
+
+    def __repr__(self) -> str:
+        shares = ("%.3g %% %s" % (100.0 * number / max(1, self.covered), name) for name, number in (
+            ("filled", self.filled), ("bridged", self.bridged), ("extrapolated", self.extrapolated), ("left out", self.left_out)) if number)
+        return "{:,} columns covered".format(self.covered) + "".join(", " + share for share in shares)
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Mesh:
+    """A triangle mesh of a horizon, as `surface` makes it.
+
+    Attributes
+    ----------
+    name : str
+    points : float64 array of shape (n, 3)
+        x, y and z of the world, z upwards.
+    triangles : int32 array of shape (m, 3)
+        Points of each triangle, counter-clockwise seen from above.
+    attributes : dict of arrays of n
+        Attributes of the horizon: the mean over the points that a vertex represents, or the nearest for whole numbers;
+        `mesh["name"]` gives one as well.
+    errors : float64 array of m
+        The largest vertical distance of a point of the horizon from each triangle, in the unit of z.
+    quality : float32 array of m
+        Shape of each triangle in plan, from 0 to 1 for equal edges.
+    outlines : list of int32 arrays
+        Points of each closed outline, those of holes included; the surface is to the right.
+    patches : int32 array of n
+        Number of the connected patch of each point.
+    counts : int64 array of n
+        Points of the horizon that a vertex represents.
+    columns : int32 array of shape (n, 2)
+        Column and row of the lattice of each point.
+    largest_error, mean_error : float
+        Vertical distances of points of the horizon from the mesh, in the unit of z; the largest includes points on outlines.
+    details : dict
+        Other figures: chosen parameters, moves of outlines, the smallest angle in degrees.
+    ledger : Ledger
+    lattice, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system
+        Those of the horizon.
+    """
+
+    name: str
+    points: Floats
+    triangles: NDArray[np.int32]
+    attributes: dict[str, NDArray[Any]]
+    errors: Floats
+    quality: NDArray[np.float32]
+    outlines: list[NDArray[np.int32]]
+    patches: NDArray[np.int32]
+    counts: NDArray[np.int64]
+    columns: NDArray[np.int32]
+    largest_error: float
+    mean_error: float
+    details: dict[str, Any]
+    ledger: Ledger
+    lattice: Lattice
+    direction: str = "down"
+    vertical_unit: str = ""
+    vertical_domain: str = ""
+    horizontal_unit: str = ""
+    coordinate_system: str = ""
+
+    def __len__(self) -> int:
+        return len(self.triangles)
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        if name not in self.attributes:
+            raise KeyError("no attribute %s, expected one of %s" % (name, ", ".join(self.attributes) or "none"))
+        return self.attributes[name]
+
+    def __repr__(self) -> str:
+        unit = " " + self.vertical_unit if self.vertical_unit else ""
+        return "Mesh %s: {:,} points, {:,} triangles, largest error %.4g%s, mean %.4g%s; %r".format(
+            len(self.points), len(self.triangles)) % (self.name, self.largest_error, unit, self.mean_error, unit, self.ledger)
+
+    @property
+    def z(self) -> Floats:
+        """z of each point as in the horizon, in its direction."""
+        return self.points[:, 2] if self.direction == "up" else -self.points[:, 2]
+
+    def to_vtk(self) -> Any:
+        """A vtkPolyData of triangles; z of the world is upwards."""
+        return _poly_data(self.points, self.attributes, self.triangles)
+
+    def to_pyvista(self) -> Any:
+        """A pyvista.PolyData of triangles; z of the world is upwards."""
+        import pyvista
+
+        return pyvista.wrap(self.to_vtk())
+
+    def to_trimesh(self) -> Any:
+        """A trimesh.Trimesh; z of the world is upwards."""
+        import trimesh
+
+        return trimesh.Trimesh(self.points, self.triangles, process=False)
+
+    def plot(self, axes: Any = None, **keywords: Any) -> Any:
+        """Draws the triangles on a map with matplotlib, coloured by z; returns the axes. Keywords are for `tripcolor`."""
+        import matplotlib.pyplot
+
+        axes = matplotlib.pyplot.subplots()[1] if axes is None else axes
+        colours = {"cmap": "viridis_r" if self.direction == "down" else "viridis", "edgecolors": "k", "linewidth": 0.2}
+        drawn = axes.tripcolor(self.points[:, 0], self.points[:, 1], self.triangles,
+                               facecolors=self.z[self.triangles].mean(axis=1), **{**colours, **keywords})
+        axes.figure.colorbar(drawn, ax=axes, label=" ".join(filter(None, (
+            self.vertical_domain or "z", "(%s)" % self.vertical_unit if self.vertical_unit else ""))))
+        axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
+        return axes

@@ -1,0 +1,247 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Stages: functions from horizons to horizons and meshes."""
+
+from __future__ import annotations
+
+import dataclasses
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._horizon import Horizon
+from ._mesh import Ledger, Mesh
+from ._units import height
+
+Progress = Callable[[float], Any]
+
+
+def _require(horizon: Any, stage: str) -> None:
+    if not isinstance(horizon, Horizon):
+        raise TypeError("%s of %s, expected a Horizon: horizon(data) makes one, read(path) reads some" % (
+            stage, type(horizon).__name__))
+    if not len(horizon):
+        raise ValueError("%s without points, expected some" % horizon.name)
+
+
+def _split(horizon: Horizon) -> tuple[list[str], list[Any]]:
+    """Names and values of the attributes that are numbers with fractions, which are averaged."""
+    names = [name for name, values in horizon.attributes.items() if values.dtype.kind == "f"]
+    return names, [np.ascontiguousarray(horizon.attributes[name], np.float64) for name in names]
+
+
+def _count(name: str, number: Any) -> int:
+    if int(number) != number or number < 1:
+        raise ValueError("%s %s, expected a whole number, at least 1" % (name, number))
+    return int(number)
+
+
+@overload
+def surface(horizon: Horizon, largest_error: float | str | None = ..., **options: Any) -> Mesh: ...
+@overload
+def surface(horizon: Mapping[str, Horizon], largest_error: float | str | None = ..., **options: Any) -> dict[str, Mesh]: ...
+
+
+def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,
+            smallest_angle: float = 2.0, effort: str = "best", fit_heights: bool = True, radius: int | None = None,
+            hole_boundaries: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
+            outline_tolerance: float | None = None, faulted_links: NDArray[np.int32] | None = None,
+            progress: Progress | None = None) -> Any:
+    """Makes a mesh of few triangles within an error.
+
+    Parameters
+    ----------
+    horizon : Horizon, or dict of horizons
+    largest_error : float or str, optional
+        The largest vertical distance of a point of the horizon from the mesh: in the unit of z, or with a unit, as "2 ms".
+        By default six times the noise of the heights.
+    triangles : int, optional
+        The largest number of triangles, in place of an error.
+    smallest_angle : float
+        No change makes a smaller angle in plan, in degrees, from 0 to 60.
+    effort : "best" or "fast"
+        "fast" takes about a third of the time, for some more triangles.
+    fit_heights : bool
+        Lets inner points leave the heights of their columns, which needs fewer of them.
+    radius : int, optional
+        The largest gap between neighbouring points of a patch, in columns; by default the least for nearly all gaps.
+    hole_boundaries : bool
+        Keeps holes open.
+    smallest_hole_size : int, optional
+        Smaller holes, in columns, are closed.
+    minimum_patch_size : int
+        Patches of fewer points are left out.
+    outline_tolerance : float, optional
+        The largest move of outlines on the map, in columns; at most 0.75 by default.
+    faulted_links : int array of shape (n, 3), optional
+        Column, row and side (0 east, 1 north) of the links between neighbours where the surface is cut open.
+    progress : callable, optional
+        Gets the fraction that is done; what it raises stops the work.
+
+    Returns
+    -------
+    Mesh, or dict of meshes
+
+    Raises
+    ------
+    ValueError
+        For options out of range, and if outlines alone need more triangles.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> x, y = np.meshgrid(np.arange(60), np.arange(40))
+    >>> top = sh.horizon(1500 + 20 * np.sin(x / 12) * np.cos(y / 9), spacing=(25, 25), vertical_unit="ms")
+    >>> mesh = sh.surface(top, "1 ms")
+    >>> mesh.largest_error <= 1.0, len(mesh) < 500
+    (True, True)
+    """
+    if isinstance(horizon, Mapping):
+        given = dict(triangles=triangles, smallest_angle=smallest_angle, effort=effort, fit_heights=fit_heights, radius=radius,
+                     hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
+                     outline_tolerance=outline_tolerance, faulted_links=faulted_links, progress=progress)
+        return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
+    _require(horizon, "a surface")
+    if largest_error is not None and triangles is not None:
+        raise ValueError("largest_error and triangles, expected one of them")
+    if effort not in ("best", "fast"):
+        raise ValueError("effort '%s', expected best or fast" % effort)
+    step = horizon.lattice.vertical_step
+    options: dict[str, Any] = {
+        "smallest_angle": float(smallest_angle), "fast": effort == "fast", "fit_heights": fit_heights,
+        "hole_boundaries": hole_boundaries, "minimum_patch_size": _count("minimum_patch_size", minimum_patch_size)}
+    for name, number in (("radius", radius), ("smallest_hole_size", smallest_hole_size)):
+        if number is not None:
+            options[name] = _count(name, number)
+    if outline_tolerance is not None:
+        options["outline_tolerance"] = float(outline_tolerance)
+    noise = {}
+    core = horizon._core()
+    if triangles is not None:
+        options.update(maximum_number_of_triangles=_count("triangles", triangles), maximum_error=0.0)
+    elif largest_error is not None:
+        options["maximum_error"] = height("largest_error", largest_error, horizon.vertical_unit) / step
+    else:
+        options["maximum_error"], deviation, is_rounding = _core.noise(*core)
+        noise = {"height_rounding" if is_rounding else "height_noise": deviation * step}
+    names, values = _split(horizon)
+    links = None if faulted_links is None else np.ascontiguousarray(faulted_links, np.int32)
+    made = _core.surface(*core, horizon.filled, values, links, options, progress)
+    figures = made["figures"]
+    for name in ("largest_error", "mean_error", "largest_loop_error", "chosen_maximum_error"):
+        figures[name] *= step
+    figures["largest_inner_error"] = figures["largest_error"]  # without points on outlines
+    figures["largest_error"] = max(figures["largest_error"], figures["largest_loop_error"])
+    attributes = dict(zip(names, made["averages"]))
+    sources = made["sources"]
+    ledger = Ledger(*made["ledger"], abs(np.linalg.det((horizon.lattice.column_step, horizon.lattice.row_step))))
+    mesh = Mesh(
+        name=horizon.name, points=made["vertices"], triangles=made["triangles"],
+        attributes={name: attributes[name].astype(given.dtype) if name in attributes else given[sources]
+                    for name, given in horizon.attributes.items()},
+        errors=made["errors"] * step, quality=made["quality"], outlines=made["outlines"], patches=made["patches"],
+        counts=made["counts"], columns=made["columns"], largest_error=figures.pop("largest_error"),
+        mean_error=figures.pop("mean_error"), details={**figures, **noise}, ledger=ledger,
+        **{name: getattr(horizon, name) for name in (
+            "lattice", "direction", "vertical_unit", "vertical_domain", "horizontal_unit", "coordinate_system")})
+    if ledger.left_out > 0.001 * max(1, ledger.covered):
+        warnings.warn("%s: %s" % (horizon.name, ledger), stacklevel=2)
+    return mesh
+
+
+def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str = "automatic", rim_smoothing: float = 1.0,
+               rim_width: int = 3, extrapolation_distance: int = 0, faulted_links: NDArray[np.int32] | None = None,
+               progress: Progress | None = None) -> Horizon:
+    """Computes heights in holes.
+
+    Parameters
+    ----------
+    horizon : Horizon
+    largest_hole_size : int
+        Holes of more columns stay open.
+    method : "automatic", "plate" or "membrane"
+        A plate continues slopes, a membrane does not; "automatic" is a plate whose smoothing suits the noise.
+    rim_smoothing : float
+        How far a plate leaves the heights around a hole; 0 keeps them. "automatic" chooses it.
+    rim_width : int
+        Columns around a hole that a plate takes into account.
+    extrapolation_distance : int
+        Columns outside are computed within this number of steps.
+    faulted_links : int array of shape (n, 3), optional
+        Column, row and side of the links that nothing is filled across.
+    progress : callable, optional
+
+    Returns
+    -------
+    Horizon
+        With the new points at the end; `filled` marks them. Numbers with fractions are interpolated, others are those of
+        the nearest point.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> z = np.full((20, 30), 1000.0)
+    >>> z[8:11, 10:14] = np.nan
+    >>> int(sh.fill_holes(sh.horizon(z)).filled.sum())
+    12
+    """
+    _require(horizon, "filling")
+    if method not in ("automatic", "plate", "membrane"):
+        raise ValueError("method '%s', expected automatic, plate or membrane" % method)
+    names, values = _split(horizon)
+    options = {"method": method, "largest_hole_size": _count("largest_hole_size", largest_hole_size), "rim_smoothing": float(rim_smoothing),
+               "rim_width": int(rim_width), "extrapolation_distance": int(extrapolation_distance)}
+    links = None if faulted_links is None else np.ascontiguousarray(faulted_links, np.int32)
+    made = _core.fill_holes(*horizon._core(), values, links, options, progress)
+    new = dict(zip(names, made["attributes"]))
+    nearest, marks = made["nearest"], np.ones(len(made["nearest"]), np.uint8)
+    marks[made["first_outside"]:] = 2
+    return dataclasses.replace(
+        horizon, columns=np.concatenate((horizon.columns, made["columns"])), z=np.concatenate((horizon.z, horizon.sign * made["elevations"])),
+        attributes={name: np.concatenate((given, new[name].astype(given.dtype) if name in new else given[nearest]))
+                    for name, given in horizon.attributes.items()},
+        filled=np.concatenate((horizon.filled, marks)))
+
+
+def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: int = 2, spur_width: int = 0,
+            progress: Progress | None = None) -> Horizon:
+    """Leaves out points far from the median around them.
+
+    Parameters
+    ----------
+    horizon : Horizon
+    threshold : float or str, optional
+        The least distance of a spike, in the unit of z or with a unit; by default four times the noise.
+    radius : int
+        Points within this number of columns are around a point.
+    spur_width : int
+        Spurs of at most this width, in columns, are left out, too; 0 keeps them.
+    progress : callable, optional
+
+    Returns
+    -------
+    Horizon
+        `left_out` has the numbers of spikes and of points on spurs.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> z = np.full((20, 30), 1000.0)
+    >>> z[5, 5] = 1100.0
+    >>> sh.despike(sh.horizon(z), 10.0).left_out["spikes"]
+    1
+    """
+    _require(horizon, "despiking")
+    least = 0.0 if threshold is None else height("threshold", threshold, horizon.vertical_unit) / horizon.lattice.vertical_step
+    kinds, _ = _core.despike(*horizon._core(), least, int(radius), int(spur_width), progress)
+    kept = kinds == 0
+    if not kept.any():
+        raise ValueError("%s: all points are spikes or on spurs, expected some that stay" % horizon.name)
+    return dataclasses.replace(
+        horizon, columns=horizon.columns[kept], z=horizon.z[kept], filled=horizon.filled[kept],
+        attributes={name: values[kept] for name, values in horizon.attributes.items()},
+        left_out={**horizon.left_out, "spikes": int((kinds == 1).sum()), "points on spurs": int((kinds == 2).sum())})

@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package for numpy: installed by pip into a fresh environment with nothing else, and tried there.
+
+Arguments: the folder of the project, one for files, and that of the Python package of this build, with whose meshes those of
+the package are compared. Skipped where pip cannot reach its index.
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+import venv
+
+PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+ENVIRONMENT = {**{name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
+               "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
+
+
+def run(*words, env=ENVIRONMENT):
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, env=env)
+    if done.returncode:
+        sys.exit("%s: exit code %d\n%s%s" % (" ".join(map(str, words)), done.returncode, done.stdout, done.stderr))
+
+
+def skip(reason):
+    print("SKIPPED: THE PACKAGE FOR NUMPY IS NOT TESTED. %s" % reason)
+    sys.exit(77)
+
+
+shutil.rmtree(FOLDER, ignore_errors=True)
+try:
+    venv.create(FOLDER / "use", with_pip=True)
+except subprocess.CalledProcessError:
+    skip("This Python has no ensurepip (package python3-venv).")
+python = FOLDER / "use/bin/python"
+words = [python, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", FOLDER / "found", "nanobind"]
+if subprocess.run(words, capture_output=True, env=ENVIRONMENT).returncode:
+    skip("pip does not find nanobind.")
+start = time.monotonic()
+run(python, "-m", "pip", "install", "--quiet", PROJECT / "Python")
+print("built and installed in %.0f s" % (time.monotonic() - start))
+run(sys.executable, PROJECT / "Testing/Wheel/core_peer.py", FOLDER / "peer", env={**ENVIRONMENT, "PYTHONPATH": str(CLASSES)})
+run(python, PROJECT / "Testing/Wheel/core_test.py", PROJECT / "Data", FOLDER / "files", FOLDER / "peer")
+shutil.rmtree(FOLDER / "use")
