@@ -127,6 +127,14 @@ class Expander:
                 made.append(child)
         self.proxy[:] = made + groups
 
+    def add_unnamed(self, reached):
+        """Puts properties that the file does not name behind the others. `reached` are commands of base properties."""
+        own = [child for child in self.proxy if child.tag.endswith("Property")]
+        reached = reached | {child.get("command") for child in own}
+        names = [method[3:] for method in self.facts.methods if method.startswith("Set") and method not in reached]
+        end = list(self.proxy).index(own[-1]) + 1 if own else 0
+        self.proxy[end:end] = [element for name in names for element in self.make(ElementTree.Element("Property", name=name))]
+
     def make_grouped(self, entry, group):
         """The elements of a property that a group names; the group then has its name alone."""
         named = {child.get("name") for child in self.proxy if child.tag.endswith("Property")}

@@ -136,13 +136,12 @@ class Texts:
             self.files[path.name] = document
             for kind in ("SourceProxy", "WriterProxy"):
                 for element in document.iter(kind):
-                    Expander(element, self.facts(element.get("class") or "vtk" + element.get("name"))).expand()
+                    expander = Expander(element, self.facts(element.get("class") or "vtk" + element.get("name")))
+                    expander.expand()
+                    if element.get("class"):
+                        base = self.proxies.get(element.get("base_proxyname"))
+                        expander.add_unnamed({prop.get("command") for prop in base.properties} if base else set())
                     self.proxies[element.get("name")] = Proxy(element, self.proxies, path.stem)
-        for proxy in self.proxies.values():
-            reached = {prop.get("command") for prop in proxy.properties}
-            left = [name for name in self.facts(proxy.class_name).methods if name.startswith("Set") and name not in reached]
-            if left and not proxy.is_base:
-                sys.exit("%s: no property for %s of %s" % (proxy.name, ", ".join(left), proxy.class_name))
         self.of_class = {proxy.class_name: proxy for proxy in self.proxies.values() if not proxy.is_base}
 
     def lineage(self, class_name):
