@@ -158,10 +158,16 @@ class TextsTest(unittest.TestCase):
         for name, other, message in (
                 ('"RowWidth" max', '"RowWidths" max', "One: RowWidths is no property of its class"),
                 ("On=on", "On=yes", "One: On=yes, expected a choice or a switch of the class"),
-                ("ByRow: By", "ByRows: By", "One: Kind has no choices ByRows"),
-                ('<Property name="On" panel_visibility="advanced"/>', "", "One: no property for SetOn of vtkOne")):
+                ("ByRow: By", "ByRows: By", "One: Kind has no choices ByRows")):
             self.write("ParaViewPlugin/Both.xml", XML.replace(name, other))
             self.assertIn(message, self.run_program("panel", FOLDER / "made").stderr)
+
+    def test_a_property_without_a_name_comes_last(self):
+        self.write("ParaViewPlugin/Both.xml", XML.replace('<Property name="On" panel_visibility="advanced"/>', ""))
+        self.panel()
+        one = next(ElementTree.parse(FOLDER / "made" / "Both.xml").iter("SourceProxy"))
+        self.assertEqual([child.get("name") for child in one if child.tag.endswith("Property")],
+                         ["Input", "RowWidth", "Kind", "Count", "On"])
 
     def test_the_brief_is_the_short_help(self):
         self.panel()
