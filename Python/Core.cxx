@@ -28,6 +28,7 @@
 #include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 #include "Readers/HorizonGrid/GridReader.h"
 #include "Readers/HorizonText/HorizonTextParser.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixFile.h"
 #include "Writers/GOCADTSurf/TSurfPrinter.h"
 #include "Writers/HorizonDXF/DXFPrinter.h"
 #include "Writers/HorizonGrid/GridWriters.h"
@@ -47,6 +48,7 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -292,16 +294,17 @@ nb::tuple GiveHorizons(SurveyHorizons survey, const std::vector<std::string>& na
 }
 
 // ---- Points of others -----------------------------------------------------------------------------------------------
+const std::map<std::string, DuplicatePolicy> Policies = { { "strongest", DuplicatePolicy::StrongestAmplitude },
+  { "topmost", DuplicatePolicy::Topmost }, { "lowest", DuplicatePolicy::Lowest }, { "mean", DuplicatePolicy::Mean },
+  { "sheets", DuplicatePolicy::Sheets } };
+
 PlacementOptions MakePlacement(const nb::dict& given, bool isUp)
 {
-  static const std::map<std::string, DuplicatePolicy> policies = { { "strongest", DuplicatePolicy::StrongestAmplitude },
-    { "topmost", DuplicatePolicy::Topmost }, { "lowest", DuplicatePolicy::Lowest }, { "mean", DuplicatePolicy::Mean },
-    { "sheets", DuplicatePolicy::Sheets } };
   PlacementOptions options;
   options.Direction = isUp ? VerticalDirection::Up : VerticalDirection::Down;
   options.Tolerance = nb::cast<double>(given["tolerance"]);
   options.LeaveOutStrays = nb::cast<bool>(given["leave_out_strays"]);
-  options.Policy = policies.at(nb::cast<std::string>(given["duplicates"]));
+  options.Policy = Policies.at(nb::cast<std::string>(given["duplicates"]));
   if (given.contains("origin"))
   {
     const auto vector = [&](const char* name)
@@ -403,9 +406,59 @@ nb::tuple ReadText(const std::string& path, const std::string& columns, const st
   return nb::make_tuple(format, GiveHorizons(std::move(placed), names, framing));
 }
 
+/// z is real z, or the vertical index in files without it.
+nb::tuple ReadSparse(const std::string& path, const std::string& duplicates, const std::string& direction,
+  const std::array<std::string, 4>& survey, const nb::object& progress)
+{
+  SparseMatrixOptions options;
+  options.Policy = Policies.at(duplicates);
+  LatticeFrame frame;
+  std::vector<int> ids;
+  SparseMatrix matrix;
+  Run(progress,
+    [&](const Monitor& monitor)
+    {
+      const std::unique_ptr<SparseMatrixFile> file = MakeSparseMatrixFile(false);
+      file->List(path, options, monitor.Step(0.0, 0.8));
+      std::vector<int> places;
+      for (const ListedHorizon& horizon : file->Horizons())
+      {
+        places.push_back(int(places.size()));
+        ids.push_back(horizon.SurfaceId);
+      }
+      matrix = file->Take(places, monitor.Step(0.8, 1.0));
+      const auto [columns, rows, indices] = file->Size();
+      const SparseMatrixVerticalFit& fit = file->VerticalFit();
+      frame.Lattice.Columns = { columns, rows };
+      frame.UseRealZ = fit.Step != 0.0;
+      frame.Sampling = { frame.UseRealZ ? fit.Offset : 0.0, frame.UseRealZ ? fit.Step : 1.0, indices };
+    });
+  frame.Direction = direction == "up" ? VerticalDirection::Up : VerticalDirection::Down;
+  OverrideSurvey(frame.Survey, survey[0].c_str(), survey[1].c_str(), survey[2].c_str(), survey[3].c_str());
+  nb::list horizons;
+  for (std::size_t number = 0; number < ids.size(); ++number)
+  {
+    LatticeHorizon& voxels = matrix.Horizons[number];
+    if (!frame.UseRealZ)
+    {
+      std::copy(voxels.K.begin(), voxels.K.end(), voxels.RealZ.begin());
+    }
+    voxels.Attributes.emplace_back("Thickness", std::move(voxels.Thickness));
+    voxels.Attributes.emplace_back("Amplitude", std::move(voxels.Amplitude));
+    nb::dict given = GiveHorizon(voxels, frame);
+    given["name"] = "Horizon " + std::to_string(ids[number]);
+    horizons.append(given);
+  }
+  const std::string description = std::to_string(frame.Lattice.Columns[0]) + " x " +
+    std::to_string(frame.Lattice.Columns[1]) + " columns, places are their numbers\nz is " +
+    (frame.UseRealZ ? "real z of the file" : "the vertical index") + ", and increases " +
+    (frame.Direction == VerticalDirection::Up ? "upwards" : "downwards");
+  return nb::make_tuple("sparse voxels", nb::make_tuple(horizons, description, std::vector<std::string>()));
+}
+
 std::string FindFormat(const std::string& path)
 {
-  return IsRecognised(path.c_str(), IsGrid) ? "grid"
+  return ExtensionOf(path) == "vsm" ? "sparse" : IsRecognised(path.c_str(), IsGrid) ? "grid"
     : IsRecognised(path.c_str(), [&path](std::istream& stream) { return ArePicks(stream, ExtensionOf(path)); })
     ? "text"
     : "";
@@ -745,6 +798,7 @@ NB_MODULE(_core, module)
     [](const std::vector<std::string>& names, const std::string& remedy) { return ChooseZ(names, remedy.c_str()); });
   module.def("read_grid", &ReadGrid, "path"_a, "nulls"_a, "vertical_step"_a, "direction"_a, "survey"_a,
     "progress"_a.none());
+  module.def("read_sparse", &ReadSparse, "path"_a, "duplicates"_a, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_text", &ReadText, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "options"_a, "vertical_step"_a,
     "direction"_a, "survey"_a, "progress"_a.none());
   module.def("place_points", &PlacePoints, "arrays"_a, "attributes"_a, "names"_a, "options"_a, "vertical_step"_a,

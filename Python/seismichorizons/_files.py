@@ -44,7 +44,7 @@ def read(path: str | os.PathLike[str], horizons_of: str | Sequence[str] | None =
     Parameters
     ----------
     path : str or path
-        Picks of Petrel, OpendTect, Kingdom, Charisma, IESX and plain tables; grids of IRAP (text and binary), ZMAP, CPS-3,
+        Sparse voxels (.vsm); picks of Petrel, OpendTect, Kingdom, Charisma, IESX and plain tables; grids of IRAP (text and binary), ZMAP, CPS-3,
         EarthVision, Surfer, GXF, ESRI and Storm; also compressed with gzip.
     horizons_of : str or list of str, optional
         Names of the horizons to return; all by default.
@@ -86,14 +86,18 @@ def read(path: str | os.PathLike[str], horizons_of: str | Sequence[str] | None =
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     nulls = nodata if isinstance(nodata, str) else " ".join(map(repr, map(float, np.ravel([] if nodata is None else nodata))))
     with _of_file(path):
-        if _core.find_format(name) == "grid":
+        kind = _core.find_format(name)
+        if kind == "sparse":
+            if vertical_step is not None:
+                raise ValueError("vertical_step for sparse voxels, which have their own, expected none")
+            form, found = _core.read_sparse(name, placement(duplicates)["duplicates"], *where[1:], progress)
+        elif kind == "grid":
             form, found = _core.read_grid(name, nulls, *where, progress)
         else:
             text = columns if isinstance(columns, str) else " ".join(columns)
             form, found = _core.read_text(name, text, nulls or "usual", int(header_lines), placement(duplicates, gridding, leave_out_strays),
                                           *where, progress)
-        stem = path.name.removesuffix(".gz")
-        made = horizons(found, pathlib.Path(stem).stem, form)
+        made = horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
     if horizons_of is None:
         return made
     wanted = [horizons_of] if isinstance(horizons_of, str) else list(horizons_of)

@@ -46,18 +46,20 @@ def in_keywords(text: str) -> str:
     """A message of the core with keywords in place of properties."""
     for word, keyword in WORDS.items():
         text = text.replace(word, keyword)
+    text = text.replace(": open it by the reader of GOCAD TSurf", ", which this package does not read")
     return text.replace("direction Up", "direction=\"up\"").replace("direction Down", "direction=\"down\"").replace("Down confirms", "direction=\"down\" confirms")
 
 
-def horizons(found: tuple[Any, ...], fallback: str, first: str = "") -> dict[str, Horizon]:
-    """Horizons by distinct names, from (list, description, warnings) of the core; `first` is the format of a file."""
+def horizons(found: tuple[Any, ...], fallback: str, first: str = "", file_name: str = "") -> dict[str, Horizon]:
+    """Horizons by distinct names, from (list, description, warnings) of the core. `first` is the format of a file, whose name
+    some programs write as that of the horizon."""
     given, description, messages = found
     for text in messages:
         warnings.warn("%s: %s" % (fallback, in_keywords(text)), stacklevel=4)
     lines = tuple(filter(None, (*first.split("\n"), *in_keywords(description).split("\n"))))
     made: dict[str, Horizon] = {}
     for one in given:
-        base = name = one["name"] or fallback
+        base = name = one["name"] if one["name"] not in ("", file_name) else fallback
         number = 1
         while name in made:
             number += 1

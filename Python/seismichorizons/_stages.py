@@ -110,7 +110,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         raise ValueError("largest_error and triangles, expected one of them")
     if effort not in ("best", "fast"):
         raise ValueError("effort '%s', expected best or fast" % effort)
-    step = horizon.lattice.vertical_step
+    step = abs(horizon.lattice.vertical_step)
     options: dict[str, Any] = {
         "smallest_angle": float(smallest_angle), "fast": effort == "fast", "fit_heights": fit_heights,
         "hole_boundaries": hole_boundaries, "minimum_patch_size": _count("minimum_patch_size", minimum_patch_size)}
@@ -236,7 +236,7 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
     1
     """
     _require(horizon, "despiking")
-    least = 0.0 if threshold is None else height("threshold", threshold, horizon.vertical_unit) / horizon.lattice.vertical_step
+    least = 0.0 if threshold is None else height("threshold", threshold, horizon.vertical_unit) / abs(horizon.lattice.vertical_step)
     kinds, _ = _core.despike(*horizon._core(), least, int(radius), int(spur_width), progress)
     kept = kinds == 0
     if not kept.any():

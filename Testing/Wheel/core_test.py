@@ -22,7 +22,7 @@ import unittest
 import numpy as np
 import seismichorizons as sh
 
-FOLDER = pathlib.Path(sys.argv[2])
+DATA, FOLDER = map(pathlib.Path, sys.argv[1:3])
 PEER = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
 X, Y = np.meshgrid(25.0 * np.arange(30), 25.0 * np.arange(20))
 Z = 1000.0 + 0.01 * X
@@ -202,6 +202,14 @@ class MeshTest(unittest.TestCase):
 
 
 class FilesTest(unittest.TestCase):
+    def test_sparse_voxels(self):
+        found = sh.read(DATA / "sample.vsm", vertical_unit="ms")
+        self.assertEqual({name: len(one) for name, one in found.items()}, {"Horizon 1": 25460, "Horizon 2": 18264})
+        self.assertTrue(1200.0 < found["Horizon 1"].z.min() < found["Horizon 2"].z.max() < 1700.0)
+        self.assertEqual(set(found["Horizon 1"].attributes), {"Thickness", "Amplitude"})
+        with self.assertRaisesRegex(ValueError, "no horizon Horizon 3, expected one of Horizon 1, Horizon 2"):
+            sh.read(DATA / "sample.vsm", "Horizon 3")
+
     def test_grids_come_back(self):
         horizon = rough(7, origin=(461000.0, 6801000.0), spacing=(25.0, 12.5), name="Top")
         for ending in ("irap", "gri", "zmap", "csv"):
