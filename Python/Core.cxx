@@ -22,6 +22,7 @@
 #include "Common/Text/InputFile.h"
 #include "Common/Text/TextPrinter.h"
 #include "Filters/Algorithms/Despiking/Despiking.h"
+#include "Filters/Algorithms/Faults/FaultDetection.h"
 #include "Filters/Algorithms/Gridding/Gridding.h"
 #include "Filters/Algorithms/HoleFilling/HoleFilling.h"
 #include "Filters/Algorithms/Surface/Surface.h"
@@ -220,9 +221,10 @@ std::optional<LinkCuts> MakeCuts(const std::optional<Tuples<std::int32_t>>& link
 // ---- Horizons -------------------------------------------------------------------------------------------------------
 nb::dict GiveSurvey(const SurveyDescription& survey)
 {
-  return nb::cast<nb::dict>(nb::module_::import_("builtins").attr("dict")("vertical_unit"_a = survey.VerticalUnit,
-    "vertical_domain"_a = survey.VerticalDomain, "horizontal_unit"_a = survey.HorizontalUnit,
-    "coordinate_system"_a = survey.CoordinateSystem));
+  return nb::cast<nb::dict>(
+    nb::module_::import_("builtins")
+      .attr("dict")("vertical_unit"_a = survey.VerticalUnit, "vertical_domain"_a = survey.VerticalDomain,
+        "horizontal_unit"_a = survey.HorizontalUnit, "coordinate_system"_a = survey.CoordinateSystem));
 }
 
 nb::dict GiveHorizon(LatticeHorizon& horizon, const LatticeFrame& frame)
@@ -239,8 +241,7 @@ nb::dict GiveHorizon(LatticeHorizon& horizon, const LatticeFrame& frame)
   given["lines"] = nb::none();
   if (const std::optional<LineNumbering>& lines = frame.Lattice.Lines)
   {
-    given["lines"] =
-      nb::make_tuple(lines->FirstInline, lines->InlineStep, lines->FirstCrossline, lines->CrosslineStep);
+    given["lines"] = nb::make_tuple(lines->FirstInline, lines->InlineStep, lines->FirstCrossline, lines->CrosslineStep);
   }
   given["deviation"] = frame.LatticeDeviation.value_or(0.0);
   given["duplicates"] = horizon.DroppedDuplicates;
@@ -362,8 +363,8 @@ nb::tuple PlacePoints(const nb::dict& arrays, const nb::dict& attributes, const 
     picks.Attributes.push_back({ nb::cast<std::string>(name), Copy(nb::cast<Values<double>>(values)) });
   }
   const Framing framing(verticalStep, direction, survey);
-  SurveyHorizons placed = Run(progress,
-    [&](const Monitor& monitor) { return Place(std::move(picks), direction, options, monitor); });
+  SurveyHorizons placed =
+    Run(progress, [&](const Monitor& monitor) { return Place(std::move(picks), direction, options, monitor); });
   return GiveHorizons(std::move(placed), names, framing);
 }
 
@@ -458,10 +459,10 @@ nb::tuple ReadSparse(const std::string& path, const std::string& duplicates, con
 
 std::string FindFormat(const std::string& path)
 {
-  return ExtensionOf(path) == "vsm" ? "sparse" : IsRecognised(path.c_str(), IsGrid) ? "grid"
-    : IsRecognised(path.c_str(), [&path](std::istream& stream) { return ArePicks(stream, ExtensionOf(path)); })
-    ? "text"
-    : "";
+  return ExtensionOf(path) == "vsm"      ? "sparse"
+    : IsRecognised(path.c_str(), IsGrid) ? "grid"
+    : IsRecognised(path.c_str(), [&path](std::istream& stream) { return ArePicks(stream, ExtensionOf(path)); }) ? "text"
+                                                                                                                : "";
 }
 
 // ---- Stages ---------------------------------------------------------------------------------------------------------
@@ -538,8 +539,8 @@ std::vector<double> WorldVertices(const Points& points, const std::vector<PointI
 
 nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
   const std::array<int, 3>& dimensions, const std::array<double, 16>& map, const Values<std::uint8_t>& filled,
-  const std::vector<Values<double>>& attributes, const std::optional<Tuples<std::int32_t>>& links, const nb::dict& given,
-  const nb::object& progress)
+  const std::vector<Values<double>>& attributes, const std::optional<Tuples<std::int32_t>>& links,
+  const nb::dict& given, const nb::object& progress)
 {
   SurfaceOptions options = MakeSurfaceOptions(given);
   Surface surface;
@@ -557,8 +558,8 @@ nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& 
       options.Cuts = cuts ? &*cuts : nullptr;
       surface = MakeSurface({ points.Columns, std::move(points.Height) }, options, monitor);
       Reduction& reduction = surface.Mesh.Points;
-      ledger = CoveredColumns(reduction.Plane, reduction.Boundary, 1)
-                 .Account(points.Columns, Copy(filled), surface.Kept);
+      ledger =
+        CoveredColumns(reduction.Plane, reduction.Boundary, 1).Account(points.Columns, Copy(filled), surface.Kept);
       kept.reserve(surface.Kept.size());
       for (std::size_t n = 0; n < surface.Kept.size(); ++n)
       {
@@ -618,23 +619,25 @@ nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& 
   made["averages"] = lists;
   made["outlines"] = GiveLoops(surface.Mesh.Points.Boundary);
   made["ledger"] = nb::cast(std::vector<std::int64_t>(ledger.Columns.begin(), ledger.Columns.end()));
-  made["figures"] = nb::module_::import_("builtins").attr("dict")("largest_error"_a = surface.Mesh.LargestError,
-    "mean_error"_a = surface.Mesh.MeanError,
-    "largest_loop_error"_a = std::max(surface.Mesh.LargestLoopError, surface.OutlineHeightDeviation),
-    "outline_deviation"_a = surface.OutlineDeviation, "outside_points"_a = surface.NumberOutside,
-    "smallest_angle"_a = quality.SmallestAngle, "slivers"_a = surface.Mesh.NumberOfSlivers,
-    "patches"_a = surface.Boundary.NumberOfPatches,
-    "holes"_a = surface.Boundary.Boundary.Size() - surface.Boundary.NumberOfPatches,
-    "chosen_radius"_a = surface.Parameters.Radius,
-    "chosen_smallest_hole_size"_a = surface.Parameters.SmallestHoleSize,
-    "chosen_outline_tolerance"_a = surface.Parameters.OutlineTolerance,
-    "chosen_maximum_error"_a = surface.Parameters.MaximumError);
+  made["figures"] =
+    nb::module_::import_("builtins")
+      .attr("dict")("largest_error"_a = surface.Mesh.LargestError, "mean_error"_a = surface.Mesh.MeanError,
+        "largest_loop_error"_a = std::max(surface.Mesh.LargestLoopError, surface.OutlineHeightDeviation),
+        "outline_deviation"_a = surface.OutlineDeviation, "outside_points"_a = surface.NumberOutside,
+        "smallest_angle"_a = quality.SmallestAngle, "slivers"_a = surface.Mesh.NumberOfSlivers,
+        "patches"_a = surface.Boundary.NumberOfPatches,
+        "holes"_a = surface.Boundary.Boundary.Size() - surface.Boundary.NumberOfPatches,
+        "chosen_radius"_a = surface.Parameters.Radius,
+        "chosen_smallest_hole_size"_a = surface.Parameters.SmallestHoleSize,
+        "chosen_outline_tolerance"_a = surface.Parameters.OutlineTolerance,
+        "chosen_maximum_error"_a = surface.Parameters.MaximumError);
   return made;
 }
 
 nb::dict Fill(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map, const std::vector<Values<double>>& attributes,
-  const std::optional<Tuples<std::int32_t>>& links, const nb::dict& given, const nb::object& progress)
+  const std::array<int, 3>& dimensions, const std::array<double, 16>& map,
+  const std::vector<Values<double>>& attributes, const std::optional<Tuples<std::int32_t>>& links,
+  const nb::dict& given, const nb::object& progress)
 {
   static const std::map<std::string, FillMethod> methods = { { "plate", FillMethod::Plate },
     { "membrane", FillMethod::Membrane }, { "automatic", FillMethod::Automatic } };
@@ -696,6 +699,50 @@ nb::tuple Despike(const Tuples<std::int32_t>& columns, const Values<double>& ele
     kinds.push_back(std::uint8_t(kind));
   }
   return nb::make_tuple(Give<std::uint8_t>(std::move(kinds)), spikes.Threshold);
+}
+
+nb::dict FindFaults(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
+  const std::array<int, 3>& dimensions, const std::array<double, 16>& map, const nb::dict& given,
+  const nb::object& progress)
+{
+  FaultDetectionOptions options;
+  options.SmallestThrow = 0.0;
+  Take(given, "smallest_throw", options.SmallestThrow);
+  Take(given, "noise", options.Noise);
+  Take(given, "smallest_extent", options.SmallestExtent);
+  Take(given, "smallest_branch", options.SmallestBranch);
+  Take(given, "largest_gap", options.LargestGap);
+  Take(given, "largest_ramp", options.LargestRamp);
+  Take(given, "join_through_holes", options.JoinThroughHoles);
+  FaultDetection found;
+  Run(progress,
+    [&](const Monitor& monitor)
+    {
+      CheckOptions(options);
+      const Points points = MakePoints(columns, elevations, dimensions, map);
+      if (options.SmallestThrow == 0.0)
+      {
+        options.SmallestThrow = ThrowAboveNoise(points.Columns, points.Height, options.Noise);
+      }
+      found = DetectFaults(ColumnHeights(points.Columns, points.Height), options, monitor);
+    });
+  std::vector<std::int32_t> links;
+  std::vector<std::int32_t> lines;
+  std::vector<double> throws;
+  for (const LinkOfLine& item : SortLinks(found.Lines))
+  {
+    const FaultedLink& link = found.Lines[item.Link];
+    links.insert(links.end(), { link.Place.Column.X, link.Place.Column.Y, std::int32_t(link.Place.Side) });
+    lines.push_back(std::int32_t(item.Line));
+    throws.push_back(link.Throw);
+  }
+  nb::dict made;
+  made["links"] = Give<std::int32_t>(std::move(links), 3);
+  made["lines"] = Give<std::int32_t>(std::move(lines));
+  made["throws"] = Give<double>(std::move(throws));
+  made["noise"] = found.Noise;
+  made["smallest_throw"] = found.High;
+  return made;
 }
 
 // ---- Writing --------------------------------------------------------------------------------------------------------
@@ -793,11 +840,12 @@ NB_MODULE(_core, module)
       }
     });
   module.def("find_format", &FindFormat, "path"_a);
-  module.def("role_of", [](const std::string& name) { return std::string(RoleWord(RoleOfName(name))); }, "name"_a);
+  module.def(
+    "role_of", [](const std::string& name) { return std::string(RoleWord(RoleOfName(name))); }, "name"_a);
   module.def("choose_z",
     [](const std::vector<std::string>& names, const std::string& remedy) { return ChooseZ(names, remedy.c_str()); });
-  module.def("read_grid", &ReadGrid, "path"_a, "nulls"_a, "vertical_step"_a, "direction"_a, "survey"_a,
-    "progress"_a.none());
+  module.def(
+    "read_grid", &ReadGrid, "path"_a, "nulls"_a, "vertical_step"_a, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_sparse", &ReadSparse, "path"_a, "duplicates"_a, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_text", &ReadText, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "options"_a, "vertical_step"_a,
     "direction"_a, "survey"_a, "progress"_a.none());
@@ -806,12 +854,14 @@ NB_MODULE(_core, module)
   module.def("noise", &Noise, "columns"_a, "elevations"_a, "size"_a, "to_world"_a);
   module.def("surface", &MeshSurface, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "filled"_a, "attributes"_a,
     "links"_a.none(), "options"_a, "progress"_a.none());
-  module.def("fill_holes", &Fill, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "attributes"_a,
-    "links"_a.none(), "options"_a, "progress"_a.none());
+  module.def("fill_holes", &Fill, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "attributes"_a, "links"_a.none(),
+    "options"_a, "progress"_a.none());
   module.def("despike", &Despike, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "threshold"_a, "radius"_a,
     "spur_width"_a, "progress"_a.none());
-  module.def("write_mesh", &WriteMesh, "path"_a, "format"_a, "name"_a, "points"_a, "triangles"_a, "attributes"_a, "is_up"_a,
-    "survey"_a, "progress"_a.none());
+  module.def(
+    "faults", &FindFaults, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "options"_a, "progress"_a.none());
+  module.def("write_mesh", &WriteMesh, "path"_a, "format"_a, "name"_a, "points"_a, "triangles"_a, "attributes"_a,
+    "is_up"_a, "survey"_a, "progress"_a.none());
   module.def("write_grid", &WriteGrid, "path"_a, "format"_a, "name"_a, "z"_a, "size"_a, "origin"_a, "column_step"_a,
     "row_step"_a, "progress"_a.none());
 }

@@ -6,7 +6,6 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/DataArrays.h"
-#include "Filters/Algorithms/Despiking/Despiking.h"
 #include "Filters/Algorithms/Faults/FaultDetection.h"
 #include "Filters/Algorithms/Faults/FaultLines.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
@@ -46,15 +45,6 @@ using namespace SeismicHorizons;
 namespace
 {
 constexpr int LinesPort = 1;
-
-/// Terrain and tracking leave steps of a few times the noise, so that throws must be larger. Differences of heights have
-/// sqrt(2) times the noise of heights.
-double ThrowAboveNoise(const LatticePoints& points, double noiseOfDifferences)
-{
-  constexpr double factor = 8.0;
-  return factor *
-    (noiseOfDifferences > 0.0 ? noiseOfDifferences / std::sqrt(2.0) : MeasureNoise(points.Column, points.Height));
-}
 
 // ---- Given lines ----------------------------------------------------------------------------------------------------
 
@@ -372,8 +362,8 @@ void vtkHorizonFaults::ProcessHorizon(vtkPolyData* horizon, const Outputs& outpu
   const double indices =
     IndicesPerUnit(static_cast<HeightUnit>(this->ThrowUnit), points.Column, points.Height, points.Lattice);
   options.Noise *= indices;
-  options.SmallestThrow =
-    this->SmallestThrow > 0.0 ? this->SmallestThrow * indices : ThrowAboveNoise(points, options.Noise);
+  options.SmallestThrow = this->SmallestThrow > 0.0 ? this->SmallestThrow * indices
+                                                    : ThrowAboveNoise(points.Column, points.Height, options.Noise);
   const ColumnHeights heights(points.Column, points.Height);
   monitor.Progress(0.2);
   FaultLines lines = CutAlong(heights, polylines);

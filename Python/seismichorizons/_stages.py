@@ -40,6 +40,90 @@ def _count(name: str, number: Any) -> int:
     return int(number)
 
 
+@dataclasses.dataclass(eq=False, repr=False)
+class Faults:
+    """Faults of a horizon, as `faults` finds them.
+
+    Attributes
+    ----------
+    links : int32 array of shape (n, 3)
+        Column, row and side (0 east, 1 north) of each link between neighbours that a fault cuts.
+    lines : int32 array of n
+        Number of the line of each link.
+    throws : float64 array of n
+        z beyond each link, to the east or north, minus z before it; nan without a point nearby.
+    noise : float
+        Standard deviation of differences between neighbours, in the unit of z.
+    smallest_throw : float
+        That a fault reaches somewhere, in the unit of z.
+    """
+
+    links: NDArray[np.int32]
+    lines: NDArray[np.int32]
+    throws: NDArray[np.float64]
+    noise: float
+    smallest_throw: float
+    vertical_unit: str = ""
+
+    def __len__(self) -> int:
+        return int(self.lines.max(initial=-1)) + 1
+
+    def __repr__(self) -> str:
+        unit = " " + self.vertical_unit if self.vertical_unit else ""
+        known = np.abs(self.throws[np.isfinite(self.throws)])
+        return "Faults: %d lines, %d links cut, throws up to %.4g%s, noise %.3g%s" % (
+            len(self), len(self.links), known.max(initial=0.0), unit, self.noise, unit)
+
+
+def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise: float | str | None = None, smallest_extent: int = 20,
+           smallest_branch: int = 10, largest_gap: int = 5, largest_ramp: int = 7, join_through_holes: bool = True,
+           progress: Progress | None = None) -> Faults:
+    """Finds faults in the heights of a horizon.
+
+    Parameters
+    ----------
+    horizon : Horizon
+    smallest_throw : float or str, optional
+        The throw that a fault must reach somewhere, in the unit of z or with a unit; by default eight times the noise of
+        heights.
+    noise : float or str, optional
+        Standard deviation of differences between neighbours; measured by default.
+    smallest_extent : int
+        The least extent of a fault, in columns.
+    smallest_branch : int
+        Branches of fewer links are dropped.
+    largest_gap : int
+        Missing columns in a row that faults are followed across.
+    largest_ramp : int
+        Faults may bend the surface over this number of columns; 0 finds steps alone.
+    join_through_holes : bool
+        Joins lines that end at a hole and point to each other.
+    progress : callable, optional
+
+    Returns
+    -------
+    Faults
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> z = np.where(np.arange(80) < 40, 1000.0, 1030.0) + np.zeros((60, 1))
+    >>> found = sh.faults(sh.horizon(z, spacing=(25, 25)), 10.0)
+    >>> len(found), len(found.links), float(found.throws.min())
+    (1, 60, 30.0)
+    """
+    _require(horizon, "fault detection")
+    step = abs(horizon.lattice.vertical_step)
+    options: dict[str, Any] = {"smallest_extent": int(smallest_extent), "smallest_branch": int(smallest_branch), "largest_gap": int(largest_gap),
+                               "largest_ramp": int(largest_ramp), "join_through_holes": bool(join_through_holes)}
+    for name, given in (("smallest_throw", smallest_throw), ("noise", noise)):
+        if given is not None:
+            options[name] = height(name, given, horizon.vertical_unit) / step
+    made = _core.faults(*horizon._core(), options, progress)
+    return Faults(made["links"], made["lines"], made["throws"] * horizon.lattice.vertical_step, made["noise"] * step,
+                  made["smallest_throw"] * step, horizon.vertical_unit)
+
+
 @overload
 def surface(horizon: Horizon, largest_error: float | str | None = ..., **options: Any) -> Mesh: ...
 @overload
@@ -49,7 +133,7 @@ def surface(horizon: Mapping[str, Horizon], largest_error: float | str | None = 
 def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,
             smallest_angle: float = 2.0, effort: str = "best", fit_heights: bool = True, radius: int | None = None,
             hole_boundaries: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
-            outline_tolerance: float | None = None, faulted_links: NDArray[np.int32] | None = None,
+            outline_tolerance: float | None = None, faults: Faults | None = None,
             progress: Progress | None = None) -> Any:
     """Makes a mesh of few triangles within an error.
 
@@ -77,8 +161,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         Patches of fewer points are left out.
     outline_tolerance : float, optional
         The largest move of outlines on the map, in columns; at most 0.75 by default.
-    faulted_links : int array of shape (n, 3), optional
-        Column, row and side (0 east, 1 north) of the links between neighbours where the surface is cut open.
+    faults : Faults, optional
+        Where the surface is cut open: `faults` finds them.
     progress : callable, optional
         Gets the fraction that is done; what it raises stops the work.
 
@@ -103,7 +187,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     if isinstance(horizon, Mapping):
         given = dict(triangles=triangles, smallest_angle=smallest_angle, effort=effort, fit_heights=fit_heights, radius=radius,
                      hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
-                     outline_tolerance=outline_tolerance, faulted_links=faulted_links, progress=progress)
+                     outline_tolerance=outline_tolerance, faults=faults, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
     _require(horizon, "a surface")
     if largest_error is not None and triangles is not None:
@@ -129,7 +213,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         options["maximum_error"], deviation, is_rounding = _core.noise(*core)
         noise = {"height_rounding" if is_rounding else "height_noise": deviation * step}
     names, values = _split(horizon)
-    links = None if faulted_links is None else np.ascontiguousarray(faulted_links, np.int32)
+    links = None if faults is None else np.ascontiguousarray(faults.links, np.int32)
     made = _core.surface(*core, horizon.filled, values, links, options, progress)
     figures = made["figures"]
     for name in ("largest_error", "mean_error", "largest_loop_error", "chosen_maximum_error"):
@@ -154,7 +238,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
 
 
 def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str = "automatic", rim_smoothing: float = 1.0,
-               rim_width: int = 3, extrapolation_distance: int = 0, faulted_links: NDArray[np.int32] | None = None,
+               rim_width: int = 3, extrapolation_distance: int = 0, faults: Faults | None = None,
                progress: Progress | None = None) -> Horizon:
     """Computes heights in holes.
 
@@ -171,8 +255,8 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
         Columns around a hole that a plate takes into account.
     extrapolation_distance : int
         Columns outside are computed within this number of steps.
-    faulted_links : int array of shape (n, 3), optional
-        Column, row and side of the links that nothing is filled across.
+    faults : Faults, optional
+        Nothing is filled across these.
     progress : callable, optional
 
     Returns
@@ -195,7 +279,7 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
     names, values = _split(horizon)
     options = {"method": method, "largest_hole_size": _count("largest_hole_size", largest_hole_size), "rim_smoothing": float(rim_smoothing),
                "rim_width": int(rim_width), "extrapolation_distance": int(extrapolation_distance)}
-    links = None if faulted_links is None else np.ascontiguousarray(faulted_links, np.int32)
+    links = None if faults is None else np.ascontiguousarray(faults.links, np.int32)
     made = _core.fill_holes(*horizon._core(), values, links, options, progress)
     new = dict(zip(names, made["attributes"]))
     nearest, marks = made["nearest"], np.ones(len(made["nearest"]), np.uint8)

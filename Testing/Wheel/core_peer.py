@@ -31,7 +31,10 @@ for seed, error in ((1, 1.0), (2, 4.0), (3, 0.25)):
                                     row_step=(0.0, 25.0), vertical_step=step, vertical_direction="Down")
     mesh = sh.surface(points, error / step)
     lines = mesh.GetNumberOfLines()
+    faulted = sh.faults(points)
+    faulted = getattr(faulted, "horizon", faulted[0] if isinstance(faulted, tuple) else faulted).GetFieldData()
     np.savez(FOLDER / ("%d.npz" % seed), z=z, value=value, error=error, step=step, points=vtk_to_numpy(mesh.GetPoints().GetData()),
              triangles=vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3),
              errors=vtk_to_numpy(mesh.GetCellData().GetArray("Error"))[lines:],
+             links=vtk_to_numpy(faulted.GetArray("FaultedLinks")), throws=vtk_to_numpy(faulted.GetArray("FaultThrow")) * step,
              means=vtk_to_numpy(mesh.GetPointData().GetArray("value")))

@@ -188,6 +188,18 @@ class MeshTest(unittest.TestCase):
         self.assertEqual((spiked.left_out["spikes"], len(spiked)), (1, 599))
         self.assertTrue(np.isnan(spiked.grid()[5, 7]))
 
+    def test_faults_stay_open(self):
+        """No triangle crosses the cut of a fault through the whole horizon."""
+        j, i = np.mgrid[0:80, 0:100]
+        z = 1000.0 + 0.3 * j + np.random.default_rng(1).normal(0.0, 0.2, i.shape) + 40.0 * (i >= 50)
+        horizon = sh.horizon(z, spacing=(25, 25))
+        found = sh.faults(horizon)
+        self.assertEqual((len(found), set(found.links[:, 0].tolist()), len(found.links)), (1, {49}, 80))
+        mesh = sh.surface(horizon, 2.0, faults=found)
+        for one, is_open in ((mesh, True), (sh.surface(horizon, 2.0), False)):
+            east = (one.columns[:, 0] >= 50)[one.triangles].sum(axis=1)
+            self.assertEqual(bool(np.isin(east, (0, 3)).all()), is_open)
+
     def test_same_as_the_classes(self):
         """The vertices and triangles of the VTK classes, to the bit."""
         if PEER is None:
@@ -196,8 +208,9 @@ class MeshTest(unittest.TestCase):
             peer = np.load(path)
             horizon = sh.horizon(peer["z"], attributes={"value": peer["value"]}, origin=(1e5, 6e6), spacing=(12.5, 25.0), direction="down",
                                  vertical_step=float(peer["step"]))
-            mesh = sh.surface(horizon, float(peer["error"]))
-            for name, values in (("points", mesh.points), ("triangles", mesh.triangles), ("means", mesh["value"]), ("errors", mesh.errors / peer["step"])):
+            mesh, found = sh.surface(horizon, float(peer["error"])), sh.faults(horizon)
+            self.assertGreater(len(found.links), 50)
+            for name, values in (("links", found.links), ("throws", found.throws), ("points", mesh.points), ("triangles", mesh.triangles), ("means", mesh["value"]), ("errors", mesh.errors / peer["step"])):
                 np.testing.assert_array_equal(values, peer[name], "%s: %s" % (path.name, name))
 
 

@@ -20,6 +20,7 @@
 #include "FaultForest.h"
 #include "FaultLines.h"
 #include "FaultRamps.h"
+#include "Filters/Algorithms/Despiking/Despiking.h"
 #include "WindowMedians.h"
 
 #include <Eigen/Cholesky>
@@ -688,6 +689,14 @@ void CheckOptions(const FaultDetectionOptions& options)
   CheckAtLeast("smallest branch", options.SmallestBranch, 0, " links");
   CheckAtLeast("largest gap", options.LargestGap, 0, " columns");
   CheckWithin("largest ramp", options.LargestRamp, 0, LargestLargestRamp, " columns");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double ThrowAboveNoise(PlanePoints columns, const std::vector<double>& heights, double noiseOfDifferences)
+{
+  constexpr double factor = 8.0;
+  // Differences of heights have sqrt(2) times the noise of heights.
+  return factor * (noiseOfDifferences > 0.0 ? noiseOfDifferences / std::sqrt(2.0) : MeasureNoise(columns, heights));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -21,6 +21,8 @@
 #include "Common/Base/Monitor.h"
 #include "FaultLines.h"
 
+#include <vector>
+
 namespace SeismicHorizons
 {
 struct FaultDetectionOptions
@@ -36,6 +38,10 @@ struct FaultDetectionOptions
 
 /// Throws InputError for values that are negative or not finite.
 void CheckOptions(const FaultDetectionOptions& options);
+
+/// Terrain and tracking leave steps of a few times the noise, so that throws must be larger. The noise of differences is
+/// measured if it is 0.
+double ThrowAboveNoise(PlanePoints columns, const std::vector<double>& heights, double noiseOfDifferences);
 
 struct FaultDetection
 {
