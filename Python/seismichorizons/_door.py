@@ -112,9 +112,11 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
         raise ValueError("%s: %s" % (name, in_keywords(str(error)))) from None
     for one in made.values():
         if given.dropped:
-            one.left_out["without z"] = one.left_out.get("without z", 0) + given.dropped
+            reason = "without z" if given.shape else "without a place"
+            one.left_out[reason] = one.left_out.get(reason, 0) + given.dropped
         if given.shape and not gridding:
             _widen(one, given.shape, given.lattice["origin"])
+        given.restore(one)
         if given.direction and not direction:
             one.taken = (*one.taken[:-1], "z increases %swards, as %s" % (one.direction, given.reason))
     return made if len(made) > 1 or duplicates == "sheets" or given.names else next(iter(made.values()))
@@ -135,6 +137,8 @@ def _widen(made: Horizon, shape: tuple[int, int], origin: Sequence[float]) -> No
 def _floats(values: Any, what: str) -> Any:
     """A vector of float64 in which masked and missing values are nan. Raises ValueError."""
     try:
+        if hasattr(values, "isna"):  # pandas, whose missing values may be objects
+            values = values.to_numpy(dtype=np.float64, na_value=np.nan)
         array = np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
     except (TypeError, ValueError):
         raise ValueError("%s of type %s, expected numbers" % (what, getattr(values, "dtype", type(values).__name__))) from None
@@ -150,6 +154,7 @@ class _Given:
         self._place = {key: value for key, value in place.items() if value is not None}
         self._columns = dict(columns or {})
         self.attributes: dict[str, Any] = {}
+        self._kinds: dict[str, Any] = {}  # of whole numbers
         self.lattice: dict[str, Sequence[float]] = {}
         self.names: list[str] = []
         self.shape: tuple[int, int] | None = None
@@ -247,7 +252,17 @@ class _Given:
         self.dropped = int((~known).sum())
         return {key: np.ascontiguousarray(values[known]) for key, values in {**arrays, "z": z}.items()}
 
+    def restore(self, made: Horizon) -> None:
+        """Makes attributes that were whole numbers whole again."""
+        for name, kind in self._kinds.items():
+            values = made.attributes.get(name)
+            if values is not None and np.isfinite(values).all() and (values == np.rint(values)).all():
+                made.attributes[name] = values.astype(kind)
+
     def _attribute(self, name: str, values: Any, size: int) -> Any:
+        kind = np.dtype(getattr(values, "dtype", float)) if isinstance(getattr(values, "dtype", None), np.dtype) else np.asarray(values).dtype
+        if kind.kind in "iub":
+            self._kinds[name] = kind
         values = _floats(values, "attribute " + name)
         if values.size != size:
             raise ValueError("attribute %s of shape %s, expected as many numbers as heights, %d" % (name, values.shape, size))
@@ -311,13 +326,20 @@ class _Given:
         if "z" not in roles or not ({"x", "y"} <= roles.keys() or {"inline", "crossline"} <= roles.keys()):
             raise ValueError("%s with the columns %s, expected X, Y and Z, or Inline, Crossline and Z: columns={\"z\": ...} says what they are" % (
                 what, ", ".join(columns)))
-        unused = [name for name in columns if name not in roles.values()]
-        for name in unused:
-            if np.asarray(columns[name]).dtype.kind in "iufb":
+        ignored = []
+        for name in columns:
+            if name in roles.values():
+                continue
+            try:
+                _floats(columns[name], name)
+            except ValueError:
+                ignored.append(name)
+            else:
                 self._attributes.setdefault(name, columns[name])
         unit = re.search(r"[\s_(\[]+(ms|s|m|ft)[)\]]*$", roles["z"])
         self.survey = (unit[1] if unit else "", *self.survey[1:])
         self.description = "%s: %s" % (what, ", ".join("%s is %s" % (roles[role], role) for role in (*PLACES, "horizon") if role in roles))
+        self.description += "; no numbers: %s" % ", ".join(ignored) if ignored else ""
         found = {role: _floats(columns[roles[role]], roles[role]).ravel() for role in PLACES if role in roles}
         names = np.asarray(columns[roles["horizon"]]).astype(str) if "horizon" in roles else None
         arrays = self._points(found.pop("x", None), found.pop("y", None), found.pop("z"), **found)

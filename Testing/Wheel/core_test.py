@@ -83,6 +83,13 @@ class DoorTest(unittest.TestCase):
             self.assertEqual((len(made), made.lattice.shape), (int((Z <= 1005.0).sum()), (20, 30)))
             self.assertEqual(made.left_out["without z"], int((Z > 1005.0).sum()))
 
+    def test_whole_numbers_stay_whole(self):
+        made = sh.horizon({"X": X.ravel(), "Y": Y.ravel(), "Z": Z.ravel(), "id": np.arange(600), "amp": Z.ravel(), "who": ["me"] * 600})
+        self.assertEqual((made["id"].dtype.kind, made["amp"].dtype.kind, set(made.attributes)), ("i", "f", {"id", "amp"}))
+        np.testing.assert_array_equal(made["id"], made.columns[:, 0] + 30 * made.columns[:, 1])
+        self.assertIn("no numbers: who", made.taken[0])
+        self.assertEqual(sh.surface(made, 1.0)["id"].dtype.kind, "i")
+
     def test_two_readings_are_refused(self):
         for call, words in (
                 (lambda: sh.horizon(np.zeros((9, 3))), "horizon(points=...) or horizon(grid=...)"),
