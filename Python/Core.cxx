@@ -26,6 +26,7 @@
 #include "Filters/Algorithms/Gridding/Gridding.h"
 #include "Filters/Algorithms/HoleFilling/HoleFilling.h"
 #include "Filters/Algorithms/Surface/Surface.h"
+#include "Filters/Algorithms/Thickness/Thickness.h"
 #include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 #include "Readers/HorizonGrid/GridReader.h"
 #include "Readers/HorizonText/HorizonTextParser.h"
@@ -745,6 +746,37 @@ nb::dict FindFaults(const Tuples<std::int32_t>& columns, const Values<double>& e
   return made;
 }
 
+/// Both horizons are on one lattice.
+nb::dict FindThickness(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
+  const std::array<int, 3>& dimensions, const std::array<double, 16>& map, const Tuples<std::int32_t>& otherColumns,
+  const Values<double>& otherElevations, const nb::object& progress)
+{
+  Thickness found;
+  Run(progress,
+    [&](const Monitor& monitor)
+    {
+      const Points first = MakePoints(columns, elevations, dimensions, map);
+      const Points other = MakePoints(otherColumns, otherElevations, dimensions, map);
+      LatticeScale scale;
+      scale.Plane << map[0], map[1], map[4], map[5];
+      scale.Height = map[10];
+      found = MeasureThickness(
+        { first.Columns, first.Height.data() }, { other.Columns, other.Height.data() }, scale, monitor);
+    });
+  nb::dict made;
+  made["isochore"] = Give<double>(std::move(found.Isochore));
+  made["isopach"] = Give<double>(std::move(found.Isopach));
+  made["columns"] = found.Columns;
+  made["left_out"] = found.LeftOut;
+  made["area"] = found.Area;
+  made["crossings"] = found.Crossings;
+  made["least"] = found.Least;
+  made["mean"] = found.Mean;
+  made["largest"] = found.Largest;
+  made["volume"] = found.Volume;
+  return made;
+}
+
 // ---- Writing --------------------------------------------------------------------------------------------------------
 TSurf MakeTSurf(const std::string& name, const Tuples<double>& vertices, const Tuples<std::int32_t>& triangles,
   const nb::dict& attributes, bool isUp, const std::array<std::string, 4>& survey)
@@ -860,6 +892,8 @@ NB_MODULE(_core, module)
     "spur_width"_a, "progress"_a.none());
   module.def(
     "faults", &FindFaults, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "options"_a, "progress"_a.none());
+  module.def("thickness", &FindThickness, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "other_columns"_a,
+    "other_elevations"_a, "progress"_a.none());
   module.def("write_mesh", &WriteMesh, "path"_a, "format"_a, "name"_a, "points"_a, "triangles"_a, "attributes"_a,
     "is_up"_a, "survey"_a, "progress"_a.none());
   module.def("write_grid", &WriteGrid, "path"_a, "format"_a, "name"_a, "z"_a, "size"_a, "origin"_a, "column_step"_a,

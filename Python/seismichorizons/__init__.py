@@ -17,7 +17,8 @@ from ._door import horizon
 from ._files import read, write
 from ._horizon import Horizon, Lattice
 from ._mesh import Ledger, Mesh
-from ._stages import Faults, despike, faults, fill_holes, surface
+from ._stages import Faults, Thickness, despike, faults, fill_holes, surface, thickness
 
 __version__ = importlib.metadata.version("seismichorizons")
-__all__ = ["Faults", "Horizon", "Lattice", "Ledger", "Mesh", "despike", "faults", "fill_holes", "horizon", "read", "surface", "write"]
+__all__ = ["Faults", "Horizon", "Lattice", "Ledger", "Mesh", "Thickness", "despike", "faults", "fill_holes", "horizon", "read",
+           "surface", "thickness", "write"]

@@ -329,3 +329,88 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
         horizon, columns=horizon.columns[kept], z=horizon.z[kept], filled=horizon.filled[kept],
         attributes={name: values[kept] for name, values in horizon.attributes.items()},
         left_out={**horizon.left_out, "spikes": int((kinds == 1).sum()), "points on spurs": int((kinds == 2).sum())})
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Thickness:
+    """Thickness between two horizons, as `thickness` measures it.
+
+    Attributes
+    ----------
+    horizon : Horizon
+        The first one at columns with both, with the attributes Isochore (vertical) and Isopach (across the dip; nan where the
+        dip is unknown), in the unit of z; negative where the horizons cross.
+    least, mean, largest : float
+        Of the isochore.
+    volume : float
+        Area of all columns times their isochore; crossings count as 0.
+    columns, left_out, crossings : int
+        Columns with both horizons, with one of them, and of negative thickness.
+    """
+
+    horizon: Horizon
+    least: float
+    mean: float
+    largest: float
+    volume: float
+    columns: int
+    left_out: int
+    crossings: int
+
+    def __repr__(self) -> str:
+        unit = " " + self.horizon.vertical_unit if self.horizon.vertical_unit else ""
+        return "Thickness {}: {:.4g} to {:.4g}{}, mean {:.4g}{}, over {:,} columns; {:,} with one horizon alone{}".format(
+            self.horizon.name, self.least, self.largest, unit, self.mean, unit, self.columns, self.left_out,
+            "; the horizons cross at {:,}".format(self.crossings) if self.crossings else "")
+
+
+def thickness(top: Horizon, base: Horizon, *, progress: Progress | None = None) -> Thickness:
+    """Measures the thickness between two horizons of one survey.
+
+    Parameters
+    ----------
+    top, base : Horizon
+        On lattices with the same steps and common columns, with z in the same direction and unit.
+    progress : callable, optional
+
+    Returns
+    -------
+    Thickness
+
+    Raises
+    ------
+    ValueError
+        If lattices, directions or units differ, or no column has both horizons.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> z = np.full((20, 30), 1000.0)
+    >>> sh.thickness(sh.horizon(z, spacing=(25, 25)), sh.horizon(z + 40.0, spacing=(25, 25))).volume
+    15000000.0
+    """
+    for one in (top, base):
+        _require(one, "thickness")
+    for what in ("direction", "vertical_unit", "horizontal_unit", "coordinate_system"):
+        if getattr(top, what) != getattr(base, what):
+            raise ValueError("%s and %s: %s %r and %r, expected equal ones" % (top.name, base.name, what, getattr(top, what), getattr(base, what)))
+    steps, other = (np.column_stack((one.lattice.column_step, one.lattice.row_step)) for one in (top, base))
+    size = max(base.lattice.shape) + max(top.lattice.shape)
+    if np.abs(np.linalg.solve(steps, other) - np.eye(2)).max() * size > 0.1:
+        raise ValueError("%s and %s: steps %s and %s, expected a common lattice" % (
+            top.name, base.name, (top.lattice.column_step, top.lattice.row_step), (base.lattice.column_step, base.lattice.row_step)))
+    shift = np.linalg.solve(steps, np.subtract(base.lattice.origin, top.lattice.origin))
+    if np.abs(shift - np.rint(shift)).max() > 0.1:
+        raise ValueError("%s and %s: columns %.2g and %.2g of a step apart, expected common columns" % (top.name, base.name, *(shift - np.rint(shift))))
+    columns = base.columns + np.rint(shift).astype(np.int32)
+    least = np.minimum(columns.min(axis=0), 0)
+    most = np.maximum(columns.max(axis=0), np.subtract(top.lattice.shape[::-1], 1)) - least + 1
+    own, elevations, (_, _, indices), to_world = top._core()
+    made = _core.thickness(own - least.astype(np.int32), elevations, (int(most[0]), int(most[1]), indices), to_world,
+                           np.ascontiguousarray(columns - least, np.int32), np.ascontiguousarray(base.sign * base.z, np.float64), progress)
+    kept = np.isfinite(made["isochore"])
+    both = dataclasses.replace(
+        top, columns=top.columns[kept], z=top.z[kept], filled=top.filled[kept],
+        attributes={**{name: values[kept] for name, values in top.attributes.items()},
+                    "Isochore": made["isochore"][kept], "Isopach": made["isopach"][kept]})
+    return Thickness(both, **{name: made[name] for name in ("least", "mean", "largest", "volume", "columns", "left_out", "crossings")})

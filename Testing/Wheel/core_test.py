@@ -207,6 +207,28 @@ class MeshTest(unittest.TestCase):
             east = (one.columns[:, 0] >= 50)[one.triangles].sum(axis=1)
             self.assertEqual(bool(np.isin(east, (0, 3)).all()), is_open)
 
+    def test_thickness(self):
+        place = {"origin": (4e5, 6e6), "column_step": (24.0, 7.0), "row_step": (-7.0, 24.0)}
+        random = np.random.default_rng(3)
+        z = 1000.0 + 10.0 * random.random((40, 50))
+        below = z + random.uniform(-2.0, 30.0, z.shape)
+        below[random.random(z.shape) < 0.1] = np.nan
+        shifted = {**place, "origin": (4e5 + 24 * 5 - 7 * 3, 6e6 + 7 * 5 + 24 * 3)}  # from column 5, row 3 on
+        found = sh.thickness(sh.horizon(z, **place), sh.horizon(below[3:, 5:], **shifted))
+        expected = np.full(z.shape, np.nan)
+        expected[3:, 5:] = (below - z)[3:, 5:]
+        np.testing.assert_allclose(found.horizon.grid("Isochore"), expected, atol=1e-6)
+        known = expected[np.isfinite(expected)]
+        self.assertEqual((found.columns, found.crossings, found.left_out), (known.size, int((known < 0).sum()), z.size - known.size))
+        self.assertAlmostEqual(found.volume, known.clip(0.0).sum() * (24.0**2 + 7.0**2), delta=1.0)
+        up = sh.thickness(sh.horizon(-z, direction="up", **place), sh.horizon(-below, direction="up", **place))
+        self.assertAlmostEqual(up.largest, np.nanmax(below - z), places=6)
+        for other in ({**place, "origin": (4e5 + 12.0, 6e6)}, {**place, "column_step": (25.0, 7.0)}, {**place, "direction": "up"}):
+            with self.assertRaisesRegex(ValueError, "expected"):
+                sh.thickness(sh.horizon(z, **place), sh.horizon(z, **other))
+        level = sh.thickness(sh.horizon(z * 0.0 + 2.0 * np.arange(50), spacing=(25, 25)), sh.horizon(z * 0.0 + 2.0 * np.arange(50) + 10.0, spacing=(25, 25)))
+        np.testing.assert_allclose(level.horizon["Isopach"], 10.0 * np.cos(np.arctan(2.0 / 25.0)), rtol=1e-9)
+
     def test_same_as_the_classes(self):
         """The vertices and triangles of the VTK classes, to the bit."""
         if PEER is None:
