@@ -833,7 +833,8 @@ void WriteMesh(const std::string& path, const std::string& format, const std::st
     });
 }
 
-void WriteGrid(const std::string& path, const std::string& format, const std::string& name, const Values<double>& z,
+/// Returns the largest move of a column by rounding.
+double WriteGrid(const std::string& path, const std::string& format, const std::string& name, const Values<double>& z,
   const std::array<int, 2>& size, const std::array<double, 2>& origin, const std::array<double, 2>& columnStep,
   const std::array<double, 2>& rowStep, const nb::object& progress)
 {
@@ -854,6 +855,7 @@ void WriteGrid(const std::string& path, const std::string& format, const std::st
         throw std::runtime_error("cannot be written");
       }
     });
+  return format == "gri" ? RoundingOf(grid.Lattice) : 0.0;
 }
 }
 

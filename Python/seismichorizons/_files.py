@@ -8,6 +8,7 @@ import contextlib
 import os
 import pathlib
 import tempfile
+import warnings
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -115,7 +116,8 @@ def write(data: Horizon | Mesh, path: str | os.PathLike[str], *, name: str | Non
     data : Mesh or Horizon
         Mesh for .ts (GOCAD), .stl, .ply, .obj and .dxf; horizon for the grids .irap, .gri (IRAP binary) and .zmap, and .csv.
     path : str or path
-        A file of this name is replaced once the new one is complete.
+        A file of this name is replaced once the new one is complete. Grids say neither the unit nor the direction of z, and
+        .gri is of single precision.
     name : str, optional
         Name of the surface in the file; by default that of the data.
     progress : callable, optional
@@ -145,8 +147,10 @@ def write(data: Horizon | Mesh, path: str | os.PathLike[str], *, name: str | Non
             _write_csv(data, part)
         else:
             lattice = data.lattice
-            _core.write_grid(part, form, name or data.name, np.ascontiguousarray(data.grid().ravel()), lattice.shape[::-1],
-                             lattice.origin, lattice.column_step, lattice.row_step, progress)
+            rounding = _core.write_grid(part, form, name or data.name, np.ascontiguousarray(data.grid().ravel()), lattice.shape[::-1],
+                                        lattice.origin, lattice.column_step, lattice.row_step, progress)
+            if rounding > 1e-3 * min(lattice.spacing):
+                warnings.warn("%s: places are rounded to single precision, by up to %.3g; .irap keeps them" % (path, rounding), stacklevel=2)
 
 
 @contextlib.contextmanager

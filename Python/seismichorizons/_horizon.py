@@ -118,7 +118,7 @@ class Horizon:
     def __repr__(self) -> str:
         rows, columns = self.lattice.shape
         unit = " " + self.vertical_unit if self.vertical_unit else ""
-        what = self.vertical_domain or ("elevation" if self.direction == "up" else "z down")
+        what = "elevation" if self.direction == "up" and self.vertical_domain != "time" else self.vertical_domain or "z down"
         step = "%.6g x %.6g%s" % (*self.lattice.spacing, " " + self.horizontal_unit if self.horizontal_unit else "")
         return "Horizon %s: %d columns x %d rows, %s apart, {:,} of {:,} known, %s %.6g to %.6g%s%s".format(
             int((self.filled == 0).sum()), rows * columns) % (
@@ -259,7 +259,9 @@ class Horizon:
         colours = {"cmap": "viridis_r" if name is None and self.direction == "down" else "viridis"}
         drawn = axes.pcolormesh(x, y, self.grid(name), **{**colours, **keywords})
         label = name or " ".join(filter(None, (self.vertical_domain or "z", "(%s)" % self.vertical_unit if self.vertical_unit else "")))
-        axes.figure.colorbar(drawn, ax=axes, label=label)
+        bar = axes.figure.colorbar(drawn, ax=axes, label=label)
+        if name is None and self.direction == "down":
+            bar.ax.invert_yaxis()
         axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
         return axes
 

@@ -42,8 +42,9 @@ class Ledger:
         return self.known + self.filled + self.bridged + self.extrapolated
 
     def __repr__(self) -> str:
-        shares = ("%.3g %% %s" % (100.0 * number / max(1, self.covered), name) for name, number in (
-            ("filled", self.filled), ("bridged", self.bridged), ("extrapolated", self.extrapolated), ("left out", self.left_out)) if number)
+        parts = (("filled", self.filled), ("bridged", self.bridged), ("extrapolated", self.extrapolated), ("left out", self.left_out))
+        shares = (("%.3g %% %s" % (100.0 * number / self.covered, name) if self.covered else "%d %s" % (number, name))
+                  for name, number in parts if number)
         return "{:,} columns covered".format(self.covered) + "".join(", " + share for share in shares)
 
 
@@ -145,7 +146,9 @@ class Mesh:
         colours = {"cmap": "viridis_r" if self.direction == "down" else "viridis", "edgecolors": "k", "linewidth": 0.2}
         drawn = axes.tripcolor(self.points[:, 0], self.points[:, 1], self.triangles,
                                facecolors=self.z[self.triangles].mean(axis=1), **{**colours, **keywords})
-        axes.figure.colorbar(drawn, ax=axes, label=" ".join(filter(None, (
+        bar = axes.figure.colorbar(drawn, ax=axes, label=" ".join(filter(None, (
             self.vertical_domain or "z", "(%s)" % self.vertical_unit if self.vertical_unit else ""))))
+        if self.direction == "down":
+            bar.ax.invert_yaxis()
         axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
         return axes

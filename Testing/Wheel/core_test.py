@@ -264,6 +264,11 @@ class FilesTest(unittest.TestCase):
             for x, y, z in zip(horizon.x, horizon.y, horizon.z):
                 self.assertAlmostEqual(places[round(x, 3), round(y, 3)], z, delta=1e-3 if single else 1e-6)
 
+    def test_rounding_is_said(self):
+        horizon = sh.horizon(Z, origin=(461000.5, 6800000.25), spacing=(25.0, 12.5))
+        with self.assertWarnsRegex(UserWarning, r"rounded.*by up to 0.25; .irap keeps them"):
+            sh.write(horizon, FOLDER / "rounded.gri")
+
     def test_meshes(self):
         mesh = sh.surface(rough(8), 3.0)
         for ending, words, times in (("ts", "\nTRGL ", len(mesh)), ("obj", "\nf ", len(mesh)), ("stl", "facet normal ", len(mesh)),
