@@ -139,7 +139,10 @@ def _floats(values: Any, what: str) -> Any:
     try:
         if hasattr(values, "isna"):  # pandas, whose missing values may be objects
             values = values.to_numpy(dtype=np.float64, na_value=np.nan)
-        array = np.ma.filled(np.ma.asarray(values).astype(np.float64), np.nan)
+        array = np.ma.asarray(values)
+        if array.dtype.kind == "c":
+            raise ValueError
+        array = np.ma.filled(array.astype(np.float64), np.nan)
     except (TypeError, ValueError):
         raise ValueError("%s of type %s, expected numbers" % (what, getattr(values, "dtype", type(values).__name__))) from None
     return np.ascontiguousarray(array)
@@ -152,6 +155,9 @@ class _Given:
         self._attributes = dict(attributes or {})
         self._nodata = [] if nodata is None else list(np.ravel(nodata))
         self._place = {key: value for key, value in place.items() if value is not None}
+        for key in self._place.keys() - {"azimuth"}:
+            if np.shape(self._place[key]) != (2,):
+                raise ValueError("%s %s, expected two numbers" % (key, self._place[key]))
         self._columns = dict(columns or {})
         self.attributes: dict[str, Any] = {}
         self._kinds: dict[str, Any] = {}  # of whole numbers

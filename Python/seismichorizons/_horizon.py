@@ -119,9 +119,10 @@ class Horizon:
         rows, columns = self.lattice.shape
         unit = " " + self.vertical_unit if self.vertical_unit else ""
         what = "elevation" if self.direction == "up" and self.vertical_domain != "time" else self.vertical_domain or "z down"
+        known = int((self.filled == 0).sum())
         step = "%.6g x %.6g%s" % (*self.lattice.spacing, " " + self.horizontal_unit if self.horizontal_unit else "")
-        return "Horizon %s: %d columns x %d rows, %s apart, {:,} of {:,} known, %s %.6g to %.6g%s%s".format(
-            int((self.filled == 0).sum()), rows * columns) % (
+        return "Horizon %s: %d columns x %d rows, %s apart, {:,} of {:,} known{}, %s %.6g to %.6g%s%s".format(
+            known, rows * columns, ", {:,} filled".format(len(self) - known) if known < len(self) else "") % (
                 self.name, columns, rows, step, what, self.z.min(), self.z.max(), unit,
                 "; attributes " + ", ".join(self.attributes) if self.attributes else "")
 

@@ -39,7 +39,8 @@ def framing(vertical_step: float | None, direction: str, vertical_unit: str, ver
 WORDS = {"VerticalDirection": "direction", "StrayPicks LeaveOut": "leave_out_strays=True", "StrayPicks": "leave_out_strays",
          "LatticeSource OriginAndSteps": "origin=, column_step= and row_step=", "DuplicatePolicy": "duplicates",
          "LatticeTolerance": "tolerance", "NullValues": "nodata", "Gridding": "gridding=\"plate\"", "Columns": "columns",
-         "HeaderLines": "header_lines", "Topmost": "topmost", "Lowest": "lowest", "Sheets": "sheets", "Mean": "mean"}
+         "HeaderLines": "header_lines", "Topmost": "topmost", "Lowest": "lowest", "Sheets": "sheets", "Mean": "mean",
+         "VerticalStep": "vertical_step", "ColumnStep": "column_step", "RowStep": "row_step", "Origin ": "origin "}
 
 
 def in_keywords(text: str) -> str:

@@ -75,6 +75,12 @@ class Faults:
             len(self), len(self.links), known.max(initial=0.0), unit, self.noise, unit)
 
 
+def _links(given: Faults | None) -> Any:
+    if given is not None and not isinstance(given, Faults):
+        raise TypeError("faults of %s, expected Faults: faults(horizon) finds them" % type(given).__name__)
+    return None if given is None else np.ascontiguousarray(given.links, np.int32)
+
+
 def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise: float | str | None = None, smallest_extent: int = 20,
            smallest_branch: int = 10, largest_gap: int = 5, largest_ramp: int = 7, join_through_holes: bool = True,
            progress: Progress | None = None) -> Faults:
@@ -213,7 +219,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         options["maximum_error"], deviation, is_rounding = _core.noise(*core)
         noise = {"height_rounding" if is_rounding else "height_noise": deviation * step}
     names, values = _split(horizon)
-    links = None if faults is None else np.ascontiguousarray(faults.links, np.int32)
+    links = _links(faults)
     made = _core.surface(*core, horizon.filled, values, links, options, progress)
     figures = made["figures"]
     for name in ("largest_error", "mean_error", "largest_loop_error", "chosen_maximum_error"):
@@ -279,7 +285,7 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
     names, values = _split(horizon)
     options = {"method": method, "largest_hole_size": _count("largest_hole_size", largest_hole_size), "rim_smoothing": float(rim_smoothing),
                "rim_width": int(rim_width), "extrapolation_distance": int(extrapolation_distance)}
-    links = None if faults is None else np.ascontiguousarray(faults.links, np.int32)
+    links = _links(faults)
     made = _core.fill_holes(*horizon._core(), values, links, options, progress)
     new = dict(zip(names, made["attributes"]))
     nearest, marks = made["nearest"], np.ones(len(made["nearest"]), np.uint8)

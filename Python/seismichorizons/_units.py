@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 # Quantity and size in SI units.
@@ -11,7 +12,14 @@ UNITS = {"ms": ("time", 0.001), "s": ("time", 1.0), "m": ("length", 1.0), "ft": 
 
 
 def height(name: str, given: float | str, unit: str) -> float:
-    """Returns a height in a unit of z. Raises ValueError with the name of the keyword."""
+    """Returns a height in a unit of z. Raises ValueError, with the name of the keyword, unless it is finite and at least 0."""
+    number = _in_unit(name, given, unit)
+    if not 0.0 <= number < math.inf:
+        raise ValueError("%s %s, expected a finite number, at least 0" % (name, given))
+    return number
+
+
+def _in_unit(name: str, given: float | str, unit: str) -> float:
     found = re.fullmatch(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(\w*)\s*", given) if isinstance(given, str) else None
     if isinstance(given, str) and not found:
         raise ValueError("%s '%s', expected a number, or one with a unit, as '2 ms' (%s)" % (name, given, ", ".join(UNITS)))

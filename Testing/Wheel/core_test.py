@@ -103,7 +103,12 @@ class DoorTest(unittest.TestCase):
                 (lambda: sh.surface(sh.horizon(Z), "2 ms"), 'vertical_unit="ms"'),
                 (lambda: sh.surface(sh.horizon(Z, vertical_unit="m"), "2 ms"), "a time"),
                 (lambda: sh.surface(sh.horizon(Z), 1.0, triangles=9), "one of them"),
-                (lambda: sh.surface(sh.horizon(Z), -1.0), "at least 0"),
+                (lambda: sh.surface(sh.horizon(Z), -1.0), "largest_error -1.0, expected a finite number, at least 0"),
+                (lambda: sh.faults(sh.horizon(Z), -3.0), "smallest_throw -3.0"),
+                (lambda: sh.surface(sh.horizon(Z), 1.0, faults=[1]), "faults(horizon)"),
+                (lambda: sh.horizon(Z, origin=(1.0,)), "two numbers"),
+                (lambda: sh.horizon(Z + 1j), "expected numbers"),
+                (lambda: sh.horizon(Z, spacing=(0.0, 1.0)), "column_step"),
                 (lambda: sh.surface(Z), "horizon(data)"),
                 (lambda: sh.write(sh.horizon(Z), FOLDER / "a.ts"), "a mesh")):
             with self.assertRaises((ValueError, TypeError)) as caught:
