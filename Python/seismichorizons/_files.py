@@ -16,7 +16,8 @@ import numpy as np
 
 from . import _core
 from ._horizon import Horizon
-from ._made import framing, horizons, in_keywords, placement
+from ._made import framing, in_keywords, placement
+from ._made import horizons as make_horizons
 from ._mesh import Mesh
 from ._stages import Progress
 
@@ -35,7 +36,7 @@ def _of_file(path: pathlib.Path) -> Iterator[None]:
         raise OSError("%s: %s" % (path, error)) from None
 
 
-def read(path: str | os.PathLike[str], horizons_of: str | Sequence[str] | None = None, *, columns: str | Sequence[str] = "",
+def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = None, *, columns: str | Sequence[str] = "",
          nodata: str | float | Sequence[float] | None = None, header_lines: int = 0, duplicates: str = "strongest", gridding: str = "",
          leave_out_strays: bool = False, vertical_step: float | None = None, direction: str = "", vertical_unit: str = "",
          vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "",
@@ -47,7 +48,7 @@ def read(path: str | os.PathLike[str], horizons_of: str | Sequence[str] | None =
     path : str or path
         Sparse voxels (.vsm); picks of Petrel, OpendTect, Kingdom, Charisma, IESX and plain tables; grids of IRAP (text and binary), ZMAP, CPS-3,
         EarthVision, Surfer, GXF, ESRI and Storm; also compressed with gzip.
-    horizons_of : str or list of str, optional
+    horizons : str or list of str, optional
         Names of the horizons to return; all by default.
     columns : str or list of str, optional
         What the columns of a text file are, as "Inline Crossline X Y Z", where they are not found.
@@ -98,10 +99,10 @@ def read(path: str | os.PathLike[str], horizons_of: str | Sequence[str] | None =
             text = columns if isinstance(columns, str) else " ".join(columns)
             form, found = _core.read_text(name, text, nulls or "usual", int(header_lines), placement(duplicates, gridding, leave_out_strays),
                                           *where, progress)
-        made = horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
-    if horizons_of is None:
+        made = make_horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
+    if horizons is None:
         return made
-    wanted = [horizons_of] if isinstance(horizons_of, str) else list(horizons_of)
+    wanted = [horizons] if isinstance(horizons, str) else list(horizons)
     missing = [one for one in wanted if one not in made]
     if missing:
         raise ValueError("%s: no horizon %s, expected one of %s" % (path, missing[0], ", ".join(made)))
@@ -132,7 +133,7 @@ def write(data: Horizon | Mesh, path: str | os.PathLike[str], *, name: str | Non
     path = pathlib.Path(path)
     kinds = {Mesh: MESHES, Horizon: {**GRIDS, ".csv": "csv"}}
     if type(data) not in kinds:
-        raise TypeError("writing %s, expected a Mesh or a Horizon" % type(data).__name__)
+        raise TypeError("writing %s, expected a Mesh or a Horizon; a file has one" % type(data).__name__)
     form = kinds[type(data)].get(path.suffix.lower())
     if form is None:
         what = "mesh" if isinstance(data, Mesh) else "horizon"

@@ -255,7 +255,7 @@ class FilesTest(unittest.TestCase):
         self.assertTrue(1200.0 < found["Horizon 1"].z.min() < found["Horizon 2"].z.max() < 1700.0)
         self.assertEqual(set(found["Horizon 1"].attributes), {"Thickness", "Amplitude"})
         with self.assertRaisesRegex(ValueError, "no horizon Horizon 3, expected one of Horizon 1, Horizon 2"):
-            sh.read(DATA / "sample.vsm", "Horizon 3")
+            sh.read(DATA / "sample.vsm", horizons="Horizon 3")
 
     def test_grids_come_back(self):
         horizon = rough(7, origin=(461000.0, 6801000.0), spacing=(25.0, 12.5), name="Top")
