@@ -876,6 +876,8 @@ NB_MODULE(_core, module)
   module.def("find_format", &FindFormat, "path"_a);
   module.def(
     "role_of", [](const std::string& name) { return std::string(RoleWord(RoleOfName(name))); }, "name"_a);
+  module.def(
+    "short_unit", [](const std::string& unit) { return ShortUnit(unit); }, "unit"_a);
   module.def("choose_z",
     [](const std::vector<std::string>& names, const std::string& remedy) { return ChooseZ(names, remedy.c_str()); });
   module.def(

@@ -66,8 +66,8 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
     vertical_step : float, optional
         z between vertical indices; by default it suits the heights.
     direction : "down" or "up", optional
-        Where z increases to. Unless the data say it, upwards if no z is above 0, as of depths below sea level in negative
-        numbers, or if the data are of PyVista or VTK; otherwise downwards, as time and depth do.
+        Where z increases to. Unless the data say it, upwards if no z is above 0 and one is below, as of depths below sea
+        level in negative numbers, or if the data are of PyVista or VTK; otherwise downwards, as time and depth do.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str, optional
     progress : callable, optional
         Gets the fraction that is done; what it raises stops the work.
@@ -140,7 +140,7 @@ def _floats(values: Any, what: str) -> Any:
         if hasattr(values, "isna"):  # pandas, whose missing values may be objects
             values = values.to_numpy(dtype=np.float64, na_value=np.nan)
         array = np.ma.asarray(values)
-        if array.dtype.kind == "c":
+        if array.dtype.kind not in "iufbO" or (array.dtype.kind == "b" and what in ("heights", "z")):
             raise ValueError
         array = np.ma.filled(array.astype(np.float64), np.nan)
     except (TypeError, ValueError):
@@ -191,7 +191,9 @@ class _Given:
             return self._of_columns({str(key): values for key, values in data.items()}, "a dict")
         if isinstance(data, (str, bytes)) or hasattr(data, "__fspath__"):
             raise TypeError("a file name, expected arrays: read(path) reads a file")
-        array = np.ma.asarray(data)
+        array = _floats(data, "heights")
+        if not array.size:
+            raise ValueError("an array of shape %s, expected heights" % (array.shape,))
         if array.ndim == 2 and array.shape[1] == 3:
             raise ValueError("an array of shape %s, which may be x, y and z of points or a grid of 3 columns: horizon(points=...) or "
                              "horizon(grid=...) decides" % (array.shape,))
@@ -232,8 +234,13 @@ class _Given:
             if len(given) == 1 or {"spacing", "azimuth"} & self._place.keys():
                 raise ValueError("%s, expected column_step and row_step, or spacing and azimuth" % " and ".join(sorted(self._place)))
             return self._place["column_step"], self._place["row_step"]
-        turn = math.radians(90.0 - self._place.get("azimuth", 90.0))
+        azimuth = self._place.get("azimuth", 90.0)
+        if not math.isfinite(azimuth):
+            raise ValueError("azimuth %s, expected a finite number" % azimuth)
+        turn = math.radians(90.0 - azimuth)
         column, row = self._place.get("spacing", (1.0, 1.0))
+        if not (math.isfinite(column) and math.isfinite(row) and column * row != 0.0):
+            raise ValueError("spacing (%s, %s), expected finite numbers other than 0" % (column, row))
         cosine, sine = (round(f(turn), 15) for f in (math.cos, math.sin))
         return (column * cosine, column * sine), (-row * sine, row * cosine)
 

@@ -9,7 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from . import _core
 from ._horizon import Horizon, Lattice
+from ._units import UNITS
 
 POLICIES = ("strongest", "topmost", "lowest", "mean", "sheets")
 
@@ -30,6 +32,8 @@ def framing(vertical_step: float | None, direction: str, vertical_unit: str, ver
     """The arguments of the core for the place of horizons. Raises ValueError."""
     if direction not in ("", "down", "up"):
         raise ValueError("direction '%s', expected down or up" % direction)
+    if vertical_unit and not vertical_domain and _core.short_unit(vertical_unit) not in UNITS:
+        raise ValueError("vertical_unit '%s', expected one of %s, or vertical_domain beside it" % (vertical_unit, ", ".join(UNITS)))
     if vertical_step is not None and not vertical_step > 0.0:
         raise ValueError("vertical_step %s, expected more than 0" % vertical_step)
     return (float(vertical_step or 0.0), direction, (vertical_unit, vertical_domain, horizontal_unit, str(coordinate_system or "")))
@@ -47,6 +51,8 @@ def in_keywords(text: str) -> str:
     """A message of the core with keywords in place of properties."""
     for word, keyword in WORDS.items():
         text = text.replace(word, keyword)
+    if "points on one line" in text or "places on one line" in text or "places of picks on one line" in text:
+        text += "; origin=, column_step= and row_step= give it"
     text = text.replace(": open it by the reader of GOCAD TSurf", ", which this package does not read")
     return text.replace("direction Up", "direction=\"up\"").replace("direction Down", "direction=\"down\"").replace("Down confirms", "direction=\"down\" confirms")
 

@@ -108,7 +108,14 @@ class DoorTest(unittest.TestCase):
                 (lambda: sh.surface(sh.horizon(Z), 1.0, faults=[1]), "faults(horizon)"),
                 (lambda: sh.horizon(Z, origin=(1.0,)), "two numbers"),
                 (lambda: sh.horizon(Z + 1j), "expected numbers"),
-                (lambda: sh.horizon(Z, spacing=(0.0, 1.0)), "column_step"),
+                (lambda: sh.horizon(Z, spacing=(0.0, 1.0)), "spacing (0.0, 1.0)"),
+                (lambda: sh.horizon(Z, azimuth=np.nan), "azimuth nan"),
+                (lambda: sh.horizon(Z, vertical_unit="furlong"), "vertical_unit 'furlong', expected one of ms, s, m, ft"),
+                (lambda: sh.horizon(Z.astype("M8[D]")), "datetime64[D], expected numbers"),
+                (lambda: sh.horizon(Z > 1000.0), "bool, expected numbers"),
+                (lambda: sh.horizon(np.zeros((0, 3))), "expected heights"),
+                (lambda: sh.horizon(np.zeros((3, 3), complex)), "complex128, expected numbers"),
+                (lambda: sh.horizon(X[0], 0.0 * X[0], Z[0]), "row_step= give it"),
                 (lambda: sh.surface(Z), "horizon(data)"),
                 (lambda: sh.write(sh.horizon(Z), FOLDER / "a.ts"), "a mesh")):
             with self.assertRaises((ValueError, TypeError)) as caught:
