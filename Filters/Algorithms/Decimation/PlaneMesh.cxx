@@ -174,8 +174,9 @@ void PlaneMesh::Split(VertexId vertex, TriangleId triangle, std::vector<Triangle
 //----------------------------------------------------------------------------------------------------------------------
 int PlaneMesh::EdgeTo(TriangleId triangle, TriangleId neighbour) const
 {
+  // Loops that enclose a surface twice give meshes without this neighbour, which are refused once all points are in
+  // triangles.
   const auto& neighbours = this->Triangles[triangle].Neighbours;
-  assert(neighbours[0] == neighbour || neighbours[1] == neighbour || neighbours[2] == neighbour);
   return neighbours[0] == neighbour ? 0 : neighbours[1] == neighbour ? 1 : 2;
 }
 
