@@ -41,6 +41,7 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <Eigen/Geometry>
@@ -53,6 +54,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -170,9 +172,12 @@ struct Points
   }
 };
 
-Points MakePoints(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map)
+/// Columns, world z, size of the lattice, and its map to the world.
+using PointArrays = std::tuple<Tuples<std::int32_t>, Values<double>, std::array<int, 3>, std::array<double, 16>>;
+
+Points MakePoints(const PointArrays& arrays)
 {
+  const auto& [columns, elevations, dimensions, map] = arrays;
   Points points{ PlacesOf(columns), {}, map, {}, elevations.data() };
   if (elevations.size() != points.Columns.size())
   {
@@ -244,7 +249,6 @@ nb::dict GiveHorizon(LatticeHorizon& horizon, const LatticeFrame& frame)
   {
     given["lines"] = nb::make_tuple(lines->FirstInline, lines->InlineStep, lines->FirstCrossline, lines->CrosslineStep);
   }
-  given["deviation"] = frame.LatticeDeviation.value_or(0.0);
   given["duplicates"] = horizon.DroppedDuplicates;
   given["without_z"] = horizon.DroppedNulls;
   given["columns"] = Give<std::int32_t>(std::move(horizon.Column), 2);
@@ -467,13 +471,12 @@ std::string FindFormat(const std::string& path)
 }
 
 // ---- Stages ---------------------------------------------------------------------------------------------------------
-nb::tuple Noise(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map)
+nb::tuple Noise(const PointArrays& horizon)
 {
   const HeightNoise noise = Run(nb::none(),
     [&](const Monitor&)
     {
-      const Points points = MakePoints(columns, elevations, dimensions, map);
+      const Points points = MakePoints(horizon);
       return MeasureHeightNoise(points.Columns, points.Height);
     });
   return nb::make_tuple(noise.MaximumError(), noise.Deviation, noise.IsRounding);
@@ -501,45 +504,33 @@ SurfaceOptions MakeSurfaceOptions(const nb::dict& given)
 {
   SurfaceOptions options;
   bool isFast = false;
-  bool isByLargest = false;
-  bool isByDistance = false;
   Take(given, "maximum_error", options.MaximumError);
   Take(given, "maximum_number_of_triangles", options.MaximumNumberOfTriangles);
   Take(given, "fit_heights", options.FitHeights);
   Take(given, "smallest_angle", options.SmallestAngle);
   Take(given, "fast", isFast);
-  Take(given, "largest_errors_first", isByLargest);
-  Take(given, "growth_by_distance", isByDistance);
   Take(given, "radius", options.Radius);
   Take(given, "hole_boundaries", options.HoleBoundaries);
   Take(given, "smallest_hole_size", options.SmallestHoleSize);
   Take(given, "minimum_patch_size", options.MinimumPatchSize);
   Take(given, "outline_tolerance", options.OutlineTolerance);
-  Take(given, "distance_threshold", options.DistanceThreshold);
   options.Effort = isFast ? DecimationEffort::Fast : DecimationEffort::Best;
-  options.Priority = isByLargest ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
-  options.Growth = isByDistance ? GrowthStrategy::Distance : GrowthStrategy::Clockwise;
   return options;
 }
 
 std::vector<double> WorldVertices(const Points& points, const std::vector<PointId>& kept, const Reduction& reduction)
 {
   std::vector<double> vertices(3 * reduction.Source.size());
-  const double perSubVoxel = 1.0 / reduction.SubVoxelsPerColumn; // exact
   for (std::size_t n = 0; n < reduction.Source.size(); ++n)
   {
-    const PlanePoint& place = reduction.Plane[n];
-    // A point that was not averaged keeps its coordinates exactly.
-    const Eigen::Vector3d world = reduction.Averaged[n]
-      ? points.Lattice.ToWorld({ place.X * perSubVoxel, place.Y * perSubVoxel, reduction.Height[n] })
-      : points.World(std::size_t(kept[std::size_t(reduction.Source[n])]));
+    const Eigen::Vector3d world = WorldPlace(reduction, n, points.Lattice,
+      [&](PointId source) { return points.World(std::size_t(kept[std::size_t(source)])); });
     std::copy_n(world.data(), 3, vertices.data() + 3 * n);
   }
   return vertices;
 }
 
-nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map, const Values<std::uint8_t>& filled,
+nb::dict MeshSurface(const PointArrays& horizon, const Values<std::uint8_t>& filled,
   const std::vector<Values<double>>& attributes, const std::optional<Tuples<std::int32_t>>& links,
   const nb::dict& given, const nb::object& progress)
 {
@@ -554,7 +545,7 @@ nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& 
   Run(progress,
     [&](const Monitor& monitor)
     {
-      Points points = MakePoints(columns, elevations, dimensions, map);
+      Points points = MakePoints(horizon);
       const std::optional<LinkCuts> cuts = MakeCuts(links);
       options.Cuts = cuts ? &*cuts : nullptr;
       surface = MakeSurface({ points.Columns, std::move(points.Height) }, options, monitor);
@@ -568,13 +559,7 @@ nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& 
       }
       vertices = WorldVertices(points, kept, reduction);
       quality = MeasureQuality(reduction.Plane, surface.Mesh.Triangles);
-      if (!points.Lattice.KeepsOrientation())
-      {
-        for (std::size_t corner = 0; corner < surface.Mesh.Triangles.size(); corner += 3)
-        {
-          std::swap(surface.Mesh.Triangles[corner + 1], surface.Mesh.Triangles[corner + 2]);
-        }
-      }
+      FaceUp(points.Lattice, surface.Mesh.Triangles);
       const MergedPoints merged(reduction, {});
       counts.resize(std::size_t(merged.Size()));
       averages.assign(attributes.size(), std::vector<double>(counts.size()));
@@ -593,14 +578,11 @@ nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& 
           }
         });
     });
-  const std::vector<BoundaryKind> kinds = MarkBoundary(BoundaryType::Exterior, {}, surface.Boundary);
   std::vector<std::int32_t> sources;
-  std::vector<std::uint8_t> marks;
   std::vector<std::int32_t> patches;
   for (const PointId source : surface.Mesh.Points.Source)
   {
     sources.push_back(kept[std::size_t(source)]);
-    marks.push_back(std::uint8_t(kinds[std::size_t(source)]));
     patches.push_back(surface.Boundary.Patch[std::size_t(source)]);
   }
   nb::dict made;
@@ -635,10 +617,8 @@ nb::dict MeshSurface(const Tuples<std::int32_t>& columns, const Values<double>& 
   return made;
 }
 
-nb::dict Fill(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map,
-  const std::vector<Values<double>>& attributes, const std::optional<Tuples<std::int32_t>>& links,
-  const nb::dict& given, const nb::object& progress)
+nb::dict Fill(const PointArrays& horizon, const std::vector<Values<double>>& attributes,
+  const std::optional<Tuples<std::int32_t>>& links, const nb::dict& given, const nb::object& progress)
 {
   static const std::map<std::string, FillMethod> methods = { { "plate", FillMethod::Plate },
     { "membrane", FillMethod::Membrane }, { "automatic", FillMethod::Automatic } };
@@ -648,13 +628,14 @@ nb::dict Fill(const Tuples<std::int32_t>& columns, const Values<double>& elevati
   Take(given, "rim_smoothing", options.RimSmoothing);
   Take(given, "rim_width", options.RimWidth);
   Take(given, "extrapolation_distance", options.ExtrapolationDistance);
-  options.Survey = PlaneBox({ { 0, 0 }, { dimensions[0] - 1, dimensions[1] - 1 } });
+  const std::array<int, 3>& size = std::get<2>(horizon);
+  options.Survey = PlaneBox({ { 0, 0 }, { size[0] - 1, size[1] - 1 } });
   FilledColumns filled;
   std::vector<double> made;
   Run(progress,
     [&](const Monitor& monitor)
     {
-      const Points points = MakePoints(columns, elevations, dimensions, map);
+      const Points points = MakePoints(horizon);
       const std::optional<LinkCuts> cuts = MakeCuts(links);
       std::vector<PointValue> values;
       for (const Values<double>& attribute : attributes)
@@ -679,19 +660,15 @@ nb::dict Fill(const Tuples<std::int32_t>& columns, const Values<double>& elevati
   }
   result["attributes"] = lists;
   result["first_outside"] = filled.FirstOutside;
-  result["filled_holes"] = filled.FilledHoles;
-  result["open_holes"] = filled.OpenHoles;
   return result;
 }
 
-nb::tuple Despike(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map, double threshold, int radius, int spurWidth,
-  const nb::object& progress)
+nb::tuple Despike(const PointArrays& horizon, double threshold, int radius, int spurWidth, const nb::object& progress)
 {
   const Spikes spikes = Run(progress,
     [&](const Monitor& monitor)
     {
-      const Points points = MakePoints(columns, elevations, dimensions, map);
+      const Points points = MakePoints(horizon);
       return FindSpikes(points.Columns, points.Height, { threshold, radius, spurWidth }, monitor);
     });
   std::vector<std::uint8_t> kinds;
@@ -702,9 +679,7 @@ nb::tuple Despike(const Tuples<std::int32_t>& columns, const Values<double>& ele
   return nb::make_tuple(Give<std::uint8_t>(std::move(kinds)), spikes.Threshold);
 }
 
-nb::dict FindFaults(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map, const nb::dict& given,
-  const nb::object& progress)
+nb::dict FindFaults(const PointArrays& horizon, const nb::dict& given, const nb::object& progress)
 {
   FaultDetectionOptions options;
   options.SmallestThrow = 0.0;
@@ -720,7 +695,7 @@ nb::dict FindFaults(const Tuples<std::int32_t>& columns, const Values<double>& e
     [&](const Monitor& monitor)
     {
       CheckOptions(options);
-      const Points points = MakePoints(columns, elevations, dimensions, map);
+      const Points points = MakePoints(horizon);
       if (options.SmallestThrow == 0.0)
       {
         options.SmallestThrow = ThrowAboveNoise(points.Columns, points.Height, options.Noise);
@@ -747,28 +722,22 @@ nb::dict FindFaults(const Tuples<std::int32_t>& columns, const Values<double>& e
 }
 
 /// Both horizons are on one lattice.
-nb::dict FindThickness(const Tuples<std::int32_t>& columns, const Values<double>& elevations,
-  const std::array<int, 3>& dimensions, const std::array<double, 16>& map, const Tuples<std::int32_t>& otherColumns,
-  const Values<double>& otherElevations, const nb::object& progress)
+nb::dict FindThickness(const PointArrays& horizon, const PointArrays& base, const nb::object& progress)
 {
   Thickness found;
   Run(progress,
     [&](const Monitor& monitor)
     {
-      const Points first = MakePoints(columns, elevations, dimensions, map);
-      const Points other = MakePoints(otherColumns, otherElevations, dimensions, map);
-      LatticeScale scale;
-      scale.Plane << map[0], map[1], map[4], map[5];
-      scale.Height = map[10];
-      found = MeasureThickness(
-        { first.Columns, first.Height.data() }, { other.Columns, other.Height.data() }, scale, monitor);
+      const Points first = MakePoints(horizon);
+      const Points other = MakePoints(base);
+      found = MeasureThickness({ first.Columns, first.Height.data() }, { other.Columns, other.Height.data() },
+        ScaleOf(first.Lattice), monitor);
     });
   nb::dict made;
   made["isochore"] = Give<double>(std::move(found.Isochore));
   made["isopach"] = Give<double>(std::move(found.Isopach));
   made["columns"] = found.Columns;
   made["left_out"] = found.LeftOut;
-  made["area"] = found.Area;
   made["crossings"] = found.Crossings;
   made["least"] = found.Least;
   made["mean"] = found.Mean;
@@ -801,15 +770,30 @@ TSurf MakeTSurf(const std::string& name, const Tuples<double>& vertices, const T
   return surface;
 }
 
+/// Calls print(stream, monitor).
+template <typename Print>
+void WriteFile(const std::string& path, const nb::object& progress, Print&& print)
+{
+  Run(progress,
+    [&](const Monitor& monitor)
+    {
+      std::ofstream stream(path, std::ios::binary);
+      print(stream, monitor);
+      if (!stream.flush())
+      {
+        throw std::runtime_error("cannot be written");
+      }
+    });
+}
+
 void WriteMesh(const std::string& path, const std::string& format, const std::string& name,
   const Tuples<double>& vertices, const Tuples<std::int32_t>& triangles, const nb::dict& attributes, bool isUp,
   const std::array<std::string, 4>& survey, const nb::object& progress)
 {
   const TSurf surface = MakeTSurf(name, vertices, triangles, attributes, isUp, survey);
-  Run(progress,
-    [&](const Monitor& monitor)
+  WriteFile(path, progress,
+    [&](std::ostream& stream, const Monitor& monitor)
     {
-      std::ofstream stream(path, std::ios::binary);
       if (format == "ts")
       {
         PrintTSurf(surface, true, stream, monitor);
@@ -826,10 +810,6 @@ void WriteMesh(const std::string& path, const std::string& format, const std::st
       {
         (format == "stl" ? PrintSTL : format == "ply" ? PrintPLY : PrintOBJ)(surface, stream, monitor);
       }
-      if (!stream.flush())
-      {
-        throw std::runtime_error("cannot be written");
-      }
     });
 }
 
@@ -845,15 +825,9 @@ double WriteGrid(const std::string& path, const std::string& format, const std::
   grid.Lattice.ColumnStep = Eigen::Vector2d(columnStep.data());
   grid.Lattice.RowStep = Eigen::Vector2d(rowStep.data());
   grid.Z = Copy(z);
-  Run(progress,
-    [&](const Monitor& monitor)
-    {
-      std::ofstream stream(path, std::ios::binary);
+  WriteFile(path, progress,
+    [&](std::ostream& stream, const Monitor& monitor) {
       (format == "irap" ? WriteIrapText : format == "gri" ? WriteIrapBinary : WriteZmap)(stream, grid, monitor);
-      if (!stream.flush())
-      {
-        throw std::runtime_error("cannot be written");
-      }
     });
   return format == "gri" ? RoundingOf(grid.Lattice) : 0.0;
 }
@@ -887,17 +861,13 @@ NB_MODULE(_core, module)
     "direction"_a, "survey"_a, "progress"_a.none());
   module.def("place_points", &PlacePoints, "arrays"_a, "attributes"_a, "names"_a, "options"_a, "vertical_step"_a,
     "direction"_a, "survey"_a, "progress"_a.none());
-  module.def("noise", &Noise, "columns"_a, "elevations"_a, "size"_a, "to_world"_a);
-  module.def("surface", &MeshSurface, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "filled"_a, "attributes"_a,
-    "links"_a.none(), "options"_a, "progress"_a.none());
-  module.def("fill_holes", &Fill, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "attributes"_a, "links"_a.none(),
-    "options"_a, "progress"_a.none());
-  module.def("despike", &Despike, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "threshold"_a, "radius"_a,
-    "spur_width"_a, "progress"_a.none());
-  module.def(
-    "faults", &FindFaults, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "options"_a, "progress"_a.none());
-  module.def("thickness", &FindThickness, "columns"_a, "elevations"_a, "size"_a, "to_world"_a, "other_columns"_a,
-    "other_elevations"_a, "progress"_a.none());
+  module.def("noise", &Noise, "horizon"_a);
+  module.def("surface", &MeshSurface, "horizon"_a, "filled"_a, "attributes"_a, "links"_a.none(), "options"_a,
+    "progress"_a.none());
+  module.def("fill_holes", &Fill, "horizon"_a, "attributes"_a, "links"_a.none(), "options"_a, "progress"_a.none());
+  module.def("despike", &Despike, "horizon"_a, "threshold"_a, "radius"_a, "spur_width"_a, "progress"_a.none());
+  module.def("faults", &FindFaults, "horizon"_a, "options"_a, "progress"_a.none());
+  module.def("thickness", &FindThickness, "horizon"_a, "base"_a, "progress"_a.none());
   module.def("write_mesh", &WriteMesh, "path"_a, "format"_a, "name"_a, "points"_a, "triangles"_a, "attributes"_a,
     "is_up"_a, "survey"_a, "progress"_a.none());
   module.def("write_grid", &WriteGrid, "path"_a, "format"_a, "name"_a, "z"_a, "size"_a, "origin"_a, "column_step"_a,

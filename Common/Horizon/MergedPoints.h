@@ -5,6 +5,7 @@
 #define SeismicHorizonsMergedPoints_h
 
 #include "Common/Base/CountingSort.h"
+#include "Lattice.h"
 #include "Types.h"
 
 #include <cmath>
@@ -16,6 +17,19 @@
 
 namespace SeismicHorizons
 {
+/// The place of an output point in the world. A point that was not averaged keeps that of its input point exactly.
+template <typename PlaceOf>
+Eigen::Vector3d WorldPlace(const Reduction& reduction, std::size_t target, const Lattice& lattice, PlaceOf&& placeOf)
+{
+  if (reduction.Averaged[target] == 0)
+  {
+    return placeOf(reduction.Source[target]);
+  }
+  const PlanePoint& place = reduction.Plane[target];
+  const double perSubVoxel = 1.0 / reduction.SubVoxelsPerColumn; // exact
+  return lattice.ToWorld({ place.X * perSubVoxel, place.Y * perSubVoxel, reduction.Height[target] });
+}
+
 /// The input points of each output point, in ascending order.
 class MergedPoints
 {
@@ -39,6 +53,10 @@ public:
 
   std::int64_t SumCounts(std::int64_t target) const
   {
+    if (this->Counts.empty())
+    {
+      return this->Points.end(target) - this->Points.begin(target);
+    }
     return std::accumulate(this->Points.begin(target), this->Points.end(target), std::int64_t(0),
       [this](std::int64_t sum, PointId point) { return sum + this->Count(point); });
   }

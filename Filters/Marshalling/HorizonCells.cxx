@@ -5,7 +5,6 @@
 
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
-#include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -77,16 +76,6 @@ vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
   return triangles.size() <= std::size_t(std::numeric_limits<vtkTypeInt32>::max())
     ? MakeTrianglesAs<vtkTypeInt32Array>(triangles)
     : MakeTrianglesAs<vtkTypeInt64Array>(triangles);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles)
-{
-  assert(triangles.size() % 3 == 0);
-  for (std::size_t corner = 0; !lattice.KeepsOrientation() && corner < triangles.size(); corner += 3)
-  {
-    std::swap(triangles[corner + 1], triangles[corner + 2]);
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

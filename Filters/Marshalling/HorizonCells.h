@@ -8,6 +8,7 @@
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 #include "Common/VTK/DataArrays.h"
+#include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 
 #include "vtkCellData.h"
 #include "vtkPolyData.h"
@@ -37,9 +38,6 @@ void AddTriangleArray(const char* name, const Values& values, vtkPolyData* mesh)
   std::copy(values.begin(), values.end(), triangles);
   mesh->GetCellData()->AddArray(array);
 }
-
-/// Reverses triangles, counter-clockwise on the lattice, if the lattice is mirrored in the world.
-void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles);
 
 /// Triangles are counter-clockwise on the lattice, and `plane` has their vertices. Returns the smallest angle in
 /// degrees.

@@ -216,24 +216,18 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice
   places->SetNumberOfComponents(3);
   SetNumberOfTuples(places, vtkIdType(reduction.Source.size()));
   double* const values = places->GetPointer(0);
-  const double perSubVoxel = 1.0 / reduction.SubVoxelsPerColumn; // exact
   ParallelFor(places->GetNumberOfTuples(), Grain,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType n = first; n < last; ++n)
       {
-        const std::size_t point = std::size_t(n);
-        const PlanePoint& place = reduction.Plane[point];
-        // A point that was not averaged keeps its coordinates exactly.
-        Eigen::Vector3d world;
-        if (reduction.Averaged[point])
-        {
-          world = lattice.ToWorld({ place.X * perSubVoxel, place.Y * perSubVoxel, reduction.Height[point] });
-        }
-        else
-        {
-          input->GetPoint(reduction.Source[point], world.data());
-        }
+        const Eigen::Vector3d world = WorldPlace(reduction, std::size_t(n), lattice,
+          [input](PointId source)
+          {
+            Eigen::Vector3d place;
+            input->GetPoint(source, place.data());
+            return place;
+          });
         std::copy_n(world.data(), 3, values + 3 * n);
       }
     });

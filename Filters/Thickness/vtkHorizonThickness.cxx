@@ -115,16 +115,6 @@ void WriteSampled(const PlacedPoints& sampled, const KeptPoints& kept, vtkPolyDa
   output->GetPointData()->PassData(ReadColumns(output, {}, KeptHeights::None).Horizon->GetPointData());
 }
 
-LatticeScale ScaleOf(const Lattice& lattice)
-{
-  const Eigen::Vector3d origin = lattice.ToWorld(Eigen::Vector3d::Zero());
-  LatticeScale scale;
-  scale.Plane.col(0) = (lattice.ToWorld(Eigen::Vector3d::UnitX()) - origin).head<2>();
-  scale.Plane.col(1) = (lattice.ToWorld(Eigen::Vector3d::UnitY()) - origin).head<2>();
-  scale.Height = (lattice.ToWorld(Eigen::Vector3d::UnitZ()) - origin).z();
-  return scale;
-}
-
 /// `each` is the number of columns of the output that one column of the thickness stands for.
 Ledger LedgerOf(const Thickness& found, std::int64_t each)
 {

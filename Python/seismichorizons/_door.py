@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -124,8 +125,6 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
 
 def _widen(made: Horizon, shape: tuple[int, int], origin: Sequence[float]) -> None:
     """Gives a horizon the lattice of the whole array that it is of, not of its points alone."""
-    import dataclasses
-
     lattice = made.lattice
     steps = np.column_stack((lattice.column_step, lattice.row_step))
     first = np.rint(np.linalg.solve(steps, np.subtract(lattice.origin, origin))).astype(np.int32)
@@ -197,7 +196,7 @@ class _Given:
         if array.ndim == 2 and array.shape[1] == 3:
             raise ValueError("an array of shape %s, which may be x, y and z of points or a grid of 3 columns: horizon(points=...) or "
                              "horizon(grid=...) decides" % (array.shape,))
-        return self.grid(data)
+        return self.grid(array)
 
     def points(self, points: Any) -> dict[str, Any]:
         array = _floats(points, "points")
@@ -217,10 +216,7 @@ class _Given:
         return self._points(*(np.ascontiguousarray(array.ravel()) for array in arrays))
 
     def grid(self, grid: Any) -> dict[str, Any]:
-        if isinstance(grid, np.ma.MaskedArray) or not hasattr(grid, "mask"):
-            heights = _floats(grid, "heights")
-        else:
-            heights = _floats(np.asarray(grid), "heights")
+        heights = _floats(grid, "heights")
         if heights.ndim != 2:
             raise ValueError("heights of shape %s, expected (rows, columns); horizon(x, y, z) and horizon(points=...) take points"
                              % (heights.shape,))

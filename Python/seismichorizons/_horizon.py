@@ -61,8 +61,19 @@ class Lattice:
         return ax * columns + bx * rows + x, ay * columns + by * rows + y
 
 
+class WithAttributes:
+    """Gives attributes by name."""
+
+    attributes: dict[str, NDArray[Any]]
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        if name not in self.attributes:
+            raise KeyError("no attribute %s, expected one of %s" % (name, ", ".join(self.attributes) or "none"))
+        return self.attributes[name]
+
+
 @dataclasses.dataclass(eq=False, repr=False)
-class Horizon:
+class Horizon(WithAttributes):
     """Heights at columns of a lattice, at most one for each, as `horizon` and `read` make them.
 
     Attributes
@@ -106,11 +117,6 @@ class Horizon:
 
     def __len__(self) -> int:
         return len(self.z)
-
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        if name not in self.attributes:
-            raise KeyError("no attribute %s, expected one of %s" % (name, ", ".join(self.attributes) or "none"))
-        return self.attributes[name]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.attributes)

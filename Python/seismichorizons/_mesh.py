@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._horizon import Floats, Lattice, _poly_data
+from ._horizon import Floats, Lattice, WithAttributes, _poly_data
 
 
 @dataclasses.dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Ledger:
 
 
 @dataclasses.dataclass(eq=False, repr=False)
-class Mesh:
+class Mesh(WithAttributes):
     """A triangle mesh of a horizon, as `surface` makes it.
 
     Attributes
@@ -106,11 +106,6 @@ class Mesh:
 
     def __len__(self) -> int:
         return len(self.triangles)
-
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        if name not in self.attributes:
-            raise KeyError("no attribute %s, expected one of %s" % (name, ", ".join(self.attributes) or "none"))
-        return self.attributes[name]
 
     def __repr__(self) -> str:
         unit = " " + self.vertical_unit if self.vertical_unit else ""

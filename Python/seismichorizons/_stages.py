@@ -125,7 +125,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     for name, given in (("smallest_throw", smallest_throw), ("noise", noise)):
         if given is not None:
             options[name] = height(name, given, horizon.vertical_unit) / step
-    made = _core.faults(*horizon._core(), options, progress)
+    made = _core.faults(horizon._core(), options, progress)
     return Faults(made["links"], made["lines"], made["throws"] * horizon.lattice.vertical_step, made["noise"] * step,
                   made["smallest_throw"] * step, horizon.vertical_unit)
 
@@ -216,11 +216,11 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     elif largest_error is not None:
         options["maximum_error"] = height("largest_error", largest_error, horizon.vertical_unit) / step
     else:
-        options["maximum_error"], deviation, is_rounding = _core.noise(*core)
+        options["maximum_error"], deviation, is_rounding = _core.noise(core)
         noise = {"height_rounding" if is_rounding else "height_noise": deviation * step}
     names, values = _split(horizon)
     links = _links(faults)
-    made = _core.surface(*core, horizon.filled, values, links, options, progress)
+    made = _core.surface(core, horizon.filled, values, links, options, progress)
     figures = made["figures"]
     for name in ("largest_error", "mean_error", "largest_loop_error", "chosen_maximum_error"):
         figures[name] *= step
@@ -286,7 +286,7 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
     options = {"method": method, "largest_hole_size": _count("largest_hole_size", largest_hole_size), "rim_smoothing": float(rim_smoothing),
                "rim_width": int(rim_width), "extrapolation_distance": int(extrapolation_distance)}
     links = _links(faults)
-    made = _core.fill_holes(*horizon._core(), values, links, options, progress)
+    made = _core.fill_holes(horizon._core(), values, links, options, progress)
     new = dict(zip(names, made["attributes"]))
     nearest, marks = made["nearest"], np.ones(len(made["nearest"]), np.uint8)
     marks[made["first_outside"]:] = 2
@@ -327,7 +327,7 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
     """
     _require(horizon, "despiking")
     least = 0.0 if threshold is None else height("threshold", threshold, horizon.vertical_unit) / abs(horizon.lattice.vertical_step)
-    kinds, _ = _core.despike(*horizon._core(), least, int(radius), int(spur_width), progress)
+    kinds, _ = _core.despike(horizon._core(), least, int(radius), int(spur_width), progress)
     kept = kinds == 0
     if not kept.any():
         raise ValueError("%s: all points are spikes or on spurs, expected some that stay" % horizon.name)
@@ -412,8 +412,9 @@ def thickness(top: Horizon, base: Horizon, *, progress: Progress | None = None) 
     least = np.minimum(columns.min(axis=0), 0)
     most = np.maximum(columns.max(axis=0), np.subtract(top.lattice.shape[::-1], 1)) - least + 1
     own, elevations, (_, _, indices), to_world = top._core()
-    made = _core.thickness(own - least.astype(np.int32), elevations, (int(most[0]), int(most[1]), indices), to_world,
-                           np.ascontiguousarray(columns - least, np.int32), np.ascontiguousarray(base.sign * base.z, np.float64), progress)
+    lattice = (int(most[0]), int(most[1]), indices), to_world
+    made = _core.thickness((own - least.astype(np.int32), elevations, *lattice),
+                           (np.ascontiguousarray(columns - least, np.int32), base._core()[1], *lattice), progress)
     kept = np.isfinite(made["isochore"])
     both = dataclasses.replace(
         top, columns=top.columns[kept], z=top.z[kept], filled=top.filled[kept],

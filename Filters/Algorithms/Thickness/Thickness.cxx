@@ -132,6 +132,17 @@ void Count(Thickness& result)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+LatticeScale ScaleOf(const Lattice& lattice)
+{
+  const Eigen::Vector3d origin = lattice.ToWorld(Eigen::Vector3d::Zero());
+  LatticeScale scale;
+  scale.Plane.col(0) = (lattice.ToWorld(Eigen::Vector3d::UnitX()) - origin).head<2>();
+  scale.Plane.col(1) = (lattice.ToWorld(Eigen::Vector3d::UnitY()) - origin).head<2>();
+  scale.Height = (lattice.ToWorld(Eigen::Vector3d::UnitZ()) - origin).z();
+  return scale;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 Thickness MeasureThickness(
   const HorizonView& first, const HorizonView& other, const LatticeScale& scale, const Monitor& monitor)
 {

@@ -15,6 +15,7 @@
 #define SeismicHorizonsThickness_h
 
 #include "Common/Base/Monitor.h"
+#include "Common/Horizon/Lattice.h"
 #include "Filters/Algorithms/Layers/CommonColumns.h"
 
 #include <Eigen/Core>
@@ -29,6 +30,8 @@ struct LatticeScale
   Eigen::Matrix2d Plane = Eigen::Matrix2d::Identity(); // columns of the matrix: steps along i and j
   double Height = 1.0; // of a vertical index, with its sign
 };
+
+LatticeScale ScaleOf(const Lattice& lattice);
 
 struct Thickness
 {

@@ -12,6 +12,7 @@
 #include <cassert>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -48,6 +49,16 @@ struct Shape
   std::array<double, 3> Side;
   double Area;
 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles)
+{
+  assert(triangles.size() % 3 == 0);
+  for (std::size_t corner = 0; !lattice.KeepsOrientation() && corner < triangles.size(); corner += 3)
+  {
+    std::swap(triangles[corner + 1], triangles[corner + 2]);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

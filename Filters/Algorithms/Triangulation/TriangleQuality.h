@@ -7,6 +7,7 @@
 #define SeismicHorizonsTriangleQuality_h
 
 #include "Common/Base/RawVector.h"
+#include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 
 #include <vector>
@@ -24,6 +25,9 @@ struct TriangleQuality
   /// This is in degrees, and 180 without triangles.
   double SmallestAngle = 180.0;
 };
+
+/// Reverses triangles, counter-clockwise on the lattice, if the lattice is mirrored in the world.
+void FaceUp(const Lattice& lattice, RawVector<PointId>& triangles);
 
 TriangleQuality MeasureQuality(const std::vector<PlanePoint>& places, const RawVector<PointId>& triangles);
 }
