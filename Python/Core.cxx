@@ -204,24 +204,14 @@ Points MakePoints(const PointArrays& arrays)
   return points;
 }
 
-std::optional<LinkCuts> MakeCuts(const std::optional<Tuples<std::int32_t>>& links)
+std::optional<LinkCuts> MakeCuts(const std::optional<Tuples<std::int32_t>>& given)
 {
-  if (!links || links->shape(0) == 0)
+  std::vector<LatticeLink> links;
+  for (std::size_t n = 0; given && n < given->shape(0); ++n)
   {
-    return std::nullopt;
+    links.push_back({ { (*given)(n, 0), (*given)(n, 1) }, (*given)(n, 2) == 1 ? LinkSide::North : LinkSide::East });
   }
-  PlaneBox box;
-  const auto column = [&](std::size_t n) { return PlanePoint{ (*links)(n, 0), (*links)(n, 1) }; };
-  for (std::size_t n = 0; n < links->shape(0); ++n)
-  {
-    box.Add(column(n));
-  }
-  LinkCuts cuts(box);
-  for (std::size_t n = 0; n < links->shape(0); ++n)
-  {
-    (*links)(n, 2) == 1 ? cuts.CutNorth(column(n)) : cuts.CutEast(column(n));
-  }
-  return cuts;
+  return CutLinks(links);
 }
 
 // ---- Horizons -------------------------------------------------------------------------------------------------------

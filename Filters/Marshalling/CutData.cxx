@@ -92,21 +92,7 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns
   links.erase(std::remove_if(links.begin(), links.end(),
                 [&columns](const LatticeLink& link) { return !columns.Contains(link.Column); }),
     links.end());
-  PlaneBox box;
-  for (const LatticeLink& link : links)
-  {
-    box.Add(link.Column);
-  }
-  if (links.empty())
-  {
-    return std::nullopt;
-  }
-  LinkCuts cuts(box);
-  for (const LatticeLink& link : links)
-  {
-    link.Side == LinkSide::North ? cuts.CutNorth(link.Column) : cuts.CutEast(link.Column);
-  }
-  return cuts;
+  return CutLinks(links);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

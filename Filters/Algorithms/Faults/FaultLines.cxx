@@ -352,6 +352,26 @@ std::vector<LinkOfLine> SortLinks(const FaultLines& lines)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::optional<LinkCuts> CutLinks(const std::vector<LatticeLink>& links)
+{
+  if (links.empty())
+  {
+    return std::nullopt;
+  }
+  PlaneBox box;
+  for (const LatticeLink& link : links)
+  {
+    box.Add(link.Column);
+  }
+  LinkCuts cuts(box);
+  for (const LatticeLink& link : links)
+  {
+    link.Side == LinkSide::North ? cuts.CutNorth(link.Column) : cuts.CutEast(link.Column);
+  }
+  return cuts;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick)
 {
   for (const SpacePoint& place : places)

@@ -12,11 +12,13 @@
 
 #include "ColumnHeights.h"
 #include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/Types.h"
 #include "LinkGrid.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,9 @@ struct LinkOfLine
   std::size_t Line = 0;
 };
 std::vector<LinkOfLine> SortLinks(const FaultLines& lines);
+
+/// Empty without links. Cuts take memory for the bounding box of the links.
+std::optional<LinkCuts> CutLinks(const std::vector<LatticeLink>& links);
 
 /// Coordinates are in columns.
 struct MapPlace
