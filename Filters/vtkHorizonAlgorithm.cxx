@@ -5,33 +5,20 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
-#include "Common/Horizon/DataModel.h"
-#include "Common/Horizon/Ledger.h"
-#include "Common/VTK/LedgerFields.h"
+#include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
-#include "Common/VTK/SurveyFields.h"
 #include "Common/VTK/VersionDifferences.h"
-#include "Filters/Marshalling/HeightUnit.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
 #include "Filters/Marshalling/HorizonTree.h"
-#include "Filters/Marshalling/LedgerOutput.h"
-#include "Filters/Marshalling/PlacedPoints.h"
 #include "Filters/Marshalling/RankedHorizons.h"
+#include "Filters/Marshalling/StageReport.h"
 
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <iomanip>
-#include <locale>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -45,184 +32,24 @@ namespace
 // A panel has no room for more.
 constexpr std::size_t MostLines = 50;
 
-/// Reported in the unit of z as well.
-constexpr const char* Heights = "vertical indices";
-
-constexpr const char* WorldHeights = "in z";
-
-struct Figure
-{
-  const char* Array;
-  const char* Name;
-  const char* Unit = "";
-  bool IsToldAtZero = false;
-};
-
-/// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 42> Figures = { {
-  { FieldArray::NumberOfSpikes, "spikes" },
-  { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
-  { FieldArray::NumberOfSpurPoints, "points on spurs" },
-  { FieldArray::FaultNoise, "noise", Heights },
-  { FieldArray::SmallestFaultThrow, "smallest throw", Heights },
-  { FieldArray::NumberOfFilledHoles, "holes filled" },
-  { FieldArray::NumberOfOpenHoles, "holes left open" },
-  { FieldArray::RimSmoothing, "rim smoothing", "", true },
-  { FieldArray::RimWidth, "rim width", "columns" },
-  { FieldArray::NumberOfPatches, "patches" },
-  { FieldArray::NumberOfHoles, "holes with a loop" },
-  { FieldArray::DroppedSmallPatchPoints, "points in small patches left out" },
-  { FieldArray::IsochoreLeast, "least thickness", WorldHeights, true },
-  { FieldArray::IsochoreMean, "mean thickness", WorldHeights, true },
-  { FieldArray::IsochoreLargest, "largest thickness", WorldHeights, true },
-  { FieldArray::IsochoreVolume, "volume", "cubic units" },
-  { FieldArray::IsochoreCrossings, "columns where the horizons cross", "", true },
-  { FieldArray::TriangleCount, "triangles" },
-  { FieldArray::FaultTriangleCount, "triangles that close faults" },
-  { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
-  { FieldArray::SmallestAngle, "smallest angle", "degrees" },
-  { FieldArray::SliverCount, "triangles with an angle below the one asked for" },
-  { FieldArray::LargestError, "largest vertical error", Heights },
-  { FieldArray::MeanError, "mean vertical error", Heights },
-  { FieldArray::LargestLoopError, "largest vertical error of outlines", Heights },
-  { FieldArray::NumberOfOutsidePoints, "points outside the outlines" },
-  { FieldArray::OutlineDeviation, "outlines moved on the map by up to", "columns" },
-  { FieldArray::OutlineHeightDeviation, "outlines off in height by up to", Heights },
-  { FieldArray::BoundaryDeviation, "outlines off in space by up to", "lattice units" },
-  { FieldArray::NumberOfParts, "parts" },
-  { FieldArray::SeamPoints, "vertices on seams" },
-  { FieldArray::ChosenRadius, "chosen radius", "columns" },
-  { FieldArray::ChosenSmallestHoleSize, "smallest open hole", "columns" },
-  { FieldArray::ChosenOutlineTolerance, "outline tolerance", "columns" },
-  { FieldArray::ChosenDistanceThreshold, "distance threshold", "lattice units" },
-  { FieldArray::ChosenMaximumError, "maximum error", Heights },
-  { FieldArray::HeightNoise, "six times the noise of", Heights },
-  { FieldArray::HeightRounding, "six times the rounding of", Heights },
-  { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
-  { FieldArray::ChosenCellSize, "cell size", "columns" },
-  { FieldArray::ChosenFlatnessThreshold, "flatness threshold" },
-  { FieldArray::DroppedDuplicates, "points left out of columns with several" },
-} };
-
-std::ostringstream MakeStream()
-{
-  std::ostringstream stream;
-  stream.imbue(std::locale::classic());
-  stream << std::setprecision(4);
-  return stream;
-}
-
-/// Returns the unit, and a height in the unit of z as well.
-std::string ReportUnit(const Figure& figure, double height, vtkPolyData* horizon)
-{
-  const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
-  if (figure.Unit != Heights && figure.Unit != WorldHeights)
-  {
-    return ownUnit;
-  }
-  const std::string unit = ReadSurveyFields(horizon->GetFieldData()).VerticalUnit;
-  if (figure.Unit == WorldHeights)
-  {
-    return unit.empty() ? ownUnit : " " + unit;
-  }
-  std::ostringstream text = MakeStream();
-  text << ownUnit << ", " << height * WorldPerIndex(ReadLattice(horizon)) << (unit.empty() ? " in z" : " " + unit);
-  return text.str();
-}
-
-/// Null unless the stage has written the array.
-vtkDataArray* FindOwnFigure(const char* name, vtkPolyData* input, vtkPolyData* output)
-{
-  vtkDataArray* const array = output->GetFieldData()->GetArray(name);
-  return array != input->GetFieldData()->GetArray(name) ? array : nullptr;
-}
-
-std::string ReportCuts(vtkPolyData* input, vtkPolyData* output)
-{
-  vtkDataArray* const lines = FindOwnFigure(FieldArray::FaultLine, input, output);
-  if (!lines || lines->GetNumberOfTuples() == 0)
-  {
-    return {};
-  }
-  std::ostringstream text = MakeStream();
-  text << "\n  fault lines " << vtkIdType(lines->GetRange(0)[1]) + 1 << "\n  links cut " << lines->GetNumberOfTuples();
-  return text.str();
-}
-
-/// Entries that are a large fraction of the columns are a warning.
-std::string ReportLedger(vtkPolyData* input, vtkPolyData* output)
-{
-  vtkFieldData* const figures = output->GetFieldData();
-  const std::optional<Ledger> ledger = ReadLedger(figures);
-  if (!ledger || !FindOwnFigure(FieldArray::LedgerColumns, input, output))
-  {
-    return {};
-  }
-  vtkDataArray* const areas = figures->GetArray(FieldArray::LedgerArea);
-  std::ostringstream text = MakeStream();
-  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
-  {
-    if (ledger->Columns[entry] > 0)
-    {
-      text << "\n  columns " << LedgerWords[entry] << ' ' << ledger->Columns[entry];
-      text << (areas ? ", area " : "");
-      if (areas)
-      {
-        text << areas->GetComponent(0, int(entry));
-      }
-    }
-  }
-  const char* before = "\n  warning: ";
-  for (const LedgerWarning& warning : FindWarnings(*ledger))
-  {
-    text << before << warning.Text;
-    before = ", ";
-  }
-  return text.str();
-}
-
 class StageReport
 {
 public:
-  void Add(const HorizonLeaf& horizon)
+  void Add(const HorizonLeaf& leaf, const Horizon& input, const Horizon& output)
   {
-    vtkPolyData* const input = horizon.Input;
-    vtkPolyData* const output = horizon.Outputs.front();
-    this->Entries.push_back(
-      { horizon.Position, input->GetNumberOfPoints(), output->GetNumberOfPoints(), std::string() });
+    this->Entries.push_back({ leaf.Position, input.NumberOfPoints(), output.NumberOfPoints(), std::string() });
     if (this->Entries.size() > MostLines)
     {
       return;
     }
-    std::ostringstream line = MakeStream();
-    line << (horizon.Name.empty() ? "" : horizon.Name + ": ") << input->GetNumberOfPoints() << " points in, "
-         << output->GetNumberOfPoints() << " out" << ReportCuts(input, output);
-    for (const Figure& figure : Figures)
-    {
-      vtkDataArray* const array = FindOwnFigure(figure.Array, input, output);
-      if (array && array->GetNumberOfValues() == 1 && (figure.IsToldAtZero || array->GetTuple1(0) != 0.0))
-      {
-        line << "\n  " << figure.Name << ' ';
-        if (array->GetDataType() == VTK_DOUBLE)
-        {
-          line << array->GetTuple1(0);
-        }
-        else
-        {
-          line << vtkIdType(array->GetTuple1(0)); // Counts have all digits.
-        }
-        line << ReportUnit(figure, array->GetTuple1(0), output);
-      }
-    }
-    line << ReportLedger(input, output) << '\n';
-    this->Entries.back().Lines = line.str();
+    this->Entries.back().Lines = ReportStage(leaf.Name, input, output);
   }
 
   /// Collects the entries of all ranks, sorted by position. Collective.
   void Join(const Ranks& ranks)
   {
     constexpr char separator = '\0'; // Names cannot contain it.
-    std::ostringstream own = MakeStream();
+    std::ostringstream own = MakeReportStream();
     for (const Entry& entry : this->Entries)
     {
       own << entry.Position << ' ' << entry.PointsIn << ' ' << entry.PointsOut << ' ' << entry.Lines << separator;
@@ -247,7 +74,7 @@ public:
   /// points in, 40 out" and so on. Only the first horizons are listed.
   std::string Text() const
   {
-    std::ostringstream text = MakeStream();
+    std::ostringstream text = MakeReportStream();
     std::int64_t pointsIn = 0;
     std::int64_t pointsOut = 0;
     std::string lines;
@@ -305,6 +132,15 @@ void vtkHorizonAlgorithm::Warn(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::Warn(const std::vector<std::string>& texts)
+{
+  for (const std::string& text : texts)
+  {
+    this->Warn(text);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port > 0)
@@ -336,6 +172,30 @@ int vtkHorizonAlgorithm::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
+vtkHorizonAlgorithm::Outputs vtkHorizonAlgorithm::Process(
+  const Horizon& given, const HorizonLeaf& leaf, const Monitor& monitor)
+{
+  Outputs made(leaf.Outputs.size()); // They stay empty if the horizon is left out.
+  RunPart(this, this->GetInvalidHorizons() == LeaveOut, leaf.Name, { leaf.Outputs.begin(), leaf.Outputs.end() },
+    [&]()
+    {
+      Outputs outputs(made.size());
+      const auto process = [&]()
+      {
+        this->ProcessHorizon(given, outputs, monitor);
+        return std::vector<std::string>();
+      };
+      this->Warn(RunStage(given, this->TakesMeshes(), outputs, process));
+      made = std::move(outputs);
+    });
+  for (std::size_t port = 0; port < made.size(); ++port)
+  {
+    ToVTK(made[port], leaf.Outputs[port]);
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
 // vtkCompositeDataPipeline would loop over leaves, but it continues after errors and aborts, keeps partial output, and
 // does not join the partitions of a horizon.
 int vtkHorizonAlgorithm::RequestData(
@@ -363,27 +223,9 @@ int vtkHorizonAlgorithm::RequestData(
           if (horizon.Input->GetNumberOfPoints() > 0)
           {
             const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
-            RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject,
-              { horizon.Outputs.begin(), horizon.Outputs.end() },
-              [&]()
-              {
-                CheckArraySizes(horizon.Input);
-                if (IsMesh(horizon.Input) && !this->TakesMeshes())
-                {
-                  throw InputError("a mesh of " +
-                    std::to_string(horizon.Input->GetNumberOfPolys() + horizon.Input->GetNumberOfStrips()) +
-                    " triangles, expected the points of a horizon, as they are before it is meshed");
-                }
-                if (CountVisiblePoints(horizon.Input) == 0)
-                {
-                  this->Warn("all " + std::to_string(horizon.Input->GetNumberOfPoints()) +
-                    " points are hidden by the array vtkGhostType, so that nothing is left");
-                  return;
-                }
-                this->ProcessHorizon(horizon.Input, horizon.Outputs, step);
-                WriteLedgerOfPoints(horizon.Input, horizon.Outputs.front());
-              });
-            report.Add(horizon);
+            const Horizon given = FromVTK(horizon.Input);
+            const Outputs made = this->Process(given, horizon, step);
+            report.Add(horizon, given, made.front());
           }
         }
         subject.clear();

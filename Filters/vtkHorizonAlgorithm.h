@@ -35,6 +35,7 @@ namespace SeismicHorizons
 {
 class Monitor;
 class Ranks;
+struct Horizon;
 struct HorizonLeaf;
 struct RankedHorizon;
 }
@@ -62,11 +63,12 @@ protected:
   vtkHorizonAlgorithm() = default;
   ~vtkHorizonAlgorithm() override = default;
 
-  using Outputs = std::vector<vtkPolyData*>;
+  using Outputs = std::vector<SeismicHorizons::Horizon>;
 
   /// The outputs, by port, have only the field data of the input, which has visible points. Throws
   /// SeismicHorizons::InputError on unsuitable input.
-  virtual void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
+  virtual void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
 
   /// Stages refuse triangles unless they override this.
   virtual bool TakesMeshes() { return false; }
@@ -84,6 +86,7 @@ protected:
 
   /// Warns of the horizon that is processed.
   void Warn(const std::string& text);
+  void Warn(const std::vector<std::string>& texts);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -93,6 +96,9 @@ protected:
 private:
   vtkHorizonAlgorithm(const vtkHorizonAlgorithm&) = delete;
   void operator=(const vtkHorizonAlgorithm&) = delete;
+
+  Outputs Process(const SeismicHorizons::Horizon& given, const SeismicHorizons::HorizonLeaf& leaf,
+    const SeismicHorizons::Monitor& monitor);
 
   std::string Results;
   std::string HorizonName; // of the horizon that is processed, or empty

@@ -5,33 +5,19 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
-#include "Common/Horizon/DataModel.h"
+#include "Common/Survey/HorizonDataSet.h"
 #include "Common/Survey/SurveyFrame.h"
 #include "Common/Survey/Units.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/HorizonDataSet.h"
+#include "Common/VTK/HorizonConversion.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 
-namespace
-{
 using namespace SeismicHorizons;
-
-void AddConflictFields(const ConflictCount& conflicts, vtkFieldData* data)
-{
-  AddValue<vtkIdTypeArray>(data, FieldArray::DroppedRepeats, static_cast<vtkIdType>(conflicts.Repeats));
-  AddValue<vtkDoubleArray>(data, FieldArray::LargestConflict, conflicts.Largest);
-}
-}
 
 //----------------------------------------------------------------------------------------------------------------------
 vtkSurveyHorizonSource::vtkSurveyHorizonSource() = default;
@@ -73,7 +59,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const auto direction = this->VerticalDirection == Automatic
     ? std::nullopt
     : std::optional<Direction>(this->VerticalDirection == Up ? Direction::Up : Direction::Down);
-  FramedSurvey framed = FrameSurvey(survey, this->VerticalStep, direction, monitor.Step(0.8, 0.85));
+  const FramedSurvey framed = FrameSurvey(survey, this->VerticalStep, direction, monitor.Step(0.8, 0.85));
   for (const std::string& warning : framed.Warnings)
   {
     vtkWarningMacro(<< this->ErrorPrefix() << warning);
@@ -81,13 +67,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   std::vector<vtkSmartPointer<vtkDataObject>> horizons;
   for (const int number : numbers)
   {
-    framed.Frame.Sampling = framed.Samplings[number];
-    const vtkSmartPointer<vtkPolyData> points = MakeHorizonPoints(std::move(survey.Horizons[number]), framed.Frame);
-    if (!survey.Conflicts.empty())
-    {
-      AddConflictFields(survey.Conflicts[number], points->GetFieldData());
-    }
-    horizons.push_back(points);
+    horizons.push_back(ToVTK(TakeHorizonPoints(survey, framed, std::size_t(number))));
     monitor.Progress(0.85 + 0.15 * static_cast<double>(horizons.size()) / static_cast<double>(numbers.size()));
   }
   const std::string format = this->DescribeFormat();

@@ -8,15 +8,8 @@
 #include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
-#include "Common/VTK/SurveyFields.h"
+#include "Common/Survey/SurveyFields.h"
 #include "Filters/Marshalling/HorizonData.h"
-
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
@@ -44,62 +37,58 @@ void CheckLines(const LineNumbering& lines)
   }
 }
 
-SurveyLattice ReadSurveyLattice(vtkPolyData* horizon)
+SurveyLattice ReadSurveyLattice(const Horizon& horizon)
 {
   ReadLattice(horizon); // Refuses horizons without a valid lattice.
   const std::array<int, 3> size = ReadLatticeDimensions(horizon);
   SurveyLattice lattice = MakeLatticeFrame(size, ReadLatticeMap(horizon), VerticalDirection::Up).Lattice;
-  vtkDataArray* const lines = horizon->GetFieldData()->GetArray(FieldArray::LineNumbers);
-  if (lines && lines->GetNumberOfValues() == 4)
+  const DataArray* const lines = horizon.FieldData.Find(FieldArray::LineNumbers);
+  if (lines && !lines->IsText() && lines->Size() == 4)
   {
-    lattice.Lines =
-      LineNumbering{ FieldValue(lines, 2), FieldValue(lines, 3), FieldValue(lines, 0), FieldValue(lines, 1) };
+    lattice.Lines = LineNumbering{ lines->Value(2), lines->Value(3), lines->Value(0), lines->Value(1) };
     CheckLines(*lattice.Lines);
   }
   return lattice;
 }
 
-bool IsAttribute(vtkDataArray* array)
+bool IsAttribute(const DataArray& array)
 {
-  const bool isReal = vtkDoubleArray::SafeDownCast(array) || vtkFloatArray::SafeDownCast(array);
-  return isReal && array->GetName() && array->GetNumberOfComponents() == 1 && !IsOwnArray(array->GetName());
+  return array.IsFloating() && !array.Name.empty() && array.Components() == 1 && !IsOwnArray(array.Name);
 }
 
-void SamplePoints(vtkPolyData* horizon, int sign, HorizonColumns& columns)
+void SamplePoints(const Horizon& horizon, int sign, HorizonColumns& columns)
 {
-  const LatticePoints points = ReadColumns(horizon, {});
+  const LatticePoints points = ReadColumns(horizon, KeptHeights::None);
   std::vector<std::size_t> places; // index of each point
   for (const PlanePoint& column : points.Column)
   {
     const std::size_t place = columns.Tiles.Place(column.X, column.Y);
     columns.Z.resize(columns.Tiles.Size(), NoValue);
-    columns.Z[place] = sign * horizon->GetPoint(vtkIdType(places.size()))[2];
+    columns.Z[place] = sign * horizon.Places.At(std::int64_t(places.size()), 2);
     places.push_back(place);
   }
-  vtkPointData* const data = horizon->GetPointData();
-  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+  for (const DataArray& array : horizon.PointData)
   {
-    vtkDataArray* const array = data->GetArray(n);
     if (IsAttribute(array))
     {
       PickAttribute& attribute = columns.Attributes.emplace_back();
-      attribute.Name = array->GetName();
+      attribute.Name = array.Name;
       attribute.Values.resize(columns.Z.size(), NoValue);
       for (std::size_t point = 0; point < places.size(); ++point)
       {
-        attribute.Values[places[point]] = array->GetComponent(vtkIdType(point), 0);
+        attribute.Values[places[point]] = array.At(std::int64_t(point));
       }
     }
   }
 }
 
-void SampleTriangles(vtkPolyData* horizon, int sign, HorizonColumns& columns, const Monitor& monitor)
+void SampleTriangles(const Horizon& horizon, int sign, HorizonColumns& columns, const Monitor& monitor)
 {
   const Lattice lattice = ReadLattice(horizon);
   std::vector<SpacePoint> points;
-  for (vtkIdType point = 0; point < horizon->GetNumberOfPoints(); ++point)
+  for (std::int64_t point = 0; point < horizon.NumberOfPoints(); ++point)
   {
-    const Eigen::Vector3d place = lattice.ToLattice(Eigen::Vector3d(horizon->GetPoint(point)));
+    const Eigen::Vector3d place = lattice.ToLattice(horizon.Place(point));
     points.push_back({ place.x(), place.y(), place.z() });
   }
   MeshSampling sampling(columns.Lattice.Columns);
@@ -108,7 +97,7 @@ void SampleTriangles(vtkPolyData* horizon, int sign, HorizonColumns& columns, co
   {
     height = sign * lattice.ToWorld({ 0.0, 0.0, height }).z();
   }
-  sampling.AddBarePoints(points, [&](std::size_t point) { return sign * horizon->GetPoint(vtkIdType(point))[2]; });
+  sampling.AddBarePoints(points, [&](std::size_t point) { return sign * horizon.Places.At(std::int64_t(point), 2); });
   columns.Tiles = std::move(sampling.Tiles);
   columns.Z = std::move(sampling.Heights);
 }
@@ -144,6 +133,17 @@ bool IsOwnArray(const std::string& name)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+int VerticalSign(const Horizon& horizon, WrittenSense sense)
+{
+  if (sense != WrittenSense::AsRead)
+  {
+    return sense == WrittenSense::Depth ? -1 : 1;
+  }
+  const DataArray* const direction = horizon.FieldData.Find(FieldArray::VerticalDirection);
+  return direction && !direction->IsText() && direction->Size() == 1 && direction->Value(0) < 0.0 ? -1 : 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::size_t CountColumns(int columns, int rows, std::int64_t points)
 {
   const std::int64_t count = std::int64_t(columns) * rows;
@@ -157,13 +157,13 @@ std::size_t CountColumns(int columns, int rows, std::int64_t points)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& monitor)
+HorizonColumns SampleHorizon(const Horizon& horizon, int sign, const Monitor& monitor)
 {
   monitor.Progress(0.0);
   HorizonColumns columns;
   columns.Lattice = ReadSurveyLattice(horizon);
-  columns.Survey = ReadSurveyFields(horizon->GetFieldData());
-  if (horizon->GetNumberOfPolys() > 0)
+  columns.Survey = ReadSurveyFields(horizon.FieldData);
+  if (horizon.Polygons.Size() > 0)
   {
     SampleTriangles(horizon, sign, columns, monitor);
   }
@@ -175,10 +175,10 @@ HorizonColumns SampleHorizon(vtkPolyData* horizon, int sign, const Monitor& moni
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonGrid SampleWholeLattice(vtkPolyData* horizon, int sign, const Monitor& monitor)
+HorizonGrid SampleWholeLattice(const Horizon& horizon, int sign, const Monitor& monitor)
 {
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
-  const std::size_t nodes = CountColumns(dimensions[0], dimensions[1], horizon->GetNumberOfPoints());
+  const std::size_t nodes = CountColumns(dimensions[0], dimensions[1], horizon.NumberOfPoints());
   const HorizonColumns sampled = SampleHorizon(horizon, sign, monitor);
   RequireDense(dimensions, sampled.Z);
   HorizonGrid grid;

@@ -3,13 +3,13 @@
 
 #include "vtkHorizonWriter.h"
 
+#include "Common/Horizon/NamedHorizon.h"
 #include "Common/Text/FileErrors.h"
-#include "Common/Text/OutputFile.h"
-#include "Common/Text/TextWords.h"
-#include "Common/VTK/HorizonName.h"
+#include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "Filters/Marshalling/RankedHorizons.h"
+#include "HorizonFiles.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,11 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <list>
-#include <unordered_set>
 
 using namespace SeismicHorizons;
 
@@ -31,54 +27,6 @@ namespace
 Ranks RanksOf(bool areTogether)
 {
   return areTogether ? Ranks(vtkMultiProcessController::GetGlobalController()) : Ranks();
-}
-
-/// Underscores replace characters that some file systems forbid; other alphabets remain.
-std::string MakeFileName(std::string text)
-{
-  const auto isKept = [](char c)
-  {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte >= 0x80 || std::isalnum(byte) || c == '.' || c == '+' || c == '-';
-  };
-  std::replace_if(
-    text.begin(), text.end(), [&](char c) { return !isKept(c); }, '_');
-  return text;
-}
-
-std::string Shorten(const std::string& text, std::size_t most)
-{
-  std::size_t size = std::min(text.size(), most);
-  while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U)
-  {
-    --size;
-  }
-  return text.substr(0, size);
-}
-
-/// Names that differ in case alone are equal on some systems, and get a number, as equal names do.
-template <typename Horizons>
-std::vector<std::string> NameFiles(const std::string& file, const Horizons& horizons)
-{
-  const std::filesystem::path path = std::filesystem::u8path(file);
-  constexpr std::size_t longest = 255; // Bytes of a name that all usual systems allow.
-  constexpr std::size_t numberSize = 12;
-  const std::string stem = path.stem().u8string() + '_';
-  const std::string extension = path.extension().u8string();
-  const std::size_t taken = std::min(longest - 1, stem.size() + extension.size() + numberSize);
-  std::vector<std::string> names;
-  std::unordered_set<std::string> small;
-  for (const auto& horizon : horizons)
-  {
-    const std::string first = Shorten(MakeFileName(horizon.Name), longest - taken);
-    std::string name = first;
-    for (int number = 2; !small.insert(ToLower(name)).second; ++number)
-    {
-      name = first + " (" + std::to_string(number) + ')';
-    }
-    names.push_back((path.parent_path() / std::filesystem::u8path(stem + name + extension)).u8string());
-  }
-  return names;
 }
 }
 
@@ -93,26 +41,6 @@ int vtkHorizonWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   AcceptHorizons(info);
   return 1;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonWriter::WriteFiles(const std::vector<std::string>& names, const std::vector<NamedHorizon>& horizons,
-  const Monitor& monitor, std::string& subject)
-{
-  std::list<OutputFile> files;
-  for (std::size_t n = 0; n < names.size(); ++n)
-  {
-    const auto part = [&](std::size_t number) { return double(number) / double(names.size()); };
-    subject = names[n];
-    files.emplace_back(names[n],
-      [&](std::ostream& stream) { this->PrintHorizons({ horizons[n] }, stream, monitor.Step(part(n), part(n + 1))); });
-  }
-  auto name = names.begin();
-  for (OutputFile& file : files)
-  {
-    subject = *name++;
-    file.Keep();
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -132,25 +60,14 @@ vtkTypeBool vtkHorizonWriter::ProcessRequest(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void vtkHorizonWriter::WriteHorizons(
-  const std::vector<NamedHorizon>& horizons, const Monitor& monitor, std::string& subject)
+std::vector<NamedHorizon> vtkHorizonWriter::ToPlain(const std::vector<WrittenHorizon>& horizons)
 {
-  for (const auto& [name, data] : horizons)
+  std::vector<NamedHorizon> plain;
+  for (const WrittenHorizon& horizon : horizons)
   {
-    PrefixErrors(name, [&horizon = data]() { CheckArraySizes(horizon); });
+    plain.push_back({ horizon.Name, FromVTK(horizon.Data) });
   }
-  if (horizons.empty())
-  {
-    throw InputError("no horizon with points, expected something to write");
-  }
-  if (!this->WritesFileForEach() || horizons.size() == 1)
-  {
-    WriteOutputFile(this->FileName, [&](std::ostream& stream) { this->PrintHorizons(horizons, stream, monitor); });
-  }
-  else
-  {
-    this->WriteFiles(NameFiles(this->FileName, horizons), horizons, monitor, subject);
-  }
+  return plain;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -167,7 +84,7 @@ void vtkHorizonWriter::WriteData()
     subject = file;
     std::vector<HorizonLeaf> leaves;
     ranks.Together([&]() { leaves = ListHorizons(this->GetInput(), {}); });
-    std::vector<NamedHorizon> horizons;
+    std::vector<WrittenHorizon> horizons;
     std::vector<vtkSmartPointer<vtkPolyData>> received;
     for (const RankedHorizon& horizon : ListOnRanks(leaves, ranks))
     {
@@ -193,7 +110,13 @@ void vtkHorizonWriter::WriteData()
     }
     if (ranks.Own() == 0)
     {
-      this->WriteHorizons(horizons, monitor, subject);
+      for (const WrittenHorizon& horizon : horizons)
+      {
+        PrefixErrors(horizon.Name, [&]() { CheckArraySizes(horizon.Data); });
+      }
+      const auto print = [this](const std::vector<WrittenHorizon>& some, std::ostream& stream, const Monitor& step)
+      { this->PrintHorizons(some, stream, step); };
+      WriteHorizonFiles(file, horizons, this->WritesFileForEach(), print, monitor, subject);
     }
   };
   RunRequest(

@@ -27,6 +27,7 @@
 namespace SeismicHorizons
 {
 class Monitor;
+struct NamedHorizon;
 }
 class vtkPolyData;
 
@@ -64,7 +65,7 @@ protected:
   ~vtkHorizonWriter() override;
 
   /// The name is from the block, the surface ID or the file, in this order.
-  struct NamedHorizon
+  struct WrittenHorizon
   {
     std::string Name;
     vtkPolyData* Data;
@@ -77,7 +78,9 @@ protected:
   /// There is at least one horizon, and all have points. Throws SeismicHorizons::InputError if the format cannot hold
   /// them.
   virtual void PrintHorizons(
-    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) = 0;
+    const std::vector<WrittenHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) = 0;
+
+  static std::vector<SeismicHorizons::NamedHorizon> ToPlain(const std::vector<WrittenHorizon>& horizons);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
@@ -85,13 +88,6 @@ protected:
 private:
   vtkHorizonWriter(const vtkHorizonWriter&) = delete;
   void operator=(const vtkHorizonWriter&) = delete;
-
-  /// Writes all files or none.
-  void WriteFiles(const std::vector<std::string>& names, const std::vector<NamedHorizon>& horizons,
-    const SeismicHorizons::Monitor& monitor, std::string& subject);
-
-  void WriteHorizons(
-    const std::vector<NamedHorizon>& horizons, const SeismicHorizons::Monitor& monitor, std::string& subject);
 
   char* FileName = nullptr;
   vtkTypeBool Gathered = 0;

@@ -16,6 +16,11 @@
 #include "vtkHorizonWriter.h"
 #include "vtkSeismicHorizonsModule.h"
 
+namespace SeismicHorizons
+{
+enum class WrittenSense;
+}
+
 class VTKSEISMICHORIZONS_EXPORT vtkLatticeHorizonWriter : public vtkHorizonWriter
 {
 public:
@@ -32,8 +37,7 @@ protected:
   vtkLatticeHorizonWriter() = default;
   ~vtkLatticeHorizonWriter() override = default;
 
-  /// Factor from world z to z of the file, 1 or -1.
-  int VerticalSign(vtkPolyData* horizon) const;
+  SeismicHorizons::WrittenSense Sense() const;
 
 private:
   vtkLatticeHorizonWriter(const vtkLatticeHorizonWriter&) = delete;

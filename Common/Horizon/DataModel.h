@@ -33,6 +33,15 @@ constexpr const char* GuideDistance = "GuideDistance";
 constexpr const char* Isochore = "Isochore";
 constexpr const char* Isopach = "Isopach";
 constexpr const char* Moved = "Moved";
+constexpr const char* Ghosts = "vtkGhostType";
+}
+
+/// Bits of the array of ghosts.
+namespace GhostMark
+{
+constexpr unsigned char Copy = 1; // Another process has the original.
+constexpr unsigned char HiddenPoint = 2;
+constexpr unsigned char HiddenCell = 32;
 }
 
 namespace CellArray

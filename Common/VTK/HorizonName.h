@@ -4,10 +4,11 @@
 #ifndef SeismicHorizonsHorizonName_h
 #define SeismicHorizonsHorizonName_h
 
+#include "Common/Horizon/NamedHorizon.h"
+
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,8 @@ class vtkPolyData;
 
 namespace SeismicHorizons
 {
-std::string HorizonName(std::int64_t surfaceId);
-
 /// Uses the first point; empty without points or IDs.
 std::string NameBySurfaceId(vtkPolyData* horizon);
-
-/// Repeated names get " (2)", " (3)" and so on.
-std::vector<std::string> MakeDistinct(std::vector<std::string> names);
 
 vtkSmartPointer<vtkPartitionedDataSetCollection> MakeCollection(const char* rootName);
 

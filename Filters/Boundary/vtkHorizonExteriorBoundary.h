@@ -113,14 +113,12 @@ protected:
   vtkHorizonExteriorBoundary() = default;
   ~vtkHorizonExteriorBoundary() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonExteriorBoundary(const vtkHorizonExteriorBoundary&) = delete;
   void operator=(const vtkHorizonExteriorBoundary&) = delete;
-
-  /// Returns the larger of both limits, in columns.
-  std::int64_t FindSmallestHoleSize(double columnArea) const;
 
   int BoundaryType = Exterior;
   int Radius = 1;

@@ -80,7 +80,8 @@ protected:
   vtkHorizonBoundarySimplification() = default;
   ~vtkHorizonBoundarySimplification() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonBoundarySimplification(const vtkHorizonBoundarySimplification&) = delete;

@@ -26,14 +26,6 @@
 #include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-class vtkFieldData;
-
-namespace SeismicHorizons
-{
-struct BoundedHorizon;
-struct Reduction;
-}
-
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonCellSimplification : public vtkHorizonAlgorithm
 {
 public:
@@ -66,19 +58,8 @@ public:
   vtkHorizonFlagMacro(ShowCells);
 
 protected:
-  explicit vtkHorizonCellSimplification(int cellSize)
-    : CellSize(cellSize)
-  {
-  }
-  ~vtkHorizonCellSimplification() override = default;
-
-  /// Adds parameters chosen for MaximumNumberOfPoints to the field data.
-  virtual SeismicHorizons::Reduction Simplify(
-    const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen, const SeismicHorizons::Monitor& monitor) = 0;
-  /// Cubes are shown as boxes, squares flat.
-  virtual bool HasCubes() const = 0;
-
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) final;
+  explicit vtkHorizonCellSimplification(int cellSize);
+  ~vtkHorizonCellSimplification() override;
 
 private:
   vtkHorizonCellSimplification(const vtkHorizonCellSimplification&) = delete;

@@ -94,9 +94,8 @@ protected:
   }
   ~vtkHorizonElaborateSimplification() override = default;
 
-  SeismicHorizons::Reduction Simplify(const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen,
-    const SeismicHorizons::Monitor& monitor) override;
-  bool HasCubes() const override { return true; }
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonElaborateSimplification(const vtkHorizonElaborateSimplification&) = delete;

@@ -40,9 +40,8 @@ protected:
   }
   ~vtkHorizonRoughSimplification() override = default;
 
-  SeismicHorizons::Reduction Simplify(const SeismicHorizons::BoundedHorizon& horizon, vtkFieldData* chosen,
-    const SeismicHorizons::Monitor& monitor) override;
-  bool HasCubes() const override { return false; }
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonRoughSimplification(const vtkHorizonRoughSimplification&) = delete;

@@ -42,13 +42,6 @@
 #include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-namespace SeismicHorizons
-{
-struct BoundedHorizon;
-struct DecimationOptions;
-struct ErrorLimit;
-}
-
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonDecimation : public vtkHorizonReducedMesh
 {
 public:
@@ -77,15 +70,12 @@ protected:
   vtkHorizonDecimation() = default;
   ~vtkHorizonDecimation() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonDecimation(const vtkHorizonDecimation&) = delete;
   void operator=(const vtkHorizonDecimation&) = delete;
-
-  /// `limit` is for the target LargestError.
-  SeismicHorizons::DecimationOptions MakeOptions(
-    const SeismicHorizons::BoundedHorizon& horizon, const SeismicHorizons::ErrorLimit& limit) const;
 
   int Target = LargestError;
   int MaximumNumberOfPoints = 10000;

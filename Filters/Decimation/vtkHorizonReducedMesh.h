@@ -17,15 +17,9 @@
 #include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <vector> // for places and heights
-
 namespace SeismicHorizons
 {
-class Lattice;
-class PlanePoints;
-struct Decimation;
-struct DecimationQuality;
-struct ErrorLimit;
+struct ReducedMeshOptions;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonReducedMesh : public vtkHorizonAlgorithm
@@ -88,14 +82,7 @@ protected:
 
   bool TakesMeshes() override { return true; }
 
-  SeismicHorizons::DecimationQuality MakeQuality() const;
-  bool IsErrorAutomatic() const;
-  /// An automatic limit is chosen from the points.
-  SeismicHorizons::ErrorLimit FindMaximumError(SeismicHorizons::PlanePoints columns, const std::vector<double>& height,
-    const SeismicHorizons::Lattice& lattice) const;
-  /// Writes vertices, triangles and figures. Moves the triangles out of the decimation.
-  static void WriteMesh(vtkPolyData* input, const SeismicHorizons::Lattice& lattice,
-    SeismicHorizons::Decimation& decimation, vtkPolyData* output);
+  SeismicHorizons::ReducedMeshOptions MakeMeshOptions() const;
 
 private:
   vtkHorizonReducedMesh(const vtkHorizonReducedMesh&) = delete;

@@ -47,15 +47,6 @@
 #include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <vector>
-
-namespace SeismicHorizons
-{
-struct FaultDetectionOptions;
-struct LatticePoints;
-struct MapPlace;
-}
-
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonFaults : public vtkHorizonAlgorithm
 {
 public:
@@ -159,15 +150,12 @@ protected:
   ~vtkHorizonFaults() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonFaults(const vtkHorizonFaults&) = delete;
   void operator=(const vtkHorizonFaults&) = delete;
-
-  SeismicHorizons::FaultDetectionOptions MakeOptions() const;
-  void UsePolygons(std::vector<std::vector<SeismicHorizons::MapPlace>>& polylines,
-    SeismicHorizons::LatticePoints& points, const Outputs& outputs);
 
   int LineType = Traces;
   bool ExtendSticks = false;

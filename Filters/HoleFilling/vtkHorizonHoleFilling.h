@@ -38,11 +38,6 @@
 #include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-namespace SeismicHorizons
-{
-struct HoleFillingOptions;
-}
-
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonHoleFilling : public vtkHorizonAlgorithm
 {
 public:
@@ -117,13 +112,12 @@ protected:
   ~vtkHorizonHoleFilling() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonHoleFilling(const vtkHorizonHoleFilling&) = delete;
   void operator=(const vtkHorizonHoleFilling&) = delete;
-
-  SeismicHorizons::HoleFillingOptions MakeOptions(double columnArea) const;
 
   vtkIdType LargestHoleSize = 2500;
   double LargestHoleArea = 0.0;

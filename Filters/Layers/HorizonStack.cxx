@@ -5,18 +5,12 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/LedgerFields.h"
-#include "Common/VTK/SurveyFields.h"
+#include "Common/Horizon/LedgerFields.h"
+#include "Common/Survey/SurveyFields.h"
 #include "Filters/Marshalling/CutData.h"
 #include "Filters/Marshalling/HeightUnit.h"
 #include "Filters/Marshalling/HorizonData.h"
-
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIntArray.h"
-#include "vtkPolyData.h"
+#include "Filters/Marshalling/HorizonPoints.h"
 
 #include <algorithm>
 #include <cassert>
@@ -52,24 +46,34 @@ void CutStackAlong(const PlanePoint& from, const PlanePoint& to, LinkCuts& cuts)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HorizonStack::Add(const std::string& name, vtkPolyData* points)
+void HorizonStack::Add(const std::string& name, const Horizon& horizon)
 {
+  CheckArraySizes(horizon);
+  const Horizon points = WithoutHiddenPoints(horizon);
+  if (points.NumberOfPoints() == 0)
+  {
+    return;
+  }
   RequireAllPoints(points);
-  this->Horizons.push_back({ name, ReadColumns(points, {}), {}, {} });
+  this->Horizons.push_back({ name, ReadColumns(points), {}, {} });
   this->Horizons.back().IsFilled = ReadFilled(points);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void HorizonStack::PlaceTogether()
 {
-  assert(!this->Horizons.empty());
+  if (this->Size() < 2)
+  {
+    throw InputError(
+      (this->Size() == 0 ? "no horizon" : "one horizon") + std::string(" with points, expected at least 2"));
+  }
   const auto frame = std::min_element(this->Horizons.begin(), this->Horizons.end(),
     [](const StackedHorizon& a, const StackedHorizon& b)
     { return a.Points.Lattice.ColumnArea() < (1.0 - StackRounding) * b.Points.Lattice.ColumnArea(); });
   this->Frame = frame->Points.Horizon;
   this->Dimensions = ReadLatticeDimensions(this->Frame);
   this->Map = ReadLatticeMap(this->Frame);
-  this->Survey = ReadSurveyFields(this->Frame->GetFieldData());
+  this->Survey = ReadSurveyFields(this->Frame.FieldData);
   this->RefineHeights();
   this->Together = Lattice(this->Dimensions, this->Map);
   for (StackedHorizon& horizon : this->Horizons)
@@ -172,11 +176,11 @@ HeightStack HorizonStack::WorldHeights() const
   HeightStack heights;
   for (const StackedHorizon& horizon : this->Horizons)
   {
-    vtkPolyData* const points = horizon.Points.Horizon;
-    heights.emplace_back(std::size_t(points->GetNumberOfPoints()));
-    for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+    const Horizon& points = horizon.Points.Horizon;
+    heights.emplace_back(std::size_t(points.NumberOfPoints()));
+    for (std::int64_t point = 0; point < points.NumberOfPoints(); ++point)
     {
-      heights.back()[std::size_t(point)] = points->GetPoint(point)[2];
+      heights.back()[std::size_t(point)] = points.Place(point).z();
     }
   }
   return heights;
@@ -213,26 +217,25 @@ std::optional<LinkCuts> HorizonStack::FindCuts() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HorizonStack::WriteFields(vtkFieldData* data) const
+void HorizonStack::WriteFields(ArrayTable& data) const
 {
-  vtkFieldData* const given = this->Frame->GetFieldData();
-  if (vtkDataArray* const direction = FindNumbers(given, FieldArray::VerticalDirection))
+  const ArrayTable& given = this->Frame.FieldData;
+  if (const DataArray* const direction = FindNumbers(given, FieldArray::VerticalDirection))
   {
-    data->AddArray(direction);
+    data.Add(*direction);
   }
   AddSurveyFields(this->Survey, data);
   std::array<double, 16> map = {};
   Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(map.data()) = this->Map;
-  AddTuple<vtkIntArray>(data, FieldArray::LatticeDimensions, this->Dimensions);
-  AddTuple<vtkDoubleArray>(data, FieldArray::LatticeToWorld, map);
-  vtkDataArray* const lines = FindNumbers(given, FieldArray::LineNumbers);
-  if (lines && lines->GetNumberOfValues() == 4)
+  AddTuple<int>(data, FieldArray::LatticeDimensions, this->Dimensions);
+  AddTuple<double>(data, FieldArray::LatticeToWorld, map);
+  const DataArray* const lines = FindNumbers(given, FieldArray::LineNumbers);
+  if (lines && lines->Size() == 4)
   {
-    std::array<double, 4> shifted = { FieldValue(lines, 0), FieldValue(lines, 1), FieldValue(lines, 2),
-      FieldValue(lines, 3) };
+    std::array<double, 4> shifted = { lines->Value(0), lines->Value(1), lines->Value(2), lines->Value(3) };
     shifted[0] += this->Shift.Y * shifted[1];
     shifted[2] += this->Shift.X * shifted[3];
-    AddTuple<vtkDoubleArray>(data, FieldArray::LineNumbers, shifted);
+    AddTuple<double>(data, FieldArray::LineNumbers, shifted);
   }
 }
 }

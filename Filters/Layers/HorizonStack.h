@@ -4,6 +4,7 @@
 #ifndef SeismicHorizonsHorizonStack_h
 #define SeismicHorizonsHorizonStack_h
 
+#include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/PlaneGeometry.h"
@@ -12,16 +13,11 @@
 #include "Filters/Marshalling/LatticePoints.h"
 #include "Filters/Marshalling/PlacedPoints.h"
 
-#include "vtkSmartPointer.h"
-
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
-
-class vtkFieldData;
-class vtkPolyData;
 
 namespace SeismicHorizons
 {
@@ -36,11 +32,11 @@ struct StackedHorizon
 class HorizonStack
 {
 public:
-  /// Points must be visible. Throws InputError as ReadColumns, and on simplified meshes.
-  void Add(const std::string& name, vtkPolyData* points);
+  /// Skips horizons without visible points. Throws InputError as ReadColumns, and on simplified meshes.
+  void Add(const std::string& name, const Horizon& horizon);
 
   /// Uses the lattice with the smallest bins, or the first of these, and the smallest vertical index. Throws InputError
-  /// if points are off its columns, or z or the unit of x and y differ.
+  /// for less than two horizons, if points are off its columns, or z or the unit of x and y differ.
   void PlaceTogether();
 
   std::size_t Size() const { return this->Horizons.size(); }
@@ -64,14 +60,14 @@ public:
   /// If a step of a horizon spans several links of the stack, all of them are cut.
   std::optional<LinkCuts> FindCuts() const;
 
-  void WriteFields(vtkFieldData* data) const;
+  void WriteFields(ArrayTable& data) const;
 
 private:
   void RefineHeights();
   void CoverAll();
 
   std::vector<StackedHorizon> Horizons;
-  vtkSmartPointer<vtkPolyData> Frame; // horizon whose lattice is used
+  Horizon Frame; // horizon whose lattice is used
   SurveyDescription Survey;
   std::string Doubt;
   PlanePoint Shift; // columns by which CoverAll moved the origin

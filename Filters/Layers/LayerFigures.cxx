@@ -5,22 +5,17 @@
 
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/LedgerFields.h"
+#include "Common/Horizon/LedgerFields.h"
 #include "Filters/Marshalling/HeightUnit.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
-
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -29,15 +24,16 @@ namespace
 constexpr int ContactsOfCurve = 101;
 
 /// The table has a column, and so a number of rows.
-template <typename Array>
-void SetValue(vtkTable* table, const std::string& name, std::size_t row, double value)
+template <typename T>
+void SetValue(ArrayTable& table, const std::string& name, std::size_t row, double value)
 {
-  assert(vtkIdType(row) < table->GetNumberOfRows());
-  if (!table->GetColumnByName(name.c_str()))
+  const std::int64_t rows = table[0].Tuples();
+  assert(std::int64_t(row) < rows);
+  if (!table.Has(name))
   {
-    table->AddColumn(NewArray<Array>(name.c_str(), table->GetNumberOfRows()));
+    table.Add(NewArray<T>(name.c_str(), rows));
   }
-  Array::SafeDownCast(table->GetColumnByName(name.c_str()))->SetValue(vtkIdType(row), typename Array::ValueType(value));
+  table.Find(name)->As<T>()[row] = T(value);
 }
 }
 
@@ -45,18 +41,6 @@ void SetValue(vtkTable* table, const std::string& name, std::size_t row, double 
 double VolumeOfUnit(const HorizonStack& stack)
 {
   return stack.CommonLattice().ColumnArea() * WorldPerIndex(stack.CommonLattice());
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts)
-{
-  auto array = vtkSmartPointer<vtkStringArray>::New();
-  array->SetName(name);
-  for (const std::string& text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  return array;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -72,18 +56,17 @@ std::vector<std::string> NamesOfLayers(const HorizonStack& stack)
 
 //----------------------------------------------------------------------------------------------------------------------
 void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack,
-  std::optional<double> contact, vtkTable* table)
+  std::optional<double> contact, ArrayTable& table)
 {
   const double height = WorldPerIndex(stack.CommonLattice());
   const double area = stack.CommonLattice().ColumnArea();
   const double volume = VolumeOfUnit(stack);
-  table->AddColumn(MakeTexts("Name", NamesOfLayers(stack)));
+  table.Add({ "Name", NamesOfLayers(stack) });
   for (std::size_t layer = 0; layer + 1 < stack.Size(); ++layer)
   {
-    const auto number = [&](const std::string& name, double value)
-    { SetValue<vtkDoubleArray>(table, name, layer, value); };
+    const auto number = [&](const std::string& name, double value) { SetValue<double>(table, name, layer, value); };
     const auto count = [&](const std::string& name, std::int64_t value)
-    { SetValue<vtkIdTypeArray>(table, name, layer, double(value)); };
+    { SetValue<std::int64_t>(table, name, layer, double(value)); };
     const LayerVolume& own = volumes[layer];
     const CrossingRepair& repair = layers.Stack.Repair;
     number("Volume", volume * own.Volume);
@@ -118,25 +101,22 @@ void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volum
       number("Volume" + name, volume * ledger.Volumes[entry]);
     }
   }
-  table->AddColumn(
-    MakeTexts("VolumeUnit", std::vector<std::string>(layers.Plan.NumberOfLayers(), UnitOfVolumes(stack))));
+  table.Add({ "VolumeUnit", std::vector<std::string>(layers.Plan.NumberOfLayers(), UnitOfVolumes(stack)) });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data)
+void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, ArrayTable& data)
 {
   WriteLedger(ledger.Columns, data);
-  auto volumes = NewArray<vtkDoubleArray>(FieldArray::LedgerVolume, 1, int(LedgerEntries));
-  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
-  {
-    volumes->SetComponentName(vtkIdType(entry), LedgerNames[entry]);
-    volumes->SetValue(vtkIdType(entry), ledger.Volumes[entry] * VolumeOfUnit(stack));
-  }
-  data->AddArray(volumes);
+  std::array<double, LedgerEntries> volumes;
+  std::transform(ledger.Volumes.begin(), ledger.Volumes.end(), volumes.begin(),
+    [&stack](double volume) { return volume * VolumeOfUnit(stack); });
+  AddTuple<double>(data, FieldArray::LedgerVolume, volumes)
+    .ComponentNames.assign(LedgerNames.begin(), LedgerNames.end());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable* table, const Monitor& monitor)
+void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, ArrayTable& table, const Monitor& monitor)
 {
   double least = std::numeric_limits<double>::infinity();
   double largest = -least;
@@ -155,28 +135,28 @@ void WriteVolumeCurve(const LayerPlan& plan, const HorizonStack& stack, vtkTable
   const double top = plan.HeightsGrowDownwards ? least : largest;
   const double base = plan.HeightsGrowDownwards ? largest : least;
   const double volume = VolumeOfUnit(stack);
-  auto contacts = NewArray<vtkDoubleArray>("Contact", ContactsOfCurve);
-  table->AddColumn(contacts);
+  DataArray contacts = NewArray<double>("Contact", ContactsOfCurve);
   std::vector<double> levels;
   for (int n = 0; n < ContactsOfCurve; ++n)
   {
     levels.push_back(n + 1 == ContactsOfCurve ? base : top + (base - top) * n / (ContactsOfCurve - 1));
-    contacts->SetValue(n, stack.CommonLattice().ToWorld({ 0.0, 0.0, levels.back() }).z());
+    contacts.As<double>()[n] = stack.CommonLattice().ToWorld({ 0.0, 0.0, levels.back() }).z();
   }
+  table.Add(std::move(contacts));
   const std::vector<std::string> names = NamesOfLayers(stack);
   for (std::size_t layer = 0; layer < names.size(); ++layer)
   {
-    auto volumes = NewArray<vtkDoubleArray>(names[layer].c_str(), ContactsOfCurve);
+    DataArray volumes = NewArray<double>(names[layer].c_str(), ContactsOfCurve);
     const auto part = [&](std::size_t n) { return double(n) / double(names.size()); };
     ParallelFor(ContactsOfCurve, 1, monitor.Step(part(layer), part(layer + 1)),
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          volumes->SetValue(n, volume * VolumeAbove(plan, layer, levels[std::size_t(n)]));
+          volumes.As<double>()[n] = volume * VolumeAbove(plan, layer, levels[std::size_t(n)]);
         }
       });
-    table->AddColumn(volumes);
+    table.Add(std::move(volumes));
   }
 }
 

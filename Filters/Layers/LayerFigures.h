@@ -4,19 +4,14 @@
 #ifndef SeismicHorizonsLayerFigures_h
 #define SeismicHorizonsLayerFigures_h
 
+#include "Common/Horizon/DataArray.h"
 #include "Filters/Algorithms/Layers/LayerCells.h"
 #include "Filters/Algorithms/Layers/LayerPlan.h"
 #include "HorizonStack.h"
 
-#include "vtkSmartPointer.h"
-
 #include <optional>
 #include <string>
 #include <vector>
-
-class vtkFieldData;
-class vtkStringArray;
-class vtkTable;
 
 namespace SeismicHorizons
 {
@@ -29,18 +24,16 @@ double VolumeOfUnit(const HorizonStack& stack);
 /// "m3" or "m2 ms"; empty if units are unknown
 std::string UnitOfVolumes(const HorizonStack& stack);
 
-vtkSmartPointer<vtkStringArray> MakeTexts(const char* name, const std::vector<std::string>& texts);
-
 /// Each layer has a row. `contact` is world z, and adds the volume above it.
 void WriteLayerTable(const Layers& layers, const std::vector<LayerVolume>& volumes, const HorizonStack& stack,
-  std::optional<double> contact, vtkTable* table);
+  std::optional<double> contact, ArrayTable& table);
 
 /// Contacts are spread from the uppermost top to the lowest base.
 void WriteVolumeCurve(
-  const LayerPlan& plan, const HorizonStack& stack, vtkTable* table, const Monitor& monitor = Monitor());
+  const LayerPlan& plan, const HorizonStack& stack, ArrayTable& table, const Monitor& monitor = Monitor());
 
 /// The field data must have the lattice.
-void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, vtkFieldData* data);
+void WriteLayerLedger(const LayerLedger& ledger, const HorizonStack& stack, ArrayTable& data);
 
 /// Returns warnings of layers with heights that were not read, or parts left out; these end with the advice.
 std::vector<std::string> ReportMissing(

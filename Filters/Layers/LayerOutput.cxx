@@ -6,31 +6,14 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/ColumnPoints.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/LedgerFields.h"
+#include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/LedgerFields.h"
+#include "Common/Survey/ColumnPoints.h"
 #include "Filters/Marshalling/HeightUnit.h"
 #include "Filters/Marshalling/HorizonCells.h"
 #include "Filters/Marshalling/HorizonPoints.h"
 #include "LayerFigures.h"
-
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkCellType.h"
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkStaticPointLocator.h"
-#include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
+#include "NearestColumns.h"
 
 #include <algorithm>
 #include <array>
@@ -38,18 +21,17 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace SeismicHorizons
 {
 namespace
 {
 template <typename Place>
-vtkSmartPointer<vtkPoints> MakeLayerPoints(std::size_t size, const Lattice& lattice, Place&& place)
+DataArray MakeLayerPoints(std::size_t size, const Lattice& lattice, Place&& place)
 {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(vtkIdType(size));
-  double* const coordinates = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
+  DataArray points = NewArray<double>("Points", std::int64_t(size), 3);
+  auto* const coordinates = points.As<double>();
   ParallelFor(std::int64_t(size), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -74,7 +56,7 @@ bool IsMirrored(const HorizonStack& stack)
 }
 
 /// Corners are in the order of VTK.
-void Mirror(vtkIdType* corners, std::size_t size)
+void Mirror(std::int64_t* corners, std::size_t size)
 {
   if (size == 6) // The triangles of a wedge swap.
   {
@@ -84,29 +66,12 @@ void Mirror(vtkIdType* corners, std::size_t size)
   std::swap(corners[size - 4], corners[size - 2]); // quadrangle of a pyramid, or triangle
 }
 
-/// Finds points on the map.
-vtkSmartPointer<vtkStaticPointLocator> MakeLocator(PlanePoints columns)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const PlanePoint& column : columns)
-  {
-    points->InsertNextPoint(column.X, column.Y, 0.0);
-  }
-  vtkNew<vtkPolyData> places;
-  places->SetPoints(points);
-  auto locator = vtkSmartPointer<vtkStaticPointLocator>::New();
-  locator->SetDataSet(places);
-  locator->BuildLocator();
-  return locator;
-}
-
 /// Vertices of the plan at which a horizon has a height.
 struct HorizonVertices
 {
   std::vector<PointId> Vertices; // vertices of the plan
   std::vector<PointId> Numbers; // index in Vertices by vertex of the plan, or NoPoint
-  vtkNew<vtkIdList> Points; // point of the horizon, the nearest if the column has none
+  KeptPoints Points; // of the horizon, the nearest if the column has none
   std::vector<unsigned char> IsFilled; // 1 at computed heights, 2 outside
 };
 
@@ -117,12 +82,10 @@ void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<P
   const ColumnIndex index(columns);
   assert(pointAt.size() <= plan.Columns.size());
   const ColumnIndex all(layers.Stack.Columns);
-  vtkSmartPointer<vtkStaticPointLocator> locator; // Few horizons need it.
+  std::optional<NearestColumns> locator; // Few horizons need it.
   const auto nearest = [&](const PlanePoint& column)
-  {
-    locator = locator ? locator : MakeLocator(columns);
-    return vtkIdType(locator->FindClosestPoint(column.X, column.Y, 0.0));
-  };
+  { return (locator ? *locator : locator.emplace(columns)).Find(column); };
+  found.Points = KeptPoints(columns.size());
   found.Numbers.assign(plan.Columns.size(), NoPoint);
   for (std::size_t vertex = 0; vertex < pointAt.size(); ++vertex)
   {
@@ -137,7 +100,7 @@ void FindVertices(const Layers& layers, std::size_t horizon, const std::vector<P
         place == NoPoint ? HeightOrigin::None : layers.Stack.Origins[horizon][std::size_t(place)];
       const bool isOutside = Follows(origin) || origin == HeightOrigin::ExtrapolatedBefore;
       found.IsFilled.push_back(isOutside ? 2 : origin == HeightOrigin::Known ? 0 : 1);
-      found.Points->InsertNextId(point == NoPoint ? nearest(column) : point);
+      found.Points.Append(point == NoPoint ? nearest(column) : point);
     }
   }
 }
@@ -156,144 +119,133 @@ RawVector<PointId> TrianglesOf(const LayerPlan& plan, std::size_t horizon, const
 }
 
 /// Skips arrays that differ on the plan.
-void CopyArrays(vtkPointData* given, vtkIdList* points, vtkPointData* output)
+void CopyArrays(const ArrayTable& given, const KeptPoints& points, ArrayTable& output)
 {
   constexpr std::array<const char*, 7> others = { PointArray::Column, PointArray::PatchId, PointArray::Boundary,
     PointArray::PointCount, PointArray::VerticalIndex, PointArray::RealZ, PointArray::Filled };
-  for (int n = 0; n < given->GetNumberOfArrays(); ++n)
+  for (const DataArray& array : given)
   {
-    vtkAbstractArray* const array = given->GetAbstractArray(n);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if (!name.empty() && std::find(others.begin(), others.end(), name) == others.end())
+    if (!array.Name.empty() && std::find(others.begin(), others.end(), array.Name) == others.end())
     {
-      const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-      copy->SetName(array->GetName());
-      copy->SetNumberOfComponents(array->GetNumberOfComponents());
-      copy->SetNumberOfTuples(points->GetNumberOfIds());
-      array->GetTuples(points, copy);
-      output->AddArray(copy);
+      DataArray copy = array.Select(points);
+      copy.ComponentNames.clear();
+      copy.Role = -1;
+      output.Add(std::move(copy));
     }
   }
 }
 
-void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices& own, vtkPointData* output)
+void AddPlaces(const LayerPlan& plan, std::size_t horizon, const HorizonVertices& own, ArrayTable& output)
 {
-  auto columns = NewColumnArray();
-  for (const PointId vertex : own.Vertices)
-  {
-    const PlanePoint& column = plan.Columns[std::size_t(vertex)];
-    columns->InsertNextTuple2(column.X, column.Y);
-  }
-  output->AddArray(columns);
-  AddArray<vtkDoubleArray>(output, PointArray::VerticalIndex, own.Vertices,
+  DataArray columns = NewColumnArray(std::int64_t(own.Vertices.size()));
+  std::transform(own.Vertices.begin(), own.Vertices.end(), ColumnsIn(columns),
+    [&plan](PointId vertex) { return plan.Columns[std::size_t(vertex)]; });
+  output.Add(std::move(columns));
+  AddArray<double>(output, PointArray::VerticalIndex, own.Vertices,
     [&](PointId vertex) { return plan.Heights[horizon][std::size_t(vertex)]; });
   if (std::any_of(own.IsFilled.begin(), own.IsFilled.end(), [](unsigned char value) { return value != 0; }))
   {
-    AddArray<vtkUnsignedCharArray>(output, PointArray::Filled, own.IsFilled);
+    AddArray<unsigned char>(output, PointArray::Filled, own.IsFilled);
   }
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteLayerCells(
-  const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, vtkUnstructuredGrid* output)
+void WriteLayerCells(const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, VolumeGrid& output)
 {
-  output->SetPoints(MakeLayerPoints(cells.Vertices.size(), stack.CommonLattice(),
+  output.Places = MakeLayerPoints(cells.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t point)
-    { return PlaceInWorld(plan.Columns[std::size_t(cells.Vertices[point])], cells.Heights[point]); }));
-  const auto size = vtkIdType(cells.Size());
-  auto offsets = NewArray<vtkIdTypeArray>(nullptr, size + 1);
-  auto corners = NewArray<vtkIdTypeArray>(nullptr, vtkIdType(cells.Corners.size()));
-  vtkNew<vtkUnsignedCharArray> types;
-  types->SetNumberOfTuples(size);
-  std::copy(cells.Corners.begin(), cells.Corners.end(), corners->GetPointer(0));
+    { return PlaceInWorld(plan.Columns[std::size_t(cells.Vertices[point])], cells.Heights[point]); });
+  const auto size = std::int64_t(cells.Size());
+  output.Cells = { NewArray<std::int64_t>("", size + 1),
+    NewArray<std::int64_t>("", std::int64_t(cells.Corners.size())) };
+  auto* const offsets = output.Cells.Offsets.As<std::int64_t>();
+  auto* const corners = output.Cells.Points.As<std::int64_t>();
+  output.Types = NewArray<unsigned char>("", size);
+  std::copy(cells.Corners.begin(), cells.Corners.end(), corners);
   const bool isMirrored = IsMirrored(stack);
-  offsets->SetValue(0, 0);
-  for (vtkIdType cell = 0; cell < size; ++cell)
+  offsets[0] = 0;
+  for (std::int64_t cell = 0; cell < size; ++cell)
   {
-    const vtkIdType first = offsets->GetValue(cell);
-    const auto count = std::size_t(cells.Ends[std::size_t(cell)] - first);
-    offsets->SetValue(cell + 1, cells.Ends[std::size_t(cell)]);
-    types->SetValue(cell, count == 6 ? VTK_WEDGE : count == 5 ? VTK_PYRAMID : VTK_TETRA);
+    offsets[cell + 1] = cells.Ends[std::size_t(cell)];
+    const auto count = std::size_t(offsets[cell + 1] - offsets[cell]);
+    output.Types.As<unsigned char>()[cell] = count == 6 ? VolumeType::Wedge
+      : count == 5                                      ? VolumeType::Pyramid
+                                                        : VolumeType::Tetrahedron;
     if (isMirrored)
     {
-      Mirror(corners->GetPointer(first), count);
+      Mirror(corners + offsets[cell], count);
     }
   }
-  vtkNew<vtkCellArray> list;
-  list->SetData(offsets, corners);
-  output->SetCells(types, list);
   const double height = WorldPerIndex(stack.CommonLattice());
   const double volume = VolumeOfUnit(stack);
-  vtkCellData* const data = output->GetCellData();
-  AddArray<vtkIntArray>(data, CellArray::Layer, cells.Layers);
-  AddArray<vtkIdTypeArray>(data, CellArray::Triangle, cells.Triangles);
-  AddArray<vtkDoubleArray>(
+  ArrayTable& data = output.CellData;
+  AddArray<int>(data, CellArray::Layer, cells.Layers);
+  AddArray<std::int64_t>(data, CellArray::Triangle, cells.Triangles);
+  AddArray<double>(
     data, CellArray::Thickness, cells.Thickness, [height](double thickness) { return height * thickness; });
-  AddArray<vtkDoubleArray>(data, CellArray::Volume, cells.Volumes, [volume](double own) { return volume * own; });
-  data->SetActiveScalars(CellArray::Layer);
-  output->GetFieldData()->AddArray(MakeTexts(FieldArray::LayerNames, NamesOfLayers(stack)));
-  stack.WriteFields(output->GetFieldData());
+  AddArray<double>(data, CellArray::Volume, cells.Volumes, [volume](double own) { return volume * own; });
+  data.SetActiveScalars(CellArray::Layer);
+  output.FieldData.Add({ FieldArray::LayerNames, NamesOfLayers(stack) });
+  stack.WriteFields(output.FieldData);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void WriteLayerBody(
-  LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, vtkPolyData* output)
+  LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, Horizon& output)
 {
-  output->SetPoints(MakeLayerPoints(body.Vertices.size(), stack.CommonLattice(),
+  output.Places = MakeLayerPoints(body.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t point)
-    { return PlaceInWorld(plan.Columns[std::size_t(body.Vertices[point])], body.Heights[point]); }));
+    { return PlaceInWorld(plan.Columns[std::size_t(body.Vertices[point])], body.Heights[point]); });
   for (std::size_t corner = 0; IsMirrored(stack) && corner < body.Triangles.size(); corner += 3)
   {
     std::swap(body.Triangles[corner], body.Triangles[corner + 1]);
   }
-  output->SetPolys(MakeTriangles(body.Triangles));
-  vtkCellData* const data = output->GetCellData();
-  AddArray<vtkUnsignedCharArray>(
+  output.Polygons = MakeTriangles(body.Triangles);
+  ArrayTable& data = output.CellData;
+  AddArray<unsigned char>(
     data, CellArray::Face, body.Faces, [](BodyFace face) { return static_cast<unsigned char>(face); });
-  auto layers = NewArray<vtkIntArray>(CellArray::Layer, output->GetNumberOfCells());
-  layers->FillValue(int(layer));
-  data->AddArray(layers);
-  data->SetActiveScalars(CellArray::Layer);
-  stack.WriteFields(output->GetFieldData());
+  AddConstant<int>(data, CellArray::Layer, output.NumberOfCells(), int(layer));
+  data.SetActiveScalars(CellArray::Layer);
+  stack.WriteFields(output.FieldData);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void WriteLayerHorizon(
-  const Layers& layers, const LayerCells& cells, std::size_t horizon, const HorizonStack& stack, vtkPolyData* output)
+  const Layers& layers, const LayerCells& cells, std::size_t horizon, const HorizonStack& stack, Horizon& output)
 {
   const LayerPlan& plan = layers.Plan;
   HorizonVertices own;
   FindVertices(layers, horizon, cells.PointsOfHorizons[horizon], stack[horizon].Placed.Columns, own);
-  output->SetPoints(MakeLayerPoints(own.Vertices.size(), stack.CommonLattice(),
+  output.Places = MakeLayerPoints(own.Vertices.size(), stack.CommonLattice(),
     [&](std::size_t n)
     {
       const auto vertex = std::size_t(own.Vertices[n]);
       return PlaceInWorld(plan.Columns[vertex], plan.Heights[horizon][vertex]);
-    }));
+    });
   RawVector<PointId> triangles = TrianglesOf(plan, horizon, own.Numbers);
   FaceUp(stack.CommonLattice(), triangles);
-  output->SetPolys(MakeTriangles(triangles));
-  CopyArrays(stack[horizon].Points.Horizon->GetPointData(), own.Points, output->GetPointData());
-  AddPlaces(plan, horizon, own, output->GetPointData());
+  output.Polygons = MakeTriangles(triangles);
+  CopyArrays(stack[horizon].Points.Horizon.PointData, own.Points, output.PointData);
+  AddPlaces(plan, horizon, own, output.PointData);
   ActivateHeight(output);
-  vtkFieldData* const figures = output->GetFieldData();
+  ArrayTable& figures = output.FieldData;
   stack.WriteFields(figures);
   const double height = WorldPerIndex(stack.CommonLattice());
   const RepairFigures& moved = layers.Stack.Repair.Horizons[horizon];
-  AddValue<vtkDoubleArray>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
-  AddValue<vtkIdTypeArray>(
-    figures, FieldArray::NumberOfOutsidePoints, vtkIdType(layers.Ledgers.PointsOutside[horizon]));
-  AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
+  AddValue<double>(figures, FieldArray::LargestError, layers.LargestErrors[horizon]);
+  AddValue<std::int64_t>(
+    figures, FieldArray::NumberOfOutsidePoints, std::int64_t(layers.Ledgers.PointsOutside[horizon]));
+  AddValue<std::int64_t>(figures, FieldArray::TriangleCount, output.Polygons.Size());
   Ledger ledger = layers.Ledgers.OfHorizons[horizon];
-  vtkPolyData* const given = stack[horizon].Points.Horizon;
-  if (const std::optional<Ledger> before = ReadLedger(given->GetFieldData()))
+  const Horizon& given = stack[horizon].Points.Horizon;
+  if (const std::optional<Ledger> before = ReadLedger(given.FieldData))
   {
     const std::int64_t known = CountPoints(given)[LedgerEntry::Known];
     ledger[LedgerEntry::LeftOut] += std::max<std::int64_t>(0, before->Read() - known);
   }
   WriteLedger(ledger, figures);
-  AddValue<vtkIdTypeArray>(figures, FieldArray::MovedColumns, vtkIdType(moved.Columns));
-  AddValue<vtkDoubleArray>(figures, FieldArray::FarthestMove, height * moved.Largest);
+  AddValue<std::int64_t>(figures, FieldArray::MovedColumns, std::int64_t(moved.Columns));
+  AddValue<double>(figures, FieldArray::FarthestMove, height * moved.Largest);
 }
 }

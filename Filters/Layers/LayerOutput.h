@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsLayerOutput_h
 #define SeismicHorizonsLayerOutput_h
 
+#include "Common/Horizon/VolumeGrid.h"
 #include "Filters/Algorithms/Layers/LayerBody.h"
 #include "Filters/Algorithms/Layers/LayerCells.h"
 #include "Filters/Algorithms/Layers/LayerPlan.h"
@@ -13,22 +14,19 @@
 
 #include <cstddef>
 
-class vtkPolyData;
-class vtkUnstructuredGrid;
-
 namespace SeismicHorizons
 {
 /// Cell data are Layer, Triangle, Thickness and Volume.
 void WriteLayerCells(
-  const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, vtkUnstructuredGrid* output);
+  const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, VolumeGrid& output);
 
 /// The surface is closed and faces outwards; cell data are Face and Layer.
 void WriteLayerBody(
-  LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, vtkPolyData* output);
+  LayerBody body, const LayerPlan& plan, std::size_t layer, const HorizonStack& stack, Horizon& output);
 
 /// Arrays of the points are copied.
 void WriteLayerHorizon(
-  const Layers& layers, const LayerCells& cells, std::size_t horizon, const HorizonStack& stack, vtkPolyData* output);
+  const Layers& layers, const LayerCells& cells, std::size_t horizon, const HorizonStack& stack, Horizon& output);
 }
 
 #endif

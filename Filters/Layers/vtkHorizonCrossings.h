@@ -23,12 +23,6 @@
 
 #include <string> // for the results
 
-namespace SeismicHorizons
-{
-class Monitor;
-struct RepairedHorizons;
-}
-
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonCrossings : public vtkHorizonStackStage
 {
 public:
@@ -53,9 +47,6 @@ protected:
 private:
   vtkHorizonCrossings(const vtkHorizonCrossings&) = delete;
   void operator=(const vtkHorizonCrossings&) = delete;
-
-  SeismicHorizons::RepairedHorizons Repair(
-    const SeismicHorizons::HorizonStack& stack, const SeismicHorizons::Monitor& monitor);
 
   std::string Results;
 };

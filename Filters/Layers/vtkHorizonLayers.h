@@ -41,21 +41,11 @@
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <string> // for the results
-#include <vector> // for the outputs
 
 namespace SeismicHorizons
 {
-class HorizonStack;
-class Monitor;
-struct CrossingRepair;
-struct ErrorLimit;
-struct LayerOptions;
-struct LayerVolume;
-struct Layers;
-enum class CrossingPolicy;
+struct LayerStageOptions;
 }
-class vtkDataObject;
-class vtkTable;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonLayers : public vtkHorizonStackStage
 {
@@ -170,15 +160,7 @@ private:
   vtkHorizonLayers(const vtkHorizonLayers&) = delete;
   void operator=(const vtkHorizonLayers&) = delete;
 
-  SeismicHorizons::ErrorLimit FindMaximumError(const SeismicHorizons::HorizonStack& stack) const;
-  SeismicHorizons::LayerOptions MakeOptions(const SeismicHorizons::HorizonStack& stack) const;
-  void Write(const SeismicHorizons::Layers& layers, const SeismicHorizons::HorizonStack& stack,
-    const std::vector<vtkDataObject*>& outputs, const SeismicHorizons::Monitor& monitor);
-  void WarnOfEmpty(
-    const std::vector<SeismicHorizons::LayerVolume>& volumes, const SeismicHorizons::HorizonStack& stack);
-  void WarnOfContact(vtkTable* curve);
-  void WarnOfCrossings(const SeismicHorizons::CrossingRepair& repair,
-    const std::vector<SeismicHorizons::CrossingPolicy>& policies, const SeismicHorizons::HorizonStack& stack);
+  SeismicHorizons::LayerStageOptions MakeOptions() const;
 
   double MaximumError = -1.0;
   bool BoundThickness = false;

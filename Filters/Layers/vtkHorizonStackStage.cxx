@@ -3,54 +3,20 @@
 
 #include "vtkHorizonStackStage.h"
 
-#include "Common/Base/Errors.h"
-#include "Common/Base/Parameters.h"
-#include "Common/VTK/HorizonName.h"
+#include "Common/Horizon/NamedHorizon.h"
+#include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/PipelineRequest.h"
-#include "Filters/Algorithms/Layers/OrderedStack.h"
-#include "Filters/Marshalling/HeightUnit.h"
-#include "Filters/Marshalling/HorizonPoints.h"
 #include "Filters/Marshalling/HorizonTree.h"
-#include "HorizonStack.h"
+#include "StackCrossings.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <array>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 using namespace SeismicHorizons;
-
-namespace
-{
-constexpr std::array<const char*, 4> PolicyNames = { "Mean", "UpperWins", "LowerWins", "Stop" };
-
-/// The text has one policy per layer, from the top.
-std::vector<CrossingPolicy> ParsePolicies(const std::string& text, std::size_t layers)
-{
-  std::vector<CrossingPolicy> policies;
-  std::istringstream words(text);
-  for (std::string word; words >> word;)
-  {
-    const auto found = std::find(PolicyNames.begin(), PolicyNames.end(), word);
-    if (found == PolicyNames.end())
-    {
-      throw InputError("crossings \"" + word + "\", expected Mean, UpperWins, LowerWins or Stop");
-    }
-    policies.push_back(static_cast<CrossingPolicy>(found - PolicyNames.begin()));
-  }
-  if (!policies.empty() && policies.size() != layers)
-  {
-    throw InputError("crossings of " + std::to_string(policies.size()) + " layers, expected " + std::to_string(layers) +
-      ", from the uppermost on");
-  }
-  return policies;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkHorizonStackStage::~vtkHorizonStackStage()
@@ -80,51 +46,30 @@ HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::
   {
     subject = names[n];
     RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject, {},
-      [&]()
-      {
-        CheckArraySizes(leaves[n].Input);
-        const vtkSmartPointer<vtkPolyData> points = WithoutHiddenPoints(leaves[n].Input);
-        if (points->GetNumberOfPoints() > 0)
-        {
-          stack.Add(names[n], points);
-        }
-      });
+      [&]() { stack.Add(names[n], FromVTK(leaves[n].Input)); });
     monitor.Progress(0.5 * double(n + 1) / double(leaves.size()));
   }
   subject.clear();
-  if (stack.Size() < 2)
-  {
-    throw InputError(
-      (stack.Size() == 0 ? "no horizon" : "one horizon") + std::string(" with points, expected at least 2"));
-  }
   stack.PlaceTogether();
   if (!stack.GetDoubt().empty())
   {
     vtkWarningMacro(<< stack.GetDoubt());
   }
   monitor.Progress(0.8);
-  const CrossingOptions crossings = this->MakeCrossings(stack);
-  if (this->Order == ByHeight)
-  {
-    stack.Reorder(OrderByHeight(stack.Views(), crossings));
-  }
+  OrderStack(this->MakeStackOptions(), stack);
   return stack;
 }
 
 //------------------------------------------------------------------------------
-CrossingOptions vtkHorizonStackStage::MakeCrossings(const HorizonStack& stack) const
+StackStageOptions vtkHorizonStackStage::MakeStackOptions() const
 {
-  CrossingOptions crossings;
-  crossings.Names = stack.Names();
-  crossings.HeightsGrowDownwards = stack.HeightsGrowDownwards();
-  crossings.Policies = ParsePolicies(this->CrossingsByLayer ? this->CrossingsByLayer : "", stack.Size() - 1);
-  if (crossings.Policies.empty())
-  {
-    crossings.Policies = { static_cast<CrossingPolicy>(this->Crossings) };
-  }
-  CheckAtLeast("minimum thickness", this->MinimumThickness, 0.0, "");
-  crossings.MinimumThickness = this->IndicesOf(this->MinimumThickness, stack);
-  return crossings;
+  StackStageOptions options;
+  options.ByHeight = this->Order == ByHeight;
+  options.Crossings = static_cast<CrossingPolicy>(this->Crossings);
+  options.CrossingsByLayer = this->CrossingsByLayer ? this->CrossingsByLayer : "";
+  options.MinimumThickness = this->MinimumThickness;
+  options.Unit = this->HeightUnit == World ? SeismicHorizons::HeightUnit::World : SeismicHorizons::HeightUnit::Lattice;
+  return options;
 }
 
 //------------------------------------------------------------------------------
@@ -147,12 +92,4 @@ int vtkHorizonStackStage::RequestUpdateExtent(
 {
   AskForWhole(inputVector[0]);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-double vtkHorizonStackStage::IndicesOf(double height, const HorizonStack& stack) const
-{
-  const auto unit =
-    this->HeightUnit == World ? SeismicHorizons::HeightUnit::World : SeismicHorizons::HeightUnit::Lattice;
-  return height * IndicesPerUnit(unit, {}, {}, stack.CommonLattice());
 }

@@ -25,7 +25,7 @@ namespace SeismicHorizons
 {
 class HorizonStack;
 class Monitor;
-struct CrossingOptions;
+struct StackStageOptions;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonStackStage : public vtkHorizonStage
@@ -76,9 +76,7 @@ protected:
   /// `subject` names the horizon being read, for messages. Throws SeismicHorizons::InputError.
   SeismicHorizons::HorizonStack ReadStack(
     vtkInformationVector* inputs, std::string& subject, const SeismicHorizons::Monitor& monitor);
-  SeismicHorizons::CrossingOptions MakeCrossings(const SeismicHorizons::HorizonStack& stack) const;
-  /// Converts HeightUnit to vertical indices.
-  double IndicesOf(double height, const SeismicHorizons::HorizonStack& stack) const;
+  SeismicHorizons::StackStageOptions MakeStackOptions() const;
 
 private:
   vtkHorizonStackStage(const vtkHorizonStackStage&) = delete;

@@ -5,22 +5,13 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
+#include "Common/Horizon/DataArray.h"
 #include "CutData.h"
 #include "Filters/Algorithms/FaultClosing/FaultClosing.h"
 #include "Filters/Algorithms/Triangulation/TriangleQuality.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "LatticePoints.h"
-
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -39,45 +30,45 @@ namespace
 {
 constexpr int OpenEndComponents = 4; // i and j of both points
 
-bool HasCuts(vtkFieldData* data)
+bool HasCuts(const ArrayTable& data)
 {
-  vtkDataArray* const links = FindFaultedLinks(data);
-  return links && links->GetNumberOfTuples() > 0;
+  const DataArray* const links = FindFaultedLinks(data);
+  return links && links->Tuples() > 0;
 }
 
 /// Throws InputError unless the value is a whole number of at least 0.
-int ReadLinkNumber(vtkDataArray* array, vtkIdType tuple, int component)
+int ReadLinkNumber(const DataArray* const array, std::int64_t tuple, int component)
 {
-  const double value = array->GetComponent(tuple, component);
+  const double value = array->At(tuple, component);
   if (!(value >= 0.0 && value <= MostColumnsPerSide && value == std::floor(value)))
   {
     std::ostringstream text;
-    text << array->GetName() << ' ' << value << " in tuple " << tuple << ", expected a whole number, at least 0";
+    text << array->Name << ' ' << value << " in tuple " << tuple << ", expected a whole number, at least 0";
     throw InputError(text.str());
   }
   return int(value);
 }
 
 /// Returns null without the array, and throws InputError on another number of components.
-vtkDataArray* FindTuples(vtkFieldData* data, const char* name, int components)
+const DataArray* FindTuples(const ArrayTable& data, const char* name, int components)
 {
-  vtkDataArray* const array = FindNumbers(data, name);
-  if (array && array->GetNumberOfComponents() != components)
+  const DataArray* const array = FindNumbers(data, name);
+  if (array && array->Components() != components)
   {
     throw InputError("field data array " + std::string(name) + " with " +
-      std::to_string(array->GetNumberOfComponents()) + " components, expected " + std::to_string(components));
+      std::to_string(array->Components()) + " components, expected " + std::to_string(components));
   }
   return array;
 }
 
 /// Version 0.2 used another name.
-std::vector<std::array<PlanePoint, 2>> ReadOpenEnds(vtkFieldData* data)
+std::vector<std::array<PlanePoint, 2>> ReadOpenEnds(const ArrayTable& data)
 {
   std::vector<std::array<PlanePoint, 2>> openEnds;
   const char* const name =
-    data->HasArray(FieldArray::CrackOpenEnds) ? FieldArray::CrackOpenEnds : FieldArray::OldCrackOpenEnds;
-  vtkDataArray* const array = FindTuples(data, name, OpenEndComponents);
-  for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+    data.Has(FieldArray::CrackOpenEnds) ? FieldArray::CrackOpenEnds : FieldArray::OldCrackOpenEnds;
+  const DataArray* const array = FindTuples(data, name, OpenEndComponents);
+  for (std::int64_t n = 0; array && n < array->Tuples(); ++n)
   {
     const auto read = [&](int component) { return ReadLinkNumber(array, n, component); };
     openEnds.push_back({ PlanePoint{ read(0), read(1) }, PlanePoint{ read(2), read(3) } });
@@ -113,11 +104,11 @@ OpenEndPoints FindOpenEndPoints(
 }
 
 /// Cracks refer to loops by number, so no loop may be missing.
-void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
+void CheckNumberOfLoops(const ArrayTable& data, const Loops& boundary)
 {
-  vtkDataArray* const patches = FindTuples(data, FieldArray::NumberOfPatches, 1);
-  vtkDataArray* const holes = FindTuples(data, FieldArray::NumberOfHoles, 1);
-  if (!patches || !holes || FieldValue(patches, 0) + FieldValue(holes, 0) != double(boundary.Size()))
+  const DataArray* const patches = FindTuples(data, FieldArray::NumberOfPatches, 1);
+  const DataArray* const holes = FindTuples(data, FieldArray::NumberOfHoles, 1);
+  if (!patches || !holes || patches->Value(0) + holes->Value(0) != double(boundary.Size()))
   {
     throw InputError(std::to_string(boundary.Size()) + " boundary loops with the field data array " +
       FieldArray::CrackLoops + ", expected as many as " + FieldArray::NumberOfPatches + " and " +
@@ -125,10 +116,10 @@ void CheckNumberOfLoops(vtkFieldData* data, const Loops& boundary)
   }
 }
 
-Cracks ReadCracks(vtkPolyData* horizon, const Loops& boundary)
+Cracks ReadCracks(const Horizon& horizon, const Loops& boundary)
 {
   Cracks cracks;
-  const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon->GetFieldData());
+  const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon.FieldData);
   const OpenEndPoints points = FindOpenEndPoints(openEnds, ColumnsOf(horizon), boundary);
   for (const std::array<PlanePoint, 2>& openEnd : openEnds)
   {
@@ -142,47 +133,67 @@ Cracks ReadCracks(vtkPolyData* horizon, const Loops& boundary)
       }
     }
   }
-  vtkDataArray* const loops = FindTuples(horizon->GetFieldData(), FieldArray::CrackLoops, 1);
-  for (vtkIdType n = 0; loops && n < loops->GetNumberOfTuples(); ++n)
+  const DataArray* const loops = FindTuples(horizon.FieldData, FieldArray::CrackLoops, 1);
+  for (std::int64_t n = 0; loops && n < loops->Tuples(); ++n)
   {
     cracks.Loops.push_back(std::size_t(ReadLinkNumber(loops, n, 0)));
   }
   if (!cracks.Loops.empty())
   {
-    CheckNumberOfLoops(horizon->GetFieldData(), boundary);
+    CheckNumberOfLoops(horizon.FieldData, boundary);
   }
   return cracks;
 }
 
 /// New triangles have nan in all other arrays.
-void ExtendCellData(const TriangleQuality& quality, std::size_t triangles, vtkCellData* data)
+void ExtendCellData(const TriangleQuality& quality, std::size_t triangles, ArrayTable& data)
 {
   const std::vector<std::pair<const char*, const RawVector<float>*>> known = {
     { CellArray::Compactness, &quality.Compactness }, { CellArray::Quality, &quality.Shape }
   };
-  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+  const ArrayTable before = data;
+  for (const DataArray& array : before)
   {
-    vtkDataArray* const array = data->GetArray(n);
     const auto found = std::find_if(
-      known.begin(), known.end(), [array](const auto& named) { return !std::strcmp(named.first, array->GetName()); });
+      known.begin(), known.end(), [&array](const auto& named) { return array.Name == named.first; });
+    DataArray extended = array.NewLike(array.Tuples() + std::int64_t(triangles));
+    std::memcpy(extended.Data(), array.Data(), std::size_t(array.Tuples()) * array.BytesOfTuple());
     for (std::size_t triangle = 0; triangle < triangles; ++triangle)
     {
-      array->InsertNextTuple1(
+      extended.Set(array.Tuples() + std::int64_t(triangle), 0,
         found == known.end() ? std::numeric_limits<double>::quiet_NaN() : double((*found->second)[triangle]));
     }
+    data.Add(std::move(extended));
   }
+}
+
+/// Keeps the size of numbers.
+template <typename T>
+Cells AppendTriangles(const Cells& cells, const RawVector<PointId>& triangles)
+{
+  const DataArray& points = cells.Points;
+  HeapArray<T> offsets;
+  HeapArray<T> corners;
+  offsets.append(cells.Offsets.As<T>(), cells.Offsets.As<T>() + cells.Offsets.Tuples());
+  corners.append(points.As<T>(), points.As<T>() + points.Tuples());
+  std::copy(triangles.begin(), triangles.end(), corners.Extend(triangles.size()));
+  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
+  {
+    offsets.push_back(offsets.back() + 3);
+  }
+  return { DataArray::Take(offsets), DataArray::Take(corners) };
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
+void WriteCracks(const Cracks& cracks, Horizon& horizon)
 {
-  vtkFieldData* const data = horizon->GetFieldData();
-  data->RemoveArray(FieldArray::OldCrackOpenEnds);
+  ArrayTable& data = horizon.FieldData;
+  data.Remove(FieldArray::OldCrackOpenEnds);
   if (!HasCuts(data))
   {
-    data->RemoveArray(FieldArray::CrackOpenEnds);
-    data->RemoveArray(FieldArray::CrackLoops);
+    data.Remove(FieldArray::CrackOpenEnds);
+    data.Remove(FieldArray::CrackLoops);
     return;
   }
   const PlanePoints columns = ColumnsOf(horizon);
@@ -194,19 +205,19 @@ void WriteCracks(const Cracks& cracks, vtkPolyData* horizon)
     tuples.push_back({ from.X, from.Y, to.X, to.Y });
   }
   std::sort(tuples.begin(), tuples.end()); // The result must not depend on the order of points.
-  auto openEnds = NewArray<vtkIntArray>(FieldArray::CrackOpenEnds, vtkIdType(tuples.size()), OpenEndComponents);
+  DataArray openEnds = NewArray<int>(FieldArray::CrackOpenEnds, std::int64_t(tuples.size()), OpenEndComponents);
   for (std::size_t n = 0; n < tuples.size(); ++n)
   {
-    openEnds->SetTypedTuple(vtkIdType(n), tuples[n].data());
+    std::copy(tuples[n].begin(), tuples[n].end(), openEnds.As<int>() + OpenEndComponents * n);
   }
-  data->AddArray(openEnds);
-  AddArray<vtkIdTypeArray>(data, FieldArray::CrackLoops, cracks.Loops);
+  data.Add(std::move(openEnds));
+  AddArray<std::int64_t>(data, FieldArray::CrackLoops, cracks.Loops);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary)
+std::vector<PointId> ReadPointsOfOpenEnds(const Horizon& horizon, PlanePoints columns, const Loops& boundary)
 {
-  const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon->GetFieldData());
+  const std::vector<std::array<PlanePoint, 2>> openEnds = ReadOpenEnds(horizon.FieldData);
   std::vector<PointId> found;
   for (const auto& [column, point] : FindOpenEndPoints(openEnds, columns, boundary))
   {
@@ -219,23 +230,20 @@ std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints colu
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, vtkPolyData* mesh,
+void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, Horizon& mesh,
   const Monitor& monitor)
 {
-  assert(vtkIdType(plane.size()) == mesh->GetNumberOfPoints());
+  assert(std::int64_t(plane.size()) == mesh.NumberOfPoints());
   RawVector<PointId> triangles = CloseFaults(plane, boundary, ReadCracks(mesh, boundary), monitor);
   const std::size_t size = triangles.size() / 3;
-  auto marks = NewArray<vtkUnsignedCharArray>(CellArray::Fault, mesh->GetNumberOfCells() + vtkIdType(size));
-  std::fill_n(marks->GetPointer(0), mesh->GetNumberOfCells(), static_cast<unsigned char>(0));
-  std::fill_n(marks->GetPointer(mesh->GetNumberOfCells()), size, static_cast<unsigned char>(1));
-  ExtendCellData(MeasureQuality(plane, triangles), size, mesh->GetCellData());
-  mesh->GetCellData()->AddArray(marks);
+  DataArray marks = NewArray<unsigned char>(CellArray::Fault, mesh.NumberOfCells() + std::int64_t(size));
+  auto* const ofFaults = std::fill_n(marks.As<unsigned char>(), mesh.NumberOfCells(), static_cast<unsigned char>(0));
+  std::fill_n(ofFaults, size, static_cast<unsigned char>(1));
+  ExtendCellData(MeasureQuality(plane, triangles), size, mesh.CellData);
+  mesh.CellData.Add(std::move(marks));
   FaceUp(lattice, triangles);
-  for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
-  {
-    const std::array<vtkIdType, 3> corners = { triangles[corner], triangles[corner + 1], triangles[corner + 2] };
-    mesh->GetPolys()->InsertNextCell(3, corners.data());
-  }
-  AddValue<vtkIdTypeArray>(mesh->GetFieldData(), FieldArray::FaultTriangleCount, vtkIdType(size));
+  mesh.Polygons = mesh.Polygons.Offsets.Type() == ValueType::Int ? AppendTriangles<int>(mesh.Polygons, triangles)
+                                                                 : AppendTriangles<std::int64_t>(mesh.Polygons, triangles);
+  AddValue<std::int64_t>(mesh.FieldData, FieldArray::FaultTriangleCount, std::int64_t(size));
 }
 }

@@ -6,24 +6,23 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Cracks.h"
+#include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 
 #include <vector>
 
-class vtkPolyData;
-
 namespace SeismicHorizons
 {
 /// Writes CrackOpenEnds and CrackLoops, or removes both from a horizon without faulted links.
-void WriteCracks(const Cracks& cracks, vtkPolyData* horizon);
+void WriteCracks(const Cracks& cracks, Horizon& horizon);
 
 /// Skips open ends without a loop point. Throws InputError on a malformed array.
-std::vector<PointId> ReadPointsOfOpenEnds(vtkPolyData* horizon, PlanePoints columns, const Loops& boundary);
+std::vector<PointId> ReadPointsOfOpenEnds(const Horizon& horizon, PlanePoints columns, const Loops& boundary);
 
 /// Adds triangles, marked in the new array Fault, to a complete mesh; `plane` has the columns of its points. Throws
 /// InputError on malformed arrays, and if loops are missing.
-void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, vtkPolyData* mesh,
+void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, const Loops& boundary, Horizon& mesh,
   const Monitor& monitor);
 }
 

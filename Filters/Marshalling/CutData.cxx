@@ -5,14 +5,8 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
+#include "Common/Horizon/DataArray.h"
 #include "HorizonData.h"
-
-#include "vtkDataArray.h"
-#include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIntArray.h"
 
 #include <algorithm>
 #include <array>
@@ -25,10 +19,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>& dimensions)
+LatticeLink ReadLink(const DataArray* const links, std::int64_t n, const std::array<int, 3>& dimensions)
 {
-  const std::array<double, 3> link = { links->GetComponent(n, 0), links->GetComponent(n, 1),
-    links->GetComponent(n, 2) };
+  const std::array<double, 3> link = { links->At(n, 0), links->At(n, 1),
+    links->At(n, 2) };
   const std::array<int, 3> end = { dimensions[0], dimensions[1], 2 };
   for (std::size_t component = 0; component < link.size(); ++component)
   {
@@ -47,38 +41,38 @@ LatticeLink ReadLink(vtkDataArray* links, vtkIdType n, const std::array<int, 3>&
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkDataArray* FindFaultedLinks(vtkFieldData* data)
+const DataArray* FindFaultedLinks(const ArrayTable& data)
 {
-  vtkDataArray* const links = FindNumbers(data, FieldArray::FaultedLinks);
+  const DataArray* const links = FindNumbers(data, FieldArray::FaultedLinks);
   return links ? links : FindNumbers(data, FieldArray::OldFaultedLinks);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void RemoveFaultedLinks(vtkFieldData* data)
+void RemoveFaultedLinks(ArrayTable& data)
 {
   for (const char* const name : { FieldArray::FaultedLinks, FieldArray::FaultThrow, FieldArray::FaultLine,
          FieldArray::OldFaultedLinks, FieldArray::OldFaultThrow, FieldArray::OldFaultLine })
   {
-    data->RemoveArray(name);
+    data.Remove(name);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<LatticeLink> ReadFaultedLinks(vtkDataObject* horizon)
+std::vector<LatticeLink> ReadFaultedLinks(const Horizon& horizon)
 {
-  vtkDataArray* const array = FindFaultedLinks(horizon->GetFieldData());
-  if (!array || array->GetNumberOfTuples() == 0)
+  const DataArray* const array = FindFaultedLinks(horizon.FieldData);
+  if (!array || array->Tuples() == 0)
   {
     return {};
   }
-  if (array->GetNumberOfComponents() != 3)
+  if (array->Components() != 3)
   {
-    throw InputError("field data array " + std::string(array->GetName()) + " with " +
-      std::to_string(array->GetNumberOfComponents()) + " components, expected 3: i, j and the side");
+    throw InputError("field data array " + array->Name + " with " +
+      std::to_string(array->Components()) + " components, expected 3: i, j and the side");
   }
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   std::vector<LatticeLink> links;
-  for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
+  for (std::int64_t n = 0; n < array->Tuples(); ++n)
   {
     links.push_back(ReadLink(array, n, dimensions));
   }
@@ -86,7 +80,7 @@ std::vector<LatticeLink> ReadFaultedLinks(vtkDataObject* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns)
+std::optional<LinkCuts> FindCuts(const Horizon& horizon, const PlaneBox& columns)
 {
   std::vector<LatticeLink> links = ReadFaultedLinks(horizon);
   links.erase(std::remove_if(links.begin(), links.end(),
@@ -96,27 +90,27 @@ std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::shared_ptr<const LinkCuts> ShareCuts(vtkDataObject* horizon, const PlaneBox& columns)
+std::shared_ptr<const LinkCuts> ShareCuts(const Horizon& horizon, const PlaneBox& columns)
 {
   std::optional<LinkCuts> cuts = FindCuts(horizon, columns);
   return cuts ? std::make_shared<const LinkCuts>(std::move(*cuts)) : nullptr;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteCuts(const FaultLines& lines, vtkFieldData* data)
+void WriteCuts(const FaultLines& lines, ArrayTable& data)
 {
   RemoveFaultedLinks(data);
   const std::vector<LinkOfLine> sorted = SortLinks(lines);
-  auto links = NewArray<vtkIntArray>(FieldArray::FaultedLinks, vtkIdType(sorted.size()), 3);
+  DataArray links = NewArray<int>(FieldArray::FaultedLinks, std::int64_t(sorted.size()), 3);
   for (std::size_t n = 0; n < sorted.size(); ++n)
   {
     const LatticeLink& link = lines[sorted[n].Link].Place;
     const std::array<int, 3> tuple = { link.Column.X, link.Column.Y, int(link.Side) };
-    links->SetTypedTuple(vtkIdType(n), tuple.data());
+    std::copy(tuple.begin(), tuple.end(), links.As<int>() + 3 * n);
   }
-  data->AddArray(links);
-  AddArray<vtkDoubleArray>(
+  data.Add(std::move(links));
+  AddArray<double>(
     data, FieldArray::FaultThrow, sorted, [&lines](const LinkOfLine& item) { return lines[item.Link].Throw; });
-  AddArray<vtkIntArray>(data, FieldArray::FaultLine, sorted, [](const LinkOfLine& item) { return int(item.Line); });
+  AddArray<int>(data, FieldArray::FaultLine, sorted, [](const LinkOfLine& item) { return int(item.Line); });
 }
 }

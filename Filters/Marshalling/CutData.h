@@ -4,6 +4,7 @@
 #ifndef SeismicHorizonsCutData_h
 #define SeismicHorizonsCutData_h
 
+#include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/LinkCuts.h"
 #include "Filters/Algorithms/Faults/FaultLines.h"
 
@@ -11,29 +12,25 @@
 #include <optional>
 #include <vector>
 
-class vtkDataArray;
-class vtkDataObject;
-class vtkFieldData;
-
 namespace SeismicHorizons
 {
 /// Also finds the array of version 0.2; null without either.
-vtkDataArray* FindFaultedLinks(vtkFieldData* data);
+const DataArray* FindFaultedLinks(const ArrayTable& data);
 
 /// Also removes arrays of version 0.2.
-void RemoveFaultedLinks(vtkFieldData* data);
+void RemoveFaultedLinks(ArrayTable& data);
 
 /// Throws InputError unless a link is a column of the lattice and a side, 0 (east) or 1 (north).
-std::vector<LatticeLink> ReadFaultedLinks(vtkDataObject* horizon);
+std::vector<LatticeLink> ReadFaultedLinks(const Horizon& horizon);
 
 /// Reads only cuts at `columns`, or nothing: the horizon may be a small part of its lattice, and cuts take memory for
 /// their bounding box. Throws InputError as ReadFaultedLinks.
-std::optional<LinkCuts> FindCuts(vtkDataObject* horizon, const PlaneBox& columns);
+std::optional<LinkCuts> FindCuts(const Horizon& horizon, const PlaneBox& columns);
 
-std::shared_ptr<const LinkCuts> ShareCuts(vtkDataObject* horizon, const PlaneBox& columns);
+std::shared_ptr<const LinkCuts> ShareCuts(const Horizon& horizon, const PlaneBox& columns);
 
 /// Replaces FaultedLinks, FaultThrow and FaultLine. A link on several lines belongs to the first.
-void WriteCuts(const FaultLines& lines, vtkFieldData* data);
+void WriteCuts(const FaultLines& lines, ArrayTable& data);
 }
 
 #endif

@@ -5,10 +5,8 @@
 
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/PlaneGeometry.h"
-#include "Common/VTK/DataArrays.h"
+#include "Common/Horizon/DataArray.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 
 #include <algorithm>
 #include <cassert>
@@ -43,9 +41,9 @@ double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<do
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteHeightNoise(const HeightNoise& noise, vtkFieldData* figures)
+void WriteHeightNoise(const HeightNoise& noise, ArrayTable& figures)
 {
-  AddValue<vtkDoubleArray>(
+  AddValue<double>(
     figures, noise.IsRounding ? FieldArray::HeightRounding : FieldArray::HeightNoise, noise.Deviation);
 }
 }

@@ -4,14 +4,13 @@
 #ifndef SeismicHorizonsHeightUnit_h
 #define SeismicHorizonsHeightUnit_h
 
+#include "Common/Horizon/DataArray.h"
 #include "Common/Horizon/HeightNoise.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 
 #include <optional>
 #include <vector>
-
-class vtkFieldData;
 
 namespace SeismicHorizons
 {
@@ -36,7 +35,7 @@ double WorldPerIndex(const Lattice& lattice);
 double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice);
 
 /// The noise is in vertical indices.
-void WriteHeightNoise(const HeightNoise& noise, vtkFieldData* figures);
+void WriteHeightNoise(const HeightNoise& noise, ArrayTable& figures);
 }
 
 #endif

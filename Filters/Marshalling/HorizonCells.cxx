@@ -6,12 +6,6 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
 
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
-
 #include <algorithm>
 #include <cassert>
 #include <limits>
@@ -21,73 +15,59 @@ namespace SeismicHorizons
 {
 namespace
 {
-template <typename Array>
-vtkSmartPointer<vtkCellArray> MakeCells(Array* offsets, Array* points)
+template <typename T>
+Cells MakeTrianglesAs(const RawVector<PointId>& triangles)
 {
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, points);
-  return cells;
-}
-
-template <typename Array>
-vtkSmartPointer<vtkCellArray> MakeTrianglesAs(const RawVector<PointId>& triangles)
-{
-  using Value = typename Array::ValueType;
-  vtkNew<Array> offsets;
-  vtkNew<Array> ids;
-  const vtkIdType size = vtkIdType(triangles.size() / 3);
-  SetNumberOfTuples(offsets, size + 1);
-  SetNumberOfTuples(ids, 3 * size);
-  offsets->SetValue(size, Value(3 * size));
-  Value* const begins = offsets->GetPointer(0);
-  Value* const corners = ids->GetPointer(0);
+  const auto size = std::int64_t(triangles.size() / 3);
+  Cells cells = { NewArray<T>("", size + 1), NewArray<T>("", 3 * size) };
+  T* const begins = cells.Offsets.As<T>();
+  T* const corners = cells.Points.As<T>();
+  begins[size] = T(3 * size);
   ParallelFor(size, Grain,
-    [&](vtkIdType first, vtkIdType last)
+    [&](std::int64_t first, std::int64_t last)
     {
-      for (vtkIdType triangle = first; triangle < last; ++triangle)
+      for (std::int64_t triangle = first; triangle < last; ++triangle)
       {
-        begins[triangle] = Value(3 * triangle);
+        begins[triangle] = T(3 * triangle);
       }
       std::copy(triangles.data() + 3 * first, triangles.data() + 3 * last, corners + 3 * first);
     });
-  return MakeCells<Array>(offsets, ids);
+  return cells;
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops)
+Cells MakePolylines(const Loops& loops)
 {
-  vtkNew<vtkTypeInt32Array> offsets;
-  vtkNew<vtkTypeInt32Array> ids;
-  offsets->InsertNextValue(0);
+  HeapArray<int> offsets = { 0 };
+  HeapArray<int> points;
   for (std::size_t loop = 0; loop < loops.Size(); ++loop)
   {
-    std::for_each(loops.begin(loop), loops.end(loop), [&ids](PointId point) { ids->InsertNextValue(point); });
-    ids->InsertNextValue(*loops.begin(loop));
-    offsets->InsertNextValue(std::int32_t(ids->GetNumberOfValues()));
+    points.append(loops.begin(loop), loops.end(loop));
+    points.push_back(*loops.begin(loop));
+    offsets.push_back(int(points.size()));
   }
-  return MakeCells<vtkTypeInt32Array>(offsets, ids);
+  return { DataArray::Take(offsets), DataArray::Take(points) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles)
+Cells MakeTriangles(const RawVector<PointId>& triangles)
 {
   assert(triangles.size() % 3 == 0);
-  return triangles.size() <= std::size_t(std::numeric_limits<vtkTypeInt32>::max())
-    ? MakeTrianglesAs<vtkTypeInt32Array>(triangles)
-    : MakeTrianglesAs<vtkTypeInt64Array>(triangles);
+  return triangles.size() <= std::size_t(std::numeric_limits<int>::max()) ? MakeTrianglesAs<int>(triangles)
+                                                                          : MakeTrianglesAs<std::int64_t>(triangles);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 double WriteTriangles(
-  const std::vector<PlanePoint>& plane, const Lattice& lattice, RawVector<PointId> triangles, vtkPolyData* mesh)
+  const std::vector<PlanePoint>& plane, const Lattice& lattice, RawVector<PointId> triangles, Horizon& mesh)
 {
   const TriangleQuality quality = MeasureQuality(plane, triangles);
   FaceUp(lattice, triangles);
-  mesh->SetPolys(MakeTriangles(triangles));
+  mesh.Polygons = MakeTriangles(triangles);
   triangles = RawVector<PointId>(); // This frees memory for the arrays, which need as much.
-  AddTriangleArray<vtkFloatArray>(CellArray::Compactness, quality.Compactness, mesh);
-  AddTriangleArray<vtkFloatArray>(CellArray::Quality, quality.Shape, mesh);
+  AddTriangleArray<float>(CellArray::Compactness, quality.Compactness, mesh);
+  AddTriangleArray<float>(CellArray::Quality, quality.Shape, mesh);
   return quality.SmallestAngle;
 }
 }

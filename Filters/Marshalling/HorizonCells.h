@@ -5,44 +5,38 @@
 #define SeismicHorizonsHorizonCells_h
 
 #include "Common/Base/RawVector.h"
+#include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
-#include "Common/VTK/DataArrays.h"
 #include "Filters/Algorithms/Triangulation/TriangleQuality.h"
-
-#include "vtkCellData.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cassert>
 #include <limits>
 #include <vector>
 
-class vtkCellArray;
-
 namespace SeismicHorizons
 {
 /// Each polyline ends at its first point.
-vtkSmartPointer<vtkCellArray> MakePolylines(const Loops& loops);
-vtkSmartPointer<vtkCellArray> MakeTriangles(const RawVector<PointId>& triangles);
+Cells MakePolylines(const Loops& loops);
+Cells MakeTriangles(const RawVector<PointId>& triangles);
 
 /// `values` has one per triangle; the polylines, which come first, get nan.
-template <typename Array, typename Values>
-void AddTriangleArray(const char* name, const Values& values, vtkPolyData* mesh)
+template <typename T, typename Values>
+void AddTriangleArray(const char* name, const Values& values, Horizon& mesh)
 {
-  assert(vtkIdType(values.size()) == mesh->GetNumberOfPolys());
-  auto array = NewArray<Array>(name, mesh->GetNumberOfCells());
-  auto* const triangles = array->GetPointer(mesh->GetNumberOfLines());
-  std::fill(array->GetPointer(0), triangles, std::numeric_limits<typename Array::ValueType>::quiet_NaN());
+  assert(std::int64_t(values.size()) == mesh.Polygons.Size());
+  DataArray array = NewArray<T>(name, mesh.NumberOfCells());
+  T* const triangles = array.As<T>() + mesh.Lines.Size();
+  std::fill(array.As<T>(), triangles, std::numeric_limits<T>::quiet_NaN());
   std::copy(values.begin(), values.end(), triangles);
-  mesh->GetCellData()->AddArray(array);
+  mesh.CellData.Add(std::move(array));
 }
 
 /// Triangles are counter-clockwise on the lattice, and `plane` has their vertices. Returns the smallest angle in
 /// degrees.
 double WriteTriangles(
-  const std::vector<PlanePoint>& plane, const Lattice& lattice, RawVector<PointId> triangles, vtkPolyData* mesh);
+  const std::vector<PlanePoint>& plane, const Lattice& lattice, RawVector<PointId> triangles, Horizon& mesh);
 }
 
 #endif

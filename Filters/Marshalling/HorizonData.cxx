@@ -7,18 +7,9 @@
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
+#include "Common/Horizon/DataArray.h"
 #include "CutData.h"
 #include "HorizonPoints.h"
-
-#include "vtkArrayDispatch.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
-#include "vtkFieldData.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
@@ -40,17 +31,17 @@ namespace
 // Exceeds any horizon. Sums of this many sub-voxel coordinates, below 2^29 each, fit 64 bits.
 constexpr std::int64_t MostVoxels = std::int64_t(1) << 32;
 
-vtkDataArray* FindFieldArray(vtkDataObject* horizon, const char* name, int values)
+const DataArray& FindFieldArray(const Horizon& horizon, const char* name, int values)
 {
-  vtkDataArray* const array = FindNumbers(horizon->GetFieldData(), name);
-  const vtkIdType found = array ? array->GetNumberOfValues() : 0;
+  const DataArray* const array = FindNumbers(horizon.FieldData, name);
+  const std::int64_t found = array ? array->Size() : 0;
   if (found != values)
   {
     throw InputError((array ? std::to_string(found) + " values in the field data array " : "no field data array ") +
       name + ", expected " + std::to_string(values) +
       " values that place the horizon on its lattice, as the reader of sparse-matrix files writes them");
   }
-  return array;
+  return *array;
 }
 
 template <typename Number>
@@ -77,55 +68,50 @@ bool Fits(Value value)
 }
 
 /// Null without the array; throws InputError on several components.
-vtkDataArray* FindPointArray(vtkPolyData* horizon, const char* name)
+const DataArray* FindPointArray(const Horizon& horizon, const char* name)
 {
-  vtkDataArray* const array = FindNumbers(horizon->GetPointData(), name);
-  if (array && array->GetNumberOfComponents() != 1)
+  const DataArray* const array = FindNumbers(horizon.PointData, name);
+  if (array && array->Components() != 1)
   {
-    throw InputError("point array " + std::string(name) + " with " + std::to_string(array->GetNumberOfComponents()) +
+    throw InputError("point array " + std::string(name) + " with " + std::to_string(array->Components()) +
       " components, expected 1");
   }
   return array;
 }
 
 template <typename Number, typename Value>
-Number Convert(Value value, vtkDataArray* array, std::size_t point)
+Number Convert(Value value, const DataArray& array, std::size_t point)
 {
   if (!Fits<Number>(value))
   {
-    throw InputError(std::string(array->GetName()) + ' ' + Text(+value) + " at point " + std::to_string(point) +
+    throw InputError(array.Name + ' ' + Text(+value) + " at point " + std::to_string(point) +
       ", expected a whole number of " + std::to_string(std::numeric_limits<Number>::digits + 1) + " bits");
   }
   return static_cast<Number>(value);
 }
 
 template <typename Number>
-std::vector<Number> CopyValues(vtkDataArray* array)
+std::vector<Number> CopyValues(const DataArray& array)
 {
-  std::vector<Number> values = LargeVector<Number>(std::size_t(array->GetNumberOfTuples()));
-  const auto copy = [&](auto* typedArray)
-  {
-    using Value = vtk::GetAPIType<std::remove_pointer_t<decltype(typedArray)>>;
-    const auto given = vtk::DataArrayValueRange<1>(typedArray);
-    ParallelFor(std::int64_t(values.size()), Grain,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (auto point = std::size_t(first); point < std::size_t(last); ++point)
+  std::vector<Number> values = LargeVector<Number>(std::size_t(array.Tuples()));
+  array.WithNumbers(
+    [&](const auto* given)
+    {
+      ParallelFor(std::int64_t(values.size()), Grain,
+        [&](std::int64_t first, std::int64_t last)
         {
-          values[point] = Convert<Number>(Value(given[vtkIdType(point)]), array, point);
-        }
-      });
-  };
-  if (!vtkArrayDispatch::Dispatch::Execute(array, copy))
-  {
-    copy(array);
-  }
+          for (auto point = std::size_t(first); point < std::size_t(last); ++point)
+          {
+            values[point] = Convert<Number>(given[point], array, point);
+          }
+        });
+    });
   return values;
 }
 
 /// Refuses a repeated edge, which would double the surface. An edge in both directions is allowed: it is a spur or a
 /// bridge.
-void CheckSides(const Loops& loops, vtkIdType numberOfPoints)
+void CheckSides(const Loops& loops, std::int64_t numberOfPoints)
 {
   std::vector<PointId> firstEnd = LargeVector(std::size_t(numberOfPoints), NoPoint);
   std::set<std::pair<PointId, PointId>> others; // Only points that loops visit again have entries.
@@ -159,33 +145,13 @@ PlaneBox ColumnsAround(PlaneBox box, std::int32_t subVoxelsPerColumn)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkDataArray* FindNumbers(vtkFieldData* data, const char* name)
+std::array<int, 3> ReadLatticeDimensions(const Horizon& horizon)
 {
-  vtkAbstractArray* const array = data->GetAbstractArray(name);
-  vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
-  if (array && !numbers)
-  {
-    throw InputError(
-      std::string("an array ") + name + " of type " + array->GetDataTypeAsString() + ", expected numbers");
-  }
-  return numbers;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double FieldValue(vtkDataArray* array, int n)
-{
-  const int components = array->GetNumberOfComponents();
-  return array->GetComponent(n / components, n % components);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::array<int, 3> ReadLatticeDimensions(vtkDataObject* horizon)
-{
-  vtkDataArray* const size = FindFieldArray(horizon, FieldArray::LatticeDimensions, 3);
+  const DataArray& size = FindFieldArray(horizon, FieldArray::LatticeDimensions, 3);
   std::array<int, 3> dimensions;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double cells = FieldValue(size, axis);
+    const double cells = size.Value(axis);
     if (!Fits<int>(cells))
     {
       throw InputError(std::string(FieldArray::LatticeDimensions) + " with " + Text(cells) +
@@ -197,47 +163,50 @@ std::array<int, 3> ReadLatticeDimensions(vtkDataObject* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Eigen::Matrix4d ReadLatticeMap(vtkDataObject* horizon)
+Eigen::Matrix4d ReadLatticeMap(const Horizon& horizon)
 {
-  vtkDataArray* const map = FindFieldArray(horizon, FieldArray::LatticeToWorld, 16);
+  const DataArray& map = FindFieldArray(horizon, FieldArray::LatticeToWorld, 16);
   Eigen::Matrix4d toWorld;
   for (int n = 0; n < 16; ++n)
   {
-    toWorld(n / 4, n % 4) = FieldValue(map, n);
+    toWorld(n / 4, n % 4) = map.Value(n);
   }
   return toWorld;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Lattice ReadLattice(vtkDataObject* horizon)
+Lattice ReadLattice(const Horizon& horizon)
 {
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   return Lattice(dimensions, ReadLatticeMap(horizon));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Loops ReadBoundary(vtkPolyData* horizon)
+Loops ReadBoundary(const Horizon& horizon)
 {
   Loops loops;
-  vtkCellArray* const lines = horizon->GetLines();
-  vtkIdType size = 0;
-  const vtkIdType* points = nullptr;
-  for (vtkIdType line = 0; lines && line < lines->GetNumberOfCells(); ++line)
+  const Cells& lines = horizon.Lines;
+  for (std::int64_t line = 0; line < lines.Size(); ++line)
   {
-    lines->GetCellAtId(line, size, points);
-    if (size < 2 || points[0] != points[size - 1])
+    const std::int64_t size = lines.Length(line);
+    if (size < 2 || lines.At(line, 0) != lines.At(line, size - 1))
     {
       throw InputError("line " + std::to_string(line) + " with " + std::to_string(size) +
         " points that is not closed, expected only boundary loops: polylines whose last point is their first");
     }
-    const auto wrong = std::find_if(
-      points, points + size, [horizon](vtkIdType id) { return id < 0 || id >= horizon->GetNumberOfPoints(); });
-    if (wrong != points + size)
+    for (std::int64_t n = 0; n < size; ++n)
     {
-      throw InputError("point id " + std::to_string(*wrong) + " in line " + std::to_string(line) + ", expected 0 to " +
-        std::to_string(horizon->GetNumberOfPoints() - 1));
+      const std::int64_t point = lines.At(line, n);
+      if (point < 0 || point >= horizon.NumberOfPoints())
+      {
+        throw InputError("point id " + std::to_string(point) + " in line " + std::to_string(line) + ", expected 0 to " +
+          std::to_string(horizon.NumberOfPoints() - 1));
+      }
+      if (n + 1 < size)
+      {
+        loops.Append(PointId(point));
+      }
     }
-    std::for_each(points, points + size - 1, [&loops](vtkIdType point) { loops.Append(PointId(point)); });
     loops.Close();
   }
   if (loops.Size() == 0)
@@ -245,31 +214,31 @@ Loops ReadBoundary(vtkPolyData* horizon)
     throw InputError("no boundary loops, expected a closed polyline around each patch, as Horizon Exterior Boundary "
                      "makes them");
   }
-  CheckSides(loops, horizon->GetNumberOfPoints());
+  CheckSides(loops, horizon.NumberOfPoints());
   return loops;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon)
+std::vector<std::int32_t> ReadPatches(const Horizon& horizon)
 {
-  vtkDataArray* const patches = FindPointArray(horizon, PointArray::PatchId);
+  const DataArray* const patches = FindPointArray(horizon, PointArray::PatchId);
   if (!patches)
   {
     throw InputError(std::string("no point array ") + PointArray::PatchId +
       ", expected the patch number of each point, as Horizon Exterior Boundary makes it");
   }
-  return CopyValues<std::int32_t>(patches);
+  return CopyValues<std::int32_t>(*patches);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon)
+std::vector<std::int64_t> ReadCounts(const Horizon& horizon)
 {
-  vtkDataArray* const counts = FindPointArray(horizon, PointArray::PointCount);
+  const DataArray* const counts = FindPointArray(horizon, PointArray::PointCount);
   if (!counts)
   {
     return {};
   }
-  std::vector<std::int64_t> values = CopyValues<std::int64_t>(counts);
+  std::vector<std::int64_t> values = CopyValues<std::int64_t>(*counts);
   double sum = 0.0;
   for (std::size_t point = 0; point < values.size(); ++point)
   {
@@ -284,41 +253,39 @@ std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void RequireAllPoints(vtkPolyData* horizon)
+void RequireAllPoints(const Horizon& horizon)
 {
-  if (horizon->GetNumberOfPolys() > 0 && horizon->GetPointData()->HasArray(PointArray::PointCount))
+  if (horizon.Polygons.Size() > 0 && horizon.PointData.Has(PointArray::PointCount))
   {
-    throw InputError("a mesh of " + std::to_string(horizon->GetNumberOfPolys()) +
+    throw InputError("a mesh of " + std::to_string(horizon.Polygons.Size()) +
       " triangles, already simplified, expected all points of the horizon, from which the error is measured");
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
+std::vector<std::array<PointId, 3>> ReadTriangles(const Horizon& mesh)
 {
-  if (mesh->GetNumberOfStrips() > 0)
+  if (mesh.Strips > 0)
   {
     throw InputError(
-      std::to_string(mesh->GetNumberOfStrips()) + " triangle strips, expected triangles: apply Triangulate first");
+      std::to_string(mesh.Strips) + " triangle strips, expected triangles: apply Triangulate first");
   }
-  vtkCellArray* const polys = mesh->GetPolys();
+  const Cells& polygons = mesh.Polygons;
   std::vector<std::array<PointId, 3>> triangles;
-  triangles.reserve(std::size_t(mesh->GetNumberOfPolys()));
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  triangles.reserve(std::size_t(polygons.Size()));
+  for (std::int64_t cell = 0; cell < polygons.Size(); ++cell)
   {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    polys->GetCellAtId(cell, size, corners);
-    if (size != 3)
+    if (polygons.Length(cell) != 3)
     {
-      throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(size) +
+      throw InputError("polygon " + std::to_string(cell) + " with " + std::to_string(polygons.Length(cell)) +
         " corners, expected triangles: apply Triangulate first");
     }
-    const auto [least, greatest] = std::minmax({ corners[0], corners[1], corners[2] });
-    if (least < 0 || greatest >= mesh->GetNumberOfPoints())
+    const std::array<std::int64_t, 3> corners = { polygons.At(cell, 0), polygons.At(cell, 1), polygons.At(cell, 2) };
+    const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end());
+    if (*least < 0 || *greatest >= mesh.NumberOfPoints())
     {
-      throw InputError("point ids " + std::to_string(least) + " to " + std::to_string(greatest) + " in triangle " +
-        std::to_string(cell) + ", expected 0 to " + std::to_string(mesh->GetNumberOfPoints() - 1));
+      throw InputError("point ids " + std::to_string(*least) + " to " + std::to_string(*greatest) + " in triangle " +
+        std::to_string(cell) + ", expected 0 to " + std::to_string(mesh.NumberOfPoints() - 1));
     }
     triangles.push_back({ PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) });
   }
@@ -326,20 +293,20 @@ std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh)
+std::vector<std::array<PointId, 3>> ReadOpenTriangles(const Horizon& mesh)
 {
   std::vector<std::array<PointId, 3>> triangles = ReadTriangles(mesh);
-  vtkDataArray* const faults = FindNumbers(mesh->GetCellData(), CellArray::Fault);
+  const DataArray* const faults = FindNumbers(mesh.CellData, CellArray::Fault);
   if (!faults)
   {
     return triangles;
   }
-  RequireTuples(faults, mesh->GetNumberOfCells(), "cells");
-  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  RequireTuples(*faults, mesh.NumberOfCells(), "cells");
+  const std::int64_t first = mesh.Vertices.Size() + mesh.Lines.Size();
   std::vector<std::array<PointId, 3>> open;
   for (std::size_t n = 0; n < triangles.size(); ++n)
   {
-    if (faults->GetComponent(first + vtkIdType(n), 0) == 0.0)
+    if (faults->At(first + std::int64_t(n)) == 0.0)
     {
       open.push_back(triangles[n]);
     }

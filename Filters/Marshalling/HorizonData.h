@@ -15,43 +15,32 @@
 #include <cstdint>
 #include <vector>
 
-class vtkDataArray;
-class vtkDataObject;
-class vtkFieldData;
-class vtkPolyData;
-
 namespace SeismicHorizons
 {
-Lattice ReadLattice(vtkDataObject* horizon);
+Lattice ReadLattice(const Horizon& horizon);
 
 /// columns along i and j, and vertical indices
-std::array<int, 3> ReadLatticeDimensions(vtkDataObject* horizon);
+std::array<int, 3> ReadLatticeDimensions(const Horizon& horizon);
 
 /// Unlike ReadLattice, this does not check the matrix.
-Eigen::Matrix4d ReadLatticeMap(vtkDataObject* horizon);
-
-/// Null without the array; throws InputError on texts.
-vtkDataArray* FindNumbers(vtkFieldData* data, const char* name);
-
-/// `n` counts values through all tuples.
-double FieldValue(vtkDataArray* array, int n);
+Eigen::Matrix4d ReadLatticeMap(const Horizon& horizon);
 
 /// All lines must be closed polylines, and there must be one.
-Loops ReadBoundary(vtkPolyData* horizon);
+Loops ReadBoundary(const Horizon& horizon);
 
 /// Throws InputError on a simplified mesh, whose dropped points cannot be measured.
-void RequireAllPoints(vtkPolyData* horizon);
+void RequireAllPoints(const Horizon& horizon);
 
-std::vector<std::int32_t> ReadPatches(vtkPolyData* horizon);
+std::vector<std::int32_t> ReadPatches(const Horizon& horizon);
 
 /// Original points per point; empty if each represents one.
-std::vector<std::int64_t> ReadCounts(vtkPolyData* horizon);
+std::vector<std::int64_t> ReadCounts(const Horizon& horizon);
 
 /// Throws InputError on polygons other than triangles.
-std::vector<std::array<PointId, 3>> ReadTriangles(vtkPolyData* mesh);
+std::vector<std::array<PointId, 3>> ReadTriangles(const Horizon& mesh);
 
 /// As ReadTriangles, without triangles that close faults.
-std::vector<std::array<PointId, 3>> ReadOpenTriangles(vtkPolyData* mesh);
+std::vector<std::array<PointId, 3>> ReadOpenTriangles(const Horizon& mesh);
 
 /// Places are columns, or sub-voxels after merging. Heights and counts stay empty.
 BoundedHorizon ReadPatchesAndBoundary(const LatticePoints& points);

@@ -4,80 +4,43 @@
 #include "HorizonPoints.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/VertexCells.h"
-#include "HorizonData.h"
-
-#include "vtkCellArray.h"
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cstring>
 #include <numeric>
 #include <sstream>
-#include <vector>
+#include <string>
 
 namespace SeismicHorizons
 {
 namespace
 {
+/// Null without marks.
+const unsigned char* FindGhosts(const Horizon& horizon)
+{
+  const DataArray* const ghosts = horizon.PointData.Find(PointArray::Ghosts);
+  return ghosts ? ghosts->As<unsigned char>() : nullptr;
+}
+
 bool IsVisible(unsigned char ghost)
 {
-  return (ghost & (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) == 0;
-}
-
-/// Runs of consecutive points are copied at once.
-void CopyBytes(const char* from, std::size_t bytes, const KeptPoints& kept, char* to)
-{
-  ParallelFor(std::int64_t(kept.size()), Grain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      kept.ForEachRun(std::size_t(first), std::size_t(last),
-        [&](std::size_t n, PointId point, std::size_t length)
-        { std::memcpy(to + n * bytes, from + std::size_t(point) * bytes, length * bytes); });
-    });
-}
-
-void GetTuples(vtkAbstractArray* from, const KeptPoints& kept, vtkAbstractArray* to)
-{
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(vtkIdType(kept.size()));
-  kept.ForEachRun(0, kept.size(),
-    [&](std::size_t n, PointId point, std::size_t length)
-    { std::iota(ids->begin() + n, ids->begin() + n + length, vtkIdType(point)); });
-  from->GetTuples(ids, to);
-}
-
-bool HasPlainTuples(vtkAbstractArray* array)
-{
-  return vtkDataArray::SafeDownCast(array) && array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT;
+  return (ghost & (GhostMark::Copy | GhostMark::HiddenPoint)) == 0;
 }
 
 /// Slope of height over vertical index, in a sample of the points; 1 without indices, or if points are too level.
-double MeasureStretch(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height)
+double MeasureStretch(const Horizon& horizon, const std::function<double(std::int64_t)>& height)
 {
-  vtkDataArray* const index = FindNumbers(horizon->GetPointData(), PointArray::VerticalIndex);
-  const vtkIdType size = horizon->GetNumberOfPoints();
-  if (!index || index->GetNumberOfTuples() != size)
+  const DataArray* const index = FindNumbers(horizon.PointData, PointArray::VerticalIndex);
+  const std::int64_t size = horizon.NumberOfPoints();
+  if (!index || index->Tuples() != size)
   {
     return 1.0;
   }
-  constexpr vtkIdType Enough = 1000;
+  constexpr std::int64_t Enough = 1000;
   std::vector<Eigen::Vector2d> pairs;
-  for (vtkIdType point = 0; point < size; point += size / Enough + 1)
+  for (std::int64_t point = 0; point < size; point += size / Enough + 1)
   {
-    pairs.emplace_back(index->GetComponent(point, 0), height(point));
+    pairs.emplace_back(index->At(point, 0), height(point));
   }
   constexpr double LeastDeviation = 2.0; // vertical indices; below this, rounding and real z could dominate.
   return FitSlope(pairs, LeastDeviation).value_or(1.0);
@@ -85,93 +48,74 @@ double MeasureStretch(vtkPolyData* horizon, const std::function<double(vtkIdType
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkIdType CountVisiblePoints(vtkPolyData* horizon)
+void CheckArraySizes(const Horizon& horizon)
 {
-  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
-  return ghosts ? std::count_if(ghosts->Begin(), ghosts->End(), IsVisible) : horizon->GetNumberOfPoints();
+  RequireTuples(horizon.PointData, horizon.NumberOfPoints(), "points");
+  RequireTuples(horizon.CellData, horizon.NumberOfCells(), "cells");
+  const DataArray* const ghosts = horizon.PointData.Find(PointArray::Ghosts);
+  if (ghosts && ghosts->As<unsigned char>() && ghosts->Components() != 1)
+  {
+    throw InputError("point array " + ghosts->Name + " with " + std::to_string(ghosts->Components()) +
+      " components, expected 1");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> WithoutHiddenPoints(vtkPolyData* horizon)
+ArrayTable WithoutMeshFigures(ArrayTable figures)
 {
-  const vtkIdType visible = CountVisiblePoints(horizon);
-  if (visible == horizon->GetNumberOfPoints())
+  for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,
+         FieldArray::BoundaryEdgeCount, FieldArray::NonDelaunayEdgeCount, FieldArray::SmallestAngle,
+         FieldArray::SliverCount, FieldArray::LargestError, FieldArray::MeanError, FieldArray::LargestLoopError })
+  {
+    figures.Remove(name);
+  }
+  return figures;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t CountVisiblePoints(const Horizon& horizon)
+{
+  const unsigned char* const ghosts = FindGhosts(horizon);
+  return ghosts ? std::count_if(ghosts, ghosts + horizon.NumberOfPoints(), IsVisible) : horizon.NumberOfPoints();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Horizon WithoutHiddenPoints(const Horizon& horizon)
+{
+  if (CountVisiblePoints(horizon) == horizon.NumberOfPoints())
   {
     return horizon;
   }
-  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
-  const auto kept = KeptPoints::If(std::size_t(horizon->GetNumberOfPoints()),
-    [ghosts](std::size_t point) { return IsVisible(ghosts->GetValue(vtkIdType(point))); });
-  auto result = vtkSmartPointer<vtkPolyData>::New();
+  const unsigned char* const ghosts = FindGhosts(horizon);
+  const auto kept = KeptPoints::If(
+    std::size_t(horizon.NumberOfPoints()), [ghosts](std::size_t point) { return IsVisible(ghosts[point]); });
+  Horizon result;
   CopyPoints(horizon, kept, result);
-  result->SetVerts(nullptr);
-  result->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  result->GetFieldData()->PassData(horizon->GetFieldData());
+  result.Vertices = Cells();
+  result.PointData.Remove(PointArray::Ghosts);
+  result.FieldData = horizon.FieldData;
   return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkAbstractArray> CopyTuples(vtkAbstractArray* array, const KeptPoints& kept)
+void CopyPoints(const Horizon& input, const KeptPoints& kept, Horizon& output)
 {
-  const vtkSmartPointer<vtkAbstractArray> copy = NewArrayLike(array, vtkIdType(kept.size()));
-  if (HasPlainTuples(array) && HasPlainTuples(copy))
+  output.Places = kept.AreAll() ? input.Places : input.Places.Select(kept);
+  for (const DataArray& array : input.PointData)
   {
-    const std::size_t bytes = std::size_t(array->GetNumberOfComponents()) * std::size_t(array->GetDataTypeSize());
-    CopyBytes(
-      static_cast<const char*>(array->GetVoidPointer(0)), bytes, kept, static_cast<char*>(copy->GetVoidPointer(0)));
+    output.PointData.Add(kept.AreAll() ? array : array.Select(kept));
   }
-  else
-  {
-    GetTuples(array, kept, copy);
-  }
-  return copy;
+  output.Vertices = MakeVertices(output.NumberOfPoints());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void AddPointArray(vtkPolyData* input, int n, vtkAbstractArray* made, vtkPolyData* output)
+void ActivateHeight(Horizon& horizon)
 {
-  assert(made->GetNumberOfTuples() == output->GetNumberOfPoints());
-  const int index = output->GetPointData()->AddArray(made);
-  const int attribute = input->GetPointData()->IsArrayAnAttribute(n);
-  if (attribute >= 0)
-  {
-    output->GetPointData()->SetActiveAttribute(index, attribute);
-  }
+  horizon.PointData.SetActiveScalars(PointArray::VerticalIndex);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CopyPoints(vtkPolyData* input, const KeptPoints& kept, vtkPolyData* output)
-{
-  if (kept.AreAll())
-  {
-    output->SetPoints(input->GetPoints());
-    output->GetPointData()->PassData(input->GetPointData());
-    output->SetVerts(HasAllVertices(input->GetVerts(), input->GetNumberOfPoints())
-        ? input->GetVerts()
-        : MakeVertices(input->GetNumberOfPoints()).Get());
-    return;
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(vtkDataArray::SafeDownCast(CopyTuples(input->GetPoints()->GetData(), kept)));
-  output->SetPoints(points);
-  for (int n = 0; n < input->GetPointData()->GetNumberOfArrays(); ++n)
-  {
-    AddPointArray(input, n, CopyTuples(input->GetPointData()->GetAbstractArray(n), kept), output);
-  }
-  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void ActivateHeight(vtkPolyData* horizon)
-{
-  if (horizon->GetPointData()->HasArray(PointArray::VerticalIndex))
-  {
-    horizon->GetPointData()->SetActiveScalars(PointArray::VerticalIndex);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void CheckHeights(vtkPolyData* horizon, const std::function<double(vtkIdType)>& height)
+void CheckHeights(const Horizon& horizon, const std::function<double(std::int64_t)>& height)
 {
   // RealZ may differ from the vertical index, but in a survey their ratio is about constant.
   constexpr double MostStretch = 2.0;

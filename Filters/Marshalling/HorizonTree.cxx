@@ -4,10 +4,10 @@
 #include "HorizonTree.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/VersionDifferences.h"
+#include "HorizonPoints.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"
@@ -26,7 +26,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <string>
@@ -76,17 +75,6 @@ vtkSmartPointer<vtkPolyData> ToPolyData(vtkUnstructuredGrid* grid)
   horizon->GetPointData()->ShallowCopy(grid->GetPointData());
   horizon->GetFieldData()->ShallowCopy(grid->GetFieldData());
   return horizon;
-}
-
-/// Outputs have no triangles, or different triangles.
-void RemoveMeshFigures(vtkFieldData* figures)
-{
-  for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,
-         FieldArray::BoundaryEdgeCount, FieldArray::NonDelaunayEdgeCount, FieldArray::SmallestAngle,
-         FieldArray::SliverCount, FieldArray::LargestError, FieldArray::MeanError, FieldArray::LargestLoopError })
-  {
-    figures->RemoveArray(name);
-  }
 }
 
 std::string NameOfBlock(vtkInformation* block, const std::string& above)
@@ -248,14 +236,7 @@ void AcceptHorizons(vtkInformation* port)
 //----------------------------------------------------------------------------------------------------------------------
 void CheckArraySizes(vtkPolyData* horizon)
 {
-  RequireTuples(horizon->GetPointData(), horizon->GetNumberOfPoints(), "points");
-  RequireTuples(horizon->GetCellData(), horizon->GetNumberOfCells(), "cells");
-  vtkUnsignedCharArray* const ghosts = horizon->GetPointGhostArray();
-  if (ghosts && ghosts->GetNumberOfComponents() != 1)
-  {
-    throw InputError("point array " + std::string(ghosts->GetName()) + " with " +
-      std::to_string(ghosts->GetNumberOfComponents()) + " components, expected 1");
-  }
+  CheckArraySizes(FromVTK(horizon));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -298,7 +279,6 @@ std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vt
     for (vtkPolyData* output : leaf.Outputs)
     {
       output->GetFieldData()->PassData(leaf.Input->GetFieldData());
-      RemoveMeshFigures(output->GetFieldData());
     }
   }
   return std::move(collector.Leaves);

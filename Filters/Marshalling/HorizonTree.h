@@ -21,8 +21,7 @@ constexpr const char* NotEnoughMemory = "not enough memory, expected a horizon w
 /// The port accepts vtkPolyData, vtkUnstructuredGrid and composite datasets.
 void AcceptHorizons(vtkInformation* port);
 
-/// Throws InputError unless arrays have a tuple per point or cell, and ghosts one component. Later code does not check
-/// sizes.
+/// As that of plain data; VTK does not check before it reads.
 void CheckArraySizes(vtkPolyData* horizon);
 
 /// Keeps an existing output of the right class. Inputs that are not composite give a `Single`.

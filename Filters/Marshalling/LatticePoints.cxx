@@ -8,20 +8,9 @@
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/ColumnPoints.h"
-#include "Common/VTK/DataArrays.h"
+#include "Common/Survey/ColumnPoints.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
-
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cassert>
@@ -34,35 +23,28 @@ namespace SeismicHorizons
 {
 namespace
 {
-void CheckPoints(vtkPolyData* horizon)
+void CheckPoints(const Horizon& horizon)
 {
-  const vtkIdType size = horizon->GetNumberOfPoints();
+  const std::int64_t size = horizon.NumberOfPoints();
   if (size > std::numeric_limits<PointId>::max() / 4)
   {
     throw InputError(std::to_string(size) + " points, expected less than 2^29 in one horizon");
   }
-  const vtkIdType hidden = size - CountVisiblePoints(horizon);
+  const std::int64_t hidden = size - CountVisiblePoints(horizon);
   if (hidden > 0)
   {
     throw InputError(std::to_string(hidden) +
       " points hidden by the array vtkGhostType, expected none: only Horizon Exterior Boundary leaves them out");
   }
-  if (horizon->GetCellData()->HasArray(CellArray::CellSize))
+  if (horizon.CellData.Has(CellArray::CellSize))
   {
     throw InputError("cells of a simplification (ShowCells), expected its points");
   }
 }
 
-Eigen::Vector3d WorldOf(vtkPolyData* horizon, std::int64_t point)
-{
-  Eigen::Vector3d world;
-  horizon->GetPoint(point, world.data());
-  return world;
-}
-
 /// Calls work(world), with direct access to float and double coordinates.
 template <typename Work>
-void WithCoordinates(vtkPolyData* horizon, Work&& work)
+void WithCoordinates(const Horizon& horizon, Work&& work)
 {
   const auto of = [](const auto* numbers)
   {
@@ -72,28 +54,27 @@ void WithCoordinates(vtkPolyData* horizon, Work&& work)
       return Eigen::Vector3d(double(place[0]), double(place[1]), double(place[2]));
     };
   };
-  vtkDataArray* const coordinates = horizon->GetNumberOfPoints() > 0 ? horizon->GetPoints()->GetData() : nullptr;
-  if (auto* const doubles = vtkDoubleArray::FastDownCast(coordinates))
+  if (const auto* const doubles = horizon.Places.As<double>())
   {
-    work(of(doubles->GetPointer(0)));
+    work(of(doubles));
   }
-  else if (auto* const floats = vtkFloatArray::FastDownCast(coordinates))
+  else if (const auto* const floats = horizon.Places.As<float>())
   {
-    work(of(floats->GetPointer(0)));
+    work(of(floats));
   }
   else
   {
-    work([horizon](std::int64_t point) { return WorldOf(horizon, point); });
+    work([&horizon](std::int64_t point) { return horizon.Place(point); });
   }
 }
 
-bool IsInSinglePrecision(vtkPolyData* horizon)
+bool IsInSinglePrecision(const Horizon& horizon)
 {
-  return horizon->GetNumberOfPoints() > 0 && horizon->GetPoints()->GetDataType() == VTK_FLOAT;
+  return horizon.NumberOfPoints() > 0 && horizon.Places.Type() == ValueType::Float;
 }
 
 /// columns; exceeds the rounding of world coordinates, and is below half the distance to another column.
-double FindTolerance(vtkPolyData* horizon, const Lattice& lattice)
+double FindTolerance(const Horizon& horizon, const Lattice& lattice)
 {
   constexpr double Hundredth = 0.01;
   constexpr double Most = 0.25;
@@ -113,19 +94,13 @@ double FindTolerance(vtkPolyData* horizon, const Lattice& lattice)
   return std::max(Hundredth, columns);
 }
 
-PlanePoint* Columns(vtkIntArray* array)
-{
-  static_assert(sizeof(PlanePoint) == 2 * sizeof(int), "columns share the memory of the array");
-  return reinterpret_cast<PlanePoint*>(array->GetPointer(0));
-}
-
 /// Null without a usable array Column.
-vtkIntArray* FindGivenColumns(vtkPolyData* horizon)
+const PlanePoint* FindGivenColumns(const Horizon& horizon)
 {
-  auto* const given = vtkIntArray::SafeDownCast(horizon->GetPointData()->GetAbstractArray(PointArray::Column));
+  const DataArray* const given = horizon.PointData.Find(PointArray::Column);
   const bool fits =
-    given && given->GetNumberOfComponents() == 2 && given->GetNumberOfTuples() == horizon->GetNumberOfPoints();
-  return fits ? given : nullptr;
+    given && given->As<int>() && given->Components() == 2 && given->Tuples() == horizon.NumberOfPoints();
+  return fits ? ColumnsIn(*given) : nullptr;
 }
 
 double DistanceToColumn(const Eigen::Vector3d& place, const PlanePoint& column)
@@ -149,11 +124,10 @@ struct Placement
 class ColumnFinder
 {
 public:
-  ColumnFinder(vtkPolyData* horizon, bool mayBeMerged, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
+  ColumnFinder(const Horizon& horizon, bool mayBeMerged, KeptHeights heights)
     : MayBeMerged(mayBeMerged)
-    , Outputs(outputs)
     , Given(FindGivenColumns(horizon))
-    , Size(horizon->GetNumberOfPoints())
+    , Size(horizon.NumberOfPoints())
   {
     CheckPoints(horizon);
     this->Result.Horizon = horizon;
@@ -172,7 +146,7 @@ public:
     {
       this->MakeExactPoints();
     }
-    CheckHeights(this->Result.Horizon, [this](vtkIdType point) { return this->Result.HeightAt(std::size_t(point)); });
+    CheckHeights(this->Result.Horizon, [this](std::int64_t point) { return this->Result.HeightAt(std::size_t(point)); });
     return std::move(this->Result);
   }
 
@@ -209,7 +183,7 @@ private:
   /// False if points are not at the given columns, as after Transform or with the array of another horizon.
   bool TakeGiven()
   {
-    const PlanePoint* const columns = Columns(this->Given);
+    const PlanePoint* const columns = this->Given;
     const Placement placement = this->Place(
       [&](Placement& part, std::int64_t point, const Eigen::Vector3d& place)
       {
@@ -217,7 +191,7 @@ private:
         part.Add({ isMerged ? 0.0 : DistanceToColumn(place, columns[point]), isMerged });
       });
     // Only points that represent merged points have counts.
-    const bool mayHaveMerged = this->Result.Horizon->GetPointData()->HasArray(PointArray::PointCount);
+    const bool mayHaveMerged = this->Result.Horizon.PointData.Has(PointArray::PointCount);
     if (placement.Deviation > this->Tolerance || (placement.AreMerged && !mayHaveMerged))
     {
       return false;
@@ -235,9 +209,8 @@ private:
 
   void FindNearest()
   {
-    const vtkSmartPointer<vtkIntArray> array = NewColumnArray();
-    SetNumberOfTuples(array, this->Result.Horizon->GetNumberOfPoints());
-    PlanePoint* const columns = Columns(array);
+    DataArray array = NewColumnArray(this->Size);
+    PlanePoint* const columns = ColumnsIn(array);
     const Placement placement = this->Place(
       [&](Placement& part, std::int64_t point, const Eigen::Vector3d& place)
       {
@@ -250,18 +223,15 @@ private:
         }
         part.Add({ distance, isBeside });
       });
-    vtkNew<vtkPolyData> horizon;
-    horizon->ShallowCopy(this->Result.Horizon);
-    horizon->GetPointData()->AddArray(array);
+    this->Result.Horizon.PointData.Add(std::move(array));
     if (placement.AreMerged)
     {
       this->LeaveMerged(columns);
     }
     else
     {
-      this->ReportDeviation(placement.Deviation);
+      this->Result.Deviation = placement.Deviation;
     }
-    this->Result.Horizon = horizon;
     this->Result.Column = { columns, std::size_t(this->Size) };
     this->Result.AreMerged = placement.AreMerged;
   }
@@ -282,24 +252,11 @@ private:
       });
   }
 
-  void ReportDeviation(double deviation) const
-  {
-    for (vtkPolyData* const output : this->Outputs)
-    {
-      vtkFieldData* const figures = output->GetFieldData();
-      vtkDataArray* const before = figures->GetArray(FieldArray::LatticeDeviation);
-      if (!before || before->GetNumberOfValues() < 1 || before->GetComponent(0, 0) < deviation)
-      {
-        AddValue<vtkDoubleArray>(figures, FieldArray::LatticeDeviation, deviation);
-      }
-    }
-  }
-
   /// The next stage must find points exactly at their columns, so coordinates become double.
   void MakeExactPoints()
   {
-    auto exact = NewArray<vtkDoubleArray>("Points", this->Size, 3);
-    double* const places = exact->GetPointer(0);
+    DataArray exact = NewArray<double>("Points", this->Size, 3);
+    auto* const places = exact.As<double>();
     WithCoordinates(this->Result.Horizon,
       [&](auto&& world)
       {
@@ -318,12 +275,7 @@ private:
             }
           });
       });
-    vtkNew<vtkPoints> points;
-    points->SetData(exact);
-    vtkNew<vtkPolyData> horizon;
-    horizon->ShallowCopy(this->Result.Horizon);
-    horizon->SetPoints(points);
-    this->Result.Horizon = horizon;
+    this->Result.Horizon.Places = std::move(exact);
   }
 
   InputError BesideColumn(std::int64_t point, const Eigen::Vector3d& place) const
@@ -332,7 +284,7 @@ private:
     text << "point " << point << " at (" << place.x() << ", " << place.y() << ") in lattice units, expected ";
     if (this->Given)
     {
-      const PlanePoint column = Columns(this->Given)[point];
+      const PlanePoint column = this->Given[point];
       text << "column (" << column.X << ", " << column.Y << "), which its array Column names, or another whole column";
     }
     else
@@ -343,9 +295,8 @@ private:
   }
 
   const bool MayBeMerged;
-  const std::vector<vtkPolyData*>& Outputs;
-  vtkIntArray* const Given;
-  const vtkIdType Size;
+  const PlanePoint* const Given; // null without a usable array
+  const std::int64_t Size;
   double Tolerance = 0.0; // columns
   LatticePoints Result;
 };
@@ -354,33 +305,45 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 double LatticePoints::HeightAt(std::size_t point) const
 {
-  assert(vtkIdType(point) < this->Horizon->GetNumberOfPoints());
-  return this->Lattice.ToLattice(WorldOf(this->Horizon, std::int64_t(point))).z();
+  assert(std::int64_t(point) < this->Horizon.NumberOfPoints());
+  return this->Lattice.ToLattice(this->Horizon.Place(std::int64_t(point))).z();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadColumns(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
+LatticePoints ReadColumns(const Horizon& horizon, KeptHeights heights)
 {
-  return ColumnFinder(horizon, false, outputs, heights).Run();
+  return ColumnFinder(horizon, false, heights).Run();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LatticePoints ReadPoints(vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights)
+LatticePoints ReadPoints(const Horizon& horizon, KeptHeights heights)
 {
-  return ColumnFinder(horizon, true, outputs, heights).Run();
+  return ColumnFinder(horizon, true, heights).Run();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanePoints ColumnsOf(vtkPolyData* horizon)
+void WriteDeviation(const LatticePoints& points, std::vector<Horizon>& outputs)
 {
-  vtkIntArray* const array = FindGivenColumns(horizon); // null only without points
-  return array ? PlanePoints(Columns(array), std::size_t(array->GetNumberOfTuples())) : PlanePoints();
+  for (Horizon& output : outputs)
+  {
+    if (points.Deviation && FirstValue(output.FieldData, FieldArray::LatticeDeviation, -1.0) < *points.Deviation)
+    {
+      AddValue<double>(output.FieldData, FieldArray::LatticeDeviation, *points.Deviation);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlanePoints ColumnsOf(const Horizon& horizon)
+{
+  const PlanePoint* const columns = FindGivenColumns(horizon); // null only without points
+  return columns ? PlanePoints(columns, std::size_t(horizon.NumberOfPoints())) : PlanePoints();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
 {
-  assert(vtkIdType(points.Column.size()) == points.Horizon->GetNumberOfPoints());
+  assert(std::int64_t(points.Column.size()) == points.Horizon.NumberOfPoints());
   std::vector<PlanePoint> plane = LargeVector<PlanePoint>(points.Column.size());
   const std::int32_t size = points.Lattice.SubVoxelsPerColumn();
   ParallelFor(std::int64_t(plane.size()), Grain,
@@ -390,7 +353,7 @@ std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points)
       {
         const PlanePoint column = points.Column[point];
         plane[point] = column == NoColumn
-          ? points.Lattice.ToSubVoxels(points.Lattice.ToLattice(WorldOf(points.Horizon, point)), PointId(point))
+          ? points.Lattice.ToSubVoxels(points.Lattice.ToLattice(points.Horizon.Place(point)), PointId(point))
           : PlanePoint{ column.X * size, column.Y * size };
       }
     });

@@ -7,15 +7,13 @@
 #ifndef SeismicHorizonsLatticePoints_h
 #define SeismicHorizonsLatticePoints_h
 
+#include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 
-#include "vtkSmartPointer.h"
-
 #include <cstddef>
+#include <optional>
 #include <vector>
-
-class vtkPolyData;
 
 namespace SeismicHorizons
 {
@@ -24,11 +22,12 @@ struct LatticePoints
   /// Computes the height from coordinates, for when heights are not kept.
   double HeightAt(std::size_t point) const;
 
-  vtkSmartPointer<vtkPolyData> Horizon; // the input with the array Column, in double precision
+  SeismicHorizons::Horizon Horizon; // the input with the array Column, in double precision
   SeismicHorizons::Lattice Lattice;
   PlanePoints Column; // the memory of the array Column; NoColumn for merged points
   std::vector<double> Height; // lattice units; empty unless kept
   bool AreMerged = false; // True if some points are merged.
+  std::optional<double> Deviation; // the largest distance from a column, if the array Column was made
 };
 
 /// Stages that need few heights save the memory and time.
@@ -39,17 +38,18 @@ enum class KeptHeights
 };
 
 /// Points must be visible, unmerged, and at columns to 0.01 or the rounding of single precision. Without a valid array
-/// Column, nearest columns are used, and `outputs` get LatticeDeviation, the largest distance.
-LatticePoints ReadColumns(
-  vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights = KeptHeights::All);
+/// Column, nearest columns are used.
+LatticePoints ReadColumns(const Horizon& horizon, KeptHeights heights = KeptHeights::All);
 
 /// Points may be merged. Without the array Column, if any point is beside a column, all but those exactly at one count
 /// as merged.
-LatticePoints ReadPoints(
-  vtkPolyData* horizon, const std::vector<vtkPolyData*>& outputs, KeptHeights heights = KeptHeights::All);
+LatticePoints ReadPoints(const Horizon& horizon, KeptHeights heights = KeptHeights::All);
+
+/// Adds LatticeDeviation if points were placed in their nearest columns.
+void WriteDeviation(const LatticePoints& points, std::vector<Horizon>& outputs);
 
 /// For a horizon from ReadColumns, ReadPoints or a stage.
-PlanePoints ColumnsOf(vtkPolyData* horizon);
+PlanePoints ColumnsOf(const Horizon& horizon);
 
 /// Merged points included.
 std::vector<PlanePoint> ToSubVoxels(const LatticePoints& points);

@@ -4,12 +4,8 @@
 #include "LedgerOutput.h"
 
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/LedgerFields.h"
+#include "Common/Horizon/LedgerFields.h"
 #include "HorizonPoints.h"
-
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <optional>
@@ -27,11 +23,11 @@ std::int64_t CountLeftOut(const std::optional<Ledger>& before, const Ledger& poi
 
 //----------------------------------------------------------------------------------------------------------------------
 void WriteLedger(
-  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, vtkPolyData* output)
+  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, Horizon& output)
 {
-  vtkFieldData* const given = points.Horizon->GetFieldData();
+  const ArrayTable& given = points.Horizon.FieldData;
   std::optional<Ledger> ledger = ReadLedger(given);
-  if (!points.AreMerged && !given->HasArray(FieldArray::BoundaryDeviation))
+  if (!points.AreMerged && !given.Has(FieldArray::BoundaryDeviation))
   {
     // The ledger of a part may be of the whole horizon.
     const std::int64_t before = covered.ArePart() ? 0 : CountLeftOut(ledger, CountPoints(points.Horizon));
@@ -44,22 +40,23 @@ void WriteLedger(
   }
   if (ledger)
   {
-    WriteLedger(*ledger, output->GetFieldData());
+    WriteLedger(*ledger, output.FieldData);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteLedgerOfPoints(vtkPolyData* input, vtkPolyData* output)
+void WriteLedgerOfPoints(const Horizon& input, Horizon& output)
 {
-  const char* const name = FieldArray::LedgerColumns;
-  const bool isOfStage = output->GetFieldData()->GetArray(name) != input->GetFieldData()->GetArray(name);
-  if (!isOfStage && output->GetNumberOfLines() == 0 && output->GetNumberOfPolys() == 0)
+  const DataArray* const own = output.FieldData.Find(FieldArray::LedgerColumns);
+  const DataArray* const given = input.FieldData.Find(FieldArray::LedgerColumns);
+  const bool isOfStage = own && given ? !own->IsCopyOf(*given) : own != given;
+  if (!isOfStage && output.Lines.Size() == 0 && output.Polygons.Size() == 0)
   {
     const Ledger visible = CountPoints(WithoutHiddenPoints(input));
     Ledger ledger = CountPoints(output);
-    const std::int64_t read = visible[LedgerEntry::Known] + CountLeftOut(ReadLedger(input->GetFieldData()), visible);
+    const std::int64_t read = visible[LedgerEntry::Known] + CountLeftOut(ReadLedger(input.FieldData), visible);
     ledger[LedgerEntry::LeftOut] = std::max<std::int64_t>(0, read - ledger[LedgerEntry::Known]);
-    WriteLedger(ledger, output->GetFieldData());
+    WriteLedger(ledger, output.FieldData);
   }
 }
 }

@@ -5,9 +5,8 @@
 #define SeismicHorizonsLedgerOutput_h
 
 #include "Common/Horizon/CoveredColumns.h"
+#include "Common/Horizon/Horizon.h"
 #include "LatticePoints.h"
-
-class vtkPolyData;
 
 namespace SeismicHorizons
 {
@@ -15,10 +14,10 @@ namespace SeismicHorizons
 /// input is adapted; without it none is written.
 /// Only points that are kept can be known.
 void WriteLedger(
-  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, vtkPolyData* output);
+  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, Horizon& output);
 
 /// For outputs of points alone, unless the stage has written a ledger. Loops and meshes keep the ledger of the input.
-void WriteLedgerOfPoints(vtkPolyData* input, vtkPolyData* output);
+void WriteLedgerOfPoints(const Horizon& input, Horizon& output);
 }
 
 #endif

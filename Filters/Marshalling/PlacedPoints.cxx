@@ -9,13 +9,9 @@
 #include "Common/Survey/MeshSampling.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/TextWords.h"
-#include "Common/VTK/SurveyFields.h"
+#include "Common/Survey/SurveyFields.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
-
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkPolyData.h"
 
 #include <array>
 #include <cmath>
@@ -42,9 +38,9 @@ SurveyDescription WithDomain(SurveyDescription survey)
   return survey;
 }
 
-Eigen::Vector3d PlaceOf(vtkIdType point, vtkPolyData* points, const Lattice& lattice, const HorizonNames& names)
+Eigen::Vector3d PlaceOf(std::int64_t point, const Horizon& points, const Lattice& lattice, const HorizonNames& names)
 {
-  const Eigen::Vector3d world(points->GetPoint(point));
+  const Eigen::Vector3d world = points.Place(point);
   const char* const expected = !world.allFinite() ? "finite numbers" : "at most 2^50 vertical indices up or down";
   const Eigen::Vector3d place = lattice.ToLattice(world);
   if (!world.allFinite() || !(std::abs(place.z()) <= LargestHeight))
@@ -65,12 +61,12 @@ std::optional<PlanePoint> ColumnOf(const Eigen::Vector3d& place)
 
 /// Places are relative to `least`, the least column.
 std::vector<SpacePoint> ReadPlaces(
-  const Lattice& lattice, vtkPolyData* mesh, const HorizonNames& names, Eigen::Array2d& least, Eigen::Array2d& most)
+  const Lattice& lattice, const Horizon& mesh, const HorizonNames& names, Eigen::Array2d& least, Eigen::Array2d& most)
 {
   std::vector<SpacePoint> places;
   least.setConstant(LargestColumn);
   most.setConstant(-LargestColumn);
-  for (vtkIdType n = 0; n < mesh->GetNumberOfPoints(); ++n)
+  for (std::int64_t n = 0; n < mesh.NumberOfPoints(); ++n)
   {
     const Eigen::Vector3d place = PlaceOf(n, mesh, lattice, names);
     places.push_back({ place.x(), place.y(), place.z() });
@@ -111,18 +107,18 @@ void RequireColumns(const std::vector<SpacePoint>& places, const std::vector<std
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonNames& names)
+PlacedPoints PlaceOn(const Lattice& lattice, const Horizon& points, const HorizonNames& names)
 {
   PlacedPoints placed;
-  placed.Columns.reserve(std::size_t(points->GetNumberOfPoints()));
+  placed.Columns.reserve(std::size_t(points.NumberOfPoints()));
   placed.Height.reserve(placed.Columns.capacity());
-  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
+  for (std::int64_t n = 0; n < points.NumberOfPoints(); ++n)
   {
     const Eigen::Vector3d place = PlaceOf(n, points, lattice, names);
     const std::optional<PlanePoint> column = ColumnOf(place);
     if (!column)
     {
-      throw InputError("a point of " + names.Placed + " at " + ToText(Eigen::Vector3d(points->GetPoint(n))) +
+      throw InputError("a point of " + names.Placed + " at " + ToText(points.Place(n)) +
         ", which is not on a column of " + names.First +
         ", expected points on one lattice: Horizon From Points grids them there");
     }
@@ -133,15 +129,9 @@ PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonN
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool IsMesh(vtkPolyData* horizon)
+PlacedPoints SampleOn(const Lattice& lattice, const Horizon& mesh, const HorizonNames& names, const Monitor& monitor)
 {
-  return horizon->GetNumberOfPolys() + horizon->GetNumberOfStrips() > 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNames& names, const Monitor& monitor)
-{
-  if (const vtkIdType hidden = mesh->GetNumberOfPoints() - CountVisiblePoints(mesh))
+  if (const std::int64_t hidden = mesh.NumberOfPoints() - CountVisiblePoints(mesh))
   {
     throw InputError(std::to_string(hidden) + " points of " + names.Placed +
       ", a mesh, are hidden by the array vtkGhostType, expected none");
@@ -169,7 +159,7 @@ PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNa
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other, const HorizonNames& names)
+SurveyDescription JoinSurveys(const SurveyDescription& first, const Horizon& other, const HorizonNames& names)
 {
   const auto join = [&names](const std::string& name, std::string& known, const std::string& found)
   {
@@ -181,7 +171,7 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other
     known = known.empty() ? found : known;
   };
   SurveyDescription joined = WithDomain(first);
-  const SurveyDescription own = WithDomain(ReadSurveyFields(other->GetFieldData()));
+  const SurveyDescription own = WithDomain(ReadSurveyFields(other.FieldData));
   join("VerticalDomain", joined.VerticalDomain, own.VerticalDomain);
   join("VerticalUnit", joined.VerticalUnit, own.VerticalUnit);
   join("HorizontalUnit", joined.HorizontalUnit, own.HorizontalUnit);
@@ -190,13 +180,13 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string WarnOfDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names)
+std::string WarnOfDirections(const Horizon& first, const Horizon& other, const HorizonNames& names)
 {
-  const auto isUp = [](vtkPolyData* horizon) -> std::optional<bool>
+  const auto isUp = [](const Horizon& horizon) -> std::optional<bool>
   {
-    vtkDataArray* const direction = horizon->GetFieldData()->GetArray(FieldArray::VerticalDirection);
-    const bool isKnown = direction && direction->GetNumberOfTuples() == 1;
-    return isKnown ? std::optional<bool>(direction->GetTuple1(0) > 0.0) : std::nullopt;
+    const DataArray* const direction = horizon.FieldData.Find(FieldArray::VerticalDirection);
+    const bool isKnown = direction && direction->Tuples() == 1;
+    return isKnown ? std::optional<bool>(direction->At(0) > 0.0) : std::nullopt;
   };
   const std::optional<bool> one = isUp(first);
   const std::optional<bool> two = isUp(other);

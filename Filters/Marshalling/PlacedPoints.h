@@ -5,14 +5,13 @@
 #define SeismicHorizonsPlacedPoints_h
 
 #include "Common/Base/Monitor.h"
+#include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 #include "Common/Survey/SurveyDescription.h"
 
 #include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace SeismicHorizons
 {
@@ -32,21 +31,18 @@ struct HorizonNames
 
 /// Points must be visible. Throws InputError for points farther than 0.05 from a column, infinite, or beyond
 /// LargestHeight.
-PlacedPoints PlaceOn(const Lattice& lattice, vtkPolyData* points, const HorizonNames& names);
-
-/// Meshes are known between their points, too.
-bool IsMesh(vtkPolyData* horizon);
+PlacedPoints PlaceOn(const Lattice& lattice, const Horizon& points, const HorizonNames& names);
 
 /// Returns the columns of triangles, except for triangles that close faults, and of bare points. Throws InputError as
 /// PlaceOn, for hidden points, other cells than triangles, or more than 2^30 columns.
-PlacedPoints SampleOn(const Lattice& lattice, vtkPolyData* mesh, const HorizonNames& names, const Monitor& monitor);
+PlacedPoints SampleOn(const Lattice& lattice, const Horizon& mesh, const HorizonNames& names, const Monitor& monitor);
 
 /// The first description takes precedence. Units are shortened, and imply the domain. Throws InputError if domains,
 /// units or coordinate systems differ.
-SurveyDescription JoinSurveys(const SurveyDescription& first, vtkPolyData* other, const HorizonNames& names);
+SurveyDescription JoinSurveys(const SurveyDescription& first, const Horizon& other, const HorizonNames& names);
 
 /// Returns a warning if z of the files increases in different directions, which readers often infer from signs.
-std::string WarnOfDirections(vtkPolyData* first, vtkPolyData* other, const HorizonNames& names);
+std::string WarnOfDirections(const Horizon& first, const Horizon& other, const HorizonNames& names);
 }
 
 #endif

@@ -6,24 +6,10 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/MergedPoints.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/VertexCells.h"
+#include "Common/Horizon/DataArray.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
-
-#include "vtkArrayDispatch.h"
-#include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cassert>
@@ -35,82 +21,56 @@ namespace SeismicHorizons
 {
 namespace
 {
-template <typename InputArray, typename OutputArray>
-void WriteMeans(const MergedPoints& points, InputArray* input, OutputArray* output)
+bool IsAveraged(const DataArray& array)
 {
-  using Value = vtk::GetAPIType<OutputArray>;
-  const auto from = vtk::DataArrayTupleRange(input);
-  auto to = vtk::DataArrayTupleRange(output);
-  const int components = input->GetNumberOfComponents();
-  ParallelFor(points.Size(), Grain,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (vtkIdType target = first; target < last; ++target)
-      {
-        for (int n = 0; n < components; ++n)
-        {
-          to[target][n] =
-            static_cast<Value>(points.Average(target, [&](PointId point) { return double(from[point][n]); }));
-        }
-      }
-    });
+  return array.IsFloating() || (!array.IsText() && array.Name == PointArray::VerticalIndex);
 }
 
-bool IsAveraged(vtkDataArray* array)
+template <typename T>
+DataArray AverageAs(const DataArray& array, const MergedPoints& points)
 {
-  const int type = array->GetDataType();
-  return type == VTK_FLOAT || type == VTK_DOUBLE ||
-    (array->GetName() && !std::strcmp(array->GetName(), PointArray::VerticalIndex));
+  const int components = array.Components();
+  DataArray means = NewArray<T>(array.Name.c_str(), points.Size(), components);
+  means.ComponentNames = array.ComponentNames;
+  means.Role = array.Role;
+  T* const to = means.As<T>();
+  array.WithNumbers(
+    [&](const auto* from)
+    {
+      ParallelFor(points.Size(), Grain,
+        [&](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t n = first * components; n < last * components; ++n)
+          {
+            to[n] = static_cast<T>(points.Average(
+              n / components, [&](PointId point) { return double(from[components * point + n % components]); }));
+          }
+        });
+    });
+  return means;
 }
 
 /// Means of float arrays are float, and double otherwise.
-vtkSmartPointer<vtkDataArray> Average(vtkDataArray* array, const MergedPoints& points)
+DataArray Average(const DataArray& array, const MergedPoints& points)
 {
-  vtkSmartPointer<vtkDataArray> result;
-  result.TakeReference(
-    array->GetDataType() == VTK_FLOAT ? static_cast<vtkDataArray*>(vtkFloatArray::New()) : vtkDoubleArray::New());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->CopyComponentNames(array);
-  SetNumberOfTuples(result, points.Size());
-  const auto write = [&](auto* output)
-  {
-    const auto read = [&](auto* input) { WriteMeans(points, input, output); };
-    if (!vtkArrayDispatch::Dispatch::Execute(array, read))
-    {
-      read(array);
-    }
-  };
-  if (auto* const floats = vtkFloatArray::FastDownCast(result))
-  {
-    write(floats);
-  }
-  else
-  {
-    write(vtkDoubleArray::FastDownCast(result));
-  }
-  return result;
+  return array.Type() == ValueType::Float ? AverageAs<float>(array, points) : AverageAs<double>(array, points);
 }
 
 void ReduceAttributes(
-  vtkPolyData* input, const std::vector<PointId>& sources, const MergedPoints& points, vtkPolyData* output)
+  const Horizon& input, const std::vector<PointId>& sources, const MergedPoints& points, Horizon& output)
 {
-  KeptPoints nearest(std::size_t(input->GetNumberOfPoints()));
+  KeptPoints nearest(std::size_t(input.NumberOfPoints()));
   std::for_each(sources.begin(), sources.end(), [&nearest](PointId point) { nearest.Append(point); });
-  for (int n = 0; n < input->GetPointData()->GetNumberOfArrays(); ++n)
+  for (const DataArray& array : input.PointData)
   {
-    vtkAbstractArray* const array = input->GetPointData()->GetAbstractArray(n);
-    vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
-    const vtkSmartPointer<vtkAbstractArray> reduced =
-      numbers && IsAveraged(numbers) ? Average(numbers, points).Get() : CopyTuples(array, nearest).Get();
-    AddPointArray(input, n, reduced, output);
+    output.PointData.Add(IsAveraged(array) ? Average(array, points) : array.Select(nearest));
   }
 }
 
 /// Merged points leave their columns, unless only heights were merged.
-void WriteColumns(const Reduction& reduction, vtkPolyData* output)
+void WriteColumns(const Reduction& reduction, Horizon& output)
 {
-  int* const columns = vtkIntArray::SafeDownCast(output->GetPointData()->GetArray(PointArray::Column))->GetPointer(0);
+  int* const columns = output.PointData.Find(PointArray::Column)->As<int>();
   for (std::size_t point = 0; point < reduction.Averaged.size(); ++point)
   {
     if (reduction.Averaged[point] != 0 && reduction.SubVoxelsPerColumn > 1)
@@ -122,43 +82,43 @@ void WriteColumns(const Reduction& reduction, vtkPolyData* output)
 }
 
 /// Simplified loops may have left points inside.
-void UnmarkInside(const Loops& boundary, vtkPolyData* output)
+void UnmarkInside(const Loops& boundary, Horizon& output)
 {
-  vtkDataArray* const marks = output->GetPointData()->GetArray(PointArray::Boundary);
+  const DataArray* const marks = FindNumbers(output.PointData, PointArray::Boundary);
   if (!marks)
   {
     return;
   }
-  auto* const bytes = vtkUnsignedCharArray::FastDownCast(marks); // This is the type of our own marks.
-  const unsigned char* const values = bytes ? bytes->GetPointer(0) : nullptr;
-  const auto isMarked = [&](vtkIdType point)
-  { return values ? values[point] != 0 : marks->GetComponent(point, 0) != 0.0; };
-  const std::vector<unsigned char> isOnLoop = boundary.MarkPoints(std::size_t(output->GetNumberOfPoints()));
-  vtkSmartPointer<vtkDataArray> changed; // The input may share the array.
-  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
-  {
-    if (isMarked(point) && isOnLoop[point] == 0)
+  const std::vector<unsigned char> isOnLoop = boundary.MarkPoints(std::size_t(output.NumberOfPoints()));
+  std::vector<std::int64_t> inside;
+  marks->WithNumbers(
+    [&](const auto* values)
     {
-      if (!changed)
+      for (std::int64_t point = 0; point < output.NumberOfPoints(); ++point)
       {
-        changed.TakeReference(marks->NewInstance());
-        changed->DeepCopy(marks);
+        if (values[point * marks->Components()] != 0 && isOnLoop[std::size_t(point)] == 0)
+        {
+          inside.push_back(point);
+        }
       }
-      changed->SetComponent(point, 0, double(BoundaryKind::Inside));
-    }
-  }
-  if (changed)
+    });
+  if (!inside.empty())
   {
-    output->GetPointData()->AddArray(changed);
+    DataArray changed = marks->Select(KeptPoints::All(std::size_t(marks->Tuples()))); // The input may share the array.
+    for (const std::int64_t point : inside)
+    {
+      changed.Set(point, 0, double(BoundaryKind::Inside));
+    }
+    output.PointData.Add(std::move(changed));
   }
 }
 
 /// Counts of dropped points are added to their targets.
-vtkSmartPointer<vtkIdTypeArray> AddDropped(
+DataArray AddDropped(
   const std::vector<std::int64_t>& counts, const KeptPoints& kept, const DroppedPoints& dropped)
 {
-  auto sums = NewArray<vtkIdTypeArray>(PointArray::PointCount, vtkIdType(kept.size()));
-  vtkIdType* const values = sums->GetPointer(0);
+  DataArray sums = NewArray<std::int64_t>(PointArray::PointCount, std::int64_t(kept.size()));
+  auto* const values = sums.As<std::int64_t>();
   kept.ForEachRun(0, kept.size(),
     [&](std::size_t n, PointId point, std::size_t length)
     {
@@ -174,14 +134,14 @@ vtkSmartPointer<vtkIdTypeArray> AddDropped(
   return sums;
 }
 
-vtkSmartPointer<vtkIdTypeArray> SumCounts(const MergedPoints& points)
+DataArray SumCounts(const MergedPoints& points)
 {
-  auto sums = NewArray<vtkIdTypeArray>(PointArray::PointCount, points.Size());
-  vtkIdType* const values = sums->GetPointer(0);
+  DataArray sums = NewArray<std::int64_t>(PointArray::PointCount, points.Size());
+  auto* const values = sums.As<std::int64_t>();
   ParallelFor(points.Size(), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (vtkIdType target = first; target < last; ++target)
+      for (std::int64_t target = first; target < last; ++target)
       {
         values[target] = points.SumCounts(target);
       }
@@ -191,94 +151,62 @@ vtkSmartPointer<vtkIdTypeArray> SumCounts(const MergedPoints& points)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size)
-{
-  auto array = NewArray<vtkIntArray>(PointArray::CellOrigin, size, 3);
-  array->SetComponentName(0, "Level");
-  array->SetComponentName(1, "Ring");
-  array->SetComponentName(2, "Kind");
-  return array;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin)
-{
-  assert(n < array->GetNumberOfTuples());
-  const int values[3] = { origin.Level, origin.Ring, int(origin.Kind) };
-  array->SetTypedTuple(n, values);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice, const Reduction& reduction)
+DataArray MakePoints(const Horizon& input, const Lattice& lattice, const Reduction& reduction)
 {
   assert(reduction.Plane.size() == reduction.Source.size() && reduction.Averaged.size() == reduction.Source.size());
-  vtkNew<vtkDoubleArray> places;
-  places->SetNumberOfComponents(3);
-  SetNumberOfTuples(places, vtkIdType(reduction.Source.size()));
-  double* const values = places->GetPointer(0);
-  ParallelFor(places->GetNumberOfTuples(), Grain,
-    [&](vtkIdType first, vtkIdType last)
+  DataArray places = NewArray<double>("", std::int64_t(reduction.Source.size()), 3);
+  auto* const values = places.As<double>();
+  ParallelFor(places.Tuples(), Grain,
+    [&](std::int64_t first, std::int64_t last)
     {
-      for (vtkIdType n = first; n < last; ++n)
+      for (std::int64_t n = first; n < last; ++n)
       {
-        const Eigen::Vector3d world = WorldPlace(reduction, std::size_t(n), lattice,
-          [input](PointId source)
-          {
-            Eigen::Vector3d place;
-            input->GetPoint(source, place.data());
-            return place;
-          });
+        const Eigen::Vector3d world = WorldPlace(
+          reduction, std::size_t(n), lattice, [&input](PointId source) { return input.Place(source); });
         std::copy_n(world.data(), 3, values + 3 * n);
       }
     });
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(places);
-  return points;
+  return places;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteReduction(vtkPolyData* input, const Reduction& reduction, vtkPolyData* output)
+void WriteReduction(const Horizon& input, const Reduction& reduction, Horizon& output)
 {
-  assert(output->GetNumberOfPoints() == vtkIdType(reduction.Source.size()));
-  assert(input->GetNumberOfPoints() == vtkIdType(reduction.Target.size()));
-  output->SetVerts(MakeVertices(output->GetNumberOfPoints()));
-  output->SetLines(MakePolylines(reduction.Boundary));
-  vtkPointData* const data = output->GetPointData();
+  assert(output.NumberOfPoints() == std::int64_t(reduction.Source.size()));
+  assert(input.NumberOfPoints() == std::int64_t(reduction.Target.size()));
+  output.Vertices = MakeVertices(output.NumberOfPoints());
+  output.Lines = MakePolylines(reduction.Boundary);
+  ArrayTable& data = output.PointData;
   const MergedPoints points(reduction, ReadCounts(input));
   ReduceAttributes(input, reduction.Source, points, output);
   UnmarkInside(reduction.Boundary, output);
   WriteColumns(reduction, output);
-  if (input->GetPointData()->HasArray(PointArray::PointCount) ||
-    output->GetNumberOfPoints() < input->GetNumberOfPoints())
+  if (input.PointData.Has(PointArray::PointCount) ||
+    output.NumberOfPoints() < input.NumberOfPoints())
   {
-    data->AddArray(SumCounts(points));
+    data.Add(SumCounts(points));
   }
   if (!reduction.Origin.empty())
   {
-    vtkSmartPointer<vtkIntArray> origins = NewOriginArray(output->GetNumberOfPoints());
-    for (std::size_t point = 0; point < reduction.Origin.size(); ++point)
-    {
-      SetOrigin(origins, vtkIdType(point), reduction.Origin[point]);
-    }
-    data->AddArray(origins);
+    data.Add(MakeOrigins(reduction.Origin, [](const PointOrigin& origin) -> const PointOrigin& { return origin; }));
   }
   if (!reduction.Flatness.empty())
   {
-    AddArray<vtkDoubleArray>(data, PointArray::Flatness, reduction.Flatness);
+    AddArray<double>(data, PointArray::Flatness, reduction.Flatness);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteDropped(vtkPolyData* input, const DroppedPoints& dropped, const Loops& boundary, vtkPolyData* output)
+void WriteDropped(const Horizon& input, const DroppedPoints& dropped, const Loops& boundary, Horizon& output)
 {
-  const KeptPoints kept = KeepOthers(dropped, std::size_t(input->GetNumberOfPoints()));
+  const KeptPoints kept = KeepOthers(dropped, std::size_t(input.NumberOfPoints()));
   CopyPoints(input, kept, output);
   const Loops loops = RenumberWithout(dropped, boundary);
-  output->SetLines(MakePolylines(loops));
+  output.Lines = MakePolylines(loops);
   UnmarkInside(loops, output);
   if (!dropped.empty())
   {
-    output->GetPointData()->AddArray(AddDropped(ReadCounts(input), kept, dropped));
+    output.PointData.Add(AddDropped(ReadCounts(input), kept, dropped));
   }
 }
 }

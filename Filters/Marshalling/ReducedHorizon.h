@@ -4,31 +4,40 @@
 #ifndef SeismicHorizonsReducedHorizon_h
 #define SeismicHorizonsReducedHorizon_h
 
+#include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/DroppedPoints.h"
+#include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/Types.h"
 
-#include "vtkSmartPointer.h"
-#include "vtkType.h"
-
-class vtkIntArray;
-class vtkPoints;
-class vtkPolyData;
-
 namespace SeismicHorizons
 {
-vtkSmartPointer<vtkIntArray> NewOriginArray(vtkIdType size);
-void SetOrigin(vtkIntArray* array, vtkIdType n, const PointOrigin& origin);
+/// The array CellOrigin; origin(item) is a PointOrigin.
+template <typename Items, typename Origin>
+DataArray MakeOrigins(const Items& items, Origin&& origin)
+{
+  DataArray array = NewArray<int>(PointArray::CellOrigin, std::int64_t(items.size()), 3);
+  array.ComponentNames = { "Level", "Ring", "Kind" };
+  int* value = array.As<int>();
+  for (const auto& item : items)
+  {
+    const PointOrigin& own = origin(item);
+    *value++ = own.Level;
+    *value++ = own.Ring;
+    *value++ = int(own.Kind);
+  }
+  return array;
+}
 
-vtkSmartPointer<vtkPoints> MakePoints(vtkPolyData* input, const Lattice& lattice, const Reduction& reduction);
+DataArray MakePoints(const Horizon& input, const Lattice& lattice, const Reduction& reduction);
 
 /// `output` has its points. PointCount is summed; averaged points get means of floating-point arrays and of
 /// VerticalIndex, which becomes double, weighted by PointCount, and other values of the nearest merged point.
-void WriteReduction(vtkPolyData* input, const Reduction& reduction, vtkPolyData* output);
+void WriteReduction(const Horizon& input, const Reduction& reduction, Horizon& output);
 
 /// Loops are given in points of the input. Counts of dropped points are added to PointCount. Arrays are shared if no
 /// point is dropped.
-void WriteDropped(vtkPolyData* input, const DroppedPoints& dropped, const Loops& boundary, vtkPolyData* output);
+void WriteDropped(const Horizon& input, const DroppedPoints& dropped, const Loops& boundary, Horizon& output);
 }
 
 #endif

@@ -6,32 +6,21 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/CoveredColumns.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/LedgerFields.h"
+#include "Common/Horizon/DataArray.h"
+#include "Common/Horizon/LedgerFields.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Marshalling/HorizonCells.h"
 #include "Filters/Marshalling/HorizonData.h"
 #include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/HorizonTree.h"
-
-#include "vtkCellData.h"
-#include "vtkDataSetAttributesFieldList.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -46,26 +35,26 @@ std::optional<std::int32_t> FromRow(double row)
   return row < 0.0 ? std::optional<std::int32_t>() : std::optional<std::int32_t>(std::int32_t(row));
 }
 
-vtkDataArray* RequireSeamRows(vtkPolyData* mesh)
+const DataArray& RequireSeamRows(const Horizon& mesh)
 {
-  vtkDataArray* const rows = mesh->GetFieldData()->GetArray(FieldArray::SeamRows);
-  if (!rows || rows->GetNumberOfValues() < 2)
+  const DataArray* const rows = mesh.FieldData.Find(FieldArray::SeamRows);
+  if (!rows || rows->Size() < 2)
   {
     throw InputError(std::string("a mesh without the field data array ") + FieldArray::SeamRows +
       ", expected parts of a horizon, as Horizon Surface gives them with SeamRows");
   }
-  return rows;
+  return *rows;
 }
 
 /// One each without PointCount.
-std::vector<std::int64_t> CountsOf(vtkPolyData* mesh)
+std::vector<std::int64_t> CountsOf(const Horizon& mesh)
 {
   std::vector<std::int64_t> counts = ReadCounts(mesh);
-  counts.resize(std::size_t(mesh->GetNumberOfPoints()), 1);
+  counts.resize(std::size_t(mesh.NumberOfPoints()), 1);
   return counts;
 }
 
-RawVector<PointId> ReadTrianglesOnLattice(vtkPolyData* mesh, const Lattice& lattice)
+RawVector<PointId> ReadTrianglesOnLattice(const Horizon& mesh, const Lattice& lattice)
 {
   RawVector<PointId> triangles;
   for (const std::array<PointId, 3>& triangle : ReadTriangles(mesh))
@@ -76,13 +65,13 @@ RawVector<PointId> ReadTrianglesOnLattice(vtkPolyData* mesh, const Lattice& latt
   return triangles;
 }
 
-std::vector<PointId> ReadOpenGaps(vtkPolyData* mesh)
+std::vector<PointId> ReadOpenGaps(const Horizon& mesh)
 {
   std::vector<PointId> gaps;
-  vtkDataArray* const marks = mesh->GetPointData()->GetArray(PointArray::SeamGap);
-  for (vtkIdType point = 0; marks && point < mesh->GetNumberOfPoints(); ++point)
+  const DataArray* const marks = mesh.PointData.Find(PointArray::SeamGap);
+  for (std::int64_t point = 0; marks && point < mesh.NumberOfPoints(); ++point)
   {
-    if (marks->GetComponent(point, 0) != 0.0)
+    if (marks->At(point, 0) != 0.0)
     {
       gaps.push_back(PointId(point));
     }
@@ -90,123 +79,142 @@ std::vector<PointId> ReadOpenGaps(vtkPolyData* mesh)
   return gaps;
 }
 
-void WriteSeamPoints(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, vtkPolyData* output)
+/// Gathers tuples of the array from each part, where all parts have it.
+std::optional<DataArray> GatherArray(
+  const DataArray& first, const std::vector<Horizon>& meshes, const std::vector<PartItem>& sources)
 {
-  vtkDataSetAttributesFieldList arrays(int(meshes.size()));
-  for (vtkPolyData* const mesh : meshes)
+  std::vector<const DataArray*> arrays;
+  for (const Horizon& mesh : meshes)
   {
-    arrays.IntersectFieldList(mesh->GetPointData());
+    arrays.push_back(mesh.PointData.Find(first.Name));
+    if (!arrays.back() || arrays.back()->Type() != first.Type() || first.IsText() ||
+      arrays.back()->Components() != first.Components())
+    {
+      return std::nullopt;
+    }
   }
-  const vtkIdType size = vtkIdType(joined.Sources.size());
-  vtkPointData* const data = output->GetPointData();
-  arrays.CopyAllocate(data, vtkDataSetAttributes::COPYTUPLE, size, 0);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(size);
-  for (vtkIdType point = 0; point < size; ++point)
+  DataArray gathered = first.NewLike(std::int64_t(sources.size()));
+  const std::size_t bytes = first.BytesOfTuple();
+  auto* to = static_cast<char*>(gathered.Data());
+  for (const PartItem& source : sources)
   {
-    const PartItem& source = joined.Sources[point];
-    vtkPolyData* const mesh = meshes[source.Part];
-    std::array<double, 3> place;
-    mesh->GetPoint(source.Item, place.data());
-    points->SetPoint(point, place.data());
-    arrays.CopyData(source.Part, mesh->GetPointData(), source.Item, data, point);
+    std::memcpy(
+      to, static_cast<const char*>(arrays[source.Part]->Data()) + std::size_t(source.Item) * bytes, bytes);
+    to += bytes;
   }
-  output->SetPoints(points);
-  data->RemoveArray(PointArray::SeamGap);
+  return gathered;
 }
 
-void WriteSeamBoundary(const JoinedSurface& joined, vtkPolyData* output)
+void WriteSeamPoints(const std::vector<Horizon>& meshes, const JoinedSurface& joined, Horizon& output)
+{
+  output.Places = NewArray<double>("", std::int64_t(joined.Sources.size()), 3);
+  double* to = output.Places.As<double>();
+  for (const PartItem& source : joined.Sources)
+  {
+    const Eigen::Vector3d place = meshes[source.Part].Place(source.Item);
+    to = std::copy_n(place.data(), 3, to);
+  }
+  for (const DataArray& array : meshes.front().PointData)
+  {
+    if (std::optional<DataArray> gathered = GatherArray(array, meshes, joined.Sources))
+    {
+      output.PointData.Add(std::move(*gathered));
+    }
+  }
+  output.PointData.Remove(PointArray::SeamGap);
+}
+
+void WriteSeamBoundary(const JoinedSurface& joined, Horizon& output)
 {
   ExteriorBoundary boundary;
   boundary.Boundary = joined.Boundary;
   boundary.Patch = joined.Patch;
   boundary.NumberOfPatches = joined.NumberOfPatches;
-  vtkPointData* const data = output->GetPointData();
-  AddArray<vtkIdTypeArray>(data, PointArray::PointCount, joined.Count);
-  AddArray<vtkIntArray>(data, PointArray::PatchId, joined.Patch);
-  AddArray<vtkUnsignedCharArray>(data, PointArray::Boundary, MarkBoundary(BoundaryType::Exterior, {}, boundary),
+  ArrayTable& data = output.PointData;
+  AddArray<std::int64_t>(data, PointArray::PointCount, joined.Count);
+  AddArray<int>(data, PointArray::PatchId, joined.Patch);
+  AddArray<unsigned char>(data, PointArray::Boundary, MarkBoundary(BoundaryType::Exterior, {}, boundary),
     [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
-  output->SetLines(MakePolylines(joined.Boundary));
+  output.Lines = MakePolylines(joined.Boundary);
 }
 
 /// A piece of a triangle keeps the triangle's error.
-std::vector<double> GatherErrors(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined)
+std::vector<double> GatherErrors(const std::vector<Horizon>& meshes, const JoinedSurface& joined)
 {
-  std::vector<vtkDataArray*> arrays;
-  for (vtkPolyData* const mesh : meshes)
+  std::vector<const DataArray*> arrays;
+  for (const Horizon& mesh : meshes)
   {
-    arrays.push_back(mesh->GetCellData()->GetArray(CellArray::Error));
+    arrays.push_back(mesh.CellData.Find(CellArray::Error));
     if (arrays.back())
     {
-      RequireTuples(arrays.back(), mesh->GetNumberOfCells(), "cells");
+      RequireTuples(*arrays.back(), mesh.NumberOfCells(), "cells");
     }
   }
   std::vector<double> errors;
   for (const PartItem& source : joined.TriangleSources)
   {
-    vtkPolyData* const mesh = meshes[source.Part];
-    const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-    errors.push_back(arrays[source.Part] ? arrays[source.Part]->GetComponent(first + source.Item, 0)
+    const Horizon& mesh = meshes[source.Part];
+    const std::int64_t first = mesh.Vertices.Size() + mesh.Lines.Size();
+    errors.push_back(arrays[source.Part] ? arrays[source.Part]->At(first + source.Item, 0)
                                          : std::numeric_limits<double>::quiet_NaN());
   }
   return errors;
 }
 
-void WriteLargest(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFieldData* figures)
+void WriteLargest(const std::vector<Horizon>& meshes, const char* name, ArrayTable& figures)
 {
   double largest = 0.0;
-  for (vtkPolyData* const mesh : meshes)
+  for (const Horizon& mesh : meshes)
   {
-    largest = std::max(largest, FirstValue(mesh->GetFieldData(), name));
+    largest = std::max(largest, FirstValue(mesh.FieldData, name));
   }
-  AddValue<vtkDoubleArray>(figures, name, largest);
+  AddValue<double>(figures, name, largest);
 }
 
-void WriteSum(const std::vector<vtkPolyData*>& meshes, const char* name, vtkFieldData* figures)
+void WriteSum(const std::vector<Horizon>& meshes, const char* name, ArrayTable& figures)
 {
   double sum = 0.0;
-  for (vtkPolyData* const mesh : meshes)
+  for (const Horizon& mesh : meshes)
   {
-    sum += FirstValue(mesh->GetFieldData(), name);
+    sum += FirstValue(mesh.FieldData, name);
   }
-  AddValue<vtkIdTypeArray>(figures, name, vtkIdType(sum));
+  AddValue<std::int64_t>(figures, name, std::int64_t(sum));
 }
 
 /// A row shared by two parts is in the ledger of one.
-void WriteLedgerOfParts(const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, vtkFieldData* figures)
+void WriteLedgerOfParts(const std::vector<Horizon>& meshes, const JoinedSurface& joined, ArrayTable& figures)
 {
   Ledger all;
-  for (vtkPolyData* const mesh : meshes)
+  for (const Horizon& mesh : meshes)
   {
-    all.Add(ReadLedger(mesh->GetFieldData()).value_or(Ledger()));
+    all.Add(ReadLedger(mesh.FieldData).value_or(Ledger()));
   }
   all.CoverOnly(CoveredColumns(joined.Vertices, joined.Boundary, 1).Count());
   WriteLedger(all, figures);
 }
 
 /// Points on seams count twice.
-double FindMeanError(const std::vector<vtkPolyData*>& meshes)
+double FindMeanError(const std::vector<Horizon>& meshes)
 {
   double sum = 0.0;
   double points = 0.0;
-  for (vtkPolyData* const mesh : meshes)
+  for (const Horizon& mesh : meshes)
   {
     const std::vector<std::int64_t> counts = CountsOf(mesh);
     const double count = double(std::accumulate(counts.begin(), counts.end(), std::int64_t(0)));
-    sum += count * FirstValue(mesh->GetFieldData(), FieldArray::MeanError);
+    sum += count * FirstValue(mesh.FieldData, FieldArray::MeanError);
     points += count;
   }
   return points > 0.0 ? sum / points : 0.0;
 }
 
 void WritePartFigures(
-  const std::vector<vtkPolyData*>& meshes, const JoinedSurface& joined, double smallestAngle, vtkPolyData* output)
+  const std::vector<Horizon>& meshes, const JoinedSurface& joined, double smallestAngle, Horizon& output)
 {
-  vtkFieldData* const figures = output->GetFieldData();
-  figures->PassData(meshes.front()->GetFieldData());
-  figures->RemoveArray(FieldArray::SeamRows);
-  figures->RemoveArray(FieldArray::SliverCount); // Seams are meshed anew without a least angle.
+  ArrayTable& figures = output.FieldData;
+  figures.AddAll(meshes.front().FieldData);
+  figures.Remove(FieldArray::SeamRows);
+  figures.Remove(FieldArray::SliverCount); // Seams are meshed anew without a least angle.
   for (const char* const name : { FieldArray::LargestError, FieldArray::LargestLoopError, FieldArray::BoundaryDeviation,
          FieldArray::OutlineDeviation, FieldArray::OutlineHeightDeviation })
   {
@@ -214,43 +222,43 @@ void WritePartFigures(
   }
   for (const char* const name : { FieldArray::DroppedDuplicates, FieldArray::NumberOfOutsidePoints })
   {
-    if (figures->HasArray(name))
+    if (figures.Has(name))
     {
       WriteSum(meshes, name, figures);
     }
   }
-  AddValue<vtkDoubleArray>(figures, FieldArray::MeanError, FindMeanError(meshes));
+  AddValue<double>(figures, FieldArray::MeanError, FindMeanError(meshes));
   WriteLedgerOfParts(meshes, joined, figures);
-  AddValue<vtkDoubleArray>(figures, FieldArray::SmallestAngle, smallestAngle);
-  AddValue<vtkIdTypeArray>(figures, FieldArray::TriangleCount, output->GetNumberOfPolys());
-  AddValue<vtkIdTypeArray>(figures, FieldArray::NumberOfPatches, vtkIdType(joined.NumberOfPatches));
-  AddValue<vtkIdTypeArray>(
-    figures, FieldArray::NumberOfHoles, vtkIdType(joined.Boundary.Size() - joined.NumberOfPatches));
-  AddValue<vtkIdTypeArray>(figures, FieldArray::DroppedSmallPatchPoints, vtkIdType(joined.DroppedPoints));
-  AddValue<vtkIntArray>(figures, FieldArray::NumberOfParts, int(meshes.size()));
-  AddValue<vtkIdTypeArray>(figures, FieldArray::SeamPoints, vtkIdType(joined.SeamVertices));
+  AddValue<double>(figures, FieldArray::SmallestAngle, smallestAngle);
+  AddValue<std::int64_t>(figures, FieldArray::TriangleCount, output.Polygons.Size());
+  AddValue<std::int64_t>(figures, FieldArray::NumberOfPatches, std::int64_t(joined.NumberOfPatches));
+  AddValue<std::int64_t>(
+    figures, FieldArray::NumberOfHoles, std::int64_t(joined.Boundary.Size() - joined.NumberOfPatches));
+  AddValue<std::int64_t>(figures, FieldArray::DroppedSmallPatchPoints, std::int64_t(joined.DroppedPoints));
+  AddValue<int>(figures, FieldArray::NumberOfParts, int(meshes.size()));
+  AddValue<std::int64_t>(figures, FieldArray::SeamPoints, std::int64_t(joined.SeamVertices));
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteSeams(vtkPolyData* points, const Lattice& lattice, const Surface& surface, const SeamRows& seams,
-  const std::vector<PointId>& onLowerSeam, vtkPolyData* mesh)
+void WriteSeams(const Horizon& points, const Lattice& lattice, const Surface& surface, const SeamRows& seams,
+  const std::vector<PointId>& onLowerSeam, Horizon& mesh)
 {
-  AddTuple<vtkIntArray>(mesh->GetFieldData(), FieldArray::SeamRows,
+  AddTuple<int>(mesh.FieldData, FieldArray::SeamRows,
     std::array<int, 2>{ seams.Lower.value_or(NoSeam), seams.Upper.value_or(NoSeam) });
   const Reduction& vertices = surface.Mesh.Points;
-  std::vector<unsigned char> isBesideGap(std::size_t(mesh->GetNumberOfPoints()), 0);
+  std::vector<unsigned char> isBesideGap(std::size_t(mesh.NumberOfPoints()), 0);
   for (const PointId point : surface.OpenGaps)
   {
     isBesideGap[vertices.Target[point]] = 1;
   }
-  AddArray<vtkUnsignedCharArray>(mesh->GetPointData(), PointArray::SeamGap, isBesideGap);
+  AddArray<unsigned char>(mesh.PointData, PointArray::SeamGap, isBesideGap);
   for (const SeamPin& pin : surface.Pins)
   {
     const PointId vertex = vertices.Target[pin.Point];
     const PlanePoint& place = vertices.Plane[vertex];
     const Eigen::Vector3d world = lattice.ToWorld({ double(place.X), double(place.Y), pin.Height });
-    mesh->GetPoints()->SetPoint(vertex, world.data());
+    std::copy_n(world.data(), 3, mesh.Places.As<double>() + 3 * std::size_t(vertex));
   }
   const std::vector<std::int64_t> counts = ReadCounts(points);
   std::vector<std::int64_t> sums = CountsOf(mesh);
@@ -259,18 +267,18 @@ void WriteSeams(vtkPolyData* points, const Lattice& lattice, const Surface& surf
     const std::size_t vertex = std::size_t(vertices.Target[point]);
     sums[vertex] -= counts.empty() ? 1 : counts[point];
   }
-  AddArray<vtkIdTypeArray>(mesh->GetPointData(), PointArray::PointCount, sums);
+  AddArray<std::int64_t>(mesh.PointData, PointArray::PointCount, sums);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SurfacePart ReadSurfacePart(vtkPolyData* mesh)
+SurfacePart ReadSurfacePart(const Horizon& mesh)
 {
-  vtkDataArray* const rows = RequireSeamRows(mesh);
+  const DataArray& rows = RequireSeamRows(mesh);
   CheckArraySizes(mesh);
-  LatticePoints points = ReadColumns(mesh, {});
+  LatticePoints points = ReadColumns(mesh);
   SurfacePart part;
-  part.Seams.Lower = FromRow(FieldValue(rows, 0));
-  part.Seams.Upper = FromRow(FieldValue(rows, 1));
+  part.Seams.Lower = FromRow(rows.Value(0));
+  part.Seams.Upper = FromRow(rows.Value(1));
   part.Vertices.assign(points.Column.begin(), points.Column.end());
   part.Height = std::move(points.Height);
   part.Count = CountsOf(mesh);
@@ -282,13 +290,13 @@ SurfacePart ReadSurfacePart(vtkPolyData* mesh)
 
 //----------------------------------------------------------------------------------------------------------------------
 void WriteJoinedSurface(
-  const std::vector<vtkPolyData*>& meshes, const Lattice& lattice, const JoinedSurface& joined, vtkPolyData* output)
+  const std::vector<Horizon>& meshes, const Lattice& lattice, const JoinedSurface& joined, Horizon& output)
 {
   assert(!meshes.empty() && joined.Sources.size() == joined.Vertices.size());
   WriteSeamPoints(meshes, joined, output);
   WriteSeamBoundary(joined, output);
   const double smallestAngle = WriteTriangles(joined.Vertices, lattice, joined.Triangles, output);
-  AddTriangleArray<vtkDoubleArray>(CellArray::Error, GatherErrors(meshes, joined), output);
+  AddTriangleArray<double>(CellArray::Error, GatherErrors(meshes, joined), output);
   WritePartFigures(meshes, joined, smallestAngle, output);
   ActivateHeight(output);
 }

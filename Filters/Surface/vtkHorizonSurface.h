@@ -42,10 +42,7 @@
 
 namespace SeismicHorizons
 {
-struct ErrorLimit;
 struct LatticePoints;
-struct SeamRows;
-struct SurfaceOptions;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurface : public vtkHorizonReducedMesh
@@ -161,15 +158,13 @@ protected:
   vtkHorizonSurface();
   ~vtkHorizonSurface() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonSurface(const vtkHorizonSurface&) = delete;
   void operator=(const vtkHorizonSurface&) = delete;
 
-  /// `limit` is for the target LargestError.
-  SeismicHorizons::SurfaceOptions MakeOptions(const SeismicHorizons::ErrorLimit& limit) const;
-  SeismicHorizons::SeamRows MakeSeams();
   void Choose(vtkPolyData* horizon, const std::function<void(const SeismicHorizons::LatticePoints&)>& choose);
 
   int Target = LargestError;

@@ -4,22 +4,17 @@
 #include "vtkHorizonSurfaceDistance.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/Base/Parameters.h"
-#include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
+#include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
+#include "DistanceStage.h"
 #include "Filters/Marshalling/HorizonTree.h"
 #include "Filters/Marshalling/RankedHorizons.h"
-#include "Filters/Marshalling/SurfacePair.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
@@ -28,6 +23,16 @@
 #include <cassert>
 #include <string>
 #include <vector>
+
+struct SeismicHorizons::HorizonPair
+{
+  std::string Name; // empty if unnamed
+  vtkSmartPointer<vtkPolyData> Reference;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  vtkSmartPointer<vtkPolyData> ReferenceOutput;
+  vtkSmartPointer<vtkPolyData> MeshOutput;
+  std::array<vtkSmartPointer<vtkTable>, 2> Rows; // rows of the pair for each table
+};
 
 namespace
 {
@@ -204,17 +209,6 @@ private:
   std::vector<HorizonPair> Own; // in the order of Matches
   std::vector<vtkPolyData*> Away; // outputs of meshes on other ranks' pairs, in the order of Matches
 };
-
-// ---- Output ---------------------------------------------------------------------------------------------------------
-
-void AddArrays(PointDistances& points, double upwards, vtkPolyData* output)
-{
-  std::transform(points.Vertical.begin(), points.Vertical.end(), points.Vertical.begin(),
-    [upwards](double distance) { return upwards * distance; });
-  MoveToArray<vtkDoubleArray>(output->GetPointData(), PointArray::Distance, points.Distance);
-  MoveToArray<vtkDoubleArray>(output->GetPointData(), PointArray::VerticalDistance, points.Vertical);
-  output->GetPointData()->SetActiveScalars(PointArray::Distance);
-}
 }
 
 vtkStandardNewMacro(vtkHorizonSurfaceDistance);
@@ -256,7 +250,9 @@ int vtkHorizonSurfaceDistance::RequestData(
   {
     auto* const figures = vtkTable::SafeDownCast(outputs[FiguresPort]);
     auto* const histogram = vtkTable::SafeDownCast(outputs[HistogramPort]);
-    MakeColumns(figures, histogram);
+    const DistanceTables empty = MakeEmptyTables();
+    ToVTK(empty.Figures, figures);
+    ToVTK(empty.Histogram, histogram);
     HorizonPairs pairs(reference, mesh, outputs[ReferencePort], outputs[MeasuredPort], ranks);
     const std::vector<HorizonPair>& own = pairs.OwnPairs();
     const auto measure = [&]()
@@ -283,21 +279,16 @@ void vtkHorizonSurfaceDistance::MeasurePair(const HorizonPair& pair, const Monit
   {
     return;
   }
-  CheckWithin("samples per point", this->SamplesPerPoint, 0.01, 1000.0, "");
-  CheckAtLeast("seed", this->Seed, 0, "");
-  PrefixErrors("reference", [&]() { CheckArraySizes(pair.Reference); });
-  PrefixErrors("mesh", [&]() { CheckArraySizes(pair.Mesh); });
-  WriteReference(pair, this->Radius, monitor.Step(0.0, 0.1));
-  pair.MeshOutput->ShallowCopy(pair.Mesh);
-  SurfaceDistanceOptions options;
+  DistanceStageOptions options;
+  options.InWorldUnits = this->DistanceUnit == World;
   options.SamplesPerPoint = this->SamplesPerPoint;
-  options.Seed = std::uint64_t(this->Seed);
-  MeasuredPair measured =
-    MeasureSurfaces(pair, options, this->DistanceUnit == World, this->IncludeFilledPoints, monitor.Step(0.1, 0.95));
-  AddArrays(measured.Points.Reference, measured.Upwards, pair.ReferenceOutput);
-  AddArrays(measured.Points.Mesh, measured.Upwards, pair.MeshOutput);
-  WriteFigures(measured, 0, pair.ReferenceOutput);
-  WriteFigures(measured, 1, pair.MeshOutput);
-  MakeColumns(pair.Rows[0], pair.Rows[1]);
-  AppendRows(measured, this->DistanceUnit == World, pair.Name, pair.Rows[0], pair.Rows[1]);
+  options.Seed = this->Seed;
+  options.Radius = this->Radius;
+  options.IncludeFilledPoints = this->IncludeFilledPoints;
+  const MeasuredPair measured =
+    RunSurfaceDistance(FromVTK(pair.Reference), FromVTK(pair.Mesh), pair.Name, options, monitor);
+  ToVTK(measured.Reference, pair.ReferenceOutput);
+  ToVTK(measured.Mesh, pair.MeshOutput);
+  ToVTK(measured.Rows.Figures, pair.Rows[0]);
+  ToVTK(measured.Rows.Histogram, pair.Rows[1]);
 }

@@ -64,7 +64,8 @@ protected:
   vtkHorizonThickness();
   ~vtkHorizonThickness() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& horizon, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
   bool TakesMeshes() override { return true; }
   void ShareHorizons(const std::vector<SeismicHorizons::HorizonLeaf>& own,
     const std::vector<SeismicHorizons::RankedHorizon>& all, const SeismicHorizons::Ranks& ranks) override;

@@ -103,7 +103,8 @@ protected:
 
   bool TakesMeshes() override { return true; }
 
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessHorizon(
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonTriangulation(const vtkHorizonTriangulation&) = delete;

@@ -14,11 +14,22 @@ Everything takes and gives numpy arrays; other packages are imported where their
 import importlib.metadata
 
 from ._door import horizon
-from ._files import read, write
+from ._files import read, read_mesh, write
 from ._horizon import Horizon, Lattice
+from ._lines import Lines, read_faults
 from ._mesh import Ledger, Mesh
 from ._stages import Faults, Thickness, despike, faults, fill_holes, surface, thickness
+from ._thesis import (
+    boundary_simplification,
+    decimation,
+    elaborate_simplification,
+    exterior_boundary,
+    join,
+    rough_simplification,
+    triangulation,
+)
 
 __version__ = importlib.metadata.version("seismichorizons")
-__all__ = ["Faults", "Horizon", "Lattice", "Ledger", "Mesh", "Thickness", "despike", "faults", "fill_holes", "horizon", "read",
-           "surface", "thickness", "write"]
+__all__ = ["Faults", "Horizon", "Lattice", "Ledger", "Lines", "Mesh", "Thickness", "boundary_simplification", "decimation", "despike",
+           "elaborate_simplification", "exterior_boundary", "faults", "fill_holes", "horizon", "join", "read", "read_faults", "read_mesh",
+           "rough_simplification", "surface", "thickness", "triangulation", "write"]

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from . import _core
+from ._data import Progress, in_keywords
 from ._horizon import Horizon
-from ._made import framing, horizons, in_keywords, placement
-from ._stages import Progress
+from ._made import framing, horizons, placement
 
 STEP_TOLERANCE = 1e-4  # Fraction of a step by which coordinates of grids may be off, as in single precision.
 SINGLE_PRECISION = 2.0**-24  # Relative rounding: values of nodata are compared in single precision.

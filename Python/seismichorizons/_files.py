@@ -7,22 +7,23 @@ from __future__ import annotations
 import contextlib
 import os
 import pathlib
-import tempfile
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from . import _core
+from ._data import Progress, in_keywords
 from ._horizon import Horizon
-from ._made import framing, in_keywords, placement
+from ._made import framing, placement
 from ._made import horizons as make_horizons
-from ._mesh import Mesh
-from ._stages import Progress
+from ._mesh import Mesh, mesh_of
 
-GRIDS = {".irap": "irap", ".gri": "gri", ".zmap": "zmap"}
-MESHES = {".ts": "ts", ".stl": "stl", ".ply": "ply", ".obj": "obj", ".dxf": "dxf"}
+# Formats by extension, and what they hold.
+FORMATS = {".ts": ("ts", "mesh"), ".dxf": ("dxf", "mesh"), ".stl": ("stl", "mesh"), ".ply": ("ply", "mesh"), ".obj": ("obj", "mesh"),
+           ".irap": ("irap", "any"), ".gri": ("gri", "any"), ".zmap": ("zmap", "any"), ".dat": ("text", "any"), ".txt": ("text", "any"),
+           ".vsm": ("vsm", "horizon")}
 
 
 @contextlib.contextmanager
@@ -32,7 +33,7 @@ def _of_file(path: pathlib.Path) -> Iterator[None]:
         yield
     except ValueError as error:
         raise ValueError("%s: %s" % (path, in_keywords(str(error)))) from None
-    except RuntimeError as error:
+    except OSError as error:
         raise OSError("%s: %s" % (path, error)) from None
 
 
@@ -89,10 +90,12 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     nulls = nodata if isinstance(nodata, str) else " ".join(map(repr, map(float, np.ravel([] if nodata is None else nodata))))
     with _of_file(path):
         kind = _core.find_format(name)
+        if kind == "tsurf":
+            raise ValueError("a mesh in the format of GOCAD, expected picks or a grid: read_mesh(path) reads it")
         if kind == "sparse":
             if vertical_step is not None:
                 raise ValueError("vertical_step for sparse voxels, which have their own, expected none")
-            form, found = _core.read_sparse(name, placement(duplicates)["duplicates"], *where[1:], progress)
+            form, found = _core.read_sparse(name, {"duplicates": placement(duplicates)["duplicates"]}, *where[1:], progress)
         elif kind == "grid":
             form, found = _core.read_grid(name, nulls, *where, progress)
         else:
@@ -100,27 +103,71 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
             form, found = _core.read_text(name, text, nulls or "usual", int(header_lines), placement(duplicates, gridding, leave_out_strays),
                                           *where, progress)
         made = make_horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
-    if horizons is None:
+    return _choose(path, made, horizons)
+
+
+def _choose(path: pathlib.Path, made: dict[str, Any], names: str | Sequence[str] | None) -> dict[str, Any]:
+    if names is None:
         return made
-    wanted = [horizons] if isinstance(horizons, str) else list(horizons)
+    wanted = [names] if isinstance(names, str) else list(names)
     missing = [one for one in wanted if one not in made]
     if missing:
         raise ValueError("%s: no horizon %s, expected one of %s" % (path, missing[0], ", ".join(made)))
     return {one: made[one] for one in wanted}
 
 
-def write(data: Horizon | Mesh, path: str | os.PathLike[str], *, name: str | None = None, progress: Progress | None = None) -> None:
-    """Writes a mesh or a horizon in the format of the extension.
+def read_mesh(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = None, *,
+              progress: Progress | None = None) -> dict[str, Mesh]:
+    """Reads the surfaces of a file in the format TSurf of GOCAD.
 
     Parameters
     ----------
-    data : Mesh or Horizon
-        Mesh for .ts (GOCAD), .stl, .ply, .obj and .dxf; horizon for the grids .irap, .gri (IRAP binary) and .zmap, and .csv.
+    path : str or path
+    horizons : str or list of str, optional
+        Names of the surfaces to return; all by default.
+    progress : callable, optional
+
+    Returns
+    -------
+    dict of Mesh by name
+
+    Raises
+    ------
+    ValueError
+        With the line, if the file violates its format.
+    FileNotFoundError
+    """
+    path = pathlib.Path(path)
+    if not path.is_file():
+        raise FileNotFoundError("%s: no such file" % path)
+    with _of_file(path):
+        found, _ = _core.read_tsurfs(str(path), progress)
+    made = {name: mesh_of(name, {**data, "point_data": {}, "cell_data": {}}, dict(data["point_data"]), data["field_data"], None)
+            for name, data in found}
+    return _choose(path, made, horizons)
+
+
+def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, with_borders: bool = False,
+          with_attributes: bool = True, direction: str = "", progress: Progress | None = None) -> None:
+    """Writes meshes or horizons in the format of the extension.
+
+    Parameters
+    ----------
+    data : Mesh, Horizon, or a list or dict of these
+        Meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary)
+        and .zmap, and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
+        and .vsm; otherwise each has a file of its own, with its name added to that of `path`. `to_dataframe().to_csv` writes .csv.
     path : str or path
         A file of this name is replaced once the new one is complete. Grids say neither the unit nor the direction of z, and
         .gri is of single precision.
     name : str, optional
         Name of the surface in the file; by default that of the data.
+    with_borders : bool
+        .ts files have border lines.
+    with_attributes : bool
+        Tables have attributes.
+    direction : "down" or "up", optional
+        Where z of the file increases to; by default as that of the data.
     progress : callable, optional
 
     Raises
@@ -131,62 +178,26 @@ def write(data: Horizon | Mesh, path: str | os.PathLike[str], *, name: str | Non
         If the file cannot be written.
     """
     path = pathlib.Path(path)
-    kinds = {Mesh: MESHES, Horizon: {**GRIDS, ".csv": "csv"}}
-    if type(data) not in kinds:
-        raise TypeError("writing %s, expected a Mesh or a Horizon; a file has one" % type(data).__name__)
-    form = kinds[type(data)].get(path.suffix.lower())
-    if form is None:
-        what = "mesh" if isinstance(data, Mesh) else "horizon"
-        other = next((kind.__name__.lower() for kind, forms in kinds.items() if path.suffix.lower() in forms), "")
-        raise ValueError("%s: a %s, expected %s" % (path, what, "a " + other if other else "one of the extensions " + ", ".join(kinds[type(data)])))
+    if direction not in ("", "down", "up"):
+        raise ValueError("direction '%s', expected down or up" % direction)
+    many = dict(data) if isinstance(data, Mapping) else {n: one for n, one in enumerate(data)} if isinstance(data, (list, tuple)) else {0: data}
+    for one in many.values():
+        if not isinstance(one, (Mesh, Horizon)):
+            raise TypeError("writing %s, expected a Mesh or a Horizon, or a list or dict of these" % type(one).__name__)
+    form, holds = FORMATS.get(path.suffix.lower(), ("", ""))
+    for one in many.values():
+        what = "mesh" if isinstance(one, Mesh) else "horizon"
+        if holds not in (what, "any"):
+            endings = ", ".join(ending for ending, (_, kind) in FORMATS.items() if kind in (what, "any"))
+            raise ValueError("%s: a %s, expected %s" % (path, what, "a " + holds if holds else "one of the extensions " + endings))
+        if holds == "any" and one.lattice is None:
+            raise ValueError("%s: %s of a file, which has no lattice, expected the mesh of a horizon" % (path, one.name))
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
-    with _of_file(path), _replacing(path) as part:
-        if isinstance(data, Mesh):
-            _write_mesh(data, part, form, name or data.name, progress)
-        elif form == "csv":
-            _write_csv(data, part)
-        else:
-            lattice = data.lattice
-            rounding = _core.write_grid(part, form, name or data.name, np.ascontiguousarray(data.grid().ravel()), lattice.shape[::-1],
-                                        lattice.origin, lattice.column_step, lattice.row_step, progress)
-            if rounding > 1e-3 * min(lattice.spacing):
-                warnings.warn("%s: places are rounded to single precision, by up to %.3g; .irap keeps them" % (path, rounding), stacklevel=2)
-
-
-@contextlib.contextmanager
-def _replacing(path: pathlib.Path) -> Iterator[str]:
-    """Gives a new file beside `path`, which takes its place at the end, and goes if there is an error."""
-    handle, part = tempfile.mkstemp(prefix="." + path.name[:64], dir=path.absolute().parent)
-    os.close(handle)
-    try:
-        yield part
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(part, 0o666 & ~mask)
-        os.replace(part, path)
-    except BaseException:
-        os.unlink(part)
-        raise
-
-
-def _write_mesh(mesh: Mesh, part: str, form: str, name: str, progress: Progress | None) -> None:
-    points = mesh.points
-    if form == "ts" and mesh.direction == "down":  # The file says where z increases to.
-        points = points * (1.0, 1.0, -1.0)
-    numbers = {key: np.ascontiguousarray(values, np.float64) for key, values in mesh.attributes.items() if values.dtype.kind in "iuf"}
-    survey = (mesh.vertical_unit, mesh.vertical_domain, mesh.horizontal_unit, mesh.coordinate_system)
-    _core.write_mesh(part, form, name, np.ascontiguousarray(points), np.ascontiguousarray(mesh.triangles), numbers,
-                     mesh.direction == "up", survey, progress)
-
-
-def _write_csv(horizon: Horizon, part: str) -> None:
-    """A table with names and all digits, as `read` takes it."""
-    lines: dict[str, Any] = {} if horizon.lattice.lines is None else {"Inline": horizon.inlines, "Crossline": horizon.crosslines}
-    z = "Elevation" if horizon.direction == "up" else "Z"
-    table = {**lines, "X": horizon.x, "Y": horizon.y, z + (" (%s)" % horizon.vertical_unit if horizon.vertical_unit else ""): horizon.z,
-             **{key: values for key, values in horizon.attributes.items() if values.dtype.kind in "iuf"}}
-    with open(part, "w", encoding="utf-8") as file:
-        print(*table, sep=",", file=file)
-        for row in zip(*(values.tolist() for values in table.values())):
-            print(*map(repr, row), sep=",", file=file)
+    way = direction or (next(iter(many.values())).direction if many else "down")
+    options = {"with_borders": bool(with_borders), "is_down": way == "down", "with_attributes": bool(with_attributes), "sense": way}
+    named = [(name or (key if isinstance(key, str) else one.name), one._data_of_file()) for key, one in many.items()]
+    with _of_file(path):
+        messages = _core.write(str(path), form, named, options, progress)
+    for message in messages:
+        warnings.warn("%s: %s" % (path, in_keywords(message)), stacklevel=2)

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._data import Data, give_attributes, give_survey, survey
+
 Floats = NDArray[np.float64]
 Pair = tuple[float, float]
 
@@ -182,13 +184,27 @@ class Horizon(WithAttributes):
         return grid
 
     # ---- For the core -----------------------------------------------------------------------------------------------
-    def _core(self) -> tuple[Any, ...]:
+    def _data(self, links: NDArray[np.int32] | None = None) -> Data:
         (ax, ay), (bx, by), (x, y) = self.lattice.column_step, self.lattice.row_step, self.lattice.origin
         rows, columns = self.lattice.shape
         to_world = (ax, bx, 0.0, x, ay, by, 0.0, y, 0.0, 0.0, self.sign * self.lattice.vertical_step,
                     self.sign * self.lattice.first_z, 0.0, 0.0, 0.0, 1.0)
-        return (np.ascontiguousarray(self.columns, np.int32), np.ascontiguousarray(self.sign * self.z, np.float64),
-                (columns, rows, self.lattice.indices), to_world)
+        fields = {"LatticeDimensions": np.array([columns, rows, self.lattice.indices], np.int32),
+                  "LatticeToWorld": np.array(to_world), **give_survey(self)}
+        if self.lattice.lines is not None:
+            fields["LineNumbers"] = np.array(self.lattice.lines)
+        if links is not None and len(links):
+            fields["FaultedLinks"] = links
+        points = {"Column": np.ascontiguousarray(self.columns, np.int32), **give_attributes(self.attributes)}
+        if self.filled.any():
+            points["Filled"] = np.ascontiguousarray(self.filled, np.uint8)
+        return {"places": np.column_stack((self.x, self.y, self.sign * self.z)), "point_data": points, "field_data": fields}
+
+    def _data_of_file(self) -> Data:
+        """Data with the attributes of a file."""
+        data = self._data()
+        numbers = {name: np.ascontiguousarray(values, np.float64) for name, values in self.attributes.items() if values.dtype.kind in "iuf"}
+        return {**data, "point_data": {**numbers, "Column": data["point_data"]["Column"]}}
 
     # ---- Objects of other packages ----------------------------------------------------------------------------------
     def to_dataframe(self) -> Any:
@@ -271,6 +287,19 @@ class Horizon(WithAttributes):
             bar.ax.invert_yaxis()
         axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
         return axes
+
+
+def horizon_of(name: str, data: Data, **more: Any) -> Horizon:
+    """A horizon from data of the core, without attributes unless `more` has them."""
+    points, fields = data["point_data"], data["field_data"]
+    m = fields["LatticeToWorld"].ravel().tolist()
+    columns, rows, indices = fields["LatticeDimensions"].ravel().tolist()
+    sign = 1.0 if fields["VerticalDirection"][0] > 0 else -1.0
+    lines = fields.get("LineNumbers")
+    lattice = Lattice((rows, columns), (m[3], m[7]), (m[0], m[4]), (m[1], m[5]), sign * m[11], sign * m[10], indices,
+                      None if lines is None else tuple(lines.ravel().tolist()))
+    return Horizon(name=name, columns=points["Column"], z=sign * data["places"][:, 2], lattice=lattice,
+                   direction="up" if sign > 0.0 else "down", **{"filled": points.get("Filled"), **survey(fields), **more})
 
 
 def _poly_data(points: Floats, arrays: Mapping[str, NDArray[Any]], triangles: NDArray[Any] | None) -> Any:

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._horizon import Horizon, Lattice
+from ._data import in_keywords
+from ._horizon import Horizon, horizon_of
 from ._units import UNITS
 
 POLICIES = ("strongest", "topmost", "lowest", "mean", "sheets")
@@ -39,44 +40,28 @@ def framing(vertical_step: float | None, direction: str, vertical_unit: str, ver
     return (float(vertical_step or 0.0), direction, (vertical_unit, vertical_domain, horizontal_unit, str(coordinate_system or "")))
 
 
-# The core speaks of properties and their values.
-WORDS = {"VerticalDirection": "direction", "StrayPicks LeaveOut": "leave_out_strays=True", "StrayPicks": "leave_out_strays",
-         "LatticeSource OriginAndSteps": "origin=, column_step= and row_step=", "DuplicatePolicy": "duplicates",
-         "LatticeTolerance": "tolerance", "NullValues": "nodata", "Gridding": "gridding=\"plate\"", "Columns": "columns",
-         "HeaderLines": "header_lines", "Topmost": "topmost", "Lowest": "lowest", "Sheets": "sheets", "Mean": "mean",
-         "VerticalStep": "vertical_step", "ColumnStep": "column_step", "RowStep": "row_step", "Origin ": "origin "}
-
-
-def in_keywords(text: str) -> str:
-    """A message of the core with keywords in place of properties."""
-    for word, keyword in WORDS.items():
-        text = text.replace(word, keyword)
-    if "points on one line" in text or "places on one line" in text or "places of picks on one line" in text:
-        text += "; origin=, column_step= and row_step= give it"
-    text = text.replace(": open it by the reader of GOCAD TSurf", ", which this package does not read")
-    return text.replace("direction Up", "direction=\"up\"").replace("direction Down", "direction=\"down\"").replace("Down confirms", "direction=\"down\" confirms")
+# Arrays of the core that are no attributes.
+OWN = ("Column", "SurfaceId", "VerticalIndex", "RealZ", "Filled")
 
 
 def horizons(found: tuple[Any, ...], fallback: str, first: str = "", file_name: str = "") -> dict[str, Horizon]:
     """Horizons by distinct names, from (list, description, warnings) of the core. `first` is the format of a file, whose name
     some programs write as that of the horizon."""
     given, description, messages = found
-    for text in messages:
-        warnings.warn("%s: %s" % (fallback, in_keywords(text)), stacklevel=4)
+    for message in messages:
+        warnings.warn("%s: %s" % (fallback, in_keywords(message)), stacklevel=4)
     lines = tuple(filter(None, (*first.split("\n"), *in_keywords(description).split("\n"))))
     made: dict[str, Horizon] = {}
-    for one in given:
-        base = name = one["name"] if one["name"] not in ("", file_name) else fallback
+    for own, data in given:
+        base = name = own if own not in ("", file_name) else fallback
         number = 1
         while name in made:
             number += 1
             name = "%s %d" % (base, number)
-        left_out = {"duplicates": one["duplicates"], "without z": one["without_z"]}
-        columns, rows, indices = one["size"]
-        filled = one["attributes"].pop("Filled", None)  # of gridding
-        made[name] = Horizon(
-            filled=None if filled is None else filled.astype(np.uint8), name=name, columns=one["columns"], z=one["z"], attributes=one["attributes"], direction="up" if one["is_up"] else "down",
-            lattice=Lattice((rows, columns), one["origin"], one["column_step"], one["row_step"], one["first_z"], one["vertical_step"],
-                            indices, one["lines"]),
-            taken=lines, left_out={reason: number for reason, number in left_out.items() if number}, **one["survey"])
+        left_out = {reason: int(data["field_data"][field][0]) for reason, field in (
+            ("duplicates", "DroppedDuplicates"), ("without z", "DroppedNulls")) if field in data["field_data"]}
+        filled = data["point_data"].pop("Filled", None)  # of gridding, as numbers with fractions
+        made[name] = horizon_of(name, data, taken=lines, left_out={reason: number for reason, number in left_out.items() if number},
+                                filled=None if filled is None else filled.astype(np.uint8),
+                                attributes={key: values for key, values in data["point_data"].items() if key not in OWN})
     return made

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._data import Data, give_attributes, loops, snake, survey
 from ._horizon import Floats, Lattice, WithAttributes, _poly_data
 
 
@@ -50,7 +51,7 @@ class Ledger:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Mesh(WithAttributes):
-    """A triangle mesh of a horizon, as `surface` makes it.
+    """A triangle mesh of a horizon, as `surface` and `read` make it; also points with outlines alone, before they are meshed.
 
     Attributes
     ----------
@@ -63,7 +64,8 @@ class Mesh(WithAttributes):
         Attributes of the horizon: the mean over the points that a vertex represents, or the nearest for whole numbers;
         `mesh["name"]` gives one as well.
     errors : float64 array of m
-        The largest vertical distance of a point of the horizon from each triangle, in the unit of z.
+        The largest vertical distance of a point of the horizon from each triangle, in the unit of z; nan where it was not
+        measured.
     quality : float32 array of m
         Shape of each triangle in plan, from 0 to 1 for equal edges.
     outlines : list of int32 arrays
@@ -73,13 +75,15 @@ class Mesh(WithAttributes):
     counts : int64 array of n
         Points of the horizon that a vertex represents.
     columns : int32 array of shape (n, 2)
-        Column and row of the lattice of each point.
+        Column and row of the lattice of each point; -1 for the mean of several.
     largest_error, mean_error : float
         Vertical distances of points of the horizon from the mesh, in the unit of z; the largest includes points on outlines.
+        nan where they were not measured.
     details : dict
         Other figures: chosen parameters, moves of outlines, the smallest angle in degrees.
     ledger : Ledger
-    lattice, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system
+    lattice : Lattice, or None for a mesh of a file
+    direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system
         Those of the horizon.
     """
 
@@ -97,20 +101,35 @@ class Mesh(WithAttributes):
     mean_error: float
     details: dict[str, Any]
     ledger: Ledger
-    lattice: Lattice
+    lattice: Lattice | None
     direction: str = "down"
     vertical_unit: str = ""
     vertical_domain: str = ""
     horizontal_unit: str = ""
     coordinate_system: str = ""
+    _core: Data = dataclasses.field(default_factory=dict)
+
+    def _data(self) -> Data:
+        """Data for the core, with places and attributes as they are now."""
+        if len(self._core["places"]) != len(self.points):
+            raise ValueError("%s: %d points, expected %d as the mesh was made with" % (
+                self.name, len(self.points), len(self._core["places"])))
+        return {**self._core, "places": np.ascontiguousarray(self.points, np.float64),
+                "point_data": {**self._core["point_data"], **give_attributes(self.attributes)}}
+
+    def _data_of_file(self) -> Data:
+        """Data with the attributes of a file."""
+        numbers = {name: np.ascontiguousarray(values, np.float64) for name, values in self.attributes.items() if values.dtype.kind in "iuf"}
+        return {**self._data(), "point_data": numbers, "cell_data": {}}
 
     def __len__(self) -> int:
         return len(self.triangles)
 
     def __repr__(self) -> str:
         unit = " " + self.vertical_unit if self.vertical_unit else ""
-        return "Mesh %s: {:,} points, {:,} triangles, largest error %.4g%s, mean %.4g%s; %r".format(
-            len(self.points), len(self.triangles)) % (self.name, self.largest_error, unit, self.mean_error, unit, self.ledger)
+        error = ", largest error %.4g%s, mean %.4g%s" % (self.largest_error, unit, self.mean_error, unit)
+        return "Mesh %s: {:,} points, {:,} triangles%s%s".format(len(self.points), len(self.triangles)) % (
+            self.name, "" if np.isnan(self.largest_error) else error, "; %r" % self.ledger if self.ledger.covered else "")
 
     @property
     def z(self) -> Floats:
@@ -147,3 +166,35 @@ class Mesh(WithAttributes):
             bar.ax.invert_yaxis()
         axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
         return axes
+
+
+# Figures in vertical indices.
+HEIGHTS = ("LargestError", "MeanError", "LargestLoopError", "OutlineHeightDeviation", "ChosenMaximumError", "ChosenDistanceThreshold",
+           "HeightNoise", "HeightRounding")
+
+
+def mesh_of(name: str, data: Data, attributes: dict[str, NDArray[Any]], before: Data, lattice: Lattice | None) -> Mesh:
+    """A mesh from data of the core. `before` are the field data of the input, to which stages add figures."""
+    points, cells, fields = data["point_data"], data["cell_data"], data["field_data"]
+    size, first = len(data["places"]), max(0, len(data["lines"][0]) - 1)
+    step = 1.0 if lattice is None else abs(lattice.vertical_step)
+    triangles = data["polygons"][1].astype(np.int32, copy=False).reshape(-1, 3)
+
+    def of_points(key: str, dtype: Any, otherwise: int, *shape: int) -> NDArray[Any]:
+        return points[key].astype(dtype, copy=False) if key in points else np.full((size, *shape), otherwise, dtype)
+
+    def of_triangles(key: str, dtype: Any) -> NDArray[Any]:
+        return cells[key][first:].astype(dtype, copy=False) if key in cells else np.full(len(triangles), np.nan, dtype)
+
+    details = {snake(key): values.item() * (step if key in HEIGHTS else 1) for key, values in fields.items()
+               if not isinstance(values, list) and values.size == 1 and key != "VerticalDirection" and values is not before.get(key)}
+    inner = details.pop("largest_error", np.nan)
+    area = 1.0 if lattice is None else abs(float(np.linalg.det((lattice.column_step, lattice.row_step))))
+    ledger = Ledger(*fields["LedgerColumns"].ravel().tolist(), area) if "LedgerColumns" in fields else Ledger()
+    return Mesh(
+        name=name, points=data["places"], triangles=triangles, attributes=attributes, errors=of_triangles("Error", np.float64) * step,
+        quality=of_triangles("Quality", np.float32), outlines=loops(data["lines"]), patches=of_points("PatchId", np.int32, 0),
+        counts=of_points("PointCount", np.int64, 1), columns=of_points("Column", np.int32, -1, 2),
+        largest_error=max(inner, details.get("largest_loop_error", 0.0)), mean_error=details.pop("mean_error", np.nan),
+        details={**details, "largest_inner_error": inner} if np.isfinite(inner) else details, ledger=ledger, lattice=lattice,
+        direction="up" if fields["VerticalDirection"][0] > 0 else "down", _core=data, **survey(fields))

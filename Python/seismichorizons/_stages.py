@@ -6,18 +6,19 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._horizon import Horizon
-from ._mesh import Ledger, Mesh
+from ._data import Progress, call, take_attributes
+from ._horizon import Horizon, horizon_of
+from ._lines import Lines, lines_of
+from ._mesh import Mesh, mesh_of
 from ._units import height
 
-Progress = Callable[[float], Any]
 
 
 def _require(horizon: Any, stage: str) -> None:
@@ -28,16 +29,15 @@ def _require(horizon: Any, stage: str) -> None:
         raise ValueError("%s without points, expected some" % horizon.name)
 
 
-def _split(horizon: Horizon) -> tuple[list[str], list[Any]]:
-    """Names and values of the attributes that are numbers with fractions, which are averaged."""
-    names = [name for name, values in horizon.attributes.items() if values.dtype.kind == "f"]
-    return names, [np.ascontiguousarray(horizon.attributes[name], np.float64) for name in names]
-
-
 def _count(name: str, number: Any) -> int:
     if int(number) != number or number < 1:
         raise ValueError("%s %s, expected a whole number, at least 1" % (name, number))
     return int(number)
+
+
+def given_options(**options: Any) -> dict[str, Any]:
+    """Options that have a value."""
+    return {name: value for name, value in options.items() if value is not None}
 
 
 @dataclasses.dataclass(eq=False, repr=False)
@@ -56,6 +56,12 @@ class Faults:
         Standard deviation of differences between neighbours, in the unit of z.
     smallest_throw : float
         That a fault reaches somewhere, in the unit of z.
+    traces : Lines
+        The lines on the horizon, half way between columns.
+    surfaces : Mesh or None
+        Surfaces of sticks, where these were given.
+    horizon : Horizon
+        Without the points inside given polygons.
     """
 
     links: NDArray[np.int32]
@@ -63,6 +69,9 @@ class Faults:
     throws: NDArray[np.float64]
     noise: float
     smallest_throw: float
+    traces: Lines
+    horizon: Horizon
+    surfaces: Mesh | None = None
     vertical_unit: str = ""
 
     def __len__(self) -> int:
@@ -75,7 +84,7 @@ class Faults:
             len(self), len(self.links), known.max(initial=0.0), unit, self.noise, unit)
 
 
-def _links(given: Faults | None) -> Any:
+def links_of(given: Faults | None) -> Any:
     if given is not None and not isinstance(given, Faults):
         raise TypeError("faults of %s, expected Faults: faults(horizon) finds them" % type(given).__name__)
     return None if given is None else np.ascontiguousarray(given.links, np.int32)
@@ -83,8 +92,9 @@ def _links(given: Faults | None) -> Any:
 
 def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise: float | str | None = None, smallest_extent: int = 20,
            smallest_branch: int = 10, largest_gap: int = 5, largest_ramp: int = 7, join_through_holes: bool = True,
+           lines: Any = None, are_sticks: bool = False, extend_sticks: bool = False, polygons: str = "blank", detect: bool | None = None,
            progress: Progress | None = None) -> Faults:
-    """Finds faults in the heights of a horizon.
+    """Finds faults in the heights of a horizon, or takes those of lines.
 
     Parameters
     ----------
@@ -104,6 +114,16 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
         Faults may bend the surface over this number of columns; 0 finds steps alone.
     join_through_holes : bool
         Joins lines that end at a hole and point to each other.
+    lines : Lines, list of Lines, or list of arrays of shape (n, 3), optional
+        Traces, polygons or sticks of faults in the coordinates of the horizon: `read_faults` reads some.
+    are_sticks : bool
+        The lines are sticks, from section to section, and not traces on the map.
+    extend_sticks : bool
+        Continues surfaces of sticks by half an interval on both sides.
+    polygons : "blank", "cut" or "leave"
+        Points inside closed lines are left out; or the horizon is cut along them; or they are ignored.
+    detect : bool, optional
+        Whether faults are found in heights; by default if there are no lines.
     progress : callable, optional
 
     Returns
@@ -119,15 +139,21 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     (1, 60, 30.0)
     """
     _require(horizon, "fault detection")
-    step = abs(horizon.lattice.vertical_step)
-    options: dict[str, Any] = {"smallest_extent": int(smallest_extent), "smallest_branch": int(smallest_branch), "largest_gap": int(largest_gap),
-                               "largest_ramp": int(largest_ramp), "join_through_holes": bool(join_through_holes)}
-    for name, given in (("smallest_throw", smallest_throw), ("noise", noise)):
-        if given is not None:
-            options[name] = height(name, given, horizon.vertical_unit) / step
-    made = _core.faults(horizon._core(), options, progress)
-    return Faults(made["links"], made["lines"], made["throws"] * horizon.lattice.vertical_step, made["noise"] * step,
-                  made["smallest_throw"] * step, horizon.vertical_unit)
+    given = None if lines is None else lines_of(lines)._data()
+    options = {"smallest_extent": int(smallest_extent), "smallest_branch": int(smallest_branch), "largest_gap": int(largest_gap),
+               "largest_ramp": int(largest_ramp), "join_through_holes": bool(join_through_holes), "are_sticks": bool(are_sticks and lines is not None),
+               "extend_sticks": bool(extend_sticks), "polygons": polygons, "detect": lines is None if detect is None else bool(detect),
+               "throw_unit": "world"}
+    for name, value in (("smallest_throw", smallest_throw), ("noise", noise)):
+        if value is not None:
+            options[name] = height(name, value, horizon.vertical_unit)
+    cut, traces, surfaces = call(horizon.name, _core.faults, horizon._data(), given, options, progress)
+    step, fields = abs(horizon.lattice.vertical_step), cut["field_data"]
+    noise_found, least = (float(fields[name][0]) * step if name in fields else np.nan for name in ("FaultNoise", "SmallestFaultThrow"))
+    names = ["%s, fault %d" % (horizon.name, number + 1) for number in range(len(traces["cell_data"]["FaultLine"]))]
+    return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,
+                  Lines.of(names, traces, horizon), _changed(horizon, cut),
+                  mesh_of("faults", surfaces, {}, surfaces["field_data"], None) if len(surfaces["places"]) else None, horizon.vertical_unit)
 
 
 @overload
@@ -139,8 +165,8 @@ def surface(horizon: Mapping[str, Horizon], largest_error: float | str | None = 
 def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,
             smallest_angle: float = 2.0, effort: str = "best", fit_heights: bool = True, radius: int | None = None,
             hole_boundaries: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
-            outline_tolerance: float | None = None, faults: Faults | None = None,
-            progress: Progress | None = None) -> Any:
+            outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
+            seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
     """Makes a mesh of few triangles within an error.
 
     Parameters
@@ -169,6 +195,10 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         The largest move of outlines on the map, in columns; at most 0.75 by default.
     faults : Faults, optional
         Where the surface is cut open: `faults` finds them.
+    close_faults : bool
+        Closes the cuts by steep triangles.
+    seam_rows : (below, above), optional
+        For a part that `join` joins: rows of the lattice that it shares with other parts; -1 for none.
     progress : callable, optional
         Gets the fraction that is done; what it raises stops the work.
 
@@ -193,53 +223,25 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     if isinstance(horizon, Mapping):
         given = dict(triangles=triangles, smallest_angle=smallest_angle, effort=effort, fit_heights=fit_heights, radius=radius,
                      hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
-                     outline_tolerance=outline_tolerance, faults=faults, progress=progress)
+                     outline_tolerance=outline_tolerance, faults=faults,
+                     close_faults=close_faults, seam_rows=seam_rows, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
     _require(horizon, "a surface")
     if largest_error is not None and triangles is not None:
         raise ValueError("largest_error and triangles, expected one of them")
-    if effort not in ("best", "fast"):
-        raise ValueError("effort '%s', expected best or fast" % effort)
-    step = abs(horizon.lattice.vertical_step)
-    options: dict[str, Any] = {
-        "smallest_angle": float(smallest_angle), "fast": effort == "fast", "fit_heights": fit_heights,
-        "hole_boundaries": hole_boundaries, "minimum_patch_size": _count("minimum_patch_size", minimum_patch_size)}
-    for name, number in (("radius", radius), ("smallest_hole_size", smallest_hole_size)):
-        if number is not None:
-            options[name] = _count(name, number)
-    if outline_tolerance is not None:
-        options["outline_tolerance"] = float(outline_tolerance)
-    noise = {}
-    core = horizon._core()
-    if triangles is not None:
-        options.update(maximum_number_of_triangles=_count("triangles", triangles), maximum_error=0.0)
-    elif largest_error is not None:
-        options["maximum_error"] = height("largest_error", largest_error, horizon.vertical_unit) / step
-    else:
-        options["maximum_error"], deviation, is_rounding = _core.noise(core)
-        noise = {"height_rounding" if is_rounding else "height_noise": deviation * step}
-    names, values = _split(horizon)
-    links = _links(faults)
-    made = _core.surface(core, horizon.filled, values, links, options, progress)
-    figures = made["figures"]
-    for name in ("largest_error", "mean_error", "largest_loop_error", "chosen_maximum_error"):
-        figures[name] *= step
-    figures["largest_inner_error"] = figures["largest_error"]  # without points on outlines
-    figures["largest_error"] = max(figures["largest_error"], figures["largest_loop_error"])
-    attributes = dict(zip(names, made["averages"]))
-    sources = made["sources"]
-    ledger = Ledger(*made["ledger"], abs(np.linalg.det((horizon.lattice.column_step, horizon.lattice.row_step))))
-    mesh = Mesh(
-        name=horizon.name, points=made["vertices"], triangles=made["triangles"],
-        attributes={name: attributes[name].astype(given.dtype) if name in attributes else given[sources]
-                    for name, given in horizon.attributes.items()},
-        errors=made["errors"] * step, quality=made["quality"], outlines=made["outlines"], patches=made["patches"],
-        counts=made["counts"], columns=made["columns"], largest_error=figures.pop("largest_error"),
-        mean_error=figures.pop("mean_error"), details={**figures, **noise}, ledger=ledger,
-        **{name: getattr(horizon, name) for name in (
-            "lattice", "direction", "vertical_unit", "vertical_domain", "horizontal_unit", "coordinate_system")})
-    if ledger.left_out > 0.001 * max(1, ledger.covered):
-        warnings.warn("%s: %s" % (horizon.name, ledger), stacklevel=2)
+    options = given_options(
+        smallest_angle=float(smallest_angle), effort=effort, fit_heights=bool(fit_heights), hole_boundaries=bool(hole_boundaries),
+        minimum_patch_size=_count("minimum_patch_size", minimum_patch_size), close_faults=bool(close_faults), error_unit="world",
+        radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),
+        smallest_hole_size=None if smallest_hole_size is None else _count("smallest_hole_size", smallest_hole_size),
+        outline_tolerance=None if outline_tolerance is None else float(outline_tolerance),
+        maximum_number_of_triangles=None if triangles is None else _count("triangles", triangles),
+        maximum_error=None if largest_error is None else height("largest_error", largest_error, horizon.vertical_unit))
+    given = horizon._data(links_of(faults))
+    data, _ = call(horizon.name, _core.surface, given, options, progress)
+    mesh = mesh_of(horizon.name, data, take_attributes(data["point_data"], horizon.attributes), given["field_data"], horizon.lattice)
+    if mesh.ledger.left_out > 0.001 * max(1, mesh.ledger.covered):
+        warnings.warn("%s: %s" % (horizon.name, mesh.ledger), stacklevel=2)
     return mesh
 
 
@@ -280,21 +282,17 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
     12
     """
     _require(horizon, "filling")
-    if method not in ("automatic", "plate", "membrane"):
-        raise ValueError("method '%s', expected automatic, plate or membrane" % method)
-    names, values = _split(horizon)
     options = {"method": method, "largest_hole_size": _count("largest_hole_size", largest_hole_size), "rim_smoothing": float(rim_smoothing),
                "rim_width": int(rim_width), "extrapolation_distance": int(extrapolation_distance)}
-    links = _links(faults)
-    made = _core.fill_holes(horizon._core(), values, links, options, progress)
-    new = dict(zip(names, made["attributes"]))
-    nearest, marks = made["nearest"], np.ones(len(made["nearest"]), np.uint8)
-    marks[made["first_outside"]:] = 2
+    (data,) = call(horizon.name, _core.fill_holes, horizon._data(links_of(faults)), options, progress)
+    return _changed(horizon, data)
+
+
+def _changed(horizon: Horizon, data: Any, attributes: Mapping[str, NDArray[Any]] = {}, **more: Any) -> Horizon:
+    """The horizon with the points of data, and more attributes."""
     return dataclasses.replace(
-        horizon, columns=np.concatenate((horizon.columns, made["columns"])), z=np.concatenate((horizon.z, horizon.sign * made["elevations"])),
-        attributes={name: np.concatenate((given, new[name].astype(given.dtype) if name in new else given[nearest]))
-                    for name, given in horizon.attributes.items()},
-        filled=np.concatenate((horizon.filled, marks)))
+        horizon, columns=data["point_data"]["Column"], z=horizon.sign * data["places"][:, 2], filled=data["point_data"].get("Filled"),
+        attributes={**take_attributes(data["point_data"], horizon.attributes), **attributes}, **more)
 
 
 def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: int = 2, spur_width: int = 0,
@@ -326,15 +324,13 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
     1
     """
     _require(horizon, "despiking")
-    least = 0.0 if threshold is None else height("threshold", threshold, horizon.vertical_unit) / abs(horizon.lattice.vertical_step)
-    kinds, _ = _core.despike(horizon._core(), least, int(radius), int(spur_width), progress)
-    kept = kinds == 0
-    if not kept.any():
+    options = {"radius": int(radius), "spur_width": int(spur_width), "threshold_unit": "world",
+               "threshold": 0.0 if threshold is None else height("threshold", threshold, horizon.vertical_unit)}
+    (data,) = call(horizon.name, _core.despike, horizon._data(), options, progress)
+    if not len(data["places"]):
         raise ValueError("%s: all points are spikes or on spurs, expected some that stay" % horizon.name)
-    return dataclasses.replace(
-        horizon, columns=horizon.columns[kept], z=horizon.z[kept], filled=horizon.filled[kept],
-        attributes={name: values[kept] for name, values in horizon.attributes.items()},
-        left_out={**horizon.left_out, "spikes": int((kinds == 1).sum()), "points on spurs": int((kinds == 2).sum())})
+    spikes, spurs = (int(data["field_data"][name][0]) for name in ("NumberOfSpikes", "NumberOfSpurPoints"))
+    return _changed(horizon, data, left_out={**horizon.left_out, "spikes": spikes, "points on spurs": spurs})
 
 
 @dataclasses.dataclass(eq=False, repr=False)
@@ -344,12 +340,12 @@ class Thickness:
     Attributes
     ----------
     horizon : Horizon
-        The first one at columns with both, with the attributes Isochore (vertical) and Isopach (across the dip; nan where the
-        dip is unknown), in the unit of z; negative where the horizons cross.
+        The first one at columns with both, with the attributes Isochore (vertical) and, where z has the unit of x and y, Isopach
+        (across the dip; nan where the dip is unknown), in the unit of z; negative where the horizons cross.
     least, mean, largest : float
         Of the isochore.
     volume : float
-        Area of all columns times their isochore; crossings count as 0.
+        Area of all columns times their isochore; crossings count as 0. nan where z is time.
     columns, left_out, crossings : int
         Columns with both horizons, with one of them, and of negative thickness.
     """
@@ -397,27 +393,12 @@ def thickness(top: Horizon, base: Horizon, *, progress: Progress | None = None) 
     """
     for one in (top, base):
         _require(one, "thickness")
-    for what in ("direction", "vertical_unit", "horizontal_unit", "coordinate_system"):
-        if getattr(top, what) != getattr(base, what):
-            raise ValueError("%s and %s: %s %r and %r, expected equal ones" % (top.name, base.name, what, getattr(top, what), getattr(base, what)))
-    steps, other = (np.column_stack((one.lattice.column_step, one.lattice.row_step)) for one in (top, base))
-    size = max(base.lattice.shape) + max(top.lattice.shape)
-    if np.abs(np.linalg.solve(steps, other) - np.eye(2)).max() * size > 0.1:
-        raise ValueError("%s and %s: steps %s and %s, expected a common lattice" % (
-            top.name, base.name, (top.lattice.column_step, top.lattice.row_step), (base.lattice.column_step, base.lattice.row_step)))
-    shift = np.linalg.solve(steps, np.subtract(base.lattice.origin, top.lattice.origin))
-    if np.abs(shift - np.rint(shift)).max() > 0.1:
-        raise ValueError("%s and %s: columns %.2g and %.2g of a step apart, expected common columns" % (top.name, base.name, *(shift - np.rint(shift))))
-    columns = base.columns + np.rint(shift).astype(np.int32)
-    least = np.minimum(columns.min(axis=0), 0)
-    most = np.maximum(columns.max(axis=0), np.subtract(top.lattice.shape[::-1], 1)) - least + 1
-    own, elevations, (_, _, indices), to_world = top._core()
-    lattice = (int(most[0]), int(most[1]), indices), to_world
-    made = _core.thickness((own - least.astype(np.int32), elevations, *lattice),
-                           (np.ascontiguousarray(columns - least, np.int32), base._core()[1], *lattice), progress)
-    kept = np.isfinite(made["isochore"])
-    both = dataclasses.replace(
-        top, columns=top.columns[kept], z=top.z[kept], filled=top.filled[kept],
-        attributes={**{name: values[kept] for name, values in top.attributes.items()},
-                    "Isochore": made["isochore"][kept], "Isopach": made["isopach"][kept]})
-    return Thickness(both, **{name: made[name] for name in ("least", "mean", "largest", "volume", "columns", "left_out", "crossings")})
+    if top.direction != base.direction:
+        raise ValueError("%s and %s: z %s and %s, expected one direction" % (top.name, base.name, top.direction, base.direction))
+    (data,) = call("%s and %s" % (top.name, base.name), _core.thickness, top._data(), base._data(), progress)
+    fields, points = data["field_data"], data["point_data"]
+    both = _changed(top, data, {name: points[name] for name in ("Isochore", "Isopach") if name in points})
+    least, mean, largest, volume = (float(fields[name][0]) if name in fields else np.nan for name in (
+        "IsochoreLeast", "IsochoreMean", "IsochoreLargest", "IsochoreVolume"))
+    columns, *_, left_out = fields["LedgerColumns"].ravel().tolist()
+    return Thickness(both, least, mean, largest, volume, columns, left_out, int(fields["IsochoreCrossings"][0]))

@@ -7,18 +7,12 @@
 #include "Common/Base/HeapArray.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/HorizonDataSet.h"
-
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkImageData.h"
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
+#include "Common/Survey/HorizonDataSet.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -117,7 +111,7 @@ float ToSingle(const LatticeHorizon& horizon, std::size_t voxel, VoxelValues val
 }
 
 void AddSurfaceIds(const std::vector<const LatticeHorizon*>& horizons, const VolumePoints& points, int background,
-  vtkPointData* data, const Monitor& monitor)
+  ArrayTable& data, const Monitor& monitor)
 {
   HeapArray<int> ids = Fill(points.Number(), background);
   for (std::size_t n = 0; n < horizons.size(); ++n)
@@ -125,12 +119,12 @@ void AddSurfaceIds(const std::vector<const LatticeHorizon*>& horizons, const Vol
     monitor.Progress(double(n) / double(horizons.size()));
     ForEachVoxel(*horizons[n], points, [&](std::size_t point, std::size_t) { ids[point] = horizons[n]->SurfaceId; });
   }
-  MoveToArray<vtkIntArray>(data, PointArray::SurfaceId, ids);
-  data->SetActiveScalars(PointArray::SurfaceId);
+  MoveToArray<int>(data, PointArray::SurfaceId, ids);
+  data.SetActiveScalars(PointArray::SurfaceId);
 }
 
 void AddAttribute(const std::vector<const LatticeHorizon*>& horizons, const VolumePoints& points, VoxelValues values,
-  const char* name, vtkPointData* data, const Monitor& monitor)
+  const char* name, ArrayTable& data, const Monitor& monitor)
 {
   HeapArray<float> numbers = Fill(points.Number(), 0.0f);
   for (std::size_t n = 0; n < horizons.size(); ++n)
@@ -139,8 +133,8 @@ void AddAttribute(const std::vector<const LatticeHorizon*>& horizons, const Volu
     ForEachVoxel(*horizons[n], points,
       [&](std::size_t point, std::size_t voxel) { numbers[point] = ToSingle(*horizons[n], voxel, values, name); });
   }
-  MoveToArray<vtkFloatArray>(data, name, numbers);
-  data->SetActiveScalars(name);
+  MoveToArray<float>(data, name, numbers);
+  data.SetActiveScalars(name);
 }
 
 std::int64_t CountDroppedDuplicates(const std::vector<const LatticeHorizon*>& horizons)
@@ -181,20 +175,17 @@ void CheckVolumeMemory(const VoxelExtent& imageExtent, const VolumeOptions& opti
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeHorizon*>& horizons,
-  const LatticeFrame& frame, const VoxelExtent& imageExtent, const VolumeOptions& options, const Monitor& monitor)
+LatticeImage MakeHorizonVolume(const std::vector<const LatticeHorizon*>& horizons, const LatticeFrame& frame,
+  const VoxelExtent& imageExtent, const VolumeOptions& options, const Monitor& monitor)
 {
-  const ImageFrame place = MakeVolumeFrame(frame.ToWorld());
-  const VolumePoints points(imageExtent, place.VerticalSign);
+  LatticeImage volume;
+  volume.Extent = imageExtent;
+  volume.Place = MakeVolumeFrame(frame.ToWorld());
+  const VolumePoints points(imageExtent, volume.Place.VerticalSign);
   CheckBackground(horizons, options.Background);
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  VoxelExtent extent = imageExtent; // SetExtent takes no const array.
-  image->SetExtent(extent.data());
-  PlaceImage(image, place);
-  AddFrameFields(image->GetFieldData(), frame);
-  AddValue<vtkIdTypeArray>(
-    image->GetFieldData(), FieldArray::DroppedDuplicates, static_cast<vtkIdType>(CountDroppedDuplicates(horizons)));
-  vtkPointData* const data = image->GetPointData();
+  AddFrameFields(volume.FieldData, frame);
+  AddValue<std::int64_t>(volume.FieldData, FieldArray::DroppedDuplicates, CountDroppedDuplicates(horizons));
+  ArrayTable& data = volume.PointData;
   AddSurfaceIds(horizons, points, options.Background, data, monitor.Step(0.0, 0.5));
   if (options.Attribute == VolumeAttribute::Amplitude)
   {
@@ -205,6 +196,6 @@ vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeH
     AddAttribute(horizons, points, &LatticeHorizon::Thickness, PointArray::Thickness, data, monitor.Step(0.5, 1.0));
   }
   monitor.Progress(1.0);
-  return image;
+  return volume;
 }
 }

@@ -5,14 +5,10 @@
 #define SeismicHorizonsHorizonVolume_h
 
 #include "Common/Base/Monitor.h"
-#include "Common/Survey/ImageFrame.h"
+#include "Common/Survey/LatticeImage.h"
 #include "SparseMatrixFile.h"
 
-#include "vtkSmartPointer.h"
-
 #include <vector>
-
-class vtkImageData;
 
 namespace SeismicHorizons
 {
@@ -36,8 +32,8 @@ VoxelExtent ToImageExtent(const VoxelExtent& extent, const ImageFrame& frame);
 void CheckVolumeMemory(const VoxelExtent& imageExtent, const VolumeOptions& options);
 
 /// Throws InputError if the background is the ID of a horizon, or an attribute exceeds single precision.
-vtkSmartPointer<vtkImageData> MakeHorizonVolume(const std::vector<const LatticeHorizon*>& horizons,
-  const LatticeFrame& frame, const VoxelExtent& imageExtent, const VolumeOptions& options, const Monitor& monitor);
+LatticeImage MakeHorizonVolume(const std::vector<const LatticeHorizon*>& horizons, const LatticeFrame& frame,
+  const VoxelExtent& imageExtent, const VolumeOptions& options, const Monitor& monitor);
 }
 
 #endif

@@ -5,14 +5,17 @@
 
 #include "Common/Horizon/Lattice.h"
 #include "Common/Survey/ColumnSheets.h"
+#include "Common/Text/InputFile.h"
 #include "Common/Text/LineBuffer.h"
 #include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
 #include "Common/Text/TextNumbers.h"
 #include "Common/Text/TextWords.h"
 #include "PieceParser.h"
 #include "VerticalFit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -97,6 +100,46 @@ std::vector<LatticeHorizon> SplitAll(std::vector<LatticeHorizon> horizons, std::
   }
   return all;
 }
+
+/// Lines have five numbers per voxel; others give -1.
+int CountVoxels(std::string_view line, int indices)
+{
+  FieldCursor fields(line, FieldSeparator::Blanks);
+  std::string_view field;
+  int numbers = 0;
+  for (double value = 0.0; fields.Next(field); ++numbers)
+  {
+    const int place = numbers % 5;
+    if (ReadNumber(field, value) != NumberKind::Finite || (place < 2 && value != std::round(value)) ||
+      (place == 0 && (value < 0.0 || value >= indices)))
+    {
+      return -1;
+    }
+  }
+  return numbers % 5 == 0 ? numbers / 5 : -1;
+}
+
+bool HasVoxels(std::istream& stream, int indices)
+{
+  constexpr std::size_t lookedAt = 64 * 1024;
+  const std::string text = PeekLines(stream, lookedAt);
+  int voxels = 0;
+  for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
+  {
+    const std::size_t end = text.find('\n', start);
+    const int found = CountVoxels(std::string_view(text).substr(start, end - start), indices);
+    if (end == std::string::npos)
+    {
+      return voxels + std::max(found, 0) > 0; // The last line of a truncated file may have any length.
+    }
+    if (found < 0)
+    {
+      return false;
+    }
+    voxels += found;
+  }
+  return voxels > 0;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -121,6 +164,12 @@ SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream)
     throw ErrorAt(1, "header " + Quote(line) + ExpectedHeader);
   }
   return ParseHeader(line + '\n');
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool BeginsAsSparseMatrix(std::istream& stream)
+{
+  return HasVoxels(stream, ReadSparseMatrixHeader(stream)[2]);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -40,6 +40,9 @@ constexpr std::size_t SparseMatrixBufferSize = 4 * 1024 * 1024;
 
 SparseMatrixSize ReadSparseMatrixHeader(std::istream& stream);
 
+/// Requires a voxel in the beginning of the file. Throws InputError on an invalid header.
+bool BeginsAsSparseMatrix(std::istream& stream);
+
 /// Real z is Offset + Step * vertical index.
 struct SparseMatrixVerticalFit
 {

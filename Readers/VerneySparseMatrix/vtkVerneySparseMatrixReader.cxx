@@ -1,136 +1,47 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Translates parameters for SparseMatrixFile, which reads, and for HorizonDataSet and HorizonVolume, which make datasets.
+// Translates parameters for SparseMatrixFile, which reads, and for HorizonDataSet, HorizonMap and HorizonVolume.
 
 #include "vtkVerneySparseMatrixReader.h"
 
 #include "Common/Base/Monitor.h"
 #include "Common/Base/Parameters.h"
-#include "Common/Horizon/DataModel.h"
+#include "Common/Survey/HorizonDataSet.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/InputFile.h"
-#include "Common/Text/TextFields.h"
-#include "Common/Text/TextWords.h"
-#include "Common/VTK/ColumnImage.h"
-#include "Common/VTK/HorizonDataSet.h"
+#include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/HorizonName.h"
+#include "Common/VTK/ImageConversion.h"
 #include "Common/VTK/PipelineRequest.h"
+#include "HorizonMap.h"
 #include "HorizonVolume.h"
 #include "SparseMatrixFile.h"
 #include "SparseMatrixParser.h"
 
 #include "vtkDataObjectTypes.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <istream>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
-
-namespace SeismicHorizons
-{
-namespace
-{
-void AddPixels(const LatticeHorizon& voxels, const LatticeFrame& frame, vtkImageData* image)
-{
-  const ColumnPixels pixels({ voxels.Column.data(), voxels.Column.size() }, image);
-  std::vector<double> elevation(voxels.Column.size());
-  for (std::size_t voxel = 0; voxel < elevation.size(); ++voxel)
-  {
-    elevation[voxel] = frame.Elevation(voxels, voxel);
-  }
-  vtkPointData* const data = image->GetPointData();
-  AddConstant<vtkIntArray>(data, PointArray::SurfaceId, image->GetNumberOfPoints(), voxels.SurfaceId);
-  pixels.Add<vtkDoubleArray>(PointArray::Elevation, elevation, NoValue);
-  pixels.Add<vtkDoubleArray>(PointArray::VerticalIndex, voxels.K, NoValue);
-  pixels.Add<vtkDoubleArray>(PointArray::Thickness, voxels.Thickness, NoValue);
-  pixels.Add<vtkDoubleArray>(PointArray::Amplitude, voxels.Amplitude, NoValue);
-  pixels.Add<vtkDoubleArray>(PointArray::RealZ, voxels.RealZ, NoValue);
-  data->SetActiveScalars(PointArray::Elevation);
-}
-
-/// The image has a pixel per column of the bounding box; pixels without voxel are blanked, with nan as attributes.
-/// Throws InputError if the steps of the lattice are not perpendicular.
-vtkSmartPointer<vtkImageData> MakeHorizonImage(const LatticeHorizon& voxels, const LatticeFrame& frame)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  // The image is at z 0, so that warping it by world z gives the surface.
-  PlaceImage(image, MakeMapFrame(frame.ToWorld()));
-  AddFrameFields(image->GetFieldData(), frame);
-  AddValue<vtkIdTypeArray>(
-    image->GetFieldData(), FieldArray::DroppedDuplicates, static_cast<vtkIdType>(voxels.DroppedDuplicates));
-  if (!voxels.Column.empty())
-  {
-    AddPixels(voxels, frame, image);
-  }
-  return image;
-}
-}
-}
 
 namespace
 {
 using namespace SeismicHorizons;
-
-/// Lines have five numbers per voxel; others give -1.
-int CountVoxels(std::string_view line, int indices)
-{
-  FieldCursor fields(line, FieldSeparator::Blanks);
-  std::string_view field;
-  int numbers = 0;
-  for (double value = 0.0; fields.Next(field); ++numbers)
-  {
-    const int place = numbers % 5;
-    if (ReadNumber(field, value) != NumberKind::Finite || (place < 2 && value != std::round(value)) ||
-      (place == 0 && (value < 0.0 || value >= indices)))
-    {
-      return -1;
-    }
-  }
-  return numbers % 5 == 0 ? numbers / 5 : -1;
-}
-
-bool HasVoxels(std::istream& stream, int indices)
-{
-  constexpr std::size_t lookedAt = 64 * 1024;
-  const std::string text = PeekLines(stream, lookedAt);
-  int voxels = 0;
-  for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
-  {
-    const std::size_t end = text.find('\n', start);
-    const int found = CountVoxels(std::string_view(text).substr(start, end - start), indices);
-    if (end == std::string::npos)
-    {
-      return voxels + std::max(found, 0) > 0; // The last line of a truncated file may have any length.
-    }
-    if (found < 0)
-    {
-      return false;
-    }
-    voxels += found;
-  }
-  return voxels > 0;
-}
 
 /// A range that begins outside the lattice would silently give nothing.
 void CheckBegins(const char* range, int first, const char* lines, int size)
@@ -157,18 +68,25 @@ VoxelExtent WholeExtent(const SparseMatrixSize& size)
   return { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
 }
 
-const char* TextOf(const char* value)
+const char* GivenText(const char* value)
 {
   return value ? value : "";
+}
+
+vtkSmartPointer<vtkImageData> MakeImage(const LatticeImage& plain)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  ToVTK(plain, image);
+  return image;
 }
 
 vtkSmartPointer<vtkDataObject> MakeHorizon(bool asImage, LatticeHorizon voxels, const LatticeFrame& frame)
 {
   if (asImage)
   {
-    return MakeHorizonImage(voxels, frame);
+    return MakeImage(MakeHorizonMap(voxels, frame));
   }
-  return MakeHorizonPoints(std::move(voxels), frame);
+  return ToVTK(MakeHorizonPoints(std::move(voxels), frame));
 }
 }
 
@@ -191,8 +109,7 @@ vtkVerneySparseMatrixReader::~vtkVerneySparseMatrixReader()
 //----------------------------------------------------------------------------------------------------------------------
 int vtkVerneySparseMatrixReader::CanReadFile(const char* fileName)
 {
-  return ExtensionOf(fileName ? fileName : "") == "vsm" ||
-    IsRecognised(fileName, [](std::istream& stream) { return HasVoxels(stream, ReadSparseMatrixHeader(stream)[2]); });
+  return ExtensionOf(fileName ? fileName : "") == "vsm" || IsRecognised(fileName, BeginsAsSparseMatrix);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -236,8 +153,8 @@ LatticeFrame vtkVerneySparseMatrixReader::MakeGivenFrame() const
   frame.Sampling.First = static_cast<int>(frame.Direction) * this->Origin[2];
   frame.Sampling.Step = this->VerticalStep;
   frame.UseRealZ = this->ZFrom == RealZ;
-  SeismicHorizons::SetVerticalUnit(frame.Survey, TextOf(this->VerticalUnit));
-  frame.Survey.VerticalDomain = *TextOf(this->VerticalDomain) ? this->VerticalDomain : frame.Survey.VerticalDomain;
+  SeismicHorizons::SetVerticalUnit(frame.Survey, GivenText(this->VerticalUnit));
+  frame.Survey.VerticalDomain = *GivenText(this->VerticalDomain) ? this->VerticalDomain : frame.Survey.VerticalDomain;
   return frame;
 }
 
@@ -395,6 +312,6 @@ void vtkVerneySparseMatrixReader::MakeOutput(const std::vector<std::string>& nam
   {
     horizons.push_back(&matrix.Horizons[number]);
   }
-  vtkDataObject::GetData(outputInformation)
-    ->ShallowCopy(MakeHorizonVolume(horizons, this->MakeFrame(), extent, options, monitor.Step(0.6, 1.0)));
+  const LatticeImage volume = MakeHorizonVolume(horizons, this->MakeFrame(), extent, options, monitor.Step(0.6, 1.0));
+  vtkDataObject::GetData(outputInformation)->ShallowCopy(MakeImage(volume));
 }

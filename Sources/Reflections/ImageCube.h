@@ -4,61 +4,45 @@
 #ifndef SeismicHorizonsImageCube_h
 #define SeismicHorizonsImageCube_h
 
+#include "Common/Horizon/DataArray.h"
 #include "Common/Survey/LatticeFrame.h"
-#include "Filters/Algorithms/Reflections/GuidedJoining.h"
-#include "Filters/Algorithms/Reflections/ReflectionFinder.h"
 #include "Filters/Algorithms/Reflections/TraceCube.h"
+
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
-
-class vtkDataArray;
-class vtkDataObject;
-class vtkImageData;
+#include <optional>
 
 namespace SeismicHorizons
 {
+/// An image with traces along k.
+struct SeismicImage
+{
+  std::array<int, 6> Extent = { 0, -1, 0, -1, 0, -1 }; // first and last i, j and k
+  Eigen::Affine3d ToWorld = Eigen::Affine3d::Identity(); // of indices
+  DataArray Amplitudes; // i runs fastest
+  std::optional<DataArray> Ghosts; // of the type unsigned char
+  ArrayTable FieldData;
+
+  std::array<int, 3> Size() const
+  {
+    return { this->Extent[1] - this->Extent[0] + 1, this->Extent[3] - this->Extent[2] + 1,
+      this->Extent[5] - this->Extent[4] + 1 };
+  }
+};
+
 struct ImageCube
 {
+  SeismicImage Image;
   TraceCube Traces; // refers to the memory of the image
   std::array<int, 3> FirstIndex = { 0, 0, 0 }; // lattice index of the first trace and sample
   LatticeFrame Frame;
 };
 
 /// Hidden points and infinite numbers are no samples. A lattice in the field data precedes the image's own. Throws
-/// InputError on an invalid array or lattice. `image` must outlive the cube.
-ImageCube MakeImageCube(vtkImageData* image, vtkDataArray* amplitudes);
-
-struct GuidePicks
-{
-  Guide Given; // columns and samples of the cube
-  std::vector<std::array<double, 3>> Places; // world coordinates of the picks
-  std::size_t Outside = 0; // points outside the cube, which are not picks
-  std::string FirstOutside; // world coordinates of the first of these
-};
-
-/// Blocks, or values of the point array Horizon, separate guides; an unnamed guide is called Guide 1, and so on. Throws
-/// InputError without points, on infinite places, and if no point of a guide is on the cube.
-std::vector<GuidePicks> ReadGuides(vtkDataObject* points, const ImageCube& cube);
-
-enum class LimitSide
-{
-  Below, // at and after the limit, in the order of samples
-  Above
-};
-
-struct ExtractionLimits
-{
-  TraceLimits Traces;
-  std::int64_t Limited = 0; // traces with all limits
-};
-
-/// Two horizons may cross: limits are sorted by trace. Traces without a point of each are not searched. Throws
-/// InputError on two points on a trace, on a horizon beyond all samples, and if no trace has all limits.
-ExtractionLimits ReadLimits(const std::vector<vtkDataObject*>& horizons, const ImageCube& cube, LimitSide side);
+/// InputError on an invalid array or lattice.
+ImageCube MakeImageCube(SeismicImage image);
 }
 
 #endif

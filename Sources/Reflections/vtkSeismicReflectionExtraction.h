@@ -230,9 +230,6 @@ private:
   SeismicHorizons::ExtractionOptions MakeOptions() const;
   vtkImageData* GetCube();
   vtkDataArray* FindAmplitudes(vtkImageData* cube);
-  void Describe();
-  void DescribeLimits(std::ostream& text);
-  void DescribeGuides(std::ostream& text);
 
   double PhaseRotation = 0.0;
   int Polarity = Both;

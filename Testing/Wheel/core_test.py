@@ -266,7 +266,7 @@ class FilesTest(unittest.TestCase):
 
     def test_grids_come_back(self):
         horizon = rough(7, origin=(461000.0, 6801000.0), spacing=(25.0, 12.5), name="Top")
-        for ending in ("irap", "gri", "zmap", "csv"):
+        for ending in ("irap", "gri", "zmap", "dat"):
             path = FOLDER / ("top." + ending)
             sh.write(horizon, path)
             back = next(iter(sh.read(path, direction="down").values()))
@@ -278,7 +278,7 @@ class FilesTest(unittest.TestCase):
 
     def test_rounding_is_said(self):
         horizon = sh.horizon(Z, origin=(461000.5, 6800000.25), spacing=(25.0, 12.5))
-        with self.assertWarnsRegex(UserWarning, r"rounded.*by up to 0.25; .irap keeps them"):
+        with self.assertWarnsRegex(UserWarning, r"rounded.*by up to 0.25; IRAP text keeps them"):
             sh.write(horizon, FOLDER / "rounded.gri")
 
     def test_meshes(self):

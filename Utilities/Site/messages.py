@@ -22,10 +22,10 @@ PAGES = {stem: page for page, stems in {
     "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
     "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "CutData",
     "HorizonFromImage": "ImageGrid", "HorizonFromPoints": "Gridding PickColumns",
-    "HorizonLayers": "HorizonStack LayerOutput", "HorizonSurfaceDistance": "SurfacePair",
+    "HorizonLayers": "HorizonStack LayerOutput",
     "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
     "InPython": "functions making calls stages volumes",
-    "SeismicReflectionExtraction": "Reflections ImageCube GuidePicks", "": "Parameters",
+    "SeismicReflectionExtraction": "Reflections ImageCube GuidePicks", "": "Parameters LatticeImage",
 }.items() for stem in stems.split()}
 # Python functions and exceptions that take messages.
 TELLERS = ("HorizonError", "ValueError", "TypeError", "FileNotFoundError", "RuntimeError", "ArgumentTypeError", "error",

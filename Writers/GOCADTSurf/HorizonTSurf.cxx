@@ -5,22 +5,11 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/DataArrays.h"
-#include "Common/VTK/SurveyFields.h"
+#include "Common/Survey/SurveyFields.h"
+#include "TSurfPrinter.h"
 #include "Writers/HorizonSampling.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationStringKey.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -29,62 +18,63 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr const char* NoUnit = "none"; // GOCAD's word for properties without unit.
 constexpr const char* ExpectedTriangles = ", expected triangles: apply Triangulate first";
 
-std::vector<std::array<double, 3>> ReadVertices(vtkPolyData* horizon, double upwards)
+std::vector<std::array<double, 3>> ReadVertices(const Horizon& horizon, double upwards)
 {
-  if (horizon->GetNumberOfPoints() > std::numeric_limits<PointId>::max())
+  if (horizon.NumberOfPoints() > std::numeric_limits<PointId>::max())
   {
-    throw InputError(std::to_string(horizon->GetNumberOfPoints()) + " points, expected less than 2^31");
+    throw InputError(std::to_string(horizon.NumberOfPoints()) + " points, expected less than 2^31");
   }
-  std::vector<std::array<double, 3>> vertices(std::size_t(horizon->GetNumberOfPoints()));
+  std::vector<std::array<double, 3>> vertices(std::size_t(horizon.NumberOfPoints()));
   for (std::size_t vertex = 0; vertex < vertices.size(); ++vertex)
   {
-    horizon->GetPoint(vtkIdType(vertex), vertices[vertex].data());
-    vertices[vertex][2] *= upwards;
+    const Eigen::Vector3d place = horizon.Place(std::int64_t(vertex));
+    vertices[vertex] = { place.x(), place.y(), place.z() * upwards };
   }
   return vertices;
 }
 
-TSurf::Triangle ToTriangle(std::size_t polygon, vtkIdType size, const vtkIdType* corners, vtkIdType numberOfPoints)
+TSurf::Triangle ToTriangle(const Horizon& horizon, std::int64_t polygon)
 {
+  const std::int64_t size = horizon.Polygons.Length(polygon);
   if (size != 3)
   {
     throw InputError(
       "polygon " + std::to_string(polygon) + " with " + std::to_string(size) + " corners" + ExpectedTriangles);
   }
-  for (vtkIdType n = 0; n < size; ++n)
+  TSurf::Triangle triangle = {};
+  for (std::size_t n = 0; n < triangle.size(); ++n)
   {
-    if (corners[n] < 0 || corners[n] >= numberOfPoints)
+    const std::int64_t corner = horizon.Polygons.At(polygon, std::int64_t(n));
+    if (corner < 0 || corner >= horizon.NumberOfPoints())
     {
-      throw InputError("triangle " + std::to_string(polygon) + " has the corner " + std::to_string(corners[n]) +
-        ", expected points from 0 to " + std::to_string(numberOfPoints - 1));
+      throw InputError("triangle " + std::to_string(polygon) + " has the corner " + std::to_string(corner) +
+        ", expected points from 0 to " + std::to_string(horizon.NumberOfPoints() - 1));
     }
+    triangle[n] = PointId(corner);
   }
-  return { PointId(corners[0]), PointId(corners[1]), PointId(corners[2]) };
+  return triangle;
 }
 
 /// Triangles are reversed if z is, so that they keep their orientation.
-std::vector<TSurf::Triangle> ReadTurnedTriangles(vtkPolyData* horizon, bool isTurned)
+std::vector<TSurf::Triangle> ReadTurnedTriangles(const Horizon& horizon, bool isTurned)
 {
-  if (horizon->GetNumberOfStrips() > 0)
+  if (horizon.Strips > 0)
   {
-    throw InputError(std::to_string(horizon->GetNumberOfStrips()) + " triangle strips" + ExpectedTriangles);
+    throw InputError(std::to_string(horizon.Strips) + " triangle strips" + ExpectedTriangles);
   }
-  if (horizon->GetNumberOfPolys() == 0)
+  if (horizon.Polygons.Size() == 0)
   {
-    throw InputError(std::to_string(horizon->GetNumberOfPoints()) +
+    throw InputError(std::to_string(horizon.NumberOfPoints()) +
       " points without triangles, expected a mesh, as the triangulation makes it; leave out horizons of one line");
   }
   std::vector<TSurf::Triangle> triangles;
-  triangles.reserve(std::size_t(horizon->GetNumberOfPolys()));
-  const auto polygon = vtk::TakeSmartPointer(horizon->GetPolys()->NewIterator());
-  for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
+  triangles.reserve(std::size_t(horizon.Polygons.Size()));
+  for (std::int64_t polygon = 0; polygon < horizon.Polygons.Size(); ++polygon)
   {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    polygon->GetCurrentCell(size, corners);
-    TSurf::Triangle triangle = ToTriangle(triangles.size(), size, corners, horizon->GetNumberOfPoints());
+    TSurf::Triangle triangle = ToTriangle(horizon, polygon);
     if (isTurned)
     {
       std::swap(triangle[1], triangle[2]);
@@ -94,74 +84,92 @@ std::vector<TSurf::Triangle> ReadTurnedTriangles(vtkPolyData* horizon, bool isTu
   return triangles;
 }
 
-std::vector<std::int32_t> ReadParts(vtkPolyData* horizon)
+std::vector<std::int32_t> ReadParts(const Horizon& horizon)
 {
-  auto* const parts = vtkIntArray::SafeDownCast(horizon->GetCellData()->GetArray(CellArray::Part));
-  if (!parts || parts->GetNumberOfComponents() != 1)
+  const DataArray* const parts = horizon.CellData.Find(CellArray::Part);
+  if (!parts || !parts->As<int>() || parts->Components() != 1)
   {
     return {};
   }
-  RequireTuples(parts, horizon->GetNumberOfCells(), "cells");
+  RequireTuples(*parts, horizon.NumberOfCells(), "cells");
   // Polygons follow vertices and lines in cell data.
-  const vtkIdType first = horizon->GetNumberOfVerts() + horizon->GetNumberOfLines();
-  std::vector<std::int32_t> numbers;
-  for (vtkIdType cell = first; cell < first + horizon->GetNumberOfPolys(); ++cell)
-  {
-    numbers.push_back(parts->GetValue(cell));
-  }
-  return numbers;
+  const int* const first = parts->As<int>() + horizon.Vertices.Size() + horizon.Lines.Size();
+  return { first, first + horizon.Polygons.Size() };
 }
 
-TSurfProperty ReadProperty(vtkDataArray* array)
+TSurfProperty ReadProperty(const DataArray& array)
 {
   TSurfProperty property;
-  property.Name = array->GetName();
-  property.Size = std::size_t(array->GetNumberOfComponents());
-  if (array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
-  {
-    property.Unit = array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
-  }
-  vtkNew<vtkDoubleArray> values;
-  values->DeepCopy(array);
-  property.Values.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues());
+  property.Name = array.Name;
+  property.Size = std::size_t(array.Components());
+  property.Unit = array.Unit;
+  array.WithNumbers([&](const auto* numbers) { property.Values.assign(numbers, numbers + array.Size()); });
   return property;
 }
 
+std::string FirstGiven(const std::string& option, const std::string& field, const std::string& otherwise)
+{
+  return !option.empty() ? option : field.empty() ? otherwise : field;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-TSurf MakeTSurf(vtkPolyData* horizon, const std::string& name, VerticalPositive positive)
+TSurf MakeTSurf(const Horizon& horizon, const std::string& name, VerticalPositive positive)
 {
   const bool isDepth = positive == VerticalPositive::Depth;
   TSurf surface;
   surface.Name = name;
   surface.Positive = positive;
-  surface.Survey = ReadSurveyFields(horizon->GetFieldData());
+  surface.Survey = ReadSurveyFields(horizon.FieldData);
   surface.Triangles = ReadTurnedTriangles(horizon, isDepth);
   surface.Parts = ReadParts(horizon);
   surface.Vertices = ReadVertices(horizon, isDepth ? -1.0 : 1.0);
-  vtkDataArray* const colour = horizon->GetFieldData()->GetArray(FieldArray::Colour);
-  if (colour && colour->GetNumberOfComponents() == 3 && colour->GetNumberOfTuples() > 0)
+  const DataArray* const colour = horizon.FieldData.Find(FieldArray::Colour);
+  if (colour && !colour->IsText() && colour->Components() == 3 && colour->Tuples() > 0)
   {
-    surface.Colour = { colour->GetComponent(0, 0), colour->GetComponent(0, 1), colour->GetComponent(0, 2) };
+    surface.Colour = { colour->At(0, 0), colour->At(0, 1), colour->At(0, 2) };
   }
   return surface;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<TSurfProperty> ReadProperties(vtkPolyData* horizon, bool withOwn)
+std::vector<TSurfProperty> ReadProperties(const Horizon& horizon, bool withOwn)
 {
   std::vector<TSurfProperty> properties;
-  vtkPointData* const data = horizon->GetPointData();
-  for (int n = 0; n < data->GetNumberOfArrays(); ++n)
+  for (const DataArray& array : horizon.PointData)
   {
-    vtkDataArray* const array = data->GetArray(n);
-    const std::string name = array && array->GetName() ? array->GetName() : "";
-    if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName() && (withOwn || !IsOwnArray(name)))
+    const bool isNamed = !array.IsText() && !array.Name.empty() && array.Name != PointArray::Ghosts;
+    if (isNamed && (withOwn || !IsOwnArray(array.Name)))
     {
       properties.push_back(ReadProperty(array));
     }
   }
   return properties;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PrintTSurfs(
+  const std::vector<NamedHorizon>& horizons, const TSurfOptions& options, std::ostream& stream, const Monitor& monitor)
+{
+  const std::vector<std::string> names = MakeDistinct(NamesOf(horizons));
+  const auto size = double(horizons.size());
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    PrefixErrors(names[n],
+      [&]()
+      {
+        const Horizon& horizon = horizons[n].Data;
+        TSurf surface = MakeTSurf(horizon, names[n], options.Positive);
+        if (options.Arrays != WrittenArrays::None)
+        {
+          surface.Properties = ReadProperties(horizon, options.Arrays == WrittenArrays::All);
+        }
+        SurveyDescription& survey = surface.Survey;
+        survey.VerticalUnit = FirstGiven(options.Survey.VerticalUnit, survey.VerticalUnit, NoUnit);
+        survey.HorizontalUnit = FirstGiven(options.Survey.HorizontalUnit, survey.HorizontalUnit, NoUnit);
+        survey.CoordinateSystem = FirstGiven(options.Survey.CoordinateSystem, survey.CoordinateSystem, "Default");
+        PrintTSurf(surface, options.WithBorders, stream, monitor.Step(double(n) / size, double(n + 1) / size));
+      });
+  }
 }
 }

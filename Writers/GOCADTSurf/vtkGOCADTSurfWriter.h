@@ -79,8 +79,8 @@ protected:
   vtkGOCADTSurfWriter() = default;
   ~vtkGOCADTSurfWriter() override;
 
-  void PrintHorizons(
-    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+  void PrintHorizons(const std::vector<WrittenHorizon>& horizons, std::ostream& stream,
+    const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkGOCADTSurfWriter(const vtkGOCADTSurfWriter&) = delete;

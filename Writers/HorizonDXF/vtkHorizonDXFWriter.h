@@ -33,8 +33,8 @@ protected:
   vtkHorizonDXFWriter() = default;
   ~vtkHorizonDXFWriter() override = default;
 
-  void PrintHorizons(
-    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+  void PrintHorizons(const std::vector<WrittenHorizon>& horizons, std::ostream& stream,
+    const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonDXFWriter(const vtkHorizonDXFWriter&) = delete;

@@ -38,14 +38,12 @@ protected:
   ~vtkHorizonGridWriter() override = default;
 
   bool WritesFileForEach() const override { return true; }
-  void PrintHorizons(
-    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+  void PrintHorizons(const std::vector<WrittenHorizon>& horizons, std::ostream& stream,
+    const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonGridWriter(const vtkHorizonGridWriter&) = delete;
   void operator=(const vtkHorizonGridWriter&) = delete;
-
-  GridKind ChooseFormat();
 
   int Format = ByExtension;
 };

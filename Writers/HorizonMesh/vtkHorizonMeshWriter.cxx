@@ -3,11 +3,8 @@
 
 #include "vtkHorizonMeshWriter.h"
 
-#include "Common/Base/Errors.h"
-#include "Common/Base/Monitor.h"
 #include "Common/Text/InputFile.h"
-#include "MeshPrinter.h"
-#include "Writers/GOCADTSurf/HorizonTSurf.h"
+#include "HorizonMesh.h"
 #include "Writers/XMLPrinter.h"
 
 #include "vtkObjectFactory.h"
@@ -20,20 +17,13 @@ vtkStandardNewMacro(vtkHorizonMeshWriter);
 
 //----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonMeshWriter::PrintHorizons(
-  const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
+  const std::vector<WrittenHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
 {
   const std::string format = ExtensionOf(this->GetFileName());
-  const NamedHorizon& horizon = horizons.front();
   if (format == "vtp")
   {
-    PrintXML<vtkXMLPolyDataWriter>(horizon.Data, stream);
+    PrintXML<vtkXMLPolyDataWriter>(horizons.front().Data, stream);
     return;
   }
-  const auto print = format == "stl" ? PrintSTL : format == "ply" ? PrintPLY : format == "obj" ? PrintOBJ : nullptr;
-  if (!print)
-  {
-    throw InputError("extension \"" + format + "\", expected vtp, stl, ply or obj");
-  }
-  PrefixErrors(horizon.Name,
-    [&]() { print(MakeTSurf(horizon.Data, horizon.Name, VerticalPositive::Elevation), stream, monitor); });
+  PrintMesh(ToPlain(horizons).front(), format, stream, monitor);
 }

@@ -30,8 +30,8 @@ protected:
   ~vtkHorizonMeshWriter() override = default;
 
   bool WritesFileForEach() const override { return true; }
-  void PrintHorizons(
-    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+  void PrintHorizons(const std::vector<WrittenHorizon>& horizons, std::ostream& stream,
+    const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonMeshWriter(const vtkHorizonMeshWriter&) = delete;

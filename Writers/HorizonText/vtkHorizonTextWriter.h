@@ -37,8 +37,8 @@ protected:
   vtkHorizonTextWriter() = default;
   ~vtkHorizonTextWriter() override = default;
 
-  void PrintHorizons(
-    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+  void PrintHorizons(const std::vector<WrittenHorizon>& horizons, std::ostream& stream,
+    const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonTextWriter(const vtkHorizonTextWriter&) = delete;

@@ -41,8 +41,8 @@ protected:
   vtkVerneySparseMatrixWriter() = default;
   ~vtkVerneySparseMatrixWriter() override = default;
 
-  void PrintHorizons(
-    const std::vector<NamedHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) override;
+  void PrintHorizons(const std::vector<WrittenHorizon>& horizons, std::ostream& stream,
+    const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkVerneySparseMatrixWriter(const vtkVerneySparseMatrixWriter&) = delete;

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DecimationStage.h"
+
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/DataModel.h"
+#include "Filters/Marshalling/CrackData.h"
+#include "Filters/Marshalling/CutData.h"
+#include "Filters/Marshalling/HorizonCells.h"
+#include "Filters/Marshalling/HorizonData.h"
+#include "Filters/Marshalling/HorizonPoints.h"
+#include "Filters/Marshalling/ReducedHorizon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+DecimationOptions MakeDecimationOptions(
+  const BoundedHorizon& horizon, const DecimationStageOptions& given, const ErrorLimit& limit)
+{
+  DecimationOptions options;
+  static_cast<DecimationQuality&>(options) = given;
+  options.MaximumError = limit.Indices;
+  if (given.Target == DecimationTarget::NumberOfPoints)
+  {
+    CheckAtLeast<std::int64_t>("maximum number of points", given.MaximumNumberOfPoints, 1, "");
+    options.MaximumNumberOfPoints = std::size_t(given.MaximumNumberOfPoints);
+  }
+  else if (given.Target == DecimationTarget::Reduction)
+  {
+    CheckWithin("target reduction", given.TargetReduction, 0.0, 1.0, " of the points");
+    const double points = std::ceil((1.0 - given.TargetReduction) * double(horizon.Columns.size()));
+    options.MaximumNumberOfPoints =
+      std::max({ std::size_t(points), std::size_t(1), horizon.Boundary.CountPoints(horizon.Columns.size()) });
+  }
+  return options;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void RunDecimation(const Horizon& horizon, const DecimationStageOptions& given, std::vector<Horizon>& outputs,
+  const Monitor& monitor)
+{
+  RequireAllPoints(horizon);
+  LatticePoints points = ReadColumns(horizon);
+  WriteDeviation(points, outputs);
+  Horizon& output = outputs.front();
+  BoundedHorizon bounded;
+  bounded.Columns = points.Column;
+  bounded.Patch = ReadPatches(points.Horizon);
+  bounded.Boundary = ReadBoundary(points.Horizon);
+  bounded.Height = std::move(points.Height);
+  bounded.Cuts = ShareCuts(points.Horizon, PlaneBox(points.Column));
+  ReadCounts(points.Horizon); // Invalid counts are refused before the work.
+  monitor.Progress(0.1);
+  const ErrorLimit limit = given.Target == DecimationTarget::LargestError
+    ? FindMaximumError(given, bounded.Columns, bounded.Height, points.Lattice)
+    : ErrorLimit();
+  const DecimationOptions options = MakeDecimationOptions(bounded, given, limit);
+  Decimation decimation = Decimate(std::move(bounded), options, monitor.Step(0.1, 0.9));
+  WriteMesh(points.Horizon, points.Lattice, decimation, output);
+  if (limit.Noise)
+  {
+    AddValue<double>(output.FieldData, FieldArray::ChosenMaximumError, limit.Indices);
+    WriteHeightNoise(*limit.Noise, output.FieldData);
+  }
+  if (given.CloseFaults)
+  {
+    const Reduction& vertices = decimation.Points;
+    CloseMesh(vertices.Plane, points.Lattice, vertices.Boundary, output, monitor.Step(0.95, 1.0));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ErrorLimit FindMaximumError(
+  const ReducedMeshOptions& options, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice)
+{
+  if (!options.MaximumError)
+  {
+    const HeightNoise noise = MeasureHeightNoise(columns, height);
+    return { noise.MaximumError(), noise };
+  }
+  CheckAtLeast("maximum error", *options.MaximumError, 0.0, ", or -1 for automatic");
+  return { *options.MaximumError * IndicesPerUnit(options.ErrorUnit, columns, height, lattice), std::nullopt };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteMesh(const Horizon& input, const Lattice& lattice, Decimation& decimation, Horizon& output)
+{
+  output.Places = MakePoints(input, lattice, decimation.Points);
+  WriteReduction(input, decimation.Points, output);
+  ActivateHeight(output);
+  output.Vertices = Cells();
+  const double smallestAngle =
+    WriteTriangles(decimation.Points.Plane, lattice, std::move(decimation.Triangles), output);
+  AddTriangleArray<double>(CellArray::Error, decimation.Errors, output);
+  ArrayTable& figures = output.FieldData;
+  AddValue<double>(figures, FieldArray::LargestError, decimation.LargestError);
+  AddValue<double>(figures, FieldArray::MeanError, decimation.MeanError);
+  AddValue<double>(figures, FieldArray::LargestLoopError,
+    std::max(decimation.LargestLoopError, FirstValue(figures, FieldArray::OutlineHeightDeviation)));
+  AddValue<std::int64_t>(figures, FieldArray::TriangleCount, output.Polygons.Size());
+  AddValue<double>(figures, FieldArray::SmallestAngle, smallestAngle);
+  AddValue<std::int64_t>(figures, FieldArray::SliverCount, std::int64_t(decimation.NumberOfSlivers));
+}
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsDecimationStage_h
+#define SeismicHorizonsDecimationStage_h
+
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Horizon.h"
+#include "Common/Horizon/Lattice.h"
+#include "Filters/Algorithms/Decimation/Decimation.h"
+#include "Filters/Marshalling/HeightUnit.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// What meshes of fewer points have in common.
+struct ReducedMeshOptions : DecimationQuality
+{
+  std::optional<double> MaximumError; // Without a value six times the noise of the heights.
+  HeightUnit ErrorUnit = HeightUnit::Lattice;
+  bool CloseFaults = false;
+};
+
+enum class DecimationTarget
+{
+  LargestError,
+  NumberOfPoints,
+  Reduction
+};
+
+struct DecimationStageOptions : ReducedMeshOptions
+{
+  DecimationTarget Target = DecimationTarget::LargestError;
+  std::int64_t MaximumNumberOfPoints = 10000;
+  double TargetReduction = 0.95;
+};
+
+/// Fills the first output, which has the field data.
+void RunDecimation(const Horizon& horizon, const DecimationStageOptions& options, std::vector<Horizon>& outputs,
+  const Monitor& monitor);
+
+/// An automatic limit is chosen from the points.
+ErrorLimit FindMaximumError(
+  const ReducedMeshOptions& options, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice);
+
+/// Writes vertices, triangles and figures. Moves the triangles out of the decimation.
+void WriteMesh(const Horizon& input, const Lattice& lattice, Decimation& decimation, Horizon& output);
+}
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsDespikingStage_h
+#define SeismicHorizonsDespikingStage_h
+
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Horizon.h"
+#include "Filters/Algorithms/Despiking/Despiking.h"
+#include "Filters/Marshalling/HeightUnit.h"
+
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+struct DespikingStageOptions : DespikingOptions
+{
+  HeightUnit ThresholdUnit = HeightUnit::Lattice;
+  bool Remove = true; // Otherwise the array Spike marks points.
+};
+
+/// Fills the output, which has the field data. Returns warnings.
+std::vector<std::string> RunDespiking(
+  const Horizon& horizon, DespikingStageOptions options, std::vector<Horizon>& outputs, const Monitor& monitor);
+}
+
+#endif

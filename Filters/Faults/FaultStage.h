@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsFaultStage_h
+#define SeismicHorizonsFaultStage_h
+
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Horizon.h"
+#include "Filters/Algorithms/Faults/FaultDetection.h"
+#include "Filters/Algorithms/Faults/FaultLines.h"
+#include "Filters/Marshalling/HeightUnit.h"
+
+#include <vector>
+
+namespace SeismicHorizons
+{
+enum class PolygonUse
+{
+  Blank, // leave out points inside
+  Cut,
+  Leave // ignore polygons
+};
+
+struct FaultStageOptions : FaultDetectionOptions
+{
+  bool Detect = true;
+  HeightUnit ThrowUnit = HeightUnit::Lattice; // of the throw and the noise
+  bool AreSticks = false; // Given lines are sticks of faults, and not their traces.
+  bool ExtendSticks = false;
+  PolygonUse Polygons = PolygonUse::Blank;
+};
+
+/// Lines and polygons, which become closed, in world coordinates. Sticks of a fault have the same FaultName in the cell
+/// data, apart from its last word, the number of the stick.
+std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
+
+/// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and the surfaces of sticks.
+/// Returns whether a given line cuts or blanks points.
+bool RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
+  std::vector<Horizon>& outputs, const Monitor& monitor);
+}
+
+#endif

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "StageReport.h"
+
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/LedgerFields.h"
+#include "Common/Survey/SurveyFields.h"
+#include "HeightUnit.h"
+#include "HorizonData.h"
+#include "HorizonPoints.h"
+#include "LedgerOutput.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iomanip>
+#include <locale>
+#include <optional>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Reported in the unit of z as well.
+constexpr const char* Heights = "vertical indices";
+
+constexpr const char* WorldHeights = "in z";
+
+struct Figure
+{
+  const char* Array;
+  const char* Name;
+  const char* Unit = "";
+  bool IsToldAtZero = false;
+};
+
+/// Those that a reader looks for, in the order of the stages.
+constexpr std::array<Figure, 42> Figures = { {
+  { FieldArray::NumberOfSpikes, "spikes" },
+  { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
+  { FieldArray::NumberOfSpurPoints, "points on spurs" },
+  { FieldArray::FaultNoise, "noise", Heights },
+  { FieldArray::SmallestFaultThrow, "smallest throw", Heights },
+  { FieldArray::NumberOfFilledHoles, "holes filled" },
+  { FieldArray::NumberOfOpenHoles, "holes left open" },
+  { FieldArray::RimSmoothing, "rim smoothing", "", true },
+  { FieldArray::RimWidth, "rim width", "columns" },
+  { FieldArray::NumberOfPatches, "patches" },
+  { FieldArray::NumberOfHoles, "holes with a loop" },
+  { FieldArray::DroppedSmallPatchPoints, "points in small patches left out" },
+  { FieldArray::IsochoreLeast, "least thickness", WorldHeights, true },
+  { FieldArray::IsochoreMean, "mean thickness", WorldHeights, true },
+  { FieldArray::IsochoreLargest, "largest thickness", WorldHeights, true },
+  { FieldArray::IsochoreVolume, "volume", "cubic units" },
+  { FieldArray::IsochoreCrossings, "columns where the horizons cross", "", true },
+  { FieldArray::TriangleCount, "triangles" },
+  { FieldArray::FaultTriangleCount, "triangles that close faults" },
+  { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
+  { FieldArray::SmallestAngle, "smallest angle", "degrees" },
+  { FieldArray::SliverCount, "triangles with an angle below the one asked for" },
+  { FieldArray::LargestError, "largest vertical error", Heights },
+  { FieldArray::MeanError, "mean vertical error", Heights },
+  { FieldArray::LargestLoopError, "largest vertical error of outlines", Heights },
+  { FieldArray::NumberOfOutsidePoints, "points outside the outlines" },
+  { FieldArray::OutlineDeviation, "outlines moved on the map by up to", "columns" },
+  { FieldArray::OutlineHeightDeviation, "outlines off in height by up to", Heights },
+  { FieldArray::BoundaryDeviation, "outlines off in space by up to", "lattice units" },
+  { FieldArray::NumberOfParts, "parts" },
+  { FieldArray::SeamPoints, "vertices on seams" },
+  { FieldArray::ChosenRadius, "chosen radius", "columns" },
+  { FieldArray::ChosenSmallestHoleSize, "smallest open hole", "columns" },
+  { FieldArray::ChosenOutlineTolerance, "outline tolerance", "columns" },
+  { FieldArray::ChosenDistanceThreshold, "distance threshold", "lattice units" },
+  { FieldArray::ChosenMaximumError, "maximum error", Heights },
+  { FieldArray::HeightNoise, "six times the noise of", Heights },
+  { FieldArray::HeightRounding, "six times the rounding of", Heights },
+  { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
+  { FieldArray::ChosenCellSize, "cell size", "columns" },
+  { FieldArray::ChosenFlatnessThreshold, "flatness threshold" },
+  { FieldArray::DroppedDuplicates, "points left out of columns with several" },
+} };
+
+/// Returns the unit, and a height in the unit of z as well.
+std::string ReportUnit(const Figure& figure, double height, const Horizon& horizon)
+{
+  const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
+  if (figure.Unit != Heights && figure.Unit != WorldHeights)
+  {
+    return ownUnit;
+  }
+  const std::string unit = ReadSurveyFields(horizon.FieldData).VerticalUnit;
+  if (figure.Unit == WorldHeights)
+  {
+    return unit.empty() ? ownUnit : " " + unit;
+  }
+  std::ostringstream text = MakeReportStream();
+  text << ownUnit << ", " << height * WorldPerIndex(ReadLattice(horizon)) << (unit.empty() ? " in z" : " " + unit);
+  return text.str();
+}
+
+/// Null unless the stage has written the array.
+const DataArray* FindOwnFigure(const char* name, const Horizon& input, const Horizon& output)
+{
+  const DataArray* const array = output.FieldData.Find(name);
+  const DataArray* const given = input.FieldData.Find(name);
+  return array && !(given && array->IsCopyOf(*given)) ? array : nullptr;
+}
+
+std::string ReportCuts(const Horizon& input, const Horizon& output)
+{
+  const DataArray* const lines = FindOwnFigure(FieldArray::FaultLine, input, output);
+  if (!lines || lines->Tuples() == 0)
+  {
+    return {};
+  }
+  const int* const numbers = lines->As<int>();
+  std::ostringstream text = MakeReportStream();
+  text << "\n  fault lines " << *std::max_element(numbers, numbers + lines->Tuples()) + 1 << "\n  links cut "
+       << lines->Tuples();
+  return text.str();
+}
+
+/// Entries that are a large fraction of the columns are a warning.
+std::string ReportLedger(const Horizon& input, const Horizon& output)
+{
+  const std::optional<Ledger> ledger = ReadLedger(output.FieldData);
+  if (!ledger || !FindOwnFigure(FieldArray::LedgerColumns, input, output))
+  {
+    return {};
+  }
+  const DataArray* const areas = output.FieldData.Find(FieldArray::LedgerArea);
+  std::ostringstream text = MakeReportStream();
+  for (std::size_t entry = 0; entry < LedgerEntries; ++entry)
+  {
+    if (ledger->Columns[entry] > 0)
+    {
+      text << "\n  columns " << LedgerWords[entry] << ' ' << ledger->Columns[entry];
+      text << (areas ? ", area " : "");
+      if (areas)
+      {
+        text << areas->Value(std::int64_t(entry));
+      }
+    }
+  }
+  const char* before = "\n  warning: ";
+  for (const LedgerWarning& warning : FindWarnings(*ledger))
+  {
+    text << before << warning.Text;
+    before = ", ";
+  }
+  return text.str();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> RunStage(const Horizon& input, bool takesMeshes, std::vector<Horizon>& outputs,
+  const std::function<std::vector<std::string>()>& stage)
+{
+  CheckArraySizes(input);
+  if (input.IsMesh() && !takesMeshes)
+  {
+    throw InputError("a mesh of " + std::to_string(input.Polygons.Size() + input.Strips) +
+      " triangles, expected the points of a horizon, as they are before it is meshed");
+  }
+  for (Horizon& output : outputs)
+  {
+    output.FieldData = WithoutMeshFigures(input.FieldData);
+  }
+  if (CountVisiblePoints(input) == 0)
+  {
+    return { "all " + std::to_string(input.NumberOfPoints()) +
+      " points are hidden by the array vtkGhostType, so that nothing is left" };
+  }
+  std::vector<std::string> warnings = stage();
+  WriteLedgerOfPoints(input, outputs.front());
+  return warnings;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::ostringstream MakeReportStream()
+{
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << std::setprecision(4);
+  return stream;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string ReportStage(const std::string& name, const Horizon& input, const Horizon& output)
+{
+  std::ostringstream line = MakeReportStream();
+  line << (name.empty() ? "" : name + ": ") << input.NumberOfPoints() << " points in, " << output.NumberOfPoints()
+       << " out" << ReportCuts(input, output);
+  for (const Figure& figure : Figures)
+  {
+    const DataArray* const array = FindOwnFigure(figure.Array, input, output);
+    if (array && array->Size() == 1 && (figure.IsToldAtZero || array->At(0) != 0.0))
+    {
+      line << "\n  " << figure.Name << ' ';
+      if (array->Type() == ValueType::Double)
+      {
+        line << array->At(0);
+      }
+      else
+      {
+        line << std::int64_t(array->At(0)); // Counts have all digits.
+      }
+      line << ReportUnit(figure, array->At(0), output);
+    }
+  }
+  line << ReportLedger(input, output) << '\n';
+  return line.str();
+}
+}

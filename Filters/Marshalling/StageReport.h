@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsStageReport_h
+#define SeismicHorizonsStageReport_h
+
+#include "Common/Horizon/Horizon.h"
+
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// Calls stage(), which returns warnings, after the outputs got the field data of the input, without figures of meshes.
+/// Unless points are left, or with a mesh that the stage does not take, the stage is not called. Throws InputError.
+std::vector<std::string> RunStage(const Horizon& input, bool takesMeshes, std::vector<Horizon>& outputs,
+  const std::function<std::vector<std::string>()>& stage);
+
+/// Numbers have four digits, in any locale.
+std::ostringstream MakeReportStream();
+
+/// Lines of text: points before and after, and the figures that the stage has written.
+std::string ReportStage(const std::string& name, const Horizon& input, const Horizon& output);
+}
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Readers, stages and writers for numpy. Python classes give these functions data and options, and take what they
+// return. Work runs without the interpreter's lock, and stops at Ctrl-C.
+
+#include "Data.h"
+
+#include "Common/Text/FileErrors.h"
+
+NB_MODULE(_core, module)
+{
+  nb::register_exception_translator(
+    [](const std::exception_ptr& raised, void*)
+    {
+      try
+      {
+        std::rethrow_exception(raised);
+      }
+      catch (const SeismicHorizons::FileError& error)
+      {
+        const bool isOfContent = error.Problem() == SeismicHorizons::FileProblem::WrongContent ||
+          error.Problem() == SeismicHorizons::FileProblem::CutOff;
+        PyErr_SetString(isOfContent ? PyExc_ValueError : PyExc_OSError, error.what());
+      }
+      catch (const SeismicHorizons::InputError& error)
+      {
+        PyErr_SetString(PyExc_ValueError, error.what());
+      }
+    });
+  SeismicHorizons::BindReading(module);
+  SeismicHorizons::BindStages(module);
+  SeismicHorizons::BindWriting(module);
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Data.h"
+
+#include "Common/Horizon/NamedHorizon.h"
+#include "Common/Survey/SurveyFields.h"
+#include "Writers/GOCADTSurf/HorizonTSurf.h"
+#include "Writers/HorizonDXF/HorizonDXF.h"
+#include "Writers/HorizonFiles.h"
+#include "Writers/HorizonGrid/GridWriters.h"
+#include "Writers/HorizonGrid/HorizonGridPrinter.h"
+#include "Writers/HorizonMesh/HorizonMesh.h"
+#include "Writers/HorizonText/HorizonText.h"
+#include "Writers/VerneySparseMatrix/HorizonMatrix.h"
+#include "Writers/VerneySparseMatrix/SparseMatrixPrinter.h"
+
+using namespace nanobind::literals;
+
+namespace SeismicHorizons
+{
+namespace
+{
+const std::vector<std::string> Senses = { "as_read", "up", "down" };
+
+std::vector<NamedHorizon> TakeNamed(const nb::list& given)
+{
+  std::vector<NamedHorizon> horizons;
+  for (const nb::handle& one : given)
+  {
+    const auto pair = nb::cast<nb::tuple>(one);
+    horizons.push_back({ nb::cast<std::string>(pair[0]), TakeData(nb::cast<nb::dict>(pair[1])) });
+  }
+  return horizons;
+}
+
+/// Formats of several horizons in one file.
+using Printer = std::function<void(const std::vector<NamedHorizon>&, std::ostream&, const Monitor&)>;
+
+Printer ChoosePrinter(const std::string& format, const nb::dict& chosen, std::vector<std::string>& warnings)
+{
+  if (format == "ts")
+  {
+    TSurfOptions options;
+    Take(chosen, "with_borders", options.WithBorders);
+    bool isDown = false;
+    Take(chosen, "is_down", isDown);
+    options.Positive = isDown ? VerticalPositive::Depth : VerticalPositive::Elevation;
+    options.Arrays = WrittenArrays::All;
+    return [options](const auto& horizons, std::ostream& stream, const Monitor& monitor)
+    { PrintTSurfs(horizons, options, stream, monitor); };
+  }
+  if (format == "dxf")
+  {
+    return PrintDXF;
+  }
+  if (format == "text")
+  {
+    HorizonTextOptions options;
+    TakeChoice(chosen, "sense", Senses, options.Sense);
+    Take(chosen, "with_attributes", options.WithAttributes);
+    return [options](const auto& horizons, std::ostream& stream, const Monitor& monitor)
+    { PrintHorizonText(horizons, options, stream, monitor); };
+  }
+  if (format == "vsm")
+  {
+    return [&warnings](const auto& horizons, std::ostream& stream, const Monitor& monitor)
+    {
+      WrittenMatrix matrix = MakeSparseMatrix(horizons, monitor.Step(0.0, 0.5));
+      warnings = std::move(matrix.Warnings);
+      PrintSparseMatrix(matrix.Matrix, stream, monitor.Step(0.5, 1.0));
+    };
+  }
+  return nullptr;
+}
+
+/// Formats of one horizon; several get a file each.
+Printer ChooseSinglePrinter(const std::string& format, const nb::dict& chosen, std::vector<std::string>& warnings)
+{
+  if (format == "stl" || format == "ply" || format == "obj")
+  {
+    return [format](const auto& horizons, std::ostream& stream, const Monitor& monitor)
+    { PrintMesh(horizons.front(), format, stream, monitor); };
+  }
+  WrittenSense sense = WrittenSense::AsRead;
+  TakeChoice(chosen, "sense", Senses, sense);
+  const GridFileKind kind = format == "irap" ? GridFileKind::IrapText
+    : format == "gri"                        ? GridFileKind::IrapBinary
+                                             : GridFileKind::Zmap;
+  return [kind, sense, &warnings](const auto& horizons, std::ostream& stream, const Monitor& monitor)
+  {
+    WrittenGrid written = MakeWrittenGrid(horizons.front(), kind, sense, monitor);
+    warnings.insert(warnings.end(), written.Warnings.begin(), written.Warnings.end());
+    PrintGrid(written.Grid, kind, stream, monitor.Step(0.6, 1.0));
+  };
+}
+
+/// Returns warnings.
+std::vector<std::string> Write(const std::string& path, const std::string& format, const nb::list& given,
+  const nb::dict& chosen, const nb::object& progress)
+{
+  const std::vector<NamedHorizon> horizons = TakeNamed(given);
+  std::vector<std::string> warnings;
+  const Printer together = ChoosePrinter(format, chosen, warnings);
+  const Printer print = together ? together : ChooseSinglePrinter(format, chosen, warnings);
+  Run(progress,
+    [&](const Monitor& monitor)
+    {
+      std::string subject;
+      WriteHorizonFiles(path, horizons, !together, print, monitor, subject);
+    });
+  return warnings;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void BindWriting(nb::module_& module)
+{
+  module.def("write", &Write, "path"_a, "format"_a, "horizons"_a, "options"_a, "progress"_a.none());
+}
+}

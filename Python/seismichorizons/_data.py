@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data of the core: dictionaries of arrays, as C++ has them (Documentation/DataModel.md)."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Data = dict[str, Any]
+Progress = Callable[[float], Any]
+
+# Names of attributes begin with this, so that none is taken for an array of the core.
+MARK = ":"
+
+
+def give(values: NDArray[Any]) -> Any:
+    """An array as the core takes it: numbers of up to 64 bits, or a list of texts."""
+    if values.dtype.kind in "UOS":
+        return [str(value) for value in values]
+    if values.dtype.kind in "mM":
+        return np.ascontiguousarray(values).view(np.int64)
+    if values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
+        return np.ascontiguousarray(values, np.float64)
+    return np.ascontiguousarray(values)
+
+
+def take(values: Any, dtype: np.dtype[Any]) -> NDArray[Any]:
+    """The inverse of `give`; numbers that the core averaged have the type of the given ones."""
+    if isinstance(values, list):
+        return np.array(values, dtype)
+    return values.view(dtype) if dtype.kind in "mM" else values.astype(dtype, copy=False)
+
+
+def give_attributes(attributes: Mapping[str, NDArray[Any]]) -> Data:
+    return {MARK + name: give(values) for name, values in attributes.items()}
+
+
+def take_attributes(arrays: Data, given: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    """Attributes that the core has kept, with the types that they were given with."""
+    return {name: take(arrays[MARK + name], values.dtype) for name, values in given.items() if MARK + name in arrays}
+
+
+def loops(cells: tuple[NDArray[Any], NDArray[Any]], is_closed: bool = True) -> list[NDArray[np.int32]]:
+    """The points of each line; those of closed ones once."""
+    offsets, points = cells
+    lines = np.split(points.astype(np.int32), offsets[1:-1].astype(int)) if len(offsets) > 1 else []
+    return [line[:-1] if is_closed else line for line in lines]
+
+
+def give_lines(lines: list[NDArray[Any]]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    offsets = np.concatenate(([0], np.cumsum([len(line) for line in lines]))).astype(np.int64)
+    return offsets, np.concatenate([np.zeros(0, np.int64), *lines]).astype(np.int64)
+
+
+def give_triangles(triangles: NDArray[Any]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    return np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int32), np.ascontiguousarray(triangles, np.int32).ravel()
+
+
+def text(fields: Data, name: str) -> str:
+    return fields[name][0] if name in fields else ""
+
+
+def survey(fields: Data) -> dict[str, str]:
+    """Units and coordinate system, as keywords of horizons and meshes."""
+    return {"vertical_unit": text(fields, "VerticalUnit"), "vertical_domain": text(fields, "VerticalDomain"),
+            "horizontal_unit": text(fields, "HorizontalUnit"), "coordinate_system": text(fields, "CoordinateSystem")}
+
+
+def give_survey(of: Any) -> Data:
+    texts = {"VerticalUnit": of.vertical_unit, "VerticalDomain": of.vertical_domain, "HorizontalUnit": of.horizontal_unit,
+             "CoordinateSystem": of.coordinate_system}
+    return {"VerticalDirection": np.array([1 if of.direction == "up" else -1], np.int32),
+            **{name: [value] for name, value in texts.items() if value}}
+
+
+# The core speaks of properties and their values.
+WORDS = {"VerticalDirection": "direction", "StrayPicks LeaveOut": "leave_out_strays=True", "StrayPicks": "leave_out_strays",
+         "LatticeSource OriginAndSteps": "origin=, column_step= and row_step=", "DuplicatePolicy": "duplicates",
+         "LatticeTolerance": "tolerance", "NullValues": "nodata", "Gridding": "gridding=\"plate\"", "Columns": "columns",
+         "HeaderLines": "header_lines", "Topmost": "topmost", "Lowest": "lowest", "Sheets": "sheets", "Mean": "mean",
+         "VerticalStep": "vertical_step", "ColumnStep": "column_step", "RowStep": "row_step", "Origin ": "origin ",
+         "MinimumPatchSize": "minimum_patch_size", "UpperWins": "upper_wins", "LowerWins": "lower_wins",
+         "Domain EachLayer": "domain=\"each_layer\"", "EachLayer": "each_layer", "Missing Interpolate": "missing=\"interpolate\"",
+         "Missing Follow": "missing=\"follow\"", "Common": "common", "Horizon From Points": "horizon(data, gridding=\"plate\")",
+         "Horizon Exterior Boundary": "boundary(horizon)", "Horizon Layers": "layers(horizons)"}
+
+
+def in_keywords(message: str) -> str:
+    """A message of the core with keywords in place of properties."""
+    for word, keyword in WORDS.items():
+        message = message.replace(word, keyword)
+    if "points on one line" in message or "places on one line" in message or "places of picks on one line" in message:
+        message += "; origin=, column_step= and row_step= give it"
+    return message.replace("direction Up", "direction=\"up\"").replace("direction Down", "direction=\"down\"").replace(
+        "Down confirms", "direction=\"down\" confirms")
+
+
+def snake(name: str) -> str:
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
+def call(name: str, stage: Callable[..., tuple[Any, list[str]]], *arguments: Any) -> Any:
+    """The outputs of a stage of the core. Its warnings, and errors, name the horizon."""
+    try:
+        outputs, messages = stage(*arguments)
+    except ValueError as error:
+        raise ValueError("%s: %s" % (name, in_keywords(str(error)))) from None
+    for message in messages:
+        warnings.warn("%s: %s" % (name, in_keywords(message)), stacklevel=4)
+    return outputs

@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stages of the thesis one by one, which `surface` does at once, and meshes of parts.
+
+Points with outlines, and meshes, are `Mesh` objects. Options are those of the pages of the stages; without a value they have
+their defaults there. All functions raise ValueError for data that a stage does not take, and for options out of range.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from . import _core
+from ._data import Progress, call, take_attributes
+from ._horizon import Horizon
+from ._mesh import Mesh, mesh_of
+from ._stages import Faults, given_options, links_of
+from ._units import height
+
+
+def _run(stage: Any, of: Horizon | Mesh, data: Any, options: dict[str, Any], progress: Progress | None) -> Mesh:
+    made, *_ = call(of.name, stage, data, options, progress)
+    return mesh_of(of.name, made, take_attributes(made["point_data"], of.attributes), data["field_data"], of.lattice)
+
+
+def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: str | None = None, kind: str | None = None,
+                      hole_boundaries: bool | None = None, smallest_hole_size: int | None = None, smallest_hole_area: float | None = None,
+                      minimum_patch_size: int | None = None, faults: Faults | None = None, progress: Progress | None = None) -> Mesh:
+    """Finds the outline of each connected patch, and of holes on request.
+
+    Parameters
+    ----------
+    horizon : Horizon
+    radius : int
+        The largest hop of outlines along each axis, in columns, from 1 to 32; 1 by default.
+    growth : "clockwise" or "distance"
+        How outlines continue where the radius leaves a choice.
+    kind : "exterior", "topological4" or "topological8"
+    hole_boundaries : bool
+        Gives holes outlines, too; off by default.
+    smallest_hole_size : int
+        Smaller holes, in columns strictly inside, have none.
+    smallest_hole_area : float
+        The same in square units of x and y; the larger one counts.
+    minimum_patch_size : int
+        Patches of fewer points are left out.
+    faults : Faults, optional
+        Where outlines run along both sides.
+    progress : callable, optional
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> len(sh.exterior_boundary(sh.horizon(np.full((20, 30), 1000.0))).outlines[0])
+    96
+    """
+    options = given_options(radius=radius, growth=growth, kind=kind, hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size,
+                            smallest_hole_area=smallest_hole_area, minimum_patch_size=minimum_patch_size)
+    return _run(_core.boundary, horizon, horizon._data(links_of(faults)), options, progress)
+
+
+def boundary_simplification(outlined: Mesh, *, method: str | None = None, distance_threshold: float | None = None,
+                            bound_deviation: bool | None = None, outline_tolerance: float | None = None,
+                            progress: Progress | None = None) -> Mesh:
+    """Drops points of outlines within tolerances.
+
+    Parameters
+    ----------
+    outlined : Mesh
+        Points with outlines, as `exterior_boundary` makes them.
+    method : "threshold" or "fewest_points"
+        By passes as in the thesis, or with the fewest points.
+    distance_threshold : float
+        The largest distance of a dropped point, in vertical indices; 0.4 by default.
+    bound_deviation : bool
+        Bounds the distances of all points under a new edge.
+    outline_tolerance : float
+        The largest move on the map, in columns; 0 by default.
+    progress : callable, optional
+    """
+    options = given_options(method=method, distance_threshold=distance_threshold, bound_deviation=bound_deviation,
+                            outline_tolerance=outline_tolerance)
+    return _run(_core.boundary_simplification, outlined, outlined._data(), options, progress)
+
+
+def rough_simplification(outlined: Mesh, *, cell_size: int | None = None, maximum_number_of_points: int | None = None,
+                         representative: str | None = None, progress: Progress | None = None) -> Mesh:
+    """Replaces inner points by one for each square cell.
+
+    Parameters
+    ----------
+    outlined : Mesh
+    cell_size : int
+        The side of cells, in columns; 3 by default.
+    maximum_number_of_points : int
+        Chooses the cell size.
+    representative : "barycentre" or "nearest_point"
+    progress : callable, optional
+    """
+    options = given_options(cell_size=cell_size, maximum_number_of_points=maximum_number_of_points, representative=representative)
+    return _run(_core.rough_simplification, outlined, outlined._data(), options, progress)
+
+
+def elaborate_simplification(outlined: Mesh, *, cell_size: int | None = None, flatness_threshold: float | None = None,
+                             maximum_number_of_points: int | None = None, representative: str | None = None,
+                             progress: Progress | None = None, **more: float | str) -> Mesh:
+    """Replaces inner points by one for each cell, where cells are smaller near outlines and where the surface is curved.
+
+    Parameters
+    ----------
+    outlined : Mesh
+    cell_size : int
+        The largest side of cells, in columns; 8 by default.
+    flatness_threshold : float
+        Cells above are halved: the least eigenvalue of the covariance over the sum of all; 0.12 by default.
+    maximum_number_of_points : int
+        Chooses the threshold.
+    representative : "barycentre" or "nearest_point"
+    progress : callable, optional
+    **more
+        boundary_density_threshold, boundary_extent_threshold, boundary_cell_size_threshold, smallest_cell_size, growth_per_ring,
+        and neighbour_mean ("over_cubes" or "over_pieces").
+    """
+    known = {"boundary_density_threshold", "boundary_extent_threshold", "boundary_cell_size_threshold", "smallest_cell_size",
+             "growth_per_ring", "neighbour_mean"}
+    for name in more:
+        if name not in known:
+            raise TypeError("%s, expected one of %s" % (name, ", ".join(sorted(known))))
+    options = given_options(cell_size=cell_size, flatness_threshold=flatness_threshold, maximum_number_of_points=maximum_number_of_points,
+                            representative=representative, **more)
+    return _run(_core.elaborate_simplification, outlined, outlined._data(), options, progress)
+
+
+def triangulation(outlined: Mesh, *, search: str | None = None, convex_hull: bool | None = None, maximum_boundary_angle: float | None = None,
+                  maximum_boundary_edge_length: float | None = None, close_faults: bool | None = None,
+                  progress: Progress | None = None) -> Mesh:
+    """Joins all points by constrained Delaunay triangles inside the outlines.
+
+    Parameters
+    ----------
+    outlined : Mesh
+    search : "voxel_traversal" or "compactness"
+        How third points are found; the mesh is the same.
+    convex_hull : bool
+        Ignores outlines, and removes triangles beyond the limits from the border.
+    maximum_boundary_angle : float
+        In degrees; with `convex_hull`.
+    maximum_boundary_edge_length : float
+        In columns; with `convex_hull`.
+    close_faults : bool
+        Closes cuts by steep triangles.
+    progress : callable, optional
+    """
+    options = given_options(search=search, convex_hull=convex_hull, maximum_boundary_angle=maximum_boundary_angle,
+                            maximum_boundary_edge_length=maximum_boundary_edge_length, close_faults=close_faults)
+    return _run(_core.triangulation, outlined, outlined._data(), options, progress)
+
+
+def decimation(outlined: Mesh, largest_error: float | str | None = None, *, points: int | None = None, reduction: float | None = None,
+               fit_heights: bool | None = None, effort: str | None = None, priority: str | None = None, smallest_angle: float | None = None,
+               close_faults: bool | None = None, progress: Progress | None = None) -> Mesh:
+    """Makes a mesh of few triangles within an error, with outlines as they are.
+
+    Parameters
+    ----------
+    outlined : Mesh
+        All points of a horizon, with outlines.
+    largest_error : float or str, optional
+        As in `surface`.
+    points : int, optional
+        The largest number of points, in place of an error.
+    reduction : float, optional
+        The fraction of points to drop, in place of an error.
+    fit_heights, effort, smallest_angle, close_faults
+        As in `surface`.
+    priority : "sum_of_squares" or "largest_errors"
+        What is minimised for a number of points.
+    progress : callable, optional
+    """
+    if sum(value is not None for value in (largest_error, points, reduction)) > 1:
+        raise ValueError("several of largest_error, points and reduction, expected one")
+    options = given_options(
+        fit_heights=fit_heights, effort=effort, priority=priority, smallest_angle=smallest_angle, close_faults=close_faults,
+        error_unit="world", maximum_number_of_points=points, target_reduction=reduction,
+        target="points" if points is not None else "reduction" if reduction is not None else "error",
+        maximum_error=None if largest_error is None else height("largest_error", largest_error, outlined.vertical_unit))
+    return _run(_core.decimation, outlined, outlined._data(), options, progress)
+
+
+def join(parts: Sequence[Mesh], *, minimum_patch_size: int = 1, progress: Progress | None = None) -> Mesh:
+    """Joins meshes of parts of one horizon without a gap.
+
+    Parameters
+    ----------
+    parts : list of Mesh
+        As `surface` makes them with `seam_rows`, with the same error and outline tolerance.
+    minimum_patch_size : int
+        Patches of fewer points are left out.
+    progress : callable, optional
+    """
+    if not parts:
+        raise ValueError("no parts, expected meshes that surface(horizon, seam_rows=...) makes")
+    data = _core.join([part._data() for part in parts], int(minimum_patch_size), progress)
+    first = parts[0]
+    attributes = {name: values for name, values in first.attributes.items() if all(name in part.attributes for part in parts)}
+    return mesh_of(first.name, data, take_attributes(data["point_data"], attributes), {}, first.lattice)

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SEGYImage.h"
+
+#include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Survey/HorizonDataSet.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+std::int64_t CountSamples(const CubeExtent& extent)
+{
+  std::int64_t size = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    size *= std::max<std::int64_t>(0, std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1);
+  }
+  return size;
+}
+
+void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, ArrayTable& data)
+{
+  DataArray ghosts = NewArray<unsigned char>(PointArray::Ghosts, CountSamples(extent));
+  auto* const marks = ghosts.As<unsigned char>();
+  const std::size_t columns = window.Columns.size();
+  ParallelFor(std::int64_t(extent[5]) - extent[4] + 1, 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t level = first; level < last; ++level)
+      {
+        unsigned char* const mark = marks + std::size_t(level) * columns;
+        const int k = extent[4] + int(level);
+        for (std::size_t column = 0; column < columns; ++column)
+        {
+          const SampleRange& range = window.Columns[column];
+          mark[column] = range.First <= k && k < range.End ? 0 : GhostMark::HiddenPoint;
+        }
+      }
+    });
+  data.Add(std::move(ghosts));
+}
+
+void AddCubeFields(const SEGYCube& cube, const CubeView& view, ArrayTable& data)
+{
+  AddFrameFields(data, view.Frame);
+  AddValue<double>(data, FieldArray::ImageDeviation, view.Image.Deviation);
+  AddValue<double>(data, FieldArray::StrongAmplitude, double(FindStrongAmplitude(cube)));
+  data.Add({ FieldArray::TextHeader, cube.Header.Text });
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CubeImage ReadCubeImage(const SEGYCube& cube, const CubeView& view, const CubeExtent& extent, const Monitor& monitor)
+{
+  CubeImage read;
+  LatticeImage& image = read.Image;
+  image.Extent = extent;
+  image.Place = view.Image;
+  AddCubeFields(cube, view, image.FieldData);
+  const std::int64_t size = CountSamples(extent);
+  if (size > 0)
+  {
+    DataArray amplitude = NewArray<float>(PointArray::Amplitude, size);
+    const SEGYWindow window = ReadSEGYWindow(cube, extent, amplitude.As<float>(), monitor);
+    image.PointData.Add(std::move(amplitude));
+    image.PointData.SetActiveScalars(PointArray::Amplitude);
+    read.NotFinite = window.NotFinite;
+    if (!window.IsFull)
+    {
+      AddBlanking(window, extent, image.PointData);
+    }
+  }
+  return read;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+DataArray PlaceLineSamples(const SEGYCube& cube, const LatticeFrame& frame, const CubeExtent& extent)
+{
+  DataArray places = NewArray<double>("Points", CountSamples(extent), 3);
+  double* place = places.As<double>();
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        const Eigen::Vector2d& column = cube.Places[cube.Column(i, j)];
+        *place++ = column.x();
+        *place++ = column.y();
+        *place++ = frame.Elevation(k);
+      }
+    }
+  }
+  return places;
+}
+}
