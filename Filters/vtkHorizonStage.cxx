@@ -3,7 +3,7 @@
 
 #include "vtkHorizonStage.h"
 
-#include "Filters/Marshalling/HorizonTree.h"
+#include "Common/VTK/HorizonTree.h"
 
 #include "vtkMultiProcessController.h"
 

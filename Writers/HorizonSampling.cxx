@@ -9,7 +9,7 @@
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
 #include "Common/Survey/SurveyFields.h"
-#include "Filters/Marshalling/HorizonData.h"
+#include "Filters/Common/HorizonData.h"
 
 #include <algorithm>
 #include <array>

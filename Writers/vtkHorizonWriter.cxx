@@ -7,8 +7,8 @@
 #include "Common/Text/FileErrors.h"
 #include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/RankedHorizons.h"
 #include "Common/VTK/Ranks.h"
-#include "Filters/Marshalling/RankedHorizons.h"
 #include "HorizonFiles.h"
 
 #include "vtkInformation.h"

@@ -3,12 +3,15 @@
 
 #include "Horizon.h"
 
+#include "Common/Base/Errors.h"
 #include "Common/Base/Parallel.h"
+#include "DataModel.h"
 
 #include <limits>
 #include <list>
 #include <mutex>
 #include <numeric>
+#include <string>
 
 namespace SeismicHorizons
 {
@@ -80,6 +83,19 @@ Cells MakeVerticesOf(std::int64_t size)
   };
   return { take(size + 1), take(size) };
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckArraySizes(const Horizon& horizon)
+{
+  RequireTuples(horizon.PointData, horizon.NumberOfPoints(), "points");
+  RequireTuples(horizon.CellData, horizon.NumberOfCells(), "cells");
+  const DataArray* const ghosts = horizon.PointData.Find(PointArray::Ghosts);
+  if (ghosts && ghosts->As<unsigned char>() && ghosts->Components() != 1)
+  {
+    throw InputError(
+      "point array " + ghosts->Name + " with " + std::to_string(ghosts->Components()) + " components, expected 1");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

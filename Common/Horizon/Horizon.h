@@ -62,6 +62,10 @@ struct Horizon
   }
 };
 
+/// Throws InputError unless arrays have a tuple per point or cell, and ghosts one component. Later code does not check
+/// sizes.
+void CheckArraySizes(const Horizon& horizon);
+
 /// A cell per point, with 32-bit numbers if they suffice. Horizons share the memory, so that stages that drop few points
 /// write no cells.
 Cells MakeVertices(std::int64_t numberOfPoints);

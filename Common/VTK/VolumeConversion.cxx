@@ -45,8 +45,8 @@ void ToVTK(const VolumeGrid& grid, vtkUnstructuredGrid* output)
   points->SetData(vtkDataArray::SafeDownCast(ToVTK(grid.Places)));
   output->SetPoints(points);
   vtkNew<vtkCellArray> cells;
-  cells->SetData(vtkIdTypeArray::SafeDownCast(ToVTK(grid.Cells.Offsets)),
-    vtkIdTypeArray::SafeDownCast(ToVTK(grid.Cells.Points)));
+  cells->SetData(
+    vtkIdTypeArray::SafeDownCast(ToVTK(grid.Cells.Offsets)), vtkIdTypeArray::SafeDownCast(ToVTK(grid.Cells.Points)));
   output->SetCells(vtkUnsignedCharArray::SafeDownCast(ToVTK(grid.Types)), cells);
   ToVTK(grid.PointData, output->GetPointData());
   ToVTK(grid.CellData, output->GetCellData());

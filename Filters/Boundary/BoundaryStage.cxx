@@ -4,12 +4,12 @@
 #include "BoundaryStage.h"
 
 #include "Common/Base/Parameters.h"
-#include "Filters/Marshalling/CrackData.h"
-#include "Filters/Marshalling/CutData.h"
-#include "Filters/Marshalling/HorizonCells.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/LatticePoints.h"
-#include "Filters/Marshalling/LedgerOutput.h"
+#include "Filters/Common/CrackData.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HorizonCells.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
+#include "Filters/Common/LedgerOutput.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +70,8 @@ void WriteBoundary(const Horizon& input, const KeptPoints& kept, const ExteriorB
   CopyPoints(input, kept, output);
   output.Lines = MakePolylines(boundary.Boundary);
   AddArray<int>(output.PointData, PointArray::PatchId, boundary.Patch);
-  AddArray<unsigned char>(output.PointData, PointArray::Boundary, marks,
-    [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
+  AddArray<unsigned char>(
+    output.PointData, PointArray::Boundary, marks, [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
   output.PointData.SetActiveScalars(PointArray::PatchId);
   ArrayTable& figures = output.FieldData;
   for (const char* const name : { FieldArray::BoundaryDeviation, FieldArray::OutlineDeviation,

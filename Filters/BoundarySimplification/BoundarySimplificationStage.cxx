@@ -4,10 +4,10 @@
 #include "BoundarySimplificationStage.h"
 
 #include "Common/Horizon/DataModel.h"
-#include "Filters/Marshalling/CrackData.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/LedgerOutput.h"
-#include "Filters/Marshalling/ReducedHorizon.h"
+#include "Filters/Common/CrackData.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/LedgerOutput.h"
+#include "Filters/Common/ReducedHorizon.h"
 
 #include <cstdint>
 

@@ -12,8 +12,7 @@ using namespace SeismicHorizons;
 vtkStandardNewMacro(vtkHorizonBoundarySimplification);
 
 //------------------------------------------------------------------------------
-void vtkHorizonBoundarySimplification::ProcessHorizon(
-  const Horizon& horizon, Outputs& outputs, const Monitor& monitor)
+void vtkHorizonBoundarySimplification::ProcessHorizon(const Horizon& horizon, Outputs& outputs, const Monitor& monitor)
 {
   BoundarySimplificationOptions options;
   options.Method = this->Method == Threshold ? OutlineMethod::Threshold : OutlineMethod::FewestPoints;

@@ -5,9 +5,9 @@
 
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/ReducedHorizon.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/ReducedHorizon.h"
 
 #include <array>
 #include <utility>
@@ -51,12 +51,11 @@ void WriteCells(const Reduction& reduction, bool areCubes, const Lattice& lattic
   output.Places = DataArray::Take(places, 3);
   output.Lines = { DataArray::Take(offsets), DataArray::Take(points) };
   ArrayTable& data = output.CellData;
-  data.Add(MakeOrigins(
-    reduction.Cells, [](const SimplificationCell& cell) -> const PointOrigin& { return cell.Origin; }));
+  data.Add(
+    MakeOrigins(reduction.Cells, [](const SimplificationCell& cell) -> const PointOrigin& { return cell.Origin; }));
   AddArray<double>(
     data, CellArray::CellSize, reduction.Cells, [](const SimplificationCell& cell) { return cell.Size; });
-  AddArray<int>(
-    data, PointArray::PatchId, reduction.Cells, [](const SimplificationCell& cell) { return cell.Patch; });
+  AddArray<int>(data, PointArray::PatchId, reduction.Cells, [](const SimplificationCell& cell) { return cell.Patch; });
   AddArray<std::int64_t>(
     data, PointArray::PointCount, reduction.Cells, [](const SimplificationCell& cell) { return cell.Points; });
   if (!reduction.Flatness.empty())
@@ -95,8 +94,8 @@ void Run(const Horizon& horizon, bool showCells, bool areCubes, std::int64_t mos
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void RunRoughSimplification(const Horizon& horizon, CellOptions options, std::int64_t most,
-  std::vector<Horizon>& outputs, const Monitor& monitor)
+void RunRoughSimplification(
+  const Horizon& horizon, CellOptions options, std::int64_t most, std::vector<Horizon>& outputs, const Monitor& monitor)
 {
   Run(horizon, options.ListCells, false, most, outputs, monitor,
     [&](const BoundedHorizon& bounded, const Monitor& step)

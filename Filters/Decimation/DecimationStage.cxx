@@ -6,12 +6,12 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/DataModel.h"
-#include "Filters/Marshalling/CrackData.h"
-#include "Filters/Marshalling/CutData.h"
-#include "Filters/Marshalling/HorizonCells.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/ReducedHorizon.h"
+#include "Filters/Common/CrackData.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HorizonCells.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/ReducedHorizon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,8 @@ DecimationOptions MakeDecimationOptions(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void RunDecimation(const Horizon& horizon, const DecimationStageOptions& given, std::vector<Horizon>& outputs,
-  const Monitor& monitor)
+void RunDecimation(
+  const Horizon& horizon, const DecimationStageOptions& given, std::vector<Horizon>& outputs, const Monitor& monitor)
 {
   RequireAllPoints(horizon);
   LatticePoints points = ReadColumns(horizon);

@@ -8,7 +8,7 @@
 #include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
-#include "Filters/Marshalling/HeightUnit.h"
+#include "Filters/Common/HeightUnit.h"
 
 #include <cstdint>
 #include <optional>
@@ -39,8 +39,8 @@ struct DecimationStageOptions : ReducedMeshOptions
 };
 
 /// Fills the first output, which has the field data.
-void RunDecimation(const Horizon& horizon, const DecimationStageOptions& options, std::vector<Horizon>& outputs,
-  const Monitor& monitor);
+void RunDecimation(
+  const Horizon& horizon, const DecimationStageOptions& options, std::vector<Horizon>& outputs, const Monitor& monitor);
 
 /// An automatic limit is chosen from the points.
 ErrorLimit FindMaximumError(

@@ -16,7 +16,8 @@ ReducedMeshOptions vtkHorizonReducedMesh::MakeMeshOptions() const
   options.Priority =
     this->Priority == LargestErrors ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
   options.SmallestAngle = this->SmallestAngle;
-  options.MaximumError = this->MaximumError == AutomaticError ? std::nullopt : std::optional<double>(this->MaximumError);
+  options.MaximumError =
+    this->MaximumError == AutomaticError ? std::nullopt : std::optional<double>(this->MaximumError);
   options.ErrorUnit = static_cast<HeightUnit>(this->ErrorUnit);
   options.CloseFaults = this->CloseFaults;
   return options;

@@ -7,8 +7,8 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Survey/SurveyFields.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/LatticePoints.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
 
 #include <algorithm>
 #include <sstream>
@@ -37,8 +37,8 @@ std::vector<std::string> RunDespiking(
   CopyPoints(input, options.Remove ? KeptPoints::If(kinds.size(), isOther) : KeptPoints::All(kinds.size()), output);
   if (!options.Remove)
   {
-    AddArray<unsigned char>(output.PointData, PointArray::Spike, kinds,
-      [](SpikeKind kind) { return static_cast<unsigned char>(kind); });
+    AddArray<unsigned char>(
+      output.PointData, PointArray::Spike, kinds, [](SpikeKind kind) { return static_cast<unsigned char>(kind); });
   }
   output.PointData.Remove(PointArray::PatchId);
   output.PointData.Remove(PointArray::Boundary);

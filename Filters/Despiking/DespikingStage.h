@@ -7,7 +7,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Horizon.h"
 #include "Filters/Algorithms/Despiking/Despiking.h"
-#include "Filters/Marshalling/HeightUnit.h"
+#include "Filters/Common/HeightUnit.h"
 
 #include <string>
 #include <vector>

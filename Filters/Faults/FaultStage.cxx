@@ -6,9 +6,9 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
-#include "Filters/Marshalling/CutData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/LatticePoints.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ constexpr std::size_t SurfacesPort = 2;
 // ---- Given lines ----------------------------------------------------------------------------------------------------
 
 /// `first` is the cell id of the first cell.
-void AppendCells(const Horizon& lines, const Cells& cells, bool arePolygons, std::int64_t first,
-  std::vector<FaultStick>& polylines)
+void AppendCells(
+  const Horizon& lines, const Cells& cells, bool arePolygons, std::int64_t first, std::vector<FaultStick>& polylines)
 {
   const DataArray* const array = lines.CellData.Find(CellArray::FaultName);
   const DataArray* const names = array && array->IsText() ? array : nullptr;
@@ -267,9 +267,8 @@ bool RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, Fau
   }
   const double indices = IndicesPerUnit(options.ThrowUnit, points.Column, points.Height, points.Lattice);
   options.Noise *= indices;
-  options.SmallestThrow = options.SmallestThrow > 0.0
-    ? options.SmallestThrow * indices
-    : ThrowAboveNoise(points.Column, points.Height, options.Noise);
+  options.SmallestThrow = options.SmallestThrow > 0.0 ? options.SmallestThrow * indices
+                                                      : ThrowAboveNoise(points.Column, points.Height, options.Noise);
   const ColumnHeights heights(points.Column, points.Height);
   monitor.Progress(0.2);
   FaultLines lines = CutAlong(heights, polylines);

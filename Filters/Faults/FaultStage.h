@@ -8,7 +8,7 @@
 #include "Common/Horizon/Horizon.h"
 #include "Filters/Algorithms/Faults/FaultDetection.h"
 #include "Filters/Algorithms/Faults/FaultLines.h"
-#include "Filters/Marshalling/HeightUnit.h"
+#include "Filters/Common/HeightUnit.h"
 
 #include <vector>
 

@@ -8,9 +8,9 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Survey/ColumnPoints.h"
-#include "Filters/Marshalling/CutData.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -123,10 +123,7 @@ void AddMark(const Horizon& input, const char* name, int known, int filled, int 
   const DataArray* const before = FindNumbers(input.PointData, name);
   for (std::int64_t point = 0; point < marks.Tuples(); ++point)
   {
-    const double mark = point >= outside ? extrapolated
-      : point >= size                    ? filled
-      : before                           ? before->At(point)
-                                         : known;
+    const double mark = point >= outside ? extrapolated : point >= size ? filled : before ? before->At(point) : known;
     marks.As<T>()[point] = static_cast<T>(mark);
   }
   output.PointData.Add(std::move(marks));
@@ -139,8 +136,8 @@ std::vector<FilledArray> ListFilledArrays(
   std::vector<FilledArray> result;
   for (const DataArray& array : horizon.PointData)
   {
-    const bool isHeight = !array.IsText() && array.Components() == 1 &&
-      HasName(array, { PointArray::VerticalIndex, PointArray::RealZ });
+    const bool isHeight =
+      !array.IsText() && array.Components() == 1 && HasName(array, { PointArray::VerticalIndex, PointArray::RealZ });
     if (isHeight || (withAttributes && array.IsFloating()))
     {
       result.push_back({ &array, isHeight ? SlopeOverHeight(array, height) : 0.0 });

@@ -7,10 +7,10 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/LedgerFields.h"
 #include "Common/Survey/SurveyFields.h"
-#include "Filters/Marshalling/CutData.h"
-#include "Filters/Marshalling/HeightUnit.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HeightUnit.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
 
 #include <algorithm>
 #include <cassert>

@@ -10,8 +10,8 @@
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Filters/Algorithms/Layers/CommonColumns.h"
 #include "Filters/Algorithms/Layers/Crossings.h"
-#include "Filters/Marshalling/LatticePoints.h"
-#include "Filters/Marshalling/PlacedPoints.h"
+#include "Filters/Common/LatticePoints.h"
+#include "Filters/Common/PlacedPoints.h"
 
 #include <array>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/LedgerFields.h"
-#include "Filters/Marshalling/HeightUnit.h"
+#include "Filters/Common/HeightUnit.h"
 
 #include <algorithm>
 #include <array>

@@ -9,9 +9,9 @@
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/LedgerFields.h"
 #include "Common/Survey/ColumnPoints.h"
-#include "Filters/Marshalling/HeightUnit.h"
-#include "Filters/Marshalling/HorizonCells.h"
-#include "Filters/Marshalling/HorizonPoints.h"
+#include "Filters/Common/HeightUnit.h"
+#include "Filters/Common/HorizonCells.h"
+#include "Filters/Common/HorizonPoints.h"
 #include "LayerFigures.h"
 #include "NearestColumns.h"
 

@@ -17,8 +17,7 @@
 namespace SeismicHorizons
 {
 /// Cell data are Layer, Triangle, Thickness and Volume.
-void WriteLayerCells(
-  const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, VolumeGrid& output);
+void WriteLayerCells(const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, VolumeGrid& output);
 
 /// The surface is closed and faces outwards; cell data are Face and Layer.
 void WriteLayerBody(

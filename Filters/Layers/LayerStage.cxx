@@ -63,7 +63,7 @@ LayerOptions MakeLayerOptions(const LayerStageOptions& given, const HorizonStack
   return options;
 }
 
-ErrorLimit FindMaximumError(const LayerStageOptions& given, const HorizonStack& stack)
+ErrorLimit FindErrorLimit(const LayerStageOptions& given, const HorizonStack& stack)
 {
   if (given.MaximumError)
   {
@@ -216,7 +216,7 @@ std::string WarnOfTime(const HorizonStack& stack)
 LayerStageResult RunLayers(const HorizonStack& stack, const LayerStageOptions& given, const Monitor& monitor)
 {
   LayerOptions options = MakeLayerOptions(given, stack);
-  const ErrorLimit limit = FindMaximumError(given, stack);
+  const ErrorLimit limit = FindErrorLimit(given, stack);
   options.MaximumError = limit.Indices;
   if (options.Domain == LayerDomain::EachLayer && given.Missing == MissingPolicy::Void)
   {

@@ -36,7 +36,7 @@ private:
     std::int64_t SquaredDistance = 0;
   };
 
-  /// Columns are in `nearest` if they are nearer than those before.
+  /// Keeps the first of the nearest columns of the bins so far.
   void Compare(std::int64_t x, std::int64_t y, const PlanePoint& place, Nearest& nearest) const;
 
   PlanePoints Columns;

@@ -7,7 +7,7 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "Filters/Algorithms/Layers/OrderedStack.h"
-#include "Filters/Marshalling/HorizonPoints.h"
+#include "Filters/Common/HorizonPoints.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Horizon.h"
 #include "Filters/Algorithms/Layers/Crossings.h"
-#include "Filters/Marshalling/HeightUnit.h"
+#include "Filters/Common/HeightUnit.h"
 #include "HorizonStack.h"
 
 #include <string>

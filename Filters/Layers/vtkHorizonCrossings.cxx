@@ -6,10 +6,10 @@
 #include "Common/Base/Monitor.h"
 #include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/HorizonName.h"
+#include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/VersionDifferences.h"
-#include "Filters/Marshalling/HorizonTree.h"
 #include "StackCrossings.h"
 
 #include "vtkInformation.h"

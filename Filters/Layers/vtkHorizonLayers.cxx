@@ -6,11 +6,11 @@
 #include "Common/Horizon/HeightNoise.h"
 #include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/HorizonName.h"
+#include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/VersionDifferences.h"
 #include "Common/VTK/VolumeConversion.h"
-#include "Filters/Marshalling/HorizonTree.h"
 #include "LayerFigures.h"
 #include "LayerStage.h"
 
@@ -38,7 +38,7 @@ constexpr std::size_t HorizonsPort = 2;
 constexpr std::size_t TablePort = 3;
 constexpr std::size_t CurvePort = 4;
 
-void Write(const LayerStageResult& result, const std::vector<vtkDataObject*>& outputs)
+void WriteOutputs(const LayerStageResult& result, const std::vector<vtkDataObject*>& outputs)
 {
   ToVTK(result.Layers, vtkUnstructuredGrid::SafeDownCast(outputs[LayersPort]));
   for (std::size_t layer = 0; layer < result.Bodies.size(); ++layer)
@@ -97,7 +97,7 @@ int vtkHorizonLayers::RequestData(
         vtkWarningMacro(<< doubt);
       }
       const LayerStageResult result = RunLayers(stack, this->MakeOptions(), monitor);
-      Write(result, outputs);
+      WriteOutputs(result, outputs);
       this->Results = result.Report;
       for (const std::string& warning : result.Warnings)
       {

@@ -5,8 +5,8 @@
 
 #include "Common/Horizon/NamedHorizon.h"
 #include "Common/VTK/HorizonConversion.h"
+#include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"
-#include "Filters/Marshalling/HorizonTree.h"
 #include "StackCrossings.h"
 
 #include "vtkInformation.h"

@@ -5,13 +5,13 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/CoveredColumns.h"
-#include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/DataArray.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/LedgerFields.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
-#include "Filters/Marshalling/HorizonCells.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
+#include "Filters/Common/HorizonCells.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -98,8 +98,7 @@ std::optional<DataArray> GatherArray(
   auto* to = static_cast<char*>(gathered.Data());
   for (const PartItem& source : sources)
   {
-    std::memcpy(
-      to, static_cast<const char*>(arrays[source.Part]->Data()) + std::size_t(source.Item) * bytes, bytes);
+    std::memcpy(to, static_cast<const char*>(arrays[source.Part]->Data()) + std::size_t(source.Item) * bytes, bytes);
     to += bytes;
   }
   return gathered;
@@ -155,8 +154,8 @@ std::vector<double> GatherErrors(const std::vector<Horizon>& meshes, const Joine
   {
     const Horizon& mesh = meshes[source.Part];
     const std::int64_t first = mesh.Vertices.Size() + mesh.Lines.Size();
-    errors.push_back(arrays[source.Part] ? arrays[source.Part]->At(first + source.Item, 0)
-                                         : std::numeric_limits<double>::quiet_NaN());
+    errors.push_back(
+      arrays[source.Part] ? arrays[source.Part]->At(first + source.Item, 0) : std::numeric_limits<double>::quiet_NaN());
   }
   return errors;
 }

@@ -8,11 +8,11 @@
 #include "Common/Horizon/DataModel.h"
 #include "Filters/Algorithms/Surface/Surface.h"
 #include "Filters/Boundary/BoundaryStage.h"
-#include "Filters/Marshalling/CrackData.h"
-#include "Filters/Marshalling/CutData.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/LedgerOutput.h"
+#include "Filters/Common/CrackData.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LedgerOutput.h"
 #include "SeamData.h"
 
 #include <algorithm>
@@ -114,8 +114,8 @@ void RequireSame(const Horizon& first, const Horizon& other, const char* name)
     if (!found || found->Size() != size || found->Value(n) != expected->Value(n))
     {
       std::ostringstream text;
-      text << "parts that differ in " << name << " (" << (found ? std::to_string(found->Value(n)) : "none")
-           << " and " << expected->Value(n) << "), expected parts of one horizon with the same parameters";
+      text << "parts that differ in " << name << " (" << (found ? std::to_string(found->Value(n)) : "none") << " and "
+           << expected->Value(n) << "), expected parts of one horizon with the same parameters";
       throw InputError(text.str());
     }
   }

@@ -37,8 +37,7 @@ std::vector<std::string> RunSurface(
   const Horizon& horizon, const SurfaceStageOptions& options, std::vector<Horizon>& outputs, const Monitor& monitor);
 
 /// Joins parts of a horizon that have seams, in any order. The output is empty without parts.
-void RunSurfaceJoin(
-  std::vector<Horizon> parts, std::int64_t minimumPatchSize, Horizon& output, const Monitor& monitor);
+void RunSurfaceJoin(std::vector<Horizon> parts, std::int64_t minimumPatchSize, Horizon& output, const Monitor& monitor);
 }
 
 #endif

@@ -5,11 +5,11 @@
 
 #include "Common/Horizon/HeightNoise.h"
 #include "Common/VTK/HorizonConversion.h"
+#include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Filters/Algorithms/Surface/Surface.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/HorizonTree.h"
-#include "Filters/Marshalling/LatticePoints.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
 #include "SurfaceStage.h"
 
 #include "vtkFieldData.h"

@@ -5,8 +5,8 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/VTK/HorizonConversion.h"
+#include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"
-#include "Filters/Marshalling/HorizonTree.h"
 #include "SurfaceStage.h"
 
 #include "vtkInformation.h"

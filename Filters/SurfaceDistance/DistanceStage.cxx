@@ -10,11 +10,11 @@
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
-#include "Filters/Marshalling/CutData.h"
-#include "Filters/Marshalling/HorizonCells.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/LatticePoints.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HorizonCells.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
 
 #include <algorithm>
 #include <array>

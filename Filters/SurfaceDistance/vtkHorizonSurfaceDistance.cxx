@@ -5,11 +5,11 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/VTK/HorizonConversion.h"
+#include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/RankedHorizons.h"
 #include "Common/VTK/Ranks.h"
 #include "DistanceStage.h"
-#include "Filters/Marshalling/HorizonTree.h"
-#include "Filters/Marshalling/RankedHorizons.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -8,10 +8,10 @@
 #include "Common/Horizon/LedgerFields.h"
 #include "Common/Survey/SurveyFields.h"
 #include "Filters/Algorithms/Thickness/Thickness.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/LatticePoints.h"
-#include "Filters/Marshalling/PlacedPoints.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
+#include "Filters/Common/PlacedPoints.h"
 
 #include <algorithm>
 #include <cmath>

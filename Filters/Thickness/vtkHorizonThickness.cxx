@@ -5,11 +5,11 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/VTK/HorizonConversion.h"
+#include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/ImageConversion.h"
 #include "Common/VTK/PipelineRequest.h"
+#include "Common/VTK/RankedHorizons.h"
 #include "Common/VTK/Ranks.h"
-#include "Filters/Marshalling/HorizonTree.h"
-#include "Filters/Marshalling/RankedHorizons.h"
 #include "ThicknessStage.h"
 
 #include "vtkAbstractArray.h"

@@ -5,11 +5,11 @@
 
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
-#include "Filters/Marshalling/CrackData.h"
-#include "Filters/Marshalling/HorizonCells.h"
-#include "Filters/Marshalling/HorizonData.h"
-#include "Filters/Marshalling/HorizonPoints.h"
-#include "Filters/Marshalling/LedgerOutput.h"
+#include "Filters/Common/CrackData.h"
+#include "Filters/Common/HorizonCells.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LedgerOutput.h"
 
 #include <array>
 #include <utility>
@@ -67,14 +67,13 @@ void WriteWalk(const std::vector<TracedCell>& walk, std::int32_t subVoxelsPerCol
   }
   output.Places = DataArray::Take(places, 3);
   output.Polygons = { DataArray::Take(offsets), DataArray::Take(corners) };
-  AddArray<int>(
-    output.CellData, CellArray::Dilatation, walk, [](const TracedCell& cell) { return cell.Dilatation; });
+  AddArray<int>(output.CellData, CellArray::Dilatation, walk, [](const TracedCell& cell) { return cell.Dilatation; });
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void RunTriangulation(const Horizon& given, const TriangulationStageOptions& options, std::vector<Horizon>& outputs,
-  const Monitor& monitor)
+void RunTriangulation(
+  const Horizon& given, const TriangulationStageOptions& options, std::vector<Horizon>& outputs, const Monitor& monitor)
 {
   const LatticePoints points = ReadPoints(given, KeptHeights::None);
   WriteDeviation(points, outputs);
@@ -83,8 +82,8 @@ void RunTriangulation(const Horizon& given, const TriangulationStageOptions& opt
   BoundedHorizon horizon = options.ConvexHull ? MakeHull(points) : ReadPatchesAndBoundary(points);
   monitor.Progress(0.1);
   CheckAtLeast<std::int64_t>("maximum number of triangles", options.MostTriangles, 0, " (all)");
-  Triangulation mesh = Triangulate(
-    horizon, { options.Strategy, std::size_t(options.MostTriangles) }, monitor.Step(0.1, 0.8));
+  Triangulation mesh =
+    Triangulate(horizon, { options.Strategy, std::size_t(options.MostTriangles) }, monitor.Step(0.1, 0.8));
   if (options.ConvexHull && options.MostTriangles == 0)
   {
     RemoveOutsideTriangles(horizon, mesh, options.Limits, monitor.Step(0.8, 0.85));

@@ -19,8 +19,7 @@ template <typename T>
 nb::object GiveNumbers(T* numbers, const DataArray& array)
 {
   using Owner = std::shared_ptr<void>;
-  const nb::capsule owner(
-    new Owner(array.Owner()), [](void* kept) noexcept { delete static_cast<Owner*>(kept); });
+  const nb::capsule owner(new Owner(array.Owner()), [](void* kept) noexcept { delete static_cast<Owner*>(kept); });
   const auto tuples = std::size_t(array.Tuples());
   const auto components = std::size_t(array.Components());
   return components == 1 ? nb::cast(nb::ndarray<nb::numpy, T, nb::ndim<1>>(numbers, { tuples }, owner))
@@ -47,8 +46,8 @@ ValueType TypeOfNumbers(const AnyArray& array)
   };
   constexpr std::array<Known, 11> types = { { { Code::Bool, 8, ValueType::UnsignedChar },
     { Code::Int, 8, ValueType::SignedChar }, { Code::UInt, 8, ValueType::UnsignedChar },
-    { Code::Int, 16, ValueType::Short }, { Code::UInt, 16, ValueType::UnsignedShort }, { Code::Int, 32, ValueType::Int },
-    { Code::UInt, 32, ValueType::UnsignedInt }, { Code::Int, 64, ValueType::Id },
+    { Code::Int, 16, ValueType::Short }, { Code::UInt, 16, ValueType::UnsignedShort },
+    { Code::Int, 32, ValueType::Int }, { Code::UInt, 32, ValueType::UnsignedInt }, { Code::Int, 64, ValueType::Id },
     { Code::UInt, 64, ValueType::UnsignedLongLong }, { Code::Float, 32, ValueType::Float },
     { Code::Float, 64, ValueType::Double } } };
   for (const Known& known : types)
@@ -79,7 +78,8 @@ DataArray TakeArray(const nb::handle& given)
   {
     throw InputError("an array of " + std::to_string(axes) + " axes, expected one or two");
   }
-  return { TypeOfNumbers(*kept), std::int64_t(kept->shape(0)), axes == 1 ? 1 : int(kept->shape(1)), owner.get(), owner };
+  return { TypeOfNumbers(*kept), std::int64_t(kept->shape(0)), axes == 1 ? 1 : int(kept->shape(1)), owner.get(),
+    owner };
 }
 
 ArrayTable TakeTable(const nb::dict& given, const char* name)

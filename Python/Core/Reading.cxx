@@ -59,8 +59,8 @@ struct Framing
 
   void Override(SurveyDescription& description) const
   {
-    OverrideSurvey(description, this->Survey[0].c_str(), this->Survey[1].c_str(), this->Survey[2].c_str(),
-      this->Survey[3].c_str());
+    OverrideSurvey(
+      description, this->Survey[0].c_str(), this->Survey[1].c_str(), this->Survey[2].c_str(), this->Survey[3].c_str());
   }
 };
 
@@ -237,8 +237,7 @@ nb::tuple ReadSparse(const std::string& path, const nb::dict& chosen, const std:
     std::to_string(frame.Lattice.Columns[1]) + " columns, places are their numbers\nz is " +
     (frame.UseRealZ ? "real z of the file" : "the vertical index") + ", and increases " +
     (frame.Direction == VerticalDirection::Up ? "upwards" : "downwards");
-  return nb::make_tuple(
-    "sparse voxels", nb::make_tuple(GiveNamed(horizons), description, std::vector<std::string>()));
+  return nb::make_tuple("sparse voxels", nb::make_tuple(GiveNamed(horizons), description, std::vector<std::string>()));
 }
 
 /// Meshes; returns their names, and where z increases to.
@@ -250,8 +249,8 @@ nb::tuple ReadTSurfs(const std::string& path, const nb::object& progress)
     [&](const Monitor& monitor)
     {
       const std::vector<std::string> names = NamesOf(ListTSurfs(*OpenInputFile(path), monitor.Step(0.0, 0.3)));
-      std::vector<TSurf> surfaces =
-        LoadTSurfs(*OpenInputFile(path), [](std::size_t) { return true; }, monitor.Step(0.3, 1.0));
+      std::vector<TSurf> surfaces = LoadTSurfs(
+        *OpenInputFile(path), [](std::size_t) { return true; }, monitor.Step(0.3, 1.0));
       sense = DescribeSense(surfaces);
       for (std::size_t n = 0; n < surfaces.size(); ++n)
       {
@@ -277,9 +276,9 @@ std::string FindFormat(const std::string& path)
     const std::optional<std::string> type = FirstTypeOfGOCAD(stream);
     return type && *type != "pline";
   };
-  return ExtensionOf(path) == "vsm" ? "sparse"
-    : isRecognised(isTSurf)         ? "tsurf"
-    : isRecognised(IsGrid)          ? "grid"
+  return ExtensionOf(path) == "vsm"                                                               ? "sparse"
+    : isRecognised(isTSurf)                                                                       ? "tsurf"
+    : isRecognised(IsGrid)                                                                        ? "grid"
     : isRecognised([&path](std::istream& stream) { return ArePicks(stream, ExtensionOf(path)); }) ? "text"
                                                                                                   : "";
 }

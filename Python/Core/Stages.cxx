@@ -9,11 +9,11 @@
 #include "Filters/Boundary/BoundaryStage.h"
 #include "Filters/BoundarySimplification/BoundarySimplificationStage.h"
 #include "Filters/CellSimplification/CellSimplificationStage.h"
+#include "Filters/Common/StageReport.h"
 #include "Filters/Decimation/DecimationStage.h"
 #include "Filters/Despiking/DespikingStage.h"
 #include "Filters/Faults/FaultStage.h"
 #include "Filters/HoleFilling/HoleFillingStage.h"
-#include "Filters/Marshalling/StageReport.h"
 #include "Filters/Surface/SurfaceStage.h"
 #include "Filters/SurfaceDistance/DistanceStage.h"
 #include "Filters/Thickness/ThicknessStage.h"
@@ -32,14 +32,12 @@ using Warnings = std::vector<std::string>;
 
 /// Calls stage(horizon, outputs, monitor), which returns warnings, without the lock. Returns outputs and warnings.
 template <typename Stage>
-nb::tuple Call(
-  const nb::dict& given, std::size_t ports, bool takesMeshes, const nb::object& progress, Stage&& stage)
+nb::tuple Call(const nb::dict& given, std::size_t ports, bool takesMeshes, const nb::object& progress, Stage&& stage)
 {
   const Horizon horizon = TakeData(given);
   std::vector<Horizon> outputs(ports);
   const Warnings warnings = Run(progress,
-    [&](const Monitor& monitor)
-    {
+    [&](const Monitor& monitor) {
       return RunStage(horizon, takesMeshes, outputs, [&]() -> Warnings { return stage(horizon, outputs, monitor); });
     });
   return nb::make_tuple(GiveList(outputs), warnings);
@@ -242,8 +240,9 @@ nb::tuple FindFaults(
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
     {
       const bool cuts = RunFaults(horizon, sticks, options, outputs, monitor);
-      return cuts || sticks.empty() ? Warnings()
-                                    : Warnings{ "none of " + std::to_string(sticks.size()) +
+      return cuts || sticks.empty()
+        ? Warnings()
+        : Warnings{ "none of " + std::to_string(sticks.size()) +
             " fault polylines passes between columns of a horizon, expected lines in the coordinates of its points" };
     });
 }
@@ -269,8 +268,8 @@ nb::tuple MeasureDistance(
   Take(chosen, "include_filled_points", options.IncludeFilledPoints);
   const Horizon first = TakeData(reference);
   const Horizon second = TakeData(mesh);
-  const MeasuredPair measured = Run(
-    progress, [&](const Monitor& monitor) { return RunSurfaceDistance(first, second, "", options, monitor); });
+  const MeasuredPair measured =
+    Run(progress, [&](const Monitor& monitor) { return RunSurfaceDistance(first, second, "", options, monitor); });
   return nb::make_tuple(GiveData(measured.Reference), GiveData(measured.Mesh));
 }
 }

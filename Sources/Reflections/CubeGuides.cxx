@@ -6,7 +6,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LatticeFrame.h"
-#include "Filters/Marshalling/HorizonPoints.h"
+#include "Filters/Common/HorizonPoints.h"
 
 #include <algorithm>
 #include <cassert>

@@ -7,7 +7,7 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/Lattice.h"
-#include "Filters/Marshalling/HorizonData.h"
+#include "Filters/Common/HorizonData.h"
 
 #include <cmath>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/VTK/HorizonConversion.h"
-#include "Filters/Marshalling/HorizonTree.h"
+#include "Common/VTK/HorizonTree.h"
 #include "ReflectionStage.h"
 
 #include "vtkDataArray.h"

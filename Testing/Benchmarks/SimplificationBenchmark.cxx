@@ -9,7 +9,7 @@
 // points, which they need, and bins of the same size; they leave the outline unprotected.
 
 #include "Filters/Algorithms/CellSimplification/CellSimplification.h"
-#include "Filters/Marshalling/HorizonData.h"
+#include "Filters/Common/HorizonData.h"
 
 #include "vtkBinnedDecimation.h"
 #include "vtkDoubleArray.h"

@@ -5,7 +5,7 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
-#include "Filters/Marshalling/HorizonData.h"
+#include "Filters/Common/HorizonData.h"
 #include "Writers/HorizonSampling.h"
 
 #include <algorithm>

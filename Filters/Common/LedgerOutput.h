@@ -13,8 +13,7 @@ namespace SeismicHorizons
 /// `covered` are the columns of the output. After merging or dropping, points have no columns, and the ledger of the
 /// input is adapted; without it none is written.
 /// Only points that are kept can be known.
-void WriteLedger(
-  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, Horizon& output);
+void WriteLedger(const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, Horizon& output);
 
 /// For outputs of points alone, unless the stage has written a ledger. Loops and meshes keep the ledger of the input.
 void WriteLedgerOfPoints(const Horizon& input, Horizon& output);

@@ -4,9 +4,9 @@
 #include "ReducedHorizon.h"
 
 #include "Common/Base/Parallel.h"
+#include "Common/Horizon/DataArray.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/MergedPoints.h"
-#include "Common/Horizon/DataArray.h"
 #include "HorizonCells.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
@@ -114,8 +114,7 @@ void UnmarkInside(const Loops& boundary, Horizon& output)
 }
 
 /// Counts of dropped points are added to their targets.
-DataArray AddDropped(
-  const std::vector<std::int64_t>& counts, const KeptPoints& kept, const DroppedPoints& dropped)
+DataArray AddDropped(const std::vector<std::int64_t>& counts, const KeptPoints& kept, const DroppedPoints& dropped)
 {
   DataArray sums = NewArray<std::int64_t>(PointArray::PointCount, std::int64_t(kept.size()));
   auto* const values = sums.As<std::int64_t>();
@@ -161,8 +160,8 @@ DataArray MakePoints(const Horizon& input, const Lattice& lattice, const Reducti
     {
       for (std::int64_t n = first; n < last; ++n)
       {
-        const Eigen::Vector3d world = WorldPlace(
-          reduction, std::size_t(n), lattice, [&input](PointId source) { return input.Place(source); });
+        const Eigen::Vector3d world =
+          WorldPlace(reduction, std::size_t(n), lattice, [&input](PointId source) { return input.Place(source); });
         std::copy_n(world.data(), 3, values + 3 * n);
       }
     });
@@ -181,8 +180,7 @@ void WriteReduction(const Horizon& input, const Reduction& reduction, Horizon& o
   ReduceAttributes(input, reduction.Source, points, output);
   UnmarkInside(reduction.Boundary, output);
   WriteColumns(reduction, output);
-  if (input.PointData.Has(PointArray::PointCount) ||
-    output.NumberOfPoints() < input.NumberOfPoints())
+  if (input.PointData.Has(PointArray::PointCount) || output.NumberOfPoints() < input.NumberOfPoints())
   {
     data.Add(SumCounts(points));
   }

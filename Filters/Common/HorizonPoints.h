@@ -16,10 +16,6 @@
 
 namespace SeismicHorizons
 {
-/// Throws InputError unless arrays have a tuple per point or cell, and ghosts one component. Later code does not check
-/// sizes.
-void CheckArraySizes(const Horizon& horizon);
-
 /// The field data for an output without triangles, or with different ones.
 ArrayTable WithoutMeshFigures(ArrayTable figures);
 

@@ -146,7 +146,8 @@ public:
     {
       this->MakeExactPoints();
     }
-    CheckHeights(this->Result.Horizon, [this](std::int64_t point) { return this->Result.HeightAt(std::size_t(point)); });
+    CheckHeights(
+      this->Result.Horizon, [this](std::int64_t point) { return this->Result.HeightAt(std::size_t(point)); });
     return std::move(this->Result);
   }
 

@@ -3,10 +3,9 @@
 
 #include "HeightUnit.h"
 
+#include "Common/Horizon/DataArray.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/PlaneGeometry.h"
-#include "Common/Horizon/DataArray.h"
-
 
 #include <algorithm>
 #include <cassert>
@@ -43,7 +42,6 @@ double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<do
 //----------------------------------------------------------------------------------------------------------------------
 void WriteHeightNoise(const HeightNoise& noise, ArrayTable& figures)
 {
-  AddValue<double>(
-    figures, noise.IsRounding ? FieldArray::HeightRounding : FieldArray::HeightNoise, noise.Deviation);
+  AddValue<double>(figures, noise.IsRounding ? FieldArray::HeightRounding : FieldArray::HeightNoise, noise.Deviation);
 }
 }

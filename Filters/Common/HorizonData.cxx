@@ -6,8 +6,8 @@
 #include "Common/Base/Errors.h"
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
-#include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/DataArray.h"
+#include "Common/Horizon/DataModel.h"
 #include "CutData.h"
 #include "HorizonPoints.h"
 
@@ -73,8 +73,8 @@ const DataArray* FindPointArray(const Horizon& horizon, const char* name)
   const DataArray* const array = FindNumbers(horizon.PointData, name);
   if (array && array->Components() != 1)
   {
-    throw InputError("point array " + std::string(name) + " with " + std::to_string(array->Components()) +
-      " components, expected 1");
+    throw InputError(
+      "point array " + std::string(name) + " with " + std::to_string(array->Components()) + " components, expected 1");
   }
   return array;
 }
@@ -267,8 +267,7 @@ std::vector<std::array<PointId, 3>> ReadTriangles(const Horizon& mesh)
 {
   if (mesh.Strips > 0)
   {
-    throw InputError(
-      std::to_string(mesh.Strips) + " triangle strips, expected triangles: apply Triangulate first");
+    throw InputError(std::to_string(mesh.Strips) + " triangle strips, expected triangles: apply Triangulate first");
   }
   const Cells& polygons = mesh.Polygons;
   std::vector<std::array<PointId, 3>> triangles;

@@ -7,9 +7,9 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Common/Survey/MeshSampling.h"
+#include "Common/Survey/SurveyFields.h"
 #include "Common/Survey/Units.h"
 #include "Common/Text/TextWords.h"
-#include "Common/Survey/SurveyFields.h"
 #include "HorizonData.h"
 #include "HorizonPoints.h"
 

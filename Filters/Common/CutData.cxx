@@ -4,8 +4,8 @@
 #include "CutData.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/DataArray.h"
+#include "Common/Horizon/DataModel.h"
 #include "HorizonData.h"
 
 #include <algorithm>
@@ -21,8 +21,7 @@ namespace
 {
 LatticeLink ReadLink(const DataArray* const links, std::int64_t n, const std::array<int, 3>& dimensions)
 {
-  const std::array<double, 3> link = { links->At(n, 0), links->At(n, 1),
-    links->At(n, 2) };
+  const std::array<double, 3> link = { links->At(n, 0), links->At(n, 1), links->At(n, 2) };
   const std::array<int, 3> end = { dimensions[0], dimensions[1], 2 };
   for (std::size_t component = 0; component < link.size(); ++component)
   {
@@ -67,8 +66,8 @@ std::vector<LatticeLink> ReadFaultedLinks(const Horizon& horizon)
   }
   if (array->Components() != 3)
   {
-    throw InputError("field data array " + array->Name + " with " +
-      std::to_string(array->Components()) + " components, expected 3: i, j and the side");
+    throw InputError("field data array " + array->Name + " with " + std::to_string(array->Components()) +
+      " components, expected 3: i, j and the side");
   }
   const std::array<int, 3> dimensions = ReadLatticeDimensions(horizon);
   std::vector<LatticeLink> links;

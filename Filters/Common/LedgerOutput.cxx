@@ -22,8 +22,7 @@ std::int64_t CountLeftOut(const std::optional<Ledger>& before, const Ledger& poi
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteLedger(
-  const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, Horizon& output)
+void WriteLedger(const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, Horizon& output)
 {
   const ArrayTable& given = points.Horizon.FieldData;
   std::optional<Ledger> ledger = ReadLedger(given);

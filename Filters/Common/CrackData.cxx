@@ -4,8 +4,8 @@
 #include "CrackData.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/DataArray.h"
+#include "Common/Horizon/DataModel.h"
 #include "CutData.h"
 #include "Filters/Algorithms/FaultClosing/FaultClosing.h"
 #include "Filters/Algorithms/Triangulation/TriangleQuality.h"
@@ -55,8 +55,8 @@ const DataArray* FindTuples(const ArrayTable& data, const char* name, int compon
   const DataArray* const array = FindNumbers(data, name);
   if (array && array->Components() != components)
   {
-    throw InputError("field data array " + std::string(name) + " with " +
-      std::to_string(array->Components()) + " components, expected " + std::to_string(components));
+    throw InputError("field data array " + std::string(name) + " with " + std::to_string(array->Components()) +
+      " components, expected " + std::to_string(components));
   }
   return array;
 }
@@ -154,8 +154,8 @@ void ExtendCellData(const TriangleQuality& quality, std::size_t triangles, Array
   const ArrayTable before = data;
   for (const DataArray& array : before)
   {
-    const auto found = std::find_if(
-      known.begin(), known.end(), [&array](const auto& named) { return array.Name == named.first; });
+    const auto found =
+      std::find_if(known.begin(), known.end(), [&array](const auto& named) { return array.Name == named.first; });
     DataArray extended = array.NewLike(array.Tuples() + std::int64_t(triangles));
     std::memcpy(extended.Data(), array.Data(), std::size_t(array.Tuples()) * array.BytesOfTuple());
     for (std::size_t triangle = 0; triangle < triangles; ++triangle)
@@ -242,8 +242,9 @@ void CloseMesh(const std::vector<PlanePoint>& plane, const Lattice& lattice, con
   ExtendCellData(MeasureQuality(plane, triangles), size, mesh.CellData);
   mesh.CellData.Add(std::move(marks));
   FaceUp(lattice, triangles);
-  mesh.Polygons = mesh.Polygons.Offsets.Type() == ValueType::Int ? AppendTriangles<int>(mesh.Polygons, triangles)
-                                                                 : AppendTriangles<std::int64_t>(mesh.Polygons, triangles);
+  mesh.Polygons = mesh.Polygons.Offsets.Type() == ValueType::Int
+    ? AppendTriangles<int>(mesh.Polygons, triangles)
+    : AppendTriangles<std::int64_t>(mesh.Polygons, triangles);
   AddValue<std::int64_t>(mesh.FieldData, FieldArray::FaultTriangleCount, std::int64_t(size));
 }
 }

@@ -4,7 +4,7 @@
 #include "RankedHorizons.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/VTK/Ranks.h"
+#include "Ranks.h"
 
 #include "vtkPolyData.h"
 

@@ -48,19 +48,6 @@ double MeasureStretch(const Horizon& horizon, const std::function<double(std::in
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckArraySizes(const Horizon& horizon)
-{
-  RequireTuples(horizon.PointData, horizon.NumberOfPoints(), "points");
-  RequireTuples(horizon.CellData, horizon.NumberOfCells(), "cells");
-  const DataArray* const ghosts = horizon.PointData.Find(PointArray::Ghosts);
-  if (ghosts && ghosts->As<unsigned char>() && ghosts->Components() != 1)
-  {
-    throw InputError("point array " + ghosts->Name + " with " + std::to_string(ghosts->Components()) +
-      " components, expected 1");
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 ArrayTable WithoutMeshFigures(ArrayTable figures)
 {
   for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,

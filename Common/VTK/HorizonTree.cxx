@@ -4,10 +4,9 @@
 #include "HorizonTree.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/VTK/HorizonConversion.h"
-#include "Common/VTK/HorizonName.h"
-#include "Common/VTK/VersionDifferences.h"
-#include "HorizonPoints.h"
+#include "HorizonConversion.h"
+#include "HorizonName.h"
+#include "VersionDifferences.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"
