@@ -117,6 +117,23 @@ vtkPolyData* vtkHorizonAlgorithm::GetPolyDataOutput()
 }
 
 //------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::ProcessHorizon(const Horizon& input, Outputs& outputs, const Monitor& monitor)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> made;
+  std::vector<vtkPolyData*> datasets;
+  for (const Horizon& output : outputs)
+  {
+    made.push_back(ToVTK(output));
+    datasets.push_back(made.back());
+  }
+  this->ProcessPolyData(ToVTK(input), datasets, monitor);
+  std::transform(datasets.begin(), datasets.end(), outputs.begin(), [](vtkPolyData* data) { return FromVTK(data); });
+}
+
+//------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::ProcessPolyData(vtkPolyData*, const std::vector<vtkPolyData*>&, const Monitor&) {}
+
+//------------------------------------------------------------------------------
 void vtkHorizonAlgorithm::ProcessOutputs(const std::vector<vtkDataObject*>&) {}
 
 //------------------------------------------------------------------------------

@@ -68,7 +68,11 @@ protected:
   /// The outputs, by port, have only the field data of the input, which has visible points. Throws
   /// SeismicHorizons::InputError on unsuitable input.
   virtual void ProcessHorizon(
-    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) = 0;
+    const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor);
+
+  /// The same with datasets. A filter overrides one of both.
+  virtual void ProcessPolyData(
+    vtkPolyData* input, const std::vector<vtkPolyData*>& outputs, const SeismicHorizons::Monitor& monitor);
 
   /// Stages refuse triangles unless they override this.
   virtual bool TakesMeshes() { return false; }

@@ -46,6 +46,7 @@ struct KeepArray
 {
   vtkSmartPointer<vtkAbstractArray> Array;
   std::shared_ptr<void> Copied; // for an array of another layout
+  vtkSmartPointer<vtkPoints> Points; // of places; other points with the array would mark it as modified
   void operator()(void*) const {}
 };
 
@@ -104,7 +105,7 @@ DataArray TextsOf(vtkAbstractArray* array)
   }
   const auto kept = std::make_shared<std::vector<std::string>>(std::move(texts));
   return { ValueType::Text, array->GetNumberOfTuples(), array->GetNumberOfComponents(), kept.get(),
-    std::shared_ptr<void>(kept.get(), KeepArray{ array, kept }) };
+    std::shared_ptr<void>(kept.get(), KeepArray{ array, kept, nullptr }) };
 }
 
 DataArray NumbersOf(vtkDataArray* array)
@@ -118,9 +119,9 @@ DataArray NumbersOf(vtkDataArray* array)
   }
   const auto kind = std::find(Types.begin(), Types.end(), type) - Types.begin();
   void* const values = plain->GetNumberOfValues() > 0 ? plain->GetVoidPointer(0) : nullptr;
-  const std::shared_ptr<void> copied(values, KeepArray{ plain, nullptr });
+  const std::shared_ptr<void> copied(values, KeepArray{ plain, nullptr, nullptr });
   return { ValueType(kind), plain->GetNumberOfTuples(), plain->GetNumberOfComponents(), values,
-    std::shared_ptr<void>(values, KeepArray{ array, copied }) };
+    std::shared_ptr<void>(values, KeepArray{ array, copied, nullptr }) };
 }
 
 /// Arrays of stages have the classes of VTK that scripts know.
@@ -225,6 +226,7 @@ Horizon FromVTK(vtkPolyData* given)
   if (given->GetPoints())
   {
     horizon.Places = FromVTK(given->GetPoints()->GetData());
+    std::get_deleter<KeepArray>(horizon.Places.Owner())->Points = given->GetPoints();
   }
   horizon.Vertices = FromVTK(given->GetVerts());
   horizon.Lines = FromVTK(given->GetLines());
@@ -297,10 +299,15 @@ void ToVTK(const ArrayTable& columns, vtkTable* output)
 void ToVTK(const Horizon& horizon, vtkPolyData* output)
 {
   output->Initialize();
-  vtkNew<vtkPoints> points;
-  if (horizon.Places.Components() == 3)
+  const auto* const kept = std::get_deleter<KeepArray>(horizon.Places.Owner());
+  vtkSmartPointer<vtkPoints> points = kept ? kept->Points : nullptr;
+  if (!points)
   {
-    points->SetData(vtkDataArray::SafeDownCast(ToVTK(horizon.Places)));
+    points = vtkSmartPointer<vtkPoints>::New();
+    if (horizon.Places.Components() == 3)
+    {
+      points->SetData(vtkDataArray::SafeDownCast(ToVTK(horizon.Places)));
+    }
   }
   output->SetPoints(points);
   output->SetVerts(ToCellArray(horizon.Vertices));

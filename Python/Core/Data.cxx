@@ -60,43 +60,6 @@ ValueType TypeOfNumbers(const AnyArray& array)
   throw InputError("an array of a type that is neither a number of up to 64 bits nor text, expected one of these");
 }
 
-DataArray TakeArray(const nb::handle& given)
-{
-  if (nb::isinstance<nb::list>(given))
-  {
-    return { "", nb::cast<std::vector<std::string>>(given) };
-  }
-  auto* const kept = new AnyArray(nb::cast<AnyArray>(given));
-  const std::shared_ptr<void> owner(const_cast<void*>(kept->data()),
-    [kept](void*)
-    {
-      const nb::gil_scoped_acquire lock;
-      delete kept;
-    });
-  const std::size_t axes = kept->ndim();
-  if (axes < 1 || axes > 2)
-  {
-    throw InputError("an array of " + std::to_string(axes) + " axes, expected one or two");
-  }
-  return { TypeOfNumbers(*kept), std::int64_t(kept->shape(0)), axes == 1 ? 1 : int(kept->shape(1)), owner.get(),
-    owner };
-}
-
-ArrayTable TakeTable(const nb::dict& given, const char* name)
-{
-  ArrayTable table;
-  if (given.contains(name))
-  {
-    for (const auto& [key, values] : nb::cast<nb::dict>(given[name]))
-    {
-      DataArray array = TakeArray(values);
-      array.Name = nb::cast<std::string>(key);
-      table.Add(std::move(array));
-    }
-  }
-  return table;
-}
-
 Cells TakeCells(const nb::dict& given, const char* name)
 {
   if (!given.contains(name))
@@ -164,6 +127,17 @@ nb::list GiveList(const std::vector<Horizon>& horizons)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+nb::list GiveNamed(const std::vector<NamedHorizon>& horizons)
+{
+  nb::list given;
+  for (const NamedHorizon& horizon : horizons)
+  {
+    given.append(nb::make_tuple(horizon.Name, GiveData(horizon.Data)));
+  }
+  return given;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 nb::dict GiveVolumes(const VolumeGrid& grid)
 {
   nb::dict given;
@@ -179,6 +153,45 @@ nb::dict GiveVolumes(const VolumeGrid& grid)
 // ---- From numpy -----------------------------------------------------------------------------------------------------
 
 //----------------------------------------------------------------------------------------------------------------------
+DataArray TakeArray(const nb::handle& given)
+{
+  if (nb::isinstance<nb::list>(given))
+  {
+    return { "", nb::cast<std::vector<std::string>>(given) };
+  }
+  auto* const kept = new AnyArray(nb::cast<AnyArray>(given));
+  const std::shared_ptr<void> owner(const_cast<void*>(kept->data()),
+    [kept](void*)
+    {
+      const nb::gil_scoped_acquire lock;
+      delete kept;
+    });
+  const std::size_t axes = kept->ndim();
+  if (axes < 1 || axes > 2)
+  {
+    throw InputError("an array of " + std::to_string(axes) + " axes, expected one or two");
+  }
+  return { TypeOfNumbers(*kept), std::int64_t(kept->shape(0)), axes == 1 ? 1 : int(kept->shape(1)), owner.get(),
+    owner };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ArrayTable TakeTable(const nb::dict& given, const char* name)
+{
+  ArrayTable table;
+  if (given.contains(name))
+  {
+    for (const auto& [key, values] : nb::cast<nb::dict>(given[name]))
+    {
+      DataArray array = TakeArray(values);
+      array.Name = nb::cast<std::string>(key);
+      table.Add(std::move(array));
+    }
+  }
+  return table;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 Horizon TakeData(const nb::dict& given)
 {
   Horizon horizon;
@@ -189,6 +202,18 @@ Horizon TakeData(const nb::dict& given)
   horizon.CellData = TakeTable(given, "cell_data");
   horizon.FieldData = TakeTable(given, "field_data");
   return horizon;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<NamedHorizon> TakeNamed(const nb::list& given)
+{
+  std::vector<NamedHorizon> horizons;
+  for (const nb::handle& one : given)
+  {
+    const auto pair = nb::cast<nb::tuple>(one);
+    horizons.push_back({ nb::cast<std::string>(pair[0]), TakeData(nb::cast<nb::dict>(pair[1])) });
+  }
+  return horizons;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Horizon.h"
+#include "Common/Horizon/NamedHorizon.h"
 #include "Common/Horizon/VolumeGrid.h"
 
 #include <nanobind/nanobind.h>
@@ -31,10 +32,15 @@ nb::dict GiveTable(const ArrayTable& table);
 /// Keys: places, lines and polygons (offsets and points), point_data, cell_data, field_data.
 nb::dict GiveData(const Horizon& horizon);
 nb::list GiveList(const std::vector<Horizon>& horizons);
+/// Pairs of a name and data, and back.
+nb::list GiveNamed(const std::vector<NamedHorizon>& horizons);
+std::vector<NamedHorizon> TakeNamed(const nb::list& given);
 /// Keys: places, cells, types, point_data, cell_data, field_data.
 nb::dict GiveVolumes(const VolumeGrid& grid);
 
 /// Arrays are contiguous, of numbers; texts are lists. Keys of GiveData may be missing.
+DataArray TakeArray(const nb::handle& given);
+ArrayTable TakeTable(const nb::dict& given, const char* name);
 Horizon TakeData(const nb::dict& given);
 VolumeGrid TakeVolumes(const nb::dict& given);
 
@@ -127,6 +133,8 @@ auto Run(const nb::object& progress, Work&& work)
 
 void BindReading(nb::module_& module);
 void BindStages(nb::module_& module);
+void BindLayers(nb::module_& module);
+void BindCubes(nb::module_& module);
 void BindWriting(nb::module_& module);
 }
 

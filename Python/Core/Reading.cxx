@@ -66,29 +66,18 @@ struct Framing
 
 using NamedHorizons = std::vector<NamedHorizon>;
 
-nb::list GiveNamed(const NamedHorizons& horizons)
-{
-  nb::list given;
-  for (const auto& [name, horizon] : horizons)
-  {
-    given.append(nb::make_tuple(name, GiveData(horizon)));
-  }
-  return given;
-}
-
 /// Returns names and horizons, the description of their place, and warnings.
 nb::tuple GiveHorizons(SurveyHorizons survey, const std::vector<std::string>& names, const Framing& framing)
 {
   RequireAnyPoints(survey.Horizons, "");
   framing.Override(survey.Survey);
-  FramedSurvey framed = FrameSurvey(survey, framing.VerticalStep, framing.Direction);
+  const FramedSurvey framed = FrameSurvey(survey, framing.VerticalStep, framing.Direction);
   NamedHorizons horizons;
   for (std::size_t number = 0; number < survey.Horizons.size(); ++number)
   {
-    framed.Frame.Sampling = framed.Samplings[number];
     const std::size_t owner = std::size_t(std::max(1, survey.Horizons[number].SurfaceId)) - 1;
-    horizons.push_back({ owner < names.size() ? names[owner] : names.front(),
-      MakeHorizonPoints(std::move(survey.Horizons[number]), framed.Frame) });
+    horizons.push_back(
+      { owner < names.size() ? names[owner] : names.front(), TakeHorizonPoints(survey, framed, number) });
   }
   survey.Warnings.insert(survey.Warnings.end(), framed.Warnings.begin(), framed.Warnings.end());
   return nb::make_tuple(GiveNamed(horizons), framed.Description, survey.Warnings);

@@ -3,13 +3,12 @@
 
 #include "Data.h"
 
-#include "Common/Horizon/NamedHorizon.h"
-#include "Common/Survey/SurveyFields.h"
 #include "Writers/GOCADTSurf/HorizonTSurf.h"
 #include "Writers/HorizonDXF/HorizonDXF.h"
 #include "Writers/HorizonFiles.h"
 #include "Writers/HorizonGrid/GridWriters.h"
 #include "Writers/HorizonGrid/HorizonGridPrinter.h"
+#include "Writers/HorizonLayers/LayersFile.h"
 #include "Writers/HorizonMesh/HorizonMesh.h"
 #include "Writers/HorizonText/HorizonText.h"
 #include "Writers/VerneySparseMatrix/HorizonMatrix.h"
@@ -22,17 +21,6 @@ namespace SeismicHorizons
 namespace
 {
 const std::vector<std::string> Senses = { "as_read", "up", "down" };
-
-std::vector<NamedHorizon> TakeNamed(const nb::list& given)
-{
-  std::vector<NamedHorizon> horizons;
-  for (const nb::handle& one : given)
-  {
-    const auto pair = nb::cast<nb::tuple>(one);
-    horizons.push_back({ nb::cast<std::string>(pair[0]), TakeData(nb::cast<nb::dict>(pair[1])) });
-  }
-  return horizons;
-}
 
 /// Formats of several horizons in one file.
 using Printer = std::function<void(const std::vector<NamedHorizon>&, std::ostream&, const Monitor&)>;
@@ -116,6 +104,14 @@ std::vector<std::string> Write(const std::string& path, const std::string& forma
 //----------------------------------------------------------------------------------------------------------------------
 void BindWriting(nb::module_& module)
 {
+  module.def(
+    "write_layers",
+    [](const std::string& path, const nb::dict& volumes, const nb::object& progress)
+    {
+      const VolumeGrid grid = TakeVolumes(volumes);
+      Run(progress, [&](const Monitor& monitor) { WriteLayersFile(path, grid, monitor); });
+    },
+    "path"_a, "volumes"_a, "progress"_a.none());
   module.def("write", &Write, "path"_a, "format"_a, "horizons"_a, "options"_a, "progress"_a.none());
 }
 }

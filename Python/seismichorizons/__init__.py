@@ -13,11 +13,13 @@ Everything takes and gives numpy arrays; other packages are imported where their
 
 import importlib.metadata
 
+from ._cube import Cube, extract, read_cube
 from ._door import horizon
 from ._files import read, read_mesh, write
 from ._horizon import Horizon, Lattice
 from ._lines import Lines, read_faults
 from ._mesh import Ledger, Mesh
+from ._stack import Distance, Layers, crossings, distance, layers
 from ._stages import Faults, Thickness, despike, faults, fill_holes, surface, thickness
 from ._thesis import (
     boundary_simplification,
@@ -30,6 +32,7 @@ from ._thesis import (
 )
 
 __version__ = importlib.metadata.version("seismichorizons")
-__all__ = ["Faults", "Horizon", "Lattice", "Ledger", "Lines", "Mesh", "Thickness", "boundary_simplification", "decimation", "despike",
-           "elaborate_simplification", "exterior_boundary", "faults", "fill_holes", "horizon", "join", "read", "read_faults", "read_mesh",
-           "rough_simplification", "surface", "thickness", "triangulation", "write"]
+__all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "boundary_simplification",
+           "crossings", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",
+           "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "surface",
+           "thickness", "triangulation", "write"]

@@ -88,7 +88,7 @@ WORDS = {"VerticalDirection": "direction", "StrayPicks LeaveOut": "leave_out_str
          "MinimumPatchSize": "minimum_patch_size", "UpperWins": "upper_wins", "LowerWins": "lower_wins",
          "Domain EachLayer": "domain=\"each_layer\"", "EachLayer": "each_layer", "Missing Interpolate": "missing=\"interpolate\"",
          "Missing Follow": "missing=\"follow\"", "Common": "common", "Horizon From Points": "horizon(data, gridding=\"plate\")",
-         "Horizon Exterior Boundary": "boundary(horizon)", "Horizon Layers": "layers(horizons)"}
+         "Order AsGiven": "order=\"as_given\"", "Horizon Exterior Boundary": "exterior_boundary(horizon)", "Horizon Layers": "layers(horizons)"}
 
 
 def in_keywords(message: str) -> str:
@@ -111,6 +111,6 @@ def call(name: str, stage: Callable[..., tuple[Any, list[str]]], *arguments: Any
         outputs, messages = stage(*arguments)
     except ValueError as error:
         raise ValueError("%s: %s" % (name, in_keywords(str(error)))) from None
-    for message in messages:
+    for message in filter(None, messages):
         warnings.warn("%s: %s" % (name, in_keywords(message)), stacklevel=4)
     return outputs

@@ -21,7 +21,7 @@ from ._units import height
 
 
 
-def _require(horizon: Any, stage: str) -> None:
+def require_horizon(horizon: Any, stage: str) -> None:
     if not isinstance(horizon, Horizon):
         raise TypeError("%s of %s, expected a Horizon: horizon(data) makes one, read(path) reads some" % (
             stage, type(horizon).__name__))
@@ -138,7 +138,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     >>> len(found), len(found.links), float(found.throws.min())
     (1, 60, 30.0)
     """
-    _require(horizon, "fault detection")
+    require_horizon(horizon, "fault detection")
     given = None if lines is None else lines_of(lines)._data()
     options = {"smallest_extent": int(smallest_extent), "smallest_branch": int(smallest_branch), "largest_gap": int(largest_gap),
                "largest_ramp": int(largest_ramp), "join_through_holes": bool(join_through_holes), "are_sticks": bool(are_sticks and lines is not None),
@@ -226,7 +226,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
                      outline_tolerance=outline_tolerance, faults=faults,
                      close_faults=close_faults, seam_rows=seam_rows, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
-    _require(horizon, "a surface")
+    require_horizon(horizon, "a surface")
     if largest_error is not None and triangles is not None:
         raise ValueError("largest_error and triangles, expected one of them")
     options = given_options(
@@ -281,7 +281,7 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
     >>> int(sh.fill_holes(sh.horizon(z)).filled.sum())
     12
     """
-    _require(horizon, "filling")
+    require_horizon(horizon, "filling")
     options = {"method": method, "largest_hole_size": _count("largest_hole_size", largest_hole_size), "rim_smoothing": float(rim_smoothing),
                "rim_width": int(rim_width), "extrapolation_distance": int(extrapolation_distance)}
     (data,) = call(horizon.name, _core.fill_holes, horizon._data(links_of(faults)), options, progress)
@@ -323,7 +323,7 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
     >>> sh.despike(sh.horizon(z), 10.0).left_out["spikes"]
     1
     """
-    _require(horizon, "despiking")
+    require_horizon(horizon, "despiking")
     options = {"radius": int(radius), "spur_width": int(spur_width), "threshold_unit": "world",
                "threshold": 0.0 if threshold is None else height("threshold", threshold, horizon.vertical_unit)}
     (data,) = call(horizon.name, _core.despike, horizon._data(), options, progress)
@@ -392,7 +392,7 @@ def thickness(top: Horizon, base: Horizon, *, progress: Progress | None = None) 
     15000000.0
     """
     for one in (top, base):
-        _require(one, "thickness")
+        require_horizon(one, "thickness")
     if top.direction != base.direction:
         raise ValueError("%s and %s: z %s and %s, expected one direction" % (top.name, base.name, top.direction, base.direction))
     (data,) = call("%s and %s" % (top.name, base.name), _core.thickness, top._data(), base._data(), progress)

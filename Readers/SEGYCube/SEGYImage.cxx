@@ -57,6 +57,29 @@ void AddCubeFields(const SEGYCube& cube, const CubeView& view, ArrayTable& data)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+CubeView MakeCubeView(
+  const SEGYCube& cube, const SurveyDescription& survey, VerticalDirection direction, double tolerance)
+{
+  CubeView view;
+  view.Frame.Survey = survey;
+  view.Frame.Lattice = cube.Lattice;
+  view.Frame.LatticeDeviation = cube.LargestDistance;
+  view.Frame.Sampling = cube.Sampling;
+  view.Frame.Direction = direction;
+  view.Image = MakeCubeFrame(view.Frame.ToWorld(), cube.Lattice.Columns);
+  if (!(view.Image.Deviation <= tolerance))
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "steps " << ToText(cube.Lattice.ColumnStep) << " and " << ToText(cube.Lattice.RowStep)
+         << " that are not perpendicular, so that an image is up to " << view.Image.Deviation
+         << " columns off, expected at most " << tolerance << " (ImageTolerance)";
+    throw InputError(text.str());
+  }
+  return view;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 CubeImage ReadCubeImage(const SEGYCube& cube, const CubeView& view, const CubeExtent& extent, const Monitor& monitor)
 {
   CubeImage read;

@@ -28,6 +28,10 @@ struct CubeImage
   std::int64_t NotFinite = 0; // samples that are nan or infinite
 };
 
+/// Throws InputError if steps that are not perpendicular make an image of more than `tolerance` columns off.
+CubeView MakeCubeView(
+  const SEGYCube& cube, const SurveyDescription& survey, VerticalDirection direction, double tolerance);
+
 CubeImage ReadCubeImage(const SEGYCube& cube, const CubeView& view, const CubeExtent& extent, const Monitor& monitor);
 
 /// Places each trace of a single line by its own header.

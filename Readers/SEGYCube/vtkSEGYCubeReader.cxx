@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <tuple>
 
 using namespace SeismicHorizons;
@@ -161,26 +160,15 @@ SEGYOptions vtkSEGYCubeReader::MakeOptions() const
 CubeView vtkSEGYCubeReader::MakeView() const
 {
   const SEGYCube& cube = this->Content->Cube;
-  CubeView view;
-  SurveyDescription& survey = view.Frame.Survey;
-  survey = cube.Survey;
+  SurveyDescription survey = cube.Survey;
   OverrideSurvey(survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
-  view.Frame.Lattice = cube.Lattice;
-  view.Frame.LatticeDeviation = cube.LargestDistance;
-  view.Frame.Sampling = cube.Sampling;
   using Direction = SeismicHorizons::VerticalDirection;
-  view.Frame.Direction = this->VerticalDirection == Up ? Direction::Up : Direction::Down;
-  view.Image = MakeCubeFrame(view.Frame.ToWorld(), cube.Lattice.Columns);
-  if (!(view.Image.Deviation <= this->ImageTolerance))
-  {
-    std::ostringstream text;
-    text.precision(3);
-    text << FilePrefix(this->Files.GetCurrent()) << "steps " << ToText(cube.Lattice.ColumnStep) << " and "
-         << ToText(cube.Lattice.RowStep) << " that are not perpendicular, so that an image is up to "
-         << view.Image.Deviation << " columns off, expected at most " << this->ImageTolerance << " (ImageTolerance)";
-    throw InputError(text.str());
-  }
-  return view;
+  return PrefixFileErrors(this->Files.GetCurrent(),
+    [&]()
+    {
+      return MakeCubeView(
+        cube, survey, this->VerticalDirection == Up ? Direction::Up : Direction::Down, this->ImageTolerance);
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -50,29 +50,28 @@ void DescribeLimits(FoundReflections& found, std::ostream& text)
 
 void WarnOfGuide(const GuidePicks& guide, const GuideUse& use, std::size_t points, FoundReflections& found)
 {
-  const auto warn = [&](const std::string& text)
-  { found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + text); };
   if (!use.Strays.empty())
   {
-    warn(GuidePicksText(use.Strays, guide) +
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Strays, guide) +
       ", are on another event than those around them, expected one event: they were not followed");
   }
   if (2 * use.Unused.size() > guide.Places.size())
   {
-    warn(GuidePicksText(use.Unused, guide) +
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Unused, guide) +
       ", are near no reflection of their sign, expected most to be: see GuideTolerance");
   }
   if (3 * use.OtherSign > std::int64_t(guide.Places.size()))
   {
-    warn(std::to_string(use.OtherSign) + " of " + std::to_string(guide.Places.size()) +
-      " picks are nearer to a reflection of " + (use.IsNegative ? "positive" : "negative") +
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + std::to_string(use.OtherSign) + " of " +
+      std::to_string(guide.Places.size()) + " picks are nearer to a reflection of " +
+      (use.IsNegative ? "positive" : "negative") +
       " amplitude than to one of the sign of the others, expected one sign");
   }
   constexpr std::int64_t many = 20; // One in 20 points may be shared, as guides meet along their rims.
   if (many * use.Shared > std::int64_t(points) + use.Shared)
   {
-    warn(std::to_string(use.Shared) + " of its points were assigned to guide \"" +
-      found.Guides[use.SharedWith].Given.Name +
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + std::to_string(use.Shared) +
+      " of its points were assigned to guide \"" + found.Guides[use.SharedWith].Given.Name +
       "\" or others, on the same event and nearer, expected different events");
   }
 }

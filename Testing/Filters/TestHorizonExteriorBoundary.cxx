@@ -134,7 +134,7 @@ void TestSmallestHoleArea()
   CHECK_EQUAL(Count(boundary->GetPolyDataOutput(), "NumberOfHoles"), 1.0);
 }
 
-/// Points and arrays are those of the input, and so are its vertices when they are one for each point in order.
+/// Points and arrays are those of the input; each point gets a vertex, whatever vertices were there.
 void TestSharing()
 {
   const auto input = FromPicture({ "###", "###" }, 3, HorizonFixtures::UnitSurvey());
@@ -153,19 +153,15 @@ void TestSharing()
       CHECK_EQUAL(output->GetVerts()->GetCellSize(cell), 1);
       CHECK_EQUAL(output->GetVerts()->GetConnectivityArray()->GetComponent(cell, 0), double(cell));
     }
-    return output->GetVerts() == input->GetVerts();
   };
-  CHECK(!run());
+  run();
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType point = 0; point < 6; ++point)
   {
-    vertices->InsertNextCell({ point });
+    vertices->InsertNextCell({ 5 - point });
   }
   input->SetVerts(vertices);
-  CHECK(run());
-  vertices->ReplaceCellAtId(2, { 3 });
-  vertices->ReplaceCellAtId(3, { 2 });
-  CHECK(!run());
+  run();
 }
 
 /// The points of small patches go with all they have; the others keep theirs.

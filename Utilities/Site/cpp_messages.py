@@ -12,7 +12,7 @@ import re
 
 VALUE = "..."
 TELLERS = ("InputError", "FileError", "ErrorAt", "CutOffAt", "Error", "Fail", "SetProblem", "vtkWarningMacro",
-           "vtkWarningWithObjectMacro", "Warnings.push_back", "oubts.push_back")
+           "vtkWarningWithObjectMacro", "arnings.push_back", "arnings.emplace_back", "oubts.push_back")
 CHECKS = {"CheckAtLeast": "at least %s%s", "CheckWithin": "%s to %s%s"}  # arguments: name, number, bounds, unit
 HINT = re.compile(r"\bexpected\b|[:;] (?:set|add)\b")
 SILENT = ("std::fixed", "this->ErrorPrefix", "FilePrefix")  # terms without text, or with only the position
@@ -21,11 +21,9 @@ TOKEN = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\]|\\.)+'
                    |[A-Za-z_]\w*(?:(?:::|\.|->)~?[A-Za-z_]\w*)*|\d[\w.']*|<<|->|::|\S""", re.S | re.X)
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 
-
 def tokens_of(text):
     text = re.sub(r"^\s*#.*", "", text, flags=re.M)
     return [token for token in TOKEN.findall(text) if not token.startswith(("//", "/*"))]
-
 
 def end_of(tokens, start, stops=()):
     """Returns the position of the first stop, or of an unmatched bracket, from a token on."""
@@ -37,7 +35,6 @@ def end_of(tokens, start, stops=()):
         if depth < 0:
             return n
     return len(tokens)
-
 
 def start_of(tokens, n):
     """Returns the start of the expression that contains a token."""
@@ -52,7 +49,6 @@ def start_of(tokens, n):
         n -= 1
     return n
 
-
 def split(tokens, mark):
     parts, start = [], 0
     while start <= len(tokens):
@@ -60,7 +56,6 @@ def split(tokens, mark):
         parts.append(tokens[start:end])
         start = end + 1
     return parts
-
 
 def choice_of(tokens, question, named):
     """Returns the texts of a conditional expression: a value takes precedence over a word for none, and a text over an
@@ -72,7 +67,6 @@ def choice_of(tokens, question, named):
     texts = list(filter(None, texts_of(tokens[question + 1:colon], named) + texts_of(tokens[colon + 1:], named)))
     has_value = any(VALUE in text for text in texts)
     return [VALUE] if VALUE in texts else [text for text in texts if not has_value or " " in text] or [""]
-
 
 def texts_of(tokens, named):
     """Returns the possible texts of an expression."""
@@ -96,12 +90,10 @@ def texts_of(tokens, named):
                          ['"..."' if tokens[0] == "Quote" else VALUE])
     return [VALUE]
 
-
 def name_local(tokens, n, named):
     """Stores the text of a definition under its name."""
     if tokens[n] == "=" and tokens[n - 2] in ("*", "std::string", "const"):
         named[tokens[n - 1]] = texts_of(tokens[n + 1:end_of(tokens, n + 1, ";")], named)
-
 
 def named_texts(tokens, named):
     """Returns the texts of constants, and of functions whose only statement returns a text."""
@@ -114,7 +106,6 @@ def named_texts(tokens, named):
         if place and not {";", "{", "}"} & set(head[place:]):
             named[head[place]] = texts_of(tokens[n + 2:end_of(tokens, n + 2, ";")], named)
     return named
-
 
 def stream_texts(tokens, declared, teller, named):
     """Returns the texts written to a stream between its declaration and its use, joined if they continue the previous text."""
@@ -130,7 +121,6 @@ def stream_texts(tokens, declared, teller, named):
                 before, texts = [], more
     return texts
 
-
 def checked(tokens, n, named):
     """Returns the message of a parameter check."""
     start = tokens.index("(", n) + 1
@@ -138,7 +128,6 @@ def checked(tokens, n, named):
     numbers = ["".join(bound).removesuffix(".0") for bound in bounds]
     values = [number if re.match(r"-?[\d.e]+$", number) else VALUE for number in numbers]
     return "%s ..., expected %s" % (texts_of(name, named)[0], CHECKS[tokens[n]] % (*values, texts_of(unit, named)[0]))
-
 
 def messages_of(text, constants):
     """Yields all message texts of a file, unprocessed."""

@@ -21,7 +21,7 @@ COMMAND = "Report"
 PAGES = {stem: page for page, stems in {
     "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
     "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "CutData",
-    "HorizonFromImage": "ImageGrid", "HorizonFromPoints": "Gridding PickColumns",
+    "HorizonFromImage": "MapImage", "HorizonFromPoints": "Gridding PickArrays",
     "HorizonLayers": "HorizonStack LayerOutput",
     "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
     "InPython": "functions making calls stages volumes",
@@ -32,7 +32,6 @@ TELLERS = ("HorizonError", "ValueError", "TypeError", "FileNotFoundError", "Runt
            "fail", "warn", "warnings.append")
 PLACES = r"%\([^)]*\)[.\d]*[sdgf]|%[.\d]*[sdgf]"
 
-
 def page_of(path):
     """Returns the page of a source file; empty for files that several pages share."""
     folder, stem = path.parent.name, path.stem.removeprefix("vtk")
@@ -40,7 +39,6 @@ def page_of(path):
         return PAGES[stem]
     names = [stem, "Horizon" + stem, PAGES.get(folder), "Horizon" + folder, folder + path.parts[-3][:-1]]
     return next((name for name in names if (TREE / "Documentation" / ("%s.md" % name)).is_file()), "")
-
 
 def python_texts(node):
     """Returns the possible texts of an expression."""
@@ -54,7 +52,6 @@ def python_texts(node):
         return python_texts(node.body) + python_texts(node.orelse)
     return ["..."]
 
-
 def python_messages(text):
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Call) and node.args and ast.unparse(node.func).endswith(TELLERS):
@@ -62,7 +59,6 @@ def python_messages(text):
         elif isinstance(node, ast.BinOp) or isinstance(node, ast.Assign):
             texts = python_texts(node.value if isinstance(node, ast.Assign) else node)
             yield from (text for text in texts if ", expected" in text)
-
 
 def tidy(text):
     """Returns a message as users read it, without the leading position; None for other texts."""
@@ -73,12 +69,10 @@ def tidy(text):
     says = set(re.findall("[A-Za-z]{2,}", text))
     return None if is_part or len(says) < 2 or says <= {"expected", "to", "finite", "number", "at", "least"} else text
 
-
 def cpp_paths():
     paths = itertools.chain(*((TREE / folder).rglob("*") for folder in ("Common", "Filters", "Sources", "Readers", "Writers")))
     # Users never see the messages of MeshChecker.
     return [path for path in sorted(paths) if path.suffix in (".h", ".cxx") and path.stem != "MeshChecker"]
-
 
 def collect():
     """Returns the messages of each page: {page, or "" for shared messages: texts}."""
@@ -97,13 +91,11 @@ def collect():
         pages.setdefault(found[text].pop() if len(found[text]) == 1 else "", []).append(text)
     return pages
 
-
 def explained(page):
     """Returns the messages that a page explains in its tables: [(message, meaning)]."""
     tables = re.findall(r"^\| Message \|.*\n.*\n((?:\|.*\n)+)", page, re.M)
     rows = re.findall(r"^\| (.*?) \| (.*) \|$", "".join(tables), re.M)
     return [(message, meaning) for cell, meaning in rows for message in re.findall("`([^`]+)`", cell)]
-
 
 def make_page():
     """Returns all messages as Markdown, with the explanations from the pages."""
@@ -114,7 +106,6 @@ def make_page():
         lines += ["", "## " + ("[%s](%s.md)" % (pages[name].splitlines()[0].strip("# "), name) if name else SHARED), ""]
         lines += ["- `%s`%s" % (text, ": " + meanings[text] if text in meanings else "") for text in texts]
     return "\n".join(lines) + "\n"
-
 
 if __name__ == "__main__":
     print(make_page())

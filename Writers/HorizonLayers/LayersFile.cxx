@@ -35,19 +35,20 @@ const DataArray& RequireArray(const VolumeGrid& grid, const char* name)
 void AddCorners(const VolumeGrid& grid, std::int64_t cell, VolumeCells& cells)
 {
   const int type = int(grid.Types.At(cell));
-  const auto name = [&]() { return "cell " + std::to_string(cell) + " of VTK type " + std::to_string(type); };
   const std::int64_t expected = type == VolumeType::Wedge ? 6
     : type == VolumeType::Pyramid                         ? 5
     : type == VolumeType::Tetrahedron                     ? 4
                                                           : 0;
   if (expected == 0)
   {
-    throw InputError(name() + ", expected wedges, pyramids and tetrahedra as Horizon Layers makes them");
+    throw InputError("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) +
+      ", expected wedges, pyramids and tetrahedra as Horizon Layers makes them");
   }
   const std::int64_t size = grid.Cells.Length(cell);
   if (size != expected)
   {
-    throw InputError(name() + " with " + std::to_string(size) + " corners, expected " + std::to_string(expected));
+    throw InputError("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) + " with " +
+      std::to_string(size) + " corners, expected " + std::to_string(expected));
   }
   for (std::int64_t n = 0; n < size; ++n)
   {

@@ -54,8 +54,8 @@ void vtkHorizonSmoothing::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonSmoothing::ProcessHorizon(
-  vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor)
+void vtkHorizonSmoothing::ProcessPolyData(
+  vtkPolyData* input, const std::vector<vtkPolyData*>& outputs, const SeismicHorizons::Monitor& monitor)
 {
   vtkNew<vtkMatrix4x4> toWorld;
   ReadMap(input, toWorld);

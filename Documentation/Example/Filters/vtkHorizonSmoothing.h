@@ -33,7 +33,8 @@ protected:
   vtkHorizonSmoothing() = default;
   ~vtkHorizonSmoothing() override = default;
 
-  void ProcessHorizon(vtkPolyData* input, const Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  void ProcessPolyData(
+    vtkPolyData* input, const std::vector<vtkPolyData*>& outputs, const SeismicHorizons::Monitor& monitor) override;
 
 private:
   vtkHorizonSmoothing(const vtkHorizonSmoothing&) = delete;

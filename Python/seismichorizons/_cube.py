@@ -1,0 +1,250 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Seismic cubes, and horizons tracked in them."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import pathlib
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._data import Data, Progress, call, give_survey, in_keywords, survey
+from ._horizon import Floats, Horizon, Lattice, horizon_of
+from ._made import framing
+from ._stages import given_options
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Cube:
+    """Amplitudes of a seismic survey.
+
+    Attributes
+    ----------
+    values : float32 array of shape (rows, columns, samples)
+        Rows are inlines; nan where there is no sample. A cube of `read_cube` shares its memory: missing samples are 0 there,
+        and False in `known`.
+    lattice : Lattice
+        Of the traces; its vertical indices are the samples.
+    known : bool array of the same shape, or None
+        None where all samples are known.
+    name : str
+    direction : "down" or "up"
+        Where samples go to.
+    vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
+        Empty where unknown.
+    taken : tuple of str
+        How a file was understood, in lines.
+    """
+
+    values: NDArray[np.float32]
+    lattice: Lattice
+    known: NDArray[np.bool_] | None = None
+    name: str = "cube"
+    direction: str = "down"
+    vertical_unit: str = ""
+    vertical_domain: str = ""
+    horizontal_unit: str = ""
+    coordinate_system: str = ""
+    taken: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if np.ndim(self.values) != 3:
+            raise ValueError("values of %d axes, expected (rows, columns, samples)" % np.ndim(self.values))
+        expected = (*self.lattice.shape, self.lattice.indices)
+        if np.shape(self.values) != expected:
+            raise ValueError("values of shape %s, expected %s of the lattice" % (np.shape(self.values), expected))
+
+    def __repr__(self) -> str:
+        rows, columns, samples = self.values.shape
+        first, step = self.lattice.first_z, self.lattice.vertical_step
+        unit = " " + self.vertical_unit if self.vertical_unit else ""
+        step_unit = " " + self.horizontal_unit if self.horizontal_unit else ""
+        return "Cube %s: %d columns x %d rows, %.6g x %.6g%s apart, %d samples from %.6g to %.6g%s" % (
+            self.name, columns, rows, *self.lattice.spacing, step_unit, samples, first, first + step * (samples - 1), unit)
+
+    @property
+    def sign(self) -> int:
+        """1 if z increases upwards, otherwise -1."""
+        return 1 if self.direction == "up" else -1
+
+    def _data(self) -> Data:
+        (ax, ay), (bx, by), (x, y) = self.lattice.column_step, self.lattice.row_step, self.lattice.origin
+        rows, columns, samples = self.values.shape
+        to_world = (ax, bx, 0.0, x, ay, by, 0.0, y, 0.0, 0.0, self.sign * self.lattice.vertical_step,
+                    self.sign * self.lattice.first_z, 0.0, 0.0, 0.0, 1.0)
+        fields = {"LatticeDimensions": np.array([columns, rows, samples], np.int32), "LatticeToWorld": np.array(to_world), **give_survey(self)}
+        if self.lattice.lines is not None:
+            fields["LineNumbers"] = np.array(self.lattice.lines)
+        values = np.ascontiguousarray(np.asarray(self.values).transpose(2, 0, 1)).reshape(-1)
+        data = {"extent": [0, columns - 1, 0, rows - 1, 0, samples - 1], "to_world": to_world, "amplitudes": values, "field_data": fields}
+        if self.known is not None:
+            hidden = 2  # VTK's mark
+            data["ghosts"] = np.where(np.asarray(self.known).transpose(2, 0, 1).reshape(-1), 0, hidden).astype(np.uint8)
+        return data
+
+    def at(self, horizon: Horizon) -> Floats:
+        """Amplitudes at the points of a horizon on the lattice of the cube, linear between samples; nan outside. Raises
+        ValueError for another lattice."""
+        if horizon.lattice.shape != self.lattice.shape or not np.allclose(
+                (horizon.lattice.origin, horizon.lattice.column_step, horizon.lattice.row_step),
+                (self.lattice.origin, self.lattice.column_step, self.lattice.row_step)):
+            raise ValueError("%s on another lattice than %s, expected the same" % (horizon.name, self.name))
+        column, row = horizon.columns.T
+        place = (horizon.z - self.lattice.first_z) / self.lattice.vertical_step
+        below = np.clip(np.floor(place).astype(int), 0, self.values.shape[2] - 2)
+        part = place - below
+        found = (1.0 - part) * self.values[row, column, below] + part * self.values[row, column, below + 1]
+        known = (place >= 0.0) & (place <= self.values.shape[2] - 1)
+        if self.known is not None:
+            known &= self.known[row, column, below] & self.known[row, column, below + 1]
+        return np.where(known, found, np.nan)
+
+
+def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None = None, crosslines: tuple[int, int] | None = None,
+              sample_range: tuple[int, int] | None = None, inline_byte: int = 0, crossline_byte: int = 0, x_byte: int = 0, y_byte: int = 0,
+              sample_format: int = 0, vertical_step: float | None = None, tolerance: float = 0.25, duplicates: str = "refuse", delays: str = "interpolate",
+              ignore_incomplete_trace: bool = False, direction: str = "down", vertical_unit: str = "", vertical_domain: str = "",
+              horizontal_unit: str = "", coordinate_system: str = "", progress: Progress | None = None) -> Cube:
+    """Reads a post-stack SEG-Y file.
+
+    Parameters
+    ----------
+    path : str or path
+    inlines, crosslines : (first, last), optional
+        Numbers of the lines to read; all by default.
+    sample_range : (first, last), optional
+        Vertical indices to read, from 0; last -1 for the last one.
+    inline_byte, crossline_byte, x_byte, y_byte : int
+        Bytes of the fields in trace headers, from 1; 0 finds them, -1 is none.
+    sample_format : int
+        That of the binary header in place of the file's; 0 keeps it.
+    vertical_step : float, optional
+        Between samples, in the unit of z.
+    tolerance : float
+        The largest distance of a trace from its column, in columns.
+    duplicates : "refuse", "first", "last" or "mean"
+        Which of several traces of one place counts.
+    delays : "interpolate" or "nearest"
+        What happens to delays that are fractions of a step.
+    ignore_incomplete_trace : bool
+        Reads a file that ends within a trace.
+    direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system
+        As in `read`.
+    progress : callable, optional
+
+    Returns
+    -------
+    Cube
+
+    Raises
+    ------
+    ValueError
+        If the file is no post-stack cube or line, or traces are on no lattice.
+    FileNotFoundError
+    """
+    path = pathlib.Path(path)
+    if not path.is_file():
+        raise FileNotFoundError("%s: no such file" % path)
+    where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
+    options = given_options(
+        inlines=inlines, crosslines=crosslines, sample_range=sample_range, inline_byte=inline_byte, crossline_byte=crossline_byte, x_byte=x_byte,
+        y_byte=y_byte, sample_format=sample_format, vertical_step=where[0], tolerance=float(tolerance), duplicates=duplicates, delays=delays,
+        ignore_incomplete_trace=ignore_incomplete_trace)
+    data = call(str(path), _core.read_cube, str(path), options, *where[1:], progress)
+    first_i, last_i, first_j, last_j, first_k, last_k = data["extent"]
+    shape = (last_k - first_k + 1, last_j - first_j + 1, last_i - first_i + 1)
+    points, fields = data["point_data"], data["field_data"]
+    whole = horizon_of("", {"point_data": {"Column": np.zeros((0, 2), np.int32)}, "field_data": fields, "places": np.zeros((0, 3))}).lattice
+    x, y = whole.places(first_i, first_j)
+    lines = whole.lines and (whole.lines[0] + whole.lines[1] * first_j, whole.lines[1], whole.lines[2] + whole.lines[3] * first_i, whole.lines[3])
+    lattice = dataclasses.replace(whole, shape=shape[1:], origin=(float(x), float(y)), indices=shape[0], lines=lines,
+                                  first_z=whole.first_z + first_k * whole.vertical_step)
+    ghosts = points.get("vtkGhostType")
+    amplitudes = next(values for name, values in points.items() if name != "vtkGhostType")
+    return Cube(amplitudes.reshape(shape).transpose(1, 2, 0), lattice, None if ghosts is None else (ghosts == 0).reshape(shape).transpose(1, 2, 0),
+                path.name.partition(".")[0], direction or "down", taken=tuple(data["description"].splitlines()), **survey(fields))
+
+
+def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), limit_side: str = "below", polarity: str = "both",
+            position: str = "peak", threshold: float | None = None, percentile: float = 25.0, phase_rotation: float = 0.0, joining: str = "best_first",
+            eight_neighbours: bool = False, largest_step: float = 0.0, smallest_correlation: float = 0.85, smallest_contact: float = 0.5,
+            smallest_size: int = 0, largest_number: int = 100, order: str = "strength", guide_tolerance: float = 0.0, growth_correlation: float = 0.6,
+            growth_reach: int = 60, keep_others: bool = False, progress: Progress | None = None) -> dict[str, Horizon]:
+    """Extracts horizons from a cube: those of picks, or all that are strong.
+
+    Parameters
+    ----------
+    cube : Cube
+    guides : Horizon, dict of Horizon or arrays of shape (n, 3), or such an array, optional
+        Picks of each horizon to follow. Arrays are x, y and z, in the direction of the cube.
+    limits : list of Horizon, optional
+        Extraction stays on one side of one horizon, or between two.
+    limit_side : "below" or "above"
+        For one limit.
+    polarity : "both", "positive" or "negative"
+    position : "peak", "middle" or "zero_crossing"
+        Where a reflection is picked.
+    threshold : float, optional
+        The least absolute amplitude of picks; by default that of the percentile.
+    percentile : float
+        From 0 to 100, of the strengths of all reflections.
+    phase_rotation : float
+        Rotates the phase of the wavelet before, in degrees.
+    joining : "best_first" or "components"
+    eight_neighbours : bool
+        Picks of diagonal neighbours are linked, too.
+    largest_step : float
+        Between neighbours, in samples; 0 chooses it.
+    smallest_correlation, smallest_contact : float
+        Least similarity of linked picks and of joined parts, from 0 to 1.
+    smallest_size : int
+        Fewest points of a horizon; 0 chooses it.
+    largest_number : int
+        Most horizons.
+    order : "strength" or "size"
+    guide_tolerance : float
+        Largest distance of picks from reflections, in samples; 0 chooses it.
+    growth_correlation : float
+        Least similarity of waveforms where a guided horizon grows beyond automatic parts.
+    growth_reach : int
+        Largest distance of growth from these, in columns; 0 for none.
+    keep_others : bool
+        Keeps automatic horizons beside guided ones.
+    progress : callable, optional
+
+    Returns
+    -------
+    dict of Horizon
+        With the attributes Amplitude and Thickness; those of guides have Origin (0 at picks, 1 on automatic parts, 2 where grown)
+        and GuideDistance (columns from the nearest pick). `taken` says what was found.
+    """
+    if not isinstance(cube, Cube):
+        raise TypeError("extraction from %s, expected a Cube: read_cube(path) reads one" % type(cube).__name__)
+    options = given_options(
+        limit_side=limit_side, polarity=polarity, position=position, threshold="percentile" if threshold is None else "amplitude",
+        amplitude_threshold=threshold, amplitude_percentile=float(percentile), phase_rotation=float(phase_rotation), joining=joining,
+        eight_neighbours=bool(eight_neighbours), largest_step=float(largest_step), smallest_correlation=float(smallest_correlation),
+        smallest_contact=float(smallest_contact), smallest_size=int(smallest_size), largest_number=int(largest_number), order=order,
+        guide_tolerance=float(guide_tolerance), growth_correlation=float(growth_correlation), growth_reach=int(growth_reach), keep_others=bool(keep_others))
+    picks = None if guides is None else [(name, _picks(one, name, cube)) for name, one in (
+        guides.items() if isinstance(guides, Mapping) else [(getattr(guides, "name", "guide"), guides)])]
+    bounds = [(one.name, one._data()) for one in limits] or None
+    found, description, _ = call(cube.name, _core.extract, cube._data(), picks, bounds, options, progress)
+    own = ("Column", "SurfaceId", "VerticalIndex", "RealZ")
+    return {name: horizon_of(name, data, taken=tuple(in_keywords(description).splitlines()), attributes={
+        key: values for key, values in data["point_data"].items() if key not in own}) for name, data in found}
+
+
+def _picks(given: Any, name: str, cube: Cube) -> Data:
+    if isinstance(given, Horizon):
+        return given._data()
+    places = np.array(given, np.float64)
+    if places.ndim != 2 or places.shape[1] != 3:
+        raise ValueError("guide %s of shape %s, expected (n, 3), of x, y and z" % (name, places.shape))
+    return {"places": places * (1.0, 1.0, cube.sign)}

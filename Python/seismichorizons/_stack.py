@@ -1,0 +1,313 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Layers between horizons, horizons put in order, and the distance of meshes."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import pathlib
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._data import Data, Progress, call, in_keywords, snake, take_attributes
+from ._horizon import Floats, Horizon
+from ._mesh import Mesh, mesh_of
+from ._stages import Faults, given_options, links_of, require_horizon
+from ._units import height
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Layers:
+    """Volumes of the layers between horizons, as `layers` makes them. They share points, so that no gap is between them.
+
+    Attributes
+    ----------
+    names : list of str
+        Of the layers, the uppermost first, such as "Top to Base".
+    points : float64 array of shape (n, 3)
+        x, y and z of the world, z upwards.
+    cells : list of int64 arrays of shape (m, corners)
+        Corners of tetrahedra (4), pyramids (5) and wedges (6), each kind in the order of VTK.
+    layer, thickness, volume : dict of arrays by number of corners
+        Number of the layer, mean thickness and volume of each cell.
+    bodies : dict of Mesh
+        The closed surface of each layer, which faces outwards.
+    horizons : dict of Mesh
+        The horizons on the common triangulation.
+    figures : dict of arrays
+        A value for each layer: volume, area, thickness_mean, crossings, volume_without and so on.
+    curve : dict of arrays
+        The volume of each layer above a level contact, at 101 heights (contact, z upwards).
+    volume_unit : str
+    """
+
+    names: list[str]
+    points: Floats
+    cells: dict[int, NDArray[np.int64]]
+    layer: dict[int, NDArray[np.int32]]
+    thickness: dict[int, Floats]
+    volume: dict[int, Floats]
+    bodies: dict[str, Mesh]
+    horizons: dict[str, Mesh]
+    figures: dict[str, Any]
+    curve: dict[str, Floats]
+    volume_unit: str
+    _core: Data
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        unit = " " + self.volume_unit if self.volume_unit else ""
+        return "Layers: %s; {:,} cells".format(sum(map(len, self.cells.values()))) % ", ".join(
+            "%s %.6g%s" % (name, volume, unit) for name, volume in zip(self.names, self.figures["volume"]))
+
+    def to_vtk(self) -> Any:
+        """A vtkUnstructuredGrid with cell data Layer, Thickness and Volume; z of the world is upwards."""
+        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+        from vtkmodules.vtkCommonCore import vtkPoints
+        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
+
+        grid, places, cells = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
+        places.SetData(numpy_to_vtk(self.points, deep=True))
+        grid.SetPoints(places)
+        offsets, corners = self._core["cells"]
+        cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(corners, deep=True))
+        grid.SetCells(numpy_to_vtk(self._core["types"], deep=True), cells)
+        for name, values in self._core["cell_data"].items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+            array.SetName(name)
+            grid.GetCellData().AddArray(array)
+        return grid
+
+    def to_pyvista(self) -> Any:
+        """A pyvista.UnstructuredGrid with cell data Layer, Thickness and Volume; z of the world is upwards."""
+        import pyvista
+
+        return pyvista.wrap(self.to_vtk())
+
+    def write(self, path: str | os.PathLike[str], *, progress: Progress | None = None) -> None:
+        """Writes the cells for Gmsh (.msh), Abaqus and CalculiX (.inp) or MODFLOW 6 (.disv).
+
+        Raises ValueError if the format cannot hold them, and OSError if the file cannot be written.
+        """
+        path = pathlib.Path(path)
+        if not path.absolute().parent.is_dir():
+            raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
+        try:
+            _core.write_layers(str(path), self._core, progress)
+        except ValueError as error:
+            raise ValueError("%s: %s" % (path, in_keywords(str(error)))) from None
+
+
+def _named(horizons: Any, stage: str, faults: Mapping[str, Faults] | None = None) -> tuple[dict[str, Horizon], list[tuple[str, Data]]]:
+    """Horizons by name, and their data."""
+    given = dict(horizons) if isinstance(horizons, Mapping) else {one.name: one for one in horizons if isinstance(one, Horizon)}
+    if not isinstance(horizons, Mapping) and len(given) != len(horizons):
+        raise ValueError("%s of %d horizons with %d different names, expected a dict of horizons by name" % (stage, len(horizons), len(given)))
+    for one in given.values():
+        require_horizon(one, stage)
+    unknown = set(faults or ()) - set(given)
+    if unknown:
+        raise ValueError("faults of %s, expected names of the horizons: %s" % (", ".join(sorted(unknown)), ", ".join(given)))
+    return given, [(name, one._data(links_of((faults or {}).get(name)))) for name, one in given.items()]
+
+
+def _stack_options(given: Mapping[str, Horizon], crossings: str | Sequence[str], minimum_thickness: float | str, order: str) -> dict[str, Any]:
+    unit = next(iter(given.values())).vertical_unit if given else ""
+    if order not in ("by_height", "as_given"):
+        raise ValueError("order '%s', expected by_height or as_given" % order)
+    words = {"mean": "Mean", "upper_wins": "UpperWins", "lower_wins": "LowerWins", "stop": "Stop"}
+    single = crossings if isinstance(crossings, str) else None
+    return given_options(by_height=order == "by_height", crossings=single, height_unit="world",
+                         crossings_by_layer=None if single else " ".join(words.get(word, word) for word in crossings),
+                         minimum_thickness=height("minimum_thickness", minimum_thickness, unit))
+
+
+def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: float | str | None = None, *, crossings: str | Sequence[str] = "mean",
+           minimum_thickness: float | str = 0.0, order: str = "by_height", domain: str = "each_layer", missing: str = "follow",
+           largest_hole_size: int = 2500, largest_gap: int = 10, bound_thickness: bool = False, keep_outlines: bool = False,
+           pinch_out_lines: bool = True, smallest_pinch: int = 25, effort: str = "best", smallest_angle: float = 10.0, fit_heights: bool = True,
+           contact: float | None = None, faults: Mapping[str, Faults] | None = None, progress: Progress | None = None) -> Layers:
+    """Makes closed volumes of the layers between horizons.
+
+    Parameters
+    ----------
+    horizons : dict or list of Horizon
+        Two or more of one survey, on one lattice or on lattices whose steps are multiples of the smallest.
+    largest_error : float or str, optional
+        The largest vertical distance of a point of any horizon from the layers, in the unit of z or with a unit; by default six
+        times the noise of the horizon that has the most.
+    crossings : "mean", "upper_wins", "lower_wins" or "stop", or a list of these for each layer
+        What happens where horizons cross: both move to their mean, the lower or the upper one moves, or an error.
+    minimum_thickness : float or str
+        Where a layer is thinner, it is absent.
+    order : "by_height" or "as_given"
+        Which horizon is above which: by mean heights, or from the first one down.
+    domain : "each_layer" or "common"
+        Layers are where both their horizons are, or where all horizons are.
+    missing : "follow", "interpolate" or "void"
+        Where a horizon has no points: holes and gaps are closed, and between others it follows the nearer one; these are closed
+        alone; or both layers beside it are absent.
+    largest_hole_size, largest_gap : int
+        Holes of up to this number of columns, and gaps of up to this width, are closed.
+    bound_thickness : bool
+        Bounds the error of the thickness, too.
+    keep_outlines : bool
+        Outlines of the common domain stay as they are on the map.
+    pinch_out_lines : bool
+        Layers end along lines; otherwise in thin feathers.
+    smallest_pinch : int
+        The smallest area without a layer that has such a line, in columns.
+    effort, smallest_angle, fit_heights
+        As in `surface`.
+    contact : float, optional
+        z, in the direction of the horizons, of a level contact: `figures` get the volume above it.
+    faults : dict of Faults by name of the horizon, optional
+        Where layers are divided.
+    progress : callable, optional
+
+    Returns
+    -------
+    Layers
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> z = np.full((20, 30), 1000.0)
+    >>> one = {"Top": sh.horizon(z, spacing=(25, 25)), "Base": sh.horizon(z + 40.0, spacing=(25, 25))}
+    >>> float(sh.layers(one).figures["volume"][0])
+    13775000.0
+    """
+    given, named = _named(horizons, "layers", faults)
+    first = next(iter(given.values()), None)
+    options = _stack_options(given, crossings, minimum_thickness, order)
+    options.update(given_options(
+        maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit),
+        domain=domain, missing=missing, largest_hole_size=int(largest_hole_size), largest_gap=int(largest_gap), effort=effort,
+        bound_thickness=bool(bound_thickness), keep_outlines=bool(keep_outlines), pinch_out_lines=bool(pinch_out_lines),
+        smallest_pinch=int(smallest_pinch), smallest_angle=float(smallest_angle), fit_heights=bool(fit_heights),
+        contact=None if contact is None or first is None else first.sign * float(contact)))
+    made = call("layers", _core.layers, named, options, progress)
+    volumes, figures = made["volumes"], {snake(name): values for name, values in made["figures"].items()}
+    offsets, corners = volumes["cells"]
+    sizes = np.diff(offsets)
+    kinds = {int(size): np.flatnonzero(sizes == size) for size in np.unique(sizes)}
+    names = figures.pop("name")
+    unit = figures.pop("volume_unit")[0]
+    of_kind = {name: {size: volumes["cell_data"][name][places] for size, places in kinds.items()} for name in ("Layer", "Thickness", "Volume")}
+    bodies = {name: mesh_of(name, data, {}, data["field_data"], None) for name, data in zip(names, made["bodies"])}
+    meshes = {name: mesh_of(name, data, take_attributes(data["point_data"], given[name].attributes), given[name]._data()["field_data"],
+                            given[name].lattice) for name, data in zip(made["names"], made["horizons"])}
+    return Layers(names, volumes["places"], {size: corners[offsets[places][:, None] + np.arange(size)] for size, places in kinds.items()},
+                  of_kind["Layer"], of_kind["Thickness"], of_kind["Volume"], bodies, meshes, figures, made["curve"], unit, volumes)
+
+
+def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings: str | Sequence[str] = "mean", minimum_thickness: float | str = 0.0,
+              order: str = "by_height", progress: Progress | None = None) -> dict[str, Horizon]:
+    """Puts horizons that cross in order, column by column.
+
+    Parameters
+    ----------
+    horizons, crossings, minimum_thickness, order
+        As in `layers`.
+    progress : callable, optional
+
+    Returns
+    -------
+    dict of Horizon
+        The uppermost first, with all points and the attribute Moved: how far each was moved, in the direction of z.
+    """
+    given, named = _named(horizons, "crossings")
+    names, made = call("crossings", _core.crossings, named, _stack_options(given, crossings, minimum_thickness, order), progress)
+    return {name: dataclasses.replace(
+        given[name], z=given[name].sign * data["places"][:, 2],
+        attributes={**given[name].attributes, "Moved": given[name].sign * data["point_data"]["Moved"]}) for name, data in zip(names, made)}
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Distance:
+    """Distances between two surfaces, as `distance` measures them, in the unit of x, y and z.
+
+    Attributes
+    ----------
+    largest, mean, rms : float
+        Of both directions, in space.
+    of_reference, of_mesh : float64 arrays
+        Distance in space of each point of the reference, and of the mesh, from the other surface; negative below it.
+    vertical_of_reference, vertical_of_mesh : float64 arrays
+        Vertical distances, upwards; nan where the other surface is not above or below.
+    details : dict
+        All figures, by name: arrays of (reference to mesh, mesh to reference, both).
+    """
+
+    largest: float
+    mean: float
+    rms: float
+    of_reference: Floats
+    of_mesh: Floats
+    vertical_of_reference: Floats
+    vertical_of_mesh: Floats
+    details: dict[str, Floats]
+
+    def __repr__(self) -> str:
+        vertical = np.abs(self.vertical_of_reference[np.isfinite(self.vertical_of_reference)])
+        return "Distance: largest %.4g, mean %.4g, rms %.4g; vertically up to %.4g" % (
+            self.largest, self.mean, self.rms, vertical.max(initial=0.0))
+
+
+def distance(reference: Any, mesh: Any, *, samples_per_point: float = 2.0, seed: int = 1, radius: int = 1, include_filled: bool = False,
+             progress: Progress | None = None) -> Distance:
+    """Measures the distances between a horizon and a mesh, or between two meshes, as Metro does.
+
+    Parameters
+    ----------
+    reference, mesh : Horizon, Mesh, pyvista.PolyData or (points, triangles)
+        In one coordinate system, z of points upwards. A horizon is meshed with all its points.
+    samples_per_point : float
+        Density of the samples for the means, from 0.01 to 1000.
+    seed : int
+        Of the samples.
+    radius : int
+        The largest gap of the reference that is meshed, in columns.
+    include_filled : bool
+        Figures include filled points.
+    progress : callable, optional
+
+    Returns
+    -------
+    Distance
+    """
+    data, other = (_surface_data(one, what) for one, what in ((reference, "reference"), (mesh, "mesh")))
+    options = {"samples_per_point": float(samples_per_point), "seed": int(seed), "radius": int(radius), "include_filled_points": bool(include_filled)}
+    try:
+        first, second = _core.distance(data, other, options, progress)
+    except ValueError as error:
+        raise ValueError(in_keywords(str(error))) from None
+    world = 1  # of the units lattice, world, diagonal
+    details = {snake(name): values[:, world] for name, values in second["field_data"].items()
+               if not isinstance(values, list) and values.ndim == 2 and values.shape == (3, 3)}
+    both = 2
+    return Distance(*(float(details[name][both]) for name in ("largest_distance", "mean_distance", "rms_distance")),
+                    first["point_data"]["Distance"], second["point_data"]["Distance"], first["point_data"]["VerticalDistance"],
+                    second["point_data"]["VerticalDistance"], details)
+
+
+def _surface_data(given: Any, what: str) -> Data:
+    if isinstance(given, (Horizon, Mesh)):
+        return given._data()
+    if hasattr(given, "points") and hasattr(given, "regular_faces"):  # pyvista
+        given = given.points, given.triangulate().regular_faces
+    if isinstance(given, tuple) and len(given) == 2:
+        points, triangles = np.ascontiguousarray(given[0], np.float64), np.asarray(given[1])
+        if points.ndim == 2 and points.shape[1] == 3 and triangles.ndim == 2 and triangles.shape[1] == 3:
+            return {"places": points, "polygons": (np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64), np.ascontiguousarray(triangles, np.int64).ravel())}
+    raise TypeError("%s of %s, expected a Horizon, a Mesh, a pyvista.PolyData, or (points, triangles) of shapes (n, 3) and (m, 3)" % (
+        what, type(given).__name__))
+
+
