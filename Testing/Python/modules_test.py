@@ -352,7 +352,7 @@ class BatchTest(unittest.TestCase):
         self.assertIn("bad.vsm", messages[0])
         self.assertEqual(sorted(p.name for p in self.output.iterdir()), ["good_error.csv", "good_horizon_1.vtp"])
         self.assertTrue(printed.startswith("good.vsm: read in "), printed)
-        self.assertEqual(len(printed.splitlines()), 12)
+        self.assertEqual(len(printed.splitlines()), 13)
 
     def test_no_results_no_folder(self):
         (self.folder / "bad.vsm").write_bytes(b"5 4\n")

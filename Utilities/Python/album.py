@@ -70,10 +70,12 @@ class LayerEntry:
 
 
 class Album:
-    """The entries of all horizons in order. Pictures need an X server."""
+    """The entries of all horizons in order. Pictures need an X server. With `is_part`, it has the entries of one file for
+    another album, which limits their size."""
 
-    def __init__(self, with_pictures):
+    def __init__(self, with_pictures, is_part=False):
         self.with_pictures = with_pictures
+        self._is_part = is_part
         self.entries = []
         self.layers = []  # one entry for each file with layers
         self._studio = None
@@ -81,11 +83,25 @@ class Album:
     def add(self, result, rank):
         """Adds a horizon; `rank` is its rank by number of points among the horizons of its file, from 0."""
         entry = Entry(result.number_of_points)
-        self.entries.append(entry)
         if triangles.count_surface(result.data["mesh"]):
             entry.mesh = encode(result.data["mesh"])
         if self.with_pictures:
             self._draw(entry, result, rank)
+        self._keep(entry)
+
+    def take(self, entries, layers):
+        """Adds the entries of a part."""
+        for entry in entries:
+            self._keep(entry)
+        for entry in layers:
+            self._keep_layers(entry)
+
+    def _keep(self, entry):
+        self.entries.append(entry)
+        if self._is_part:
+            return
+        if sum(e.thumbnail is not None for e in self.entries) > MOST_THUMBNAILS:
+            entry.thumbnail = None
         _drop(self.entries, "mesh", None, lambda e: -len(e.mesh.content), lambda e: len(e.mesh.content), MESH_BYTES)
         _drop(self.entries, "pictures", [], lambda e: e.points, lambda e: sum(len(p.jpeg) for p in e.pictures),
               PICTURE_BYTES, MOST_PICTURED)
@@ -93,16 +109,19 @@ class Album:
     def add_layers(self, made):
         """Adds the layers of a file (volumes.Layers): a picture of the separated bodies, and interactive bodies if there is
         room for all."""
-        entry = LayerEntry()
-        self.layers.append(entry)
-        bodies = {name: encode(body) for name, body in made.bodies.items()}
-        taken = sum(len(mesh.content) for one in self.layers for mesh in one.bodies.values())
-        if taken + sum(len(mesh.content) for mesh in bodies.values()) <= MESH_BYTES // 2:
-            entry.bodies = bodies
-        if self.with_pictures and len(self.layers) <= MOST_PICTURED and bodies:
+        entry = LayerEntry(bodies={name: encode(body) for name, body in made.bodies.items()})
+        if self.with_pictures and len(self.layers) < MOST_PICTURED and entry.bodies:
             entry.pictures = [self._draw_bodies(list(made.bodies.values())), *(
                 self._draw_thickness(name, plan_of(made.cells, number))
-                for number, name in enumerate(made.figures) if number < MOST_PICTURED and name in bodies)]
+                for number, name in enumerate(made.figures) if number < MOST_PICTURED and name in entry.bodies)]
+        self._keep_layers(entry)
+
+    def _keep_layers(self, entry):
+        self.layers.append(entry)
+        if sum(len(mesh.content) for one in self.layers for mesh in one.bodies.values()) > MESH_BYTES // 2 and not self._is_part:
+            entry.bodies = {}
+        if len(self.layers) > MOST_PICTURED:
+            entry.pictures = []
 
     def _draw_bodies(self, bodies):
         from . import pictures

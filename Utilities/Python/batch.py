@@ -12,19 +12,20 @@ import shutil
 import sys
 import tempfile
 import time
+from dataclasses import replace
 
 try:
     import fcntl
 except ImportError:  # on Windows
     fcntl = None
 
-from . import interrupt, naming, pipeline, reading, tables, volumes, writing
+from . import interrupt, jobs, naming, pipeline, reading, tables, volumes, writing
 from .found import Found
 from .found import written as written_line
 from .memory import Budget
 from .naming import make_labels, make_stems
 from .parts import Windows
-from .stage import HorizonError, heard_by
+from .stage import HorizonError, heard_by, share_threads
 from .supply import Supply
 
 STACK = "stack"  # label of layers between files of one horizon each
@@ -32,34 +33,111 @@ WORKSPACE = ".horizon_mesh-"  # prefix of the temporary folders of a run
 SECONDS_TO_LOCK = 2.0
 
 
-def run(inputs, output_folder, settings, with_pictures, record, prints=True):
+class Results:
+    """The output folder: results appear there, unless they would replace an input or the results of another file."""
+
+    def __init__(self, workspace, taken):
+        self.workspace, self.folder = workspace, workspace.parent
+        self._taken = taken
+
+    def require(self, names, label):
+        """Reserves names of results for a file. Raises HorizonError."""
+        self._taken.require(self.folder, names, label)
+
+    def publish(self, folder):
+        """Moves results into place and returns their names."""
+        written = sorted(os.listdir(folder))
+        for name in written:
+            os.replace(os.path.join(folder, name), self.folder / name)
+        return written
+
+
+def run(inputs, output_folder, settings, with_pictures, record, prints=True, threads=0):
     """Processes all files and folders. An error in one file goes to the record (record.Record), and the other files are
-    still processed. Raises HorizonError or OSError if no file can be processed."""
+    still processed; `threads` are shared by the processes of settings.jobs. Raises HorizonError or OSError if no file can be
+    processed."""
     record.begin(settings)
     files = find_files(inputs, record)
     labels = make_labels(files)
     stack = [] if settings.layers is not None and len(files) > 1 else None
     stems = naming.distinct(naming.shorten(stem, naming.LONGEST_STEM) for stem in make_stems(labels))
     taken = naming.Taken([*files, *settings.other_files])
+    settings = replace(settings, jobs=max(1, min(settings.jobs, len(files))) if jobs.CAN_FORK else 1)
+    tasks = list(zip(files, labels, stems))
+    print_if = print_lines if prints else lambda _: None
     with _workspace(output_folder) as workspace:
-        for path, label, stem in zip(files, labels, stems):
-            record.begin_file(path, label)
-            try:
-                with heard_by(functools.partial(record.warn_of_file, path, label)):
-                    lines = process(path, label, stem, workspace, settings, with_pictures, record, taken, stack)
-                if prints:
-                    print_lines(lines)
-            except (HorizonError, OSError) as error:
-                record.fail_file(error)
+        results = Results(workspace, taken)
+        if settings.jobs > 1:
+            work = functools.partial(_process_apart, results=results, settings=settings, with_pictures=with_pictures,
+                                     record=record, stack=stack, threads=threads)
+            with contextlib.closing(jobs.run_in_order(work, tasks, settings.jobs)) as outcomes:
+                for (path, label, _), outcome in zip(tasks, outcomes):
+                    _accept(outcome, path, label, results, record, stack, print_if)
+        else:
+            for path, label, stem in tasks:
+                _attempt(path, label, record, print_if, lambda: process(
+                    path, label, stem, results, settings, with_pictures, record, stack))
         if stack:
-            record.begin_file(STACK, STACK)
-            try:
-                with heard_by(functools.partial(record.warn_of_file, STACK, STACK)):
-                    lines = process_stack(stack, workspace, settings, record, taken)
-                if prints:
-                    print_lines(lines)
-            except (HorizonError, OSError) as error:
-                record.fail_file(error)
+            _attempt(STACK, STACK, record, print_if, lambda: process_stack(stack, results, settings, record))
+    if len(record.files) > 1:
+        print_if([record.summary(output_folder, record.files[:-1] if stack else record.files)])
+
+
+def _attempt(path, label, record, print_if, make_lines):
+    """Processes one file and prints its lines; an error goes to the record."""
+    record.begin_file(path, label)
+    try:
+        with heard_by(functools.partial(record.warn_of_file, path, label)):
+            lines = make_lines()
+        print_if(lines)
+    except (HorizonError, OSError) as error:
+        record.fail_file(error)
+
+
+def _process_apart(task, results, settings, with_pictures, record, stack, threads):
+    """Processes one file in another process and returns the outcome (jobs.Outcome)."""
+    share_threads(threads, settings.jobs)
+    path, label, stem = task
+    outcome = jobs.Outcome()
+    own = record.part(lambda *message: outcome.messages.append(message))
+    later = jobs.Later(results, outcome, own)
+    stacked = None if stack is None else []
+    _attempt(path, label, own, outcome.lines.extend, lambda: process(
+        path, label, stem, later, settings, with_pictures, own, stacked))
+    outcome.file, outcome.meshes = own.files[0], own.meshes
+    if own.album:
+        outcome.entries, outcome.layers = own.album.entries, own.album.layers
+    if stacked:
+        outcome.stacked = (*stacked[0][:2], jobs.store(stacked[0][2], results.workspace))
+    return outcome
+
+
+def _accept(outcome, path, label, results, record, stack, print_if):
+    """Puts the results of another process in place and reports them, as if the file had been processed here."""
+    if isinstance(outcome, HorizonError):
+        record.begin_file(path, label)
+        record.fail_file("%s: %s" % (label, outcome))
+        return
+    file, messages = outcome.before, outcome.messages[:outcome.told]
+    try:
+        if outcome.names:
+            results.require(outcome.names, label)
+        file, messages = outcome.unpublished, outcome.messages
+        if outcome.folder:
+            results.publish(outcome.folder)
+    except (HorizonError, OSError) as error:
+        record.take(file, messages)
+        record.fail_file(error)
+        return
+    record.take(outcome.file, outcome.messages)
+    record.take_results(outcome)
+    if outcome.stacked:
+        stack.append((*outcome.stacked[:2], jobs.restore(outcome.stacked[2])))
+    try:
+        if outcome.lines:
+            print_if(outcome.lines)
+    except HorizonError as error:
+        record.fail_file(error)
 
 
 def find_files(inputs, record):
@@ -129,34 +207,33 @@ def _remove_abandoned(output_folder):
                     shutil.rmtree(folder, ignore_errors=True)
 
 
-def process(path, label, stem, workspace, settings, with_pictures, record, taken, stack=None):
-    """Processes one file. Results appear in the folder of the workspace all together at the end, or not at all. Returns the
-    lines to print. With a stack, a file with a single horizon contributes its stem, name and points to the stack instead of
+def process(path, label, stem, results, settings, with_pictures, record, stack=None):
+    """Processes one file. Its results (Results) appear all together at the end, or not at all. Returns the lines to print. With a stack, a file with a single horizon contributes its stem, name and points to the stack instead of
     having layers of its own. Raises HorizonError or OSError."""
     left_out = [] if settings.leave_out_invalid else None
-    supply = Supply(path, settings.horizons, Budget(settings.memory), settings.can_cut(), left_out, **settings.reader)
+    supply = Supply(path, settings.horizons, Budget(settings.memory, settings.jobs), settings.can_cut(), left_out, **settings.reader)
     for text in left_out or []:
         record.warn(text)
     _require_scale(label, supply, settings)
     names = naming.Names(stem, supply.names, settings, with_pictures)
-    taken.require(workspace.parent, names.all(), label)
+    results.require(names.all(), label)
     found = Found()
-    with tempfile.TemporaryDirectory(dir=workspace) as folder:
-        results = _run_stages(label, supply, settings, record, names, pathlib.Path(folder), found)
-        lines = _write(results, names, pathlib.Path(folder))
-        if stack is not None and len(results) == 1:
-            stack.append((stem, results[0].name, writing.prepared(results[0])))
+    with tempfile.TemporaryDirectory(dir=results.workspace) as folder:
+        made = _run_stages(label, supply, settings, record, names, pathlib.Path(folder), found)
+        lines = _write(made, names, pathlib.Path(folder))
+        if stack is not None and len(made) == 1:
+            stack.append((stem, made[0].name, writing.prepared(made[0])))
         elif settings.layers is not None:
-            points = {result.name: writing.prepared(result) for result in results}
+            points = {result.name: writing.prepared(result) for result in made}
             lines += _write_layers(label, points, settings, names, pathlib.Path(folder), record)
         interrupt.check()
-        written = _publish(folder, workspace)
+        written = results.publish(folder)
     record.end_file(supply, written)
-    lines = [*found.lines(supply.origin, settings), *tables.table(results), *lines, written_line(written, workspace.parent)]
+    lines = [*found.lines(supply.origin, settings), *tables.table(made), *lines, written_line(written, results.folder)]
     return ["%s: read in %.2f s" % (label, supply.seconds), *(("  " + line).rstrip() for line in lines)]
 
 
-def process_stack(stack, workspace, settings, record, taken):
+def process_stack(stack, results, settings, record):
     """Makes the layers between files of one horizon each, in the same way as process."""
     if len(stack) == 1:
         raise HorizonError("%s: one horizon, expected at least 2, in the file or in files of one horizon each" % stack[0][0])
@@ -164,27 +241,24 @@ def process_stack(stack, workspace, settings, record, taken):
     if len(set(titles)) < len(titles):
         titles = [stem for stem, _, _ in stack]
     names = naming.Names(STACK, titles, settings, False)
-    taken.require(workspace.parent, [*names.layers, *names.bodies], STACK)
-    with tempfile.TemporaryDirectory(dir=workspace) as folder:
+    results.require([*names.layers, *names.bodies], STACK)
+    with tempfile.TemporaryDirectory(dir=results.workspace) as folder:
         points = dict(zip(titles, (points for _, _, points in stack)))
         lines = _write_layers(STACK, points, settings, names, pathlib.Path(folder), record)
         interrupt.check()
-        written = _publish(folder, workspace)
+        written = results.publish(folder)
     record.end_stack(written)
     return ["%s of %d files" % (STACK, len(stack)),
-            *("  " + line for line in [*lines, written_line(written, workspace.parent)])]
-
-
-def _publish(folder, workspace):
-    """Moves results into place and returns their names."""
-    written = sorted(os.listdir(folder))
-    for name in written:
-        os.replace(os.path.join(folder, name), workspace.parent / name)
-    return written
+            *("  " + line for line in [*lines, written_line(written, results.folder)])]
 
 
 def _require_scale(label, supply, settings):
-    """Raises HorizonError if heights have a unit but the size of a vertical index is unknown."""
+    """Raises HorizonError if heights have a unit that does not fit z, or if the size of a vertical index is unknown."""
+    for name, unit in supply.units():
+        try:
+            settings.in_unit(unit)
+        except HorizonError as error:
+            raise HorizonError("%s: %s: %s" % (label, name, error)) from None
     said, unit = settings.said_unit(), settings.reader.get("VerticalUnit")
     if not reading.counts_indices(supply.origin["format"], settings.reader):
         return

@@ -79,8 +79,12 @@ def per_index(horizon, unit):
 def in_unit_of(properties, horizon):
     """Returns properties with heights converted to the unit of z of a horizon. If that unit is unknown, z is assumed to be
     in the unit of the heights. Raises HorizonError."""
-    return {name: _convert(value, unit_of(horizon)) if getattr(value, "unit", "") else value
-            for name, value in properties.items()}
+    return in_unit(properties, unit_of(horizon))
+
+
+def in_unit(properties, unit):
+    """Does the same for a unit of z."""
+    return {name: _convert(value, unit) if getattr(value, "unit", "") else value for name, value in properties.items()}
 
 
 def _convert(height, unit):

@@ -39,16 +39,17 @@ def size_text(size):
 
 class Budget:
     """Memory available for horizons: the limit less the memory of the program itself. Without a `limit`, a fraction of the
-    free memory of the machine."""
+    free memory of the machine. If there are several `jobs`, each has an equal share."""
 
-    def __init__(self, limit=None):
+    def __init__(self, limit=None, jobs=1):
         self.is_given = limit is not None
         self.limit = limit
+        self._jobs = jobs
         available = _available()
         if limit is not None:
-            self.left = limit - _resident() - SPARE
+            self.left = limit // jobs - _resident() - SPARE
         else:
-            self.left = None if available is None else int(SHARE * available) - SPARE
+            self.left = None if available is None else int(SHARE * available / jobs) - SPARE
 
     def fits(self, worked, held=0):
         """Whether `worked` points can be processed while `held` points are in memory."""
@@ -79,7 +80,8 @@ class Budget:
                 taking, size_text(max(self.left, 0)), self.limit_text(), advice))
 
     def limit_text(self):
-        return "--memory %s" % size_text(self.limit) if self.is_given else "the memory of this machine"
+        whole = "--memory %s" % size_text(self.limit) if self.is_given else "the memory of this machine"
+        return whole + (" for each of %d jobs" % self._jobs if self._jobs > 1 else "")
 
 
 def make_groups(sizes, budget):

@@ -18,6 +18,7 @@ class Windows:
 
     def __init__(self, reader, name, budget):
         self.name = name
+        self.unit = reader.GetVerticalUnit() or ""  # of z
         self.noise = vtkFieldData()  # what an automatic error is six times of, once it is chosen
         self._reader = reader
         row_sizes = [reader.GetNumberOfPointsInRows(name, row, row) for row in range(reader.GetNumberOfRows())]

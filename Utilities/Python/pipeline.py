@@ -51,7 +51,8 @@ class Settings:
     `horizons` lists the IDs or names of the horizons to read, None for all. A horizon that cannot be processed raises an
     error or, with `leave_out_invalid`, has an empty mesh and a warning. `formats` lists the formats of meshes
     (writing.FORMATS), and `other_files` the input files other than those of horizons. `memory` is the limit in bytes,
-    None for most of the free memory; as many horizons as fit are read at a time. With `error_if_whole`, the error of a
+    None for most of the free memory; as many horizons as fit are read at a time; `jobs` is the number of
+    files that share it. With `error_if_whole`, the error of a
     horizon larger than memory, which cannot be measured, is not requested.
     """
 
@@ -74,6 +75,7 @@ class Settings:
     formats: tuple = ("vtp",)
     other_files: tuple = ()
     memory: Optional[int] = None
+    jobs: int = 1
 
     def make_stages(self):
         """Returns the stages from points to mesh in order, as (name, algorithm)."""
@@ -102,7 +104,11 @@ class Settings:
 
     def in_unit_of(self, horizon):
         """Returns the settings with heights converted to the unit of z of a horizon. Raises HorizonError."""
-        return replace(self, **{name: heights.in_unit_of(getattr(self, name), horizon)
+        return self.in_unit(heights.unit_of(horizon))
+
+    def in_unit(self, unit):
+        """Does the same for a unit of z."""
+        return replace(self, **{name: heights.in_unit(getattr(self, name), unit)
                                 for name in ("despiked", "torn", "surface", "layers") if getattr(self, name) is not None})
 
     def make(self, class_name, properties):
@@ -251,8 +257,9 @@ def run_windows(source, windows, settings):
     result = Result(source, windows.name, None)
     result.number_of_points = windows.number_of_points
     start = time.monotonic()
+    surface = settings.in_unit(windows.unit).surface
     try:
-        result.data = {"mesh": parts.mesh(windows, settings.surface, "%s: %s" % (source, windows.name), result.warnings)}
+        result.data = {"mesh": parts.mesh(windows, surface, "%s: %s" % (source, windows.name), result.warnings)}
     except HorizonError as error:
         if not settings.leave_out_invalid:
             raise HorizonError("%s: %s" % (source, error)) from None

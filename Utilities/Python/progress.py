@@ -12,6 +12,14 @@ LONG_WORK = 1.0  # seconds before the line appears
 BETWEEN = 0.2  # seconds between updates of the line
 SMALLEST_PART = 0.01  # fraction below which the remaining time is not estimated
 
+_is_silent = False
+
+
+def silence():
+    """Shows no progress from now on."""
+    global _is_silent
+    _is_silent = True
+
 
 class Progress:
     """Progress of one stage; without a label nothing is shown. `work` is the amount of work as (number, unit), for example
@@ -27,7 +35,7 @@ class Progress:
     def show(self, fraction):
         """Shows the fraction of the work that is done, from 0 to 1."""
         now = time.monotonic()
-        if not self._label or now - self._last < BETWEEN or not sys.stderr.isatty():
+        if _is_silent or not self._label or now - self._last < BETWEEN or not sys.stderr.isatty():
             return
         self._last = now
         self._is_shown = True

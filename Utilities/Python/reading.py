@@ -194,11 +194,19 @@ def select(reader, horizons, path):
     _switch(reader, horizons, path)
 
 
+def names_in(words, known):
+    """Returns the names of horizons in words, which are names or comma lists. A word that is the name of a known horizon is
+    not split."""
+    whole = {*known, *map(short_name, known)}
+    return [name for word in map(str, words)
+            for name in ([word] if word in whole or "," not in word else filter(None, map(str.strip, word.split(","))))]
+
+
 def _switch(reader, horizons, path):
     """Does the same after the list of horizons has been filled."""
     known = [reader.GetHorizonName(i) for i in range(reader.GetNumberOfHorizons())]
     reader.DisableAllHorizons()
-    for name in map(name_of, horizons):
+    for name in map(name_of, names_in(horizons, known)):
         if name not in known and short_name(name) not in known:
             raise HorizonError("%s: there is no horizon %s; the file has %s" % (
                 path, short_name(name), ", ".join(short_name(k) for k in known) or "none"))

@@ -7,6 +7,7 @@ import json
 import os
 import time
 
+from . import album as albums
 from . import figures
 from .options import with_options
 
@@ -26,6 +27,8 @@ class Record:
         self.files = []
         self.warnings = []
         self.error = None
+        self.meshes = 0  # in results that are complete
+        self._meshes_of_file = 0
 
     def begin(self, settings):
         self._given = figures.parameters(settings)
@@ -33,6 +36,7 @@ class Record:
                          "leave_out_invalid": settings.leave_out_invalid}
 
     def begin_file(self, path, label):
+        self._meshes_of_file = 0
         self.files.append({"path": figures.plain(path), "label": figures.plain(label), "status": "failed", "error": None,
                            "bytes": os.path.getsize(path) if os.path.exists(path) else None, "format": None,
                            "description": [], "horizons_in_file": None, "survey": None, "seconds_reading": None,
@@ -40,6 +44,7 @@ class Record:
 
     def add_horizon(self, result, supply, names):
         """Records a horizon whose mesh is written to the files `names`."""
+        self._meshes_of_file += 1
         if not self._has_figures:
             return
         file = self.files[-1]
@@ -56,8 +61,25 @@ class Record:
         if self.album:
             self.album.add_layers(made)
 
+    def part(self, tell):
+        """Returns a record for one file in another process."""
+        return Record(tell, self._has_figures, albums.Album(self.album.with_pictures, is_part=True) if self.album else None)
+
+    def take(self, file, messages):
+        """Adds a file of another record, and tells its messages."""
+        self.files.append(file)
+        for kind, text in messages:
+            self._tell(kind, text)
+
+    def take_results(self, outcome):
+        """Adds the meshes that another process has made (jobs.Outcome)."""
+        self.meshes += outcome.meshes
+        if self.album:
+            self.album.take(outcome.entries, outcome.layers)
+
     def end_file(self, supply, results):
         """Records that the results of a file are complete."""
+        self.meshes += self._meshes_of_file
         self.files[-1].update(status="done", seconds_reading=supply.seconds, results=list(results), **supply.origin)
 
     def end_stack(self, results):
@@ -91,6 +113,15 @@ class Record:
         self.error = with_options(str(error))
         self._tell("error", self.error)
 
+    def summary(self, folder, files):
+        """Returns a line on files, such as "12 files: 11 done, 1 failed, 2 warnings; 34 meshes in out/"."""
+        failed = sum(file["error"] is not None for file in files)
+        warnings = sum(len(file["warnings"]) for file in self.files) + len(self.warnings)
+        words = ["%d done" % (len(files) - failed), *(["%d failed" % failed] if failed else []),
+                 *([_count(warnings, "warning")] if warnings else [])]
+        return "%s: %s; %s in %s" % (_count(len(files), "file"), ", ".join(words), _count(self.meshes, "mesh", "es"),
+                                     figures.plain(os.path.join(folder, "")))
+
     def is_done(self):
         return self.error is None and all(file["error"] is None for file in self.files)
 
@@ -106,3 +137,7 @@ class Record:
     def as_json(self):
         """Returns the record as one line of JSON."""
         return json.dumps(self.as_values(), allow_nan=False)
+
+
+def _count(number, noun, plural="s"):
+    return "%d %s%s" % (number, noun, "" if number == 1 else plural)

@@ -7,6 +7,7 @@ Properties have the names of the documentation (`CellSize=3` calls `SetCellSize(
 """
 
 import contextlib
+import os
 import sys
 import time
 import warnings as warnings_of_python
@@ -53,6 +54,12 @@ def set_threads(number):
     # The default back-end of many VTK builds is sequential.
     vtkSMPTools.SetBackend("STDThread")
     vtkSMPTools.Initialize(number)
+
+
+def share_threads(number, jobs):
+    """Sets the share of one of several processes in a number of threads; 0 means all processors."""
+    available = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    set_threads(max(1, (number or available) // jobs))
 
 
 def configure(algorithm, **properties):

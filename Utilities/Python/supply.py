@@ -9,7 +9,7 @@
 import pathlib
 import time
 
-from . import cubes, memory, reading
+from . import cubes, heights, memory, reading
 from .parts import Windows
 from .progress import file_work
 from .stage import HorizonError, update, watched
@@ -56,6 +56,13 @@ class Supply:
             found = self._read(group) if self._reader else self._found
             while found:
                 yield found.pop(0)
+
+    def units(self):
+        """Returns names of horizons with their units of z; one name if they are read in groups, as then the file has a
+        single unit."""
+        if self._reader:
+            return [(self.names[0], self._reader.GetVerticalUnit() or "")]
+        return [(name, heights.unit_of(points)) for name, points in self._found]
 
     def _require(self, group):
         """Raises HorizonError if a horizon cannot be processed while the rest of its group is in memory."""

@@ -150,7 +150,8 @@ def _run(maker, horizons, keywords, label):
 def of_points(points, settings, label):
     """Makes the layers between the horizons of a file, given by name, and returns them with warnings. Raises HorizonError."""
     if settings.layers.get("Order") == "AsGiven" and settings.horizons:
-        places = {reading.name_of(horizon): place for place, horizon in enumerate(settings.horizons)}
+        places = {reading.name_of(horizon): place for place, horizon in
+                  enumerate(reading.names_in(settings.horizons, points))}
         points = dict(sorted(points.items(), key=lambda item: places.get(item[0], len(places))))
     own = settings.in_unit_of(next(iter(points.values())))
     maker = own.make(FILTER, own.layers)
