@@ -77,6 +77,9 @@ step "the command works, and has a manual page"
 inside horizon-mesh --largest-error 1 --no-pictures --output-folder /tmp/out /packages/sample.vsm
 [ "$(inside sh -c 'ls /tmp/out/*.vtp | wc -l')" -eq 2 ]
 inside sh -c 'man horizon-mesh | grep -q -- --largest-error'
+step "shells complete the command"
+inside bash -c '. /usr/share/bash-completion/completions/horizon-mesh && complete -p horizon-mesh' > /dev/null
+inside grep -q -- --largest-error /usr/share/zsh/site-functions/_horizon-mesh
 
 step "the commands on the pages do what they say"
 inside xvfb-run -a /usr/bin/python3 /packages/Install/pages_check.py /usr/share/doc/seismichorizons /tmp/pages

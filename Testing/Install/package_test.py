@@ -19,6 +19,8 @@ def main():
     # Five fields, and a path that may have blanks in it.
     libraries = {line.split(maxsplit=5)[-1] for line in maps.splitlines() if "libvtkSeismicHorizons" in line}
     assert libraries and all(str(prefix) in library for library in libraries), libraries
+    for place in ("bash-completion/completions/horizon-mesh", "zsh/site-functions/_horizon-mesh"):
+        assert "--largest-error" in (prefix / "share" / place).read_text(encoding="utf-8"), place
     stages = pipelines.with_classes(data / "sample.vsm")
     meshes = mesh_checks.blocks(stages[-1])
     assert len(meshes) >= 2

@@ -128,9 +128,11 @@ class FilesTest(unittest.TestCase):
                 (("--largest-error", "2m", dome), "2m for z in ms, expected ms or s (--vertical-unit says what z is in)"),
                 (("--vertical-unit", "ms", SAMPLE), "--vertical-unit ms, and z in vertical indices, expected --vertical-step with"),
                 (("--despike", "1ms", SAMPLE), "in ms, and z in vertical indices, expected --vertical-step with"),
-                (("--largest-error", "2 km", dome), "2 km, expected a number of at least 0, with or without a unit")):
+                (("--despike", "0", "ms", "--largest-error", "0.002", "ft", dome), "0.002ft for z in ms, expected ms or s"),
+                (("--largest-error", "2m", "--memory", "2G", "--vertical-unit", "s", "--vertical-step", "0.004", SAMPLE),
+                 "2m for z in s, expected ms or s")):
             code, messages, _ = self.run_program(*arguments)
-            self.assertEqual((code, len(messages)), (1, 1), messages)
+            self.assertEqual((code, len(messages), files(self.output)), (1, 1, ["dome.vtp"]), messages)
             self.assertIn(text, messages[0])
         code, messages, told = self.run_program("--largest-error", "2m", "--vertical-unit", "m", dome)
         self.assertEqual((code, messages), (0, []))
@@ -322,7 +324,7 @@ class FilesTest(unittest.TestCase):
     def test_option_in_latin_1(self):
         for arguments in (["--report", LATIN], ["--columns", LATIN], ["--output-folder", LATIN], ["--horizons", LATIN, "--"]):
             code, messages, _ = self.run_program(*arguments, SAMPLE)
-            self.assertEqual((code, messages), (1, [r"error: 'caf\udce9' is not in UTF-8 (see --help)"]))
+            self.assertEqual((code, messages), (2, [r"error: 'caf\udce9' is not in UTF-8 (see --help)"]))
 
     def test_long_names(self):
         """One that no file can have is an error of that file alone; others are shortened."""
@@ -341,9 +343,18 @@ class FilesTest(unittest.TestCase):
                                 ("--smallest-hole-size", str(2**31)), ("--inlines", str(2**31), "1"),
                                 ("--memory", "9" * 400), ("--memory", "9" * 305 + "T"), ("--memory", "0.1")):
             code, messages, _ = self.run_program(option, *values, SAMPLE)
-            self.assertEqual((code, len(messages)), (1, 1), messages)
+            self.assertEqual((code, len(messages)), (2, 1), messages)
             self.assertRegex(messages[0], "^error: argument %s: invalid .*: value: " % option)
         self.assertEqual(self.run_program("--stages", "--cell-size", str(2**31 - 1), SAMPLE)[:2], (0, []))
+
+    def test_quiet(self):
+        """Errors and warnings alone; of several files, a last line counts those that are done."""
+        wrong, good = self.write("wrong.vsm", ["1 1"]), self.copy("good.vsm")
+        code, messages, printed = self.run_program(wrong, good)
+        self.assertEqual((code, len(messages)), (1, 1))
+        self.assertRegex(printed.splitlines()[-1], r"^2 files: 1 done, 1 failed, \d warnings; 3 meshes in %s/$" % self.output)
+        self.assertEqual(self.run_program("-q", wrong, good), (1, messages, ""))
+        self.assertNotIn("1 file:", self.run_program(good)[2])
 
     def test_killed(self):
         """The next run takes away what is left, but nothing of a run that still goes on."""

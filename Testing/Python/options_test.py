@@ -15,7 +15,8 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import seismichorizons as sh
-from seismichorizons import options, pipeline, stage, writing
+from seismichorizons import options, pipeline, reading, stage, writing
+from seismichorizons_command import options as command_options
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 
@@ -48,7 +49,7 @@ class OptionsTest(unittest.TestCase):
         for name in ("reader", "error", *pipeline.STAGES):
             self.assertEqual(getattr(settings, name), {}, name)
         self.assertIsNone(settings.horizons)
-        self.assertEqual(load_program().FORMATS, writing.FORMATS)
+        self.assertEqual(command_options.FORMATS, writing.FORMATS)
         self.assertNotIn("MaximumError", self.settings().surface)
 
     def test_reader(self):
@@ -65,6 +66,14 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual(self.settings("--elevation", "RealZ").reader, self.settings("--z-from", "RealZ").reader)
         self.assertEqual(self.settings("--z-from", "RealZ").reader, {"ZFrom": "RealZ"})
         self.assertNotIn("elevation", load_program().make_parser().format_help())
+
+    def test_horizons_with_commas(self):
+        """A name of the file is not split."""
+        known = ["Horizon 1", "Horizon 2", "Top", "Top, upper"]
+        for words, names in ((["1,2"], ["1", "2"]), (["Top, upper"], ["Top, upper"]), (["Top,2"], ["Top", "2"]),
+                             (["Top, upper", "1, 2"], ["Top, upper", "1", "2"]), (["Top,"], ["Top"]), ([2], ["2"]),
+                             (["Base, lower"], ["Base", "lower"])):
+            self.assertEqual(reading.names_in(words, known), names)
 
     def test_left_out(self):
         settings = self.settings("--stages", "--skip-rough", "--horizons", "3", "1")
@@ -117,6 +126,7 @@ class OptionsTest(unittest.TestCase):
             stages = dict(settings.in_unit_of(horizon_in(known)).make_stages())
             found = (stages["despiked"].GetThresholdUnit(), stages["torn"].GetThrowUnit(), stages["mesh"].GetErrorUnit())
             self.assertEqual(found, (bool(unit),) * 3)
+            self.assertEqual(settings.in_unit(known).surface["MaximumError"], 2.0 * scale)
             self.assertEqual(stages["torn"].GetSmallestThrow(), 30.0 * scale)
             self.assertEqual((stages["despiked"].GetThreshold(), stages["mesh"].GetMaximumError()), (0.0, 2.0 * scale))
         for unit, expected in (("m", "m or ft"), ("ms", "ms or s"), ("km", "a number without unit")):

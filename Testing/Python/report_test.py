@@ -352,7 +352,7 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn("close faults", open_page.text())
 
     def test_exit_codes(self):
-        """0 when all is done; 1 when something is not, which JSON tells of as well; the rest is in the batch test."""
+        """0 when all is done; 1 when something is not, which JSON tells of as well; 2 for a wrong command line."""
         wrong = self.folder / "wrong.vsm"
         wrong.write_text("1 1\n")
         run = json.loads(self.run_program("--json", "--no-pictures", "--horizons", "1", "--", SAMPLE).stdout)
@@ -362,7 +362,7 @@ class ReportTest(unittest.TestCase):
         self.assertIn("wrong.vsm", run["files"][0]["error"])
         run = json.loads(self.run_program("--json", self.folder / "no", SAMPLE, code=1, DISPLAY=":4711").stdout)
         self.assertEqual([file["status"] for file in run["files"]], ["failed", "done"])
-        self.assertEqual(self.run_program("--json", "--no-such-option", SAMPLE, code=1).stdout, "")
+        self.assertEqual(self.run_program("--json", "--no-such-option", SAMPLE, code=2).stdout, "")
 
     def test_report_that_can_not_be_written(self):
         """Noticed before any work."""

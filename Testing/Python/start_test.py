@@ -37,7 +37,7 @@ def main():
     assert sorted(path.name for path in FOLDER.iterdir()) == ["sample.png", "sample_horizon_1.vtp"]
     assert mesh_checks.check_mesh(mesh_checks.read(FOLDER / "sample_horizon_1.vtp")) > 0
     assert image_compare.load(FOLDER / "sample.png").shape[1] == 3 * 480
-    assert run("--help").stdout.startswith("usage: %s [-h]" % PROGRAM.name)
+    assert run("--help").stdout.startswith("usage: %s [options]" % PROGRAM.name)
     # The end of the program is that of the interpreter.
     done = run("--no-pictures", SAMPLE, "--horizons", "4711")
     assert done.returncode == 1 and len(messages(done)) == 1 and "4711" in messages(done)[0], done.stderr

@@ -76,8 +76,8 @@ def build():
     print("built %s in %.0f s, %.1f MB" % (wheel.name, time.monotonic() - start, wheel.stat().st_size / 1e6))
     assert wheel.stat().st_size < LARGEST_WHEEL, "a wheel of %d bytes" % wheel.stat().st_size
     names = zipfile.ZipFile(wheel).namelist()
-    for name in ("py.typed", "vtkSeismicHorizons.pyi", "horizon_mesh.py"):
-        assert "seismichorizons/" + name in names, "no %s in the wheel" % name
+    for name in ("seismichorizons/py.typed", "seismichorizons/vtkSeismicHorizons.pyi", "seismichorizons_command/horizon_mesh.py"):
+        assert name in names, "no %s in the wheel" % name
     if sys.platform == "linux":
         tools = {**ENVIRONMENT, "PATH": "%s:%s" % (python.parent, ENVIRONMENT["PATH"])}
         run(python, "-m", "auditwheel", "repair", "--exclude", "libvtk*", "--wheel-dir", FOLDER / "repaired", wheel, env=tools)

@@ -48,7 +48,7 @@ def examples(name, examples_page):
     """Returns the commands on the page of the program and their purposes."""
     for line in examples_page.splitlines():
         command, _, meaning = line.partition("  # ")
-        if command.startswith(name + " ") and not command.endswith("--help"):
+        if command.startswith(name + " ") and not command.rstrip().endswith("--help"):
             meaning = meaning or "a mesh for each horizon, and a table"
             yield ".TP\n.B %s\n%s\n" % (escape(command.rstrip()), escape(meaning))
 

@@ -71,6 +71,7 @@ def make_settings(options):
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
     settings.memory = options.memory
+    settings.jobs = options.jobs
     settings.other_files = [*getattr(options, "limits", []), *given(
         options, picks="picks", traces="fault_lines", sticks="fault_sticks").values()]
     settings.reader = _reader(options)

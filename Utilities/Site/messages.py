@@ -82,7 +82,8 @@ def collect():
     for path in cpp_paths():
         for text in cpp_messages.messages_of(path.read_text("utf-8"), constants):
             found.setdefault(tidy(text), set()).add(page_of(path))
-    for path in [TREE / "Utilities" / "horizon_mesh.py", *sorted((TREE / "Utilities" / "Python").glob("*.py"))]:
+    for path in [TREE / "Utilities" / "horizon_mesh.py", *sorted(itertools.chain(
+            *((TREE / "Utilities" / folder).glob("*.py") for folder in ("Command", "Python"))))]:
         for text in python_messages(path.read_text("utf-8")):
             found.setdefault(tidy(text), set()).add(PAGES.get(path.stem, COMMAND))
     found.pop(None, None)
