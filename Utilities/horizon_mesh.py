@@ -20,17 +20,16 @@ if __name__ == "__main__":
     signal.signal(signal.SIGINT, _end_at_once)
     signal.signal(signal.SIGTERM, _end_at_once)
 
-import pathlib  # noqa: E402
 import sys  # noqa: E402
 
 IS_COMMAND = __name__ in ("__main__", "seismichorizons_command.horizon_mesh")
-PROGRAM = pathlib.Path(sys.argv[0]).stem if IS_COMMAND else "horizon_mesh"
+PROGRAM = os.path.splitext(os.path.basename(sys.argv[0]))[0] if IS_COMMAND else "horizon_mesh"
 
 
 def make_parser():
     from seismichorizons_command import parser
 
-    return parser.make_parser(pathlib.Path(sys.argv[0]).name if IS_COMMAND else PROGRAM + ".py", tell)
+    return parser.make_parser(os.path.basename(sys.argv[0]) if IS_COMMAND else PROGRAM + ".py", tell)
 
 
 def tell(kind, text):
@@ -84,14 +83,20 @@ def _run(options):
 def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else arguments
     try:
+        from seismichorizons_command import VERSION_LINE
+
+        if arguments == ["--version"]:  # needs no parser
+            sys.stdout.write(VERSION_LINE)
+            return 0
         parser = make_parser()
     except ImportError as error:
         return _fail_without_package(error)
     options = parser.parse_args(arguments)
     parser.check(options)
+    files = {os.path.normpath(path) for path in options.inputs}
     for word in arguments:
         is_text = word == word.encode(errors="replace").decode()
-        if not is_text and pathlib.Path(word) not in options.inputs:  # errors of files are reported one by one
+        if not is_text and os.path.normpath(word) not in files:  # errors of files are reported one by one
             parser.error("%s is not in UTF-8" % ascii(word))
     try:
         from seismichorizons import interrupt

@@ -55,6 +55,7 @@ class CommandTest(unittest.TestCase):
     def test_version(self):
         done = run("--version")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "horizon-mesh %s\n" % VERSION, ""))
+        self.assertEqual(run("--version", "a.dat").stdout, done.stdout)
         import seismichorizons as sh
 
         self.assertEqual(sh.__version__, VERSION)

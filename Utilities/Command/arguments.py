@@ -10,6 +10,12 @@ HEIGHT_UNITS = ("ms", "s", "m", "ft")
 MOST = 2**31  # exceeds the integers of the stages
 
 
+def path(text):
+    import pathlib  # takes longer to load than the rest of the command line
+
+    return pathlib.Path(text)
+
+
 def number_at_least(convert, least, more=False):
     """Returns an argparse converter for numbers that are at least `least` or, with `more`, larger than it."""
 

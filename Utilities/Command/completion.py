@@ -3,7 +3,6 @@
 """Completion for bash and zsh, written from the parser."""
 
 import argparse
-import pathlib
 
 from . import screens
 from .arguments import AddToList

@@ -3,9 +3,8 @@
 """The options of the command, in groups."""
 
 import argparse
-import pathlib
 
-from .arguments import HEIGHT_UNITS, AddToList, Height, line_number, memory, number_at_least, vertical_step
+from .arguments import HEIGHT_UNITS, AddToList, Height, line_number, memory, number_at_least, path, vertical_step
 
 Z_SOURCES, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
 REPRESENTATIVES, GROWTH_STRATEGIES = ("Barycentre", "NearestPoint"), ("Distance", "Clockwise")
@@ -20,7 +19,7 @@ NOT_GIVEN = argparse.SUPPRESS
 
 
 def add_result_options(group):
-    group.add_argument("-o", "--output-folder", type=pathlib.Path, default=pathlib.Path("."), metavar="FOLDER", help="folder of "
+    group.add_argument("-o", "--output-folder", type=path, default=".", metavar="FOLDER", help="folder of "
                        "the results; created if missing")
     group.add_argument("--formats", action=AddToList, values=FORMATS, default=["vtp"], metavar="LIST", help="formats of the "
                        "results: meshes for VTK (vtp), GOCAD (ts), stl, ply, obj and dxf; grids of the meshes as IRAP text "
@@ -30,7 +29,7 @@ def add_result_options(group):
 
 
 def add_report_options(group):
-    group.add_argument("--report", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE.html", help="write an HTML report: "
+    group.add_argument("--report", type=path, default=NOT_GIVEN, metavar="FILE.html", help="write an HTML report: "
                        "input, figures, pictures, interactive meshes, and the command that repeats the run; also measures the "
                        "error, except for horizons larger than memory")
     printed = group.add_mutually_exclusive_group()
@@ -124,9 +123,9 @@ def add_preparation_options(group):
     group.add_argument("--cut-faults", type=Height, default=NOT_GIVEN, metavar="T", help="find faults with a throw of at "
                        "least T; 0 derives T from the noise (default: none)")
     lines = group.add_mutually_exclusive_group()
-    lines.add_argument("--fault-lines", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE", help="cut along the fault "
+    lines.add_argument("--fault-lines", type=path, default=NOT_GIVEN, metavar="FILE", help="cut along the fault "
                        "traces of this file, and remove points inside its fault polygons")
-    lines.add_argument("--fault-sticks", type=pathlib.Path, default=NOT_GIVEN, metavar="FILE", help="cut along surfaces "
+    lines.add_argument("--fault-sticks", type=path, default=NOT_GIVEN, metavar="FILE", help="cut along surfaces "
                        "through the fault sticks of this file, and write these surfaces")
     group.add_argument("--close-faults", action="store_true", help="close the mesh at these faults with triangles, which have "
                        "1 in the array Fault")

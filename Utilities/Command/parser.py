@@ -3,11 +3,10 @@
 """The parser of the command."""
 
 import argparse
-import pathlib
 
-from . import __version__, completion, options, screens, words
+from . import NAME, VERSION_LINE, completion, options, screens, words
+from .arguments import path
 
-NAME = "horizon-mesh"
 WRONG_COMMAND_LINE = 2  # exit code
 
 
@@ -63,7 +62,7 @@ def make_parser(prog=NAME, tell=None):
         "and --formats ts stl a.dat. Repeated options add to a list. The exit code is 0 on success, 1 if a file or the report "
         "fails, and 2 if the command line is wrong; if a file fails, the others are still processed. It is 130 after Ctrl-C, "
         "and 143 after the signal TERM.")
-    parser.add_argument("inputs", nargs="+", metavar="INPUT", type=pathlib.Path, help="files of horizons or seismic cubes, or "
+    parser.add_argument("inputs", nargs="+", metavar="INPUT", type=path, help="files of horizons or seismic cubes, or "
                         "folders of them")
     _add_printing_options(parser)
     options.add_result_options(parser.add_argument_group("results"))
@@ -84,7 +83,7 @@ def _add_printing_options(parser):
     for names, make, text in (
             (("-h", "--help"), lambda parser, _: screens.short_help(parser, NAME), "print the most used options and examples"),
             (("--help-all",), lambda parser, _: parser.format_help(), "print all options"),
-            (("--version",), lambda _parser, _: "%s %s\n" % (NAME, __version__), "print the version")):
+            (("--version",), lambda _parser, _: VERSION_LINE, "print the version")):
         parser.add_argument(*names, action=_Print, nargs=0, make=make, help=text)
     parser.add_argument("--completion", action=_Print, make=lambda parser, shell: completion.SHELLS[shell](parser, NAME),
                         choices=tuple(completion.SHELLS), metavar="SHELL", help="print the completion of this command for "

@@ -3,8 +3,8 @@
 """The help: one screen, or all options."""
 
 import argparse
+import os
 import re
-import textwrap
 
 WIDTH = 79
 TEXT_COLUMN = 30  # of the effect of an option on the first screen
@@ -25,6 +25,13 @@ EXAMPLES = (
 class Formatter(argparse.ArgumentDefaultsHelpFormatter):
     """Shows defaults that the text of an option does not state."""
 
+    def __init__(self, prog, **others):
+        try:
+            columns = int(os.environ.get("COLUMNS") or 0) or os.get_terminal_size().columns
+        except (OSError, ValueError):
+            columns = WIDTH + 1
+        super().__init__(prog, **{"width": columns - 2, **others})
+
     def _get_help_string(self, action):
         has_default = action.nargs == 0 or "(default:" in action.help
         return action.help if has_default else super()._get_help_string(action)
@@ -38,6 +45,8 @@ def effect(parser, action):
 
 def short_help(parser, name):
     """Returns one screen: the usage, what the command does, the options that most runs need, and examples."""
+    import textwrap  # loaded only if needed
+
     lines = ["usage: " + parser.usage % {"prog": parser.prog}, "",
              *textwrap.wrap(SUMMARY, WIDTH), "", "options of most runs:"]
     for dest in USUAL:
