@@ -58,8 +58,8 @@ def make_parser(prog=NAME, tell=None):
         "x.vsm or x.dat; x_dat.png if there is also x.map; a_x.png for a/x.vsm and b_x.png for b/x.vsm. The results of a file "
         "appear all together or not at all. Distances are in lattice units: 1 is one column horizontally and one vertical "
         "index vertically. Heights (E, T of --despike and --cut-faults) are in vertical indices, or have a unit: 2ms, 0.002s, "
-        "5m, 16ft. Lists have commas, or are several words, which end before --, an option or a file: --formats ts,stl a.dat "
-        "and --formats ts stl a.dat. Repeated options add to a list. The exit code is 0 on success, 1 if a file or the report "
+        "5m, 16ft. Lists have commas, or are several words, which end before an option, before -- or before a file: "
+        "--formats ts,stl a.dat and --formats ts stl a.dat. Repeated options add to a list. The exit code is 0 on success, 1 if a file or the report "
         "fails, and 2 if the command line is wrong; if a file fails, the others are still processed. It is 130 after Ctrl-C, "
         "and 143 after the signal TERM.")
     parser.add_argument("inputs", nargs="+", metavar="INPUT", type=path, help="files of horizons or seismic cubes, or "
