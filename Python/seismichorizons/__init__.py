@@ -31,6 +31,8 @@ from ._thesis import (
     triangulation,
 )
 
+from ._old import find as __getattr__  # noqa: F401 -- names that are not here
+
 __version__ = importlib.metadata.version("seismichorizons")
 __all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "boundary_simplification",
            "crossings", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",

@@ -234,8 +234,8 @@ class Horizon(WithAttributes):
             ("units", self.vertical_unit), ("long_name", self.vertical_domain), ("positive", self.direction)) if value})
         return made
 
-    def to_xtgeo(self) -> Any:
-        """An xtgeo RegularSurface. Raises ValueError if the steps are not at right angles."""
+    def to_xtgeo(self, name: str | None = None) -> Any:
+        """An xtgeo RegularSurface of z, or of an attribute. Raises ValueError if the steps are not at right angles."""
         import xtgeo
 
         (ax, ay), (bx, by) = self.lattice.column_step, self.lattice.row_step
@@ -246,7 +246,7 @@ class Horizon(WithAttributes):
         return xtgeo.RegularSurface(
             ncol=columns, nrow=rows, xinc=dx, yinc=dy, xori=self.lattice.origin[0], yori=self.lattice.origin[1],
             rotation=math.degrees(math.atan2(ay, ax)) % 360.0, yflip=1 if ax * by - ay * bx > 0.0 else -1,
-            values=np.ma.masked_invalid(self.grid().T), name=self.name)
+            values=np.ma.masked_invalid(self.grid(name).T), name=name or self.name)
 
     def to_vtk(self) -> Any:
         """A vtkPolyData of points; z of the world is upwards."""

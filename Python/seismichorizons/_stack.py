@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import os
 import pathlib
 from collections.abc import Mapping, Sequence
@@ -77,6 +78,10 @@ class Layers:
         places.SetData(numpy_to_vtk(self.points, deep=True))
         grid.SetPoints(places)
         offsets, corners = self._core["cells"]
+        if _wedges_begin_below():
+            wedges = offsets[:-1][self._core["types"] == _WEDGE, None]
+            corners = corners.copy()
+            corners[wedges + np.arange(6)] = corners[wedges + [3, 4, 5, 0, 1, 2]]
         cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(corners, deep=True))
         grid.SetCells(numpy_to_vtk(self._core["types"], deep=True), cells)
         for name, values in self._core["cell_data"].items():
@@ -103,6 +108,27 @@ class Layers:
             _core.write_layers(str(path), self._core, progress)
         except ValueError as error:
             raise ValueError("%s: %s" % (path, in_keywords(str(error)))) from None
+
+
+_WEDGE = 13  # VTK_WEDGE
+
+
+@functools.lru_cache(maxsize=None)
+def _wedges_begin_below() -> bool:
+    """True if VTK's wedges begin with the triangle that looks inwards; older versions want the other one, as the core does."""
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+    from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+
+    wedge, places, sizes = vtkUnstructuredGrid(), vtkPoints(), vtkCellSizeFilter()
+    for z in (0, 1):
+        for x, y in ((0, 0), (1, 0), (0, 1)):
+            places.InsertNextPoint(x, y, z)
+    wedge.SetPoints(places)
+    wedge.InsertNextCell(_WEDGE, 6, range(6))
+    sizes.SetInputData(wedge)
+    sizes.Update()
+    return bool(sizes.GetOutput().GetCellData().GetArray("Volume").GetValue(0) > 0.0)
 
 
 def _named(horizons: Any, stage: str, faults: Mapping[str, Faults] | None = None) -> tuple[dict[str, Horizon], list[tuple[str, Data]]]:
@@ -241,7 +267,7 @@ class Distance:
     of_reference, of_mesh : float64 arrays
         Distance in space of each point of the reference, and of the mesh, from the other surface; negative below it.
     vertical_of_reference, vertical_of_mesh : float64 arrays
-        Vertical distances, upwards; nan where the other surface is not above or below.
+        How far each point is above the other surface; nan where that is not above or below.
     details : dict
         All figures, by name: arrays of (reference to mesh, mesh to reference, both).
     """

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Functions by their names of version 0.2, which give a warning. They go with the next version."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+from ._door import horizon
+from ._stages import despike, fill_holes
+
+NAMES = {"horizon_from_points": horizon, "horizon_from_image": horizon, "hole_filling": fill_holes, "despiking": despike}
+
+
+def find(name: str) -> Any:
+    """The function of an old name. Raises AttributeError."""
+    if name not in NAMES:
+        raise AttributeError("module 'seismichorizons' has no attribute '%s'" % name)
+    warnings.warn("seismichorizons.%s is now seismichorizons.%s" % (name, NAMES[name].__name__), DeprecationWarning, stacklevel=3)
+    return NAMES[name]
