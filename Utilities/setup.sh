@@ -8,7 +8,7 @@
 set -eu
 
 # libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
-packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev libfast-float-dev
+packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev
   zlib1g-dev libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb"
 # mkdocs-material and doxygen make the site of the documentation.
 # libjs-three turns meshes around in reports.

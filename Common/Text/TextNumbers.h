@@ -63,7 +63,7 @@ inline const char* ReadDigits(const char* text, std::uint64_t& number)
 }
 
 /// The digits form an integer of at most 2^53, so that one division gives the nearest double. Returns the end of the
-/// token, or null. Nearly all numbers are such; with fast_float alone reading takes a quarter longer.
+/// token, or null. Nearly all numbers are such; without it reading takes a quarter longer.
 inline const char* ReadPlainNumber(const char* text, double& value)
 {
   constexpr std::array<double, 20> powersOfTen = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,

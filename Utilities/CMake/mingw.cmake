@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Builds for Windows with Debian's cross compiler; Wine runs what comes out. zlib for it is a package
-# (Documentation/Versions.md), headers that are the same everywhere come from the system.
+# (Documentation/Versions.md).
 
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR AMD64)
@@ -14,8 +14,3 @@ set(ZLIB_LIBRARY /usr/x86_64-w64-mingw32/lib/libz.a)
 set(CMAKE_CROSSCOMPILING_EMULATOR /usr/lib/wine/wine64)
 set(CMAKE_FIND_ROOT_PATH /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-# Beside the headers of fast_float lie those of the C library of the system, which are not to be found.
-get_filename_component(project_folder "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
-set(FAST_FLOAT_INCLUDE_DIR "${project_folder}/build/mingw/include")
-file(MAKE_DIRECTORY "${FAST_FLOAT_INCLUDE_DIR}")
-file(CREATE_LINK /usr/include/fast_float "${FAST_FLOAT_INCLUDE_DIR}/fast_float" SYMBOLIC)
