@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -105,6 +106,14 @@ def snake(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
 
 
+def warn(subject: object, message: str) -> None:
+    """A warning at the line that called the package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn("%s: %s" % (subject, message), stacklevel=level)
+
+
 def call(name: str, stage: Callable[..., tuple[Any, list[str]]], *arguments: Any) -> Any:
     """The outputs of a stage of the core. Its warnings, and errors, name the horizon."""
     try:
@@ -112,5 +121,5 @@ def call(name: str, stage: Callable[..., tuple[Any, list[str]]], *arguments: Any
     except ValueError as error:
         raise ValueError("%s: %s" % (name, in_keywords(str(error)))) from None
     for message in filter(None, messages):
-        warnings.warn("%s: %s" % (name, in_keywords(message)), stacklevel=4)
+        warn(name, in_keywords(message))
     return outputs

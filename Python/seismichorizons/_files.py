@@ -7,14 +7,13 @@ from __future__ import annotations
 import contextlib
 import os
 import pathlib
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from . import _core
-from ._data import Progress, in_keywords
+from ._data import Progress, in_keywords, warn
 from ._horizon import Horizon
 from ._made import framing, placement
 from ._made import horizons as make_horizons
@@ -200,4 +199,4 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     with _of_file(path):
         messages = _core.write(str(path), form, named, options, progress)
     for message in messages:
-        warnings.warn("%s: %s" % (path, in_keywords(message)), stacklevel=2)
+        warn(path, in_keywords(message))

@@ -4,13 +4,12 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any
 
 import numpy as np
 
 from . import _core
-from ._data import in_keywords
+from ._data import in_keywords, warn
 from ._horizon import Horizon, horizon_of
 from ._units import UNITS
 
@@ -49,7 +48,7 @@ def horizons(found: tuple[Any, ...], fallback: str, first: str = "", file_name: 
     some programs write as that of the horizon."""
     given, description, messages = found
     for message in messages:
-        warnings.warn("%s: %s" % (fallback, in_keywords(message)), stacklevel=4)
+        warn(fallback, in_keywords(message))
     lines = tuple(filter(None, (*first.split("\n"), *in_keywords(description).split("\n"))))
     made: dict[str, Horizon] = {}
     for own, data in given:

@@ -15,6 +15,8 @@ NAMES = {"horizon_from_points": horizon, "horizon_from_image": horizon, "hole_fi
 
 def find(name: str) -> Any:
     """The function of an old name. Raises AttributeError."""
+    if name.startswith("vtk"):
+        raise AttributeError("module 'seismichorizons' without the classes of VTK, which are in the Debian package python3-seismichorizons")
     if name not in NAMES:
         raise AttributeError("module 'seismichorizons' has no attribute '%s'" % name)
     warnings.warn("seismichorizons.%s is now seismichorizons.%s" % (name, NAMES[name].__name__), DeprecationWarning, stacklevel=3)

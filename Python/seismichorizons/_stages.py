@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from collections.abc import Mapping
 from typing import Any, overload
 
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._data import Progress, call, take_attributes
+from ._data import Progress, call, take_attributes, warn
 from ._horizon import Horizon, horizon_of
 from ._lines import Lines, lines_of
 from ._mesh import Mesh, mesh_of
@@ -241,7 +240,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     data, _ = call(horizon.name, _core.surface, given, options, progress)
     mesh = mesh_of(horizon.name, data, take_attributes(data["point_data"], horizon.attributes), given["field_data"], horizon.lattice)
     if mesh.ledger.left_out > 0.001 * max(1, mesh.ledger.covered):
-        warnings.warn("%s: %s" % (horizon.name, mesh.ledger), stacklevel=2)
+        warn(horizon.name, str(mesh.ledger))
     return mesh
 
 

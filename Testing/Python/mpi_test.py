@@ -11,7 +11,7 @@ import sys
 
 from paraview import servermanager, simple
 from seismichorizons import layers as make_layers
-from seismichorizons import vtkGOCADTSurfReader
+from seismichorizons.vtk import vtkGOCADTSurfReader
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
 
 import mesh_checks

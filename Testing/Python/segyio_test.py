@@ -13,7 +13,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from seismichorizons import vtkSEGYCubeReader
+from seismichorizons.vtk import vtkSEGYCubeReader
 
 try:
     import segyio

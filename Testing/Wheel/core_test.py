@@ -18,6 +18,7 @@ import threading
 import time
 import types
 import unittest
+import warnings
 
 import numpy as np
 import seismichorizons as sh
@@ -345,6 +346,17 @@ class CallTest(unittest.TestCase):
         np.testing.assert_array_equal(again[0].z, horizon.z)
         np.testing.assert_array_equal(again[1].triangles, mesh.triangles)
         self.assertEqual(repr(again[1]), repr(mesh))
+
+    def test_warnings_point_to_their_caller(self):
+        top = rough(13)
+        calls = (lambda: sh.surface(top, 30.0), lambda: sh.surface({"Top": top}, 30.0),
+                 lambda: sh.layers({"Top": top, "Base": sh.horizon(top.grid() + 5.0, name="Base")}, 5.0))
+        for one in calls:
+            with warnings.catch_warnings(record=True) as found:
+                warnings.simplefilter("always")
+                one()
+            self.assertTrue(found)
+            self.assertEqual({warning.filename for warning in found}, {__file__})
 
     def test_needs_numpy_alone(self):
         code = "import sys; import numpy, seismichorizons; print(*{name.partition('.')[0] for name in sys.modules})"

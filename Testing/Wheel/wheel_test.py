@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package for numpy: installed by pip into a fresh environment with nothing else, and tried there.
+"""The Python package: installed by pip into a fresh environment, tried there with numpy alone, and then beside the packages
+of others.
 
-Arguments: the folder of the project, one for files, and that of the Python package of this build, with whose meshes those of
-the package are compared. Skipped where pip cannot reach its index.
+Arguments: the folder of the project, one for files, and that of the classes of this build, with whose meshes those of the
+package are compared. Skipped where pip cannot reach its index.
 """
 
 import os
@@ -15,6 +16,8 @@ import time
 import venv
 
 PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+TESTS = PROJECT / "Testing/Wheel"
+BESIDE = ("pandas", "geopandas", "xarray", "xtgeo", "pyvista", "trimesh", "mypy")
 ENVIRONMENT = {**{name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
                "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
 
@@ -26,7 +29,7 @@ def run(*words, env=ENVIRONMENT):
 
 
 def skip(reason):
-    print("SKIPPED: THE PACKAGE FOR NUMPY IS NOT TESTED. %s" % reason)
+    print("SKIPPED: THE PYTHON PACKAGE IS NOT TESTED. %s" % reason)
     sys.exit(77)
 
 
@@ -40,11 +43,14 @@ words = [python, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", FOLD
 if subprocess.run(words, capture_output=True, env=ENVIRONMENT).returncode:
     skip("pip does not find nanobind.")
 start = time.monotonic()
-run(python, "-m", "pip", "install", "--quiet", PROJECT / "Python")
+run(python, "-m", "pip", "install", "--quiet", PROJECT)
 print("built and installed in %.0f s" % (time.monotonic() - start))
-run(sys.executable, PROJECT / "Testing/Wheel/core_peer.py", FOLDER / "peer", env={**ENVIRONMENT, "PYTHONPATH": str(CLASSES)})
-run(python, PROJECT / "Testing/Wheel/core_test.py", PROJECT / "Data", FOLDER / "files", FOLDER / "peer")
-run(python, PROJECT / "Testing/Wheel/core_example.py", FOLDER / "files")
-run(python, "-m", "pip", "install", "--quiet", "mypy")
-run(python, "-m", "mypy", "--strict", "--cache-dir", FOLDER / "mypy", PROJECT / "Testing/Wheel/core_example.py")
+run(sys.executable, TESTS / "core_peer.py", FOLDER / "peer", env={**ENVIRONMENT, "PYTHONPATH": str(CLASSES)})
+run(python, TESTS / "core_test.py", PROJECT / "Data", FOLDER / "files", FOLDER / "peer")
+run(python, TESTS / "core_stack_test.py", FOLDER / "stack")
+run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
+run(python, TESTS / "core_example.py", FOLDER / "files")
+run(python, "-m", "pip", "install", "--quiet", *BESIDE)
+run(python, TESTS / "core_tasks.py", FOLDER / "tasks")
+run(python, "-m", "mypy", "--strict", "--cache-dir", FOLDER / "mypy", TESTS / "core_example.py")
 shutil.rmtree(FOLDER / "use")

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the pages say in Python runs as it stands there; that for ParaView and the classes of VTK is tested elsewhere.
+
+Arguments: the folder of the project, one for files.
+"""
+
+import contextlib
+import io
+import os
+import pathlib
+import re
+import sys
+import unittest
+import warnings
+
+import numpy as np
+import seismichorizons as sh
+
+PROJECT, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+
+
+def horizon(depth, name):
+    j, i = np.mgrid[0:60, 0:80]
+    z = depth + 20.0 * np.sin(i / 11.0) * np.cos(j / 9.0) + np.random.default_rng(1).normal(0.0, 0.2, i.shape)
+    z[20:23, 30:40] = np.nan
+    return sh.horizon(z, spacing=(25.0, 25.0), vertical_unit="ms", name=name)
+
+
+def make_cube(path):
+    """A SEG-Y file of 20 x 30 traces with one reflection, of IEEE floats."""
+    samples = 100
+    header = np.zeros(3600, np.uint8)
+    header[3216:3218], header[3220:3222] = np.frombuffer(np.array([4000, samples], ">i2").tobytes(), np.uint8).reshape(2, 2)
+    header[3224:3226] = 0, 5
+    trace = np.dtype([("before", "V114"), ("count", ">i2"), ("step", ">i2"), ("between", "V62"), ("x", ">i4"), ("y", ">i4"), ("line", ">i4"),
+                      ("crossline", ">i4"), ("after", "V44"), ("values", ">f4", samples)])
+    traces = np.zeros((20, 30), trace)
+    line, crossline = np.mgrid[0:20, 0:30]
+    traces["count"], traces["step"] = samples, 4000
+    traces["x"], traces["y"], traces["line"], traces["crossline"] = 1000 + 25 * crossline, 5000 + 25 * line, 1 + line, 1 + crossline
+    away = np.arange(samples) - (50.0 + 3.0 * np.sin(crossline / 6.0))[..., None]
+    traces["values"] = np.exp(-(away / 3.0) ** 2) * np.cos(away)
+    path.write_bytes(header.tobytes() + traces.tobytes())
+
+
+class PagesTest(unittest.TestCase):
+    def test_all(self):
+        (FOLDER / "Data").unlink(missing_ok=True)
+        (FOLDER / "Data").symlink_to(PROJECT / "Data")
+        os.chdir(FOLDER)
+        top, base = horizon(1000.0, "Top"), horizon(1040.0, "Base")
+        sh.write({"Top": top, "Base": base}, "picks.dat")
+        sh.write(horizon(1000.0, "Horizon 1"), "survey.vsm")
+        make_cube(FOLDER / "survey.sgy")
+        picks = np.array([[1250.0, 5250.0, 200.0]])
+        pages = 0
+        for page in [PROJECT / "README.md", *sorted((PROJECT / "Documentation").glob("*.md"))]:
+            blocks = re.findall(r"^```python\n(.*?)^```$", page.read_text(encoding="utf-8"), re.M | re.S)
+            known = {"horizon": top, "top": top, "base": base, "picks": picks, "boundary": sh.exterior_boundary(top)}
+            for block in blocks:
+                if not re.search(r"paraview|vtk|pipeline|batch|Recipes", block) and re.search(r"\bsh\.", block):
+                    with self.subTest(page=page.name), contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+                        warnings.simplefilter("ignore", UserWarning)  # of areas that are not known
+                        exec(block, known)
+                    pages += 1
+        self.assertGreater(pages, 14)
+
+
+if __name__ == "__main__":
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1])
