@@ -6,6 +6,7 @@ Arguments: the folder of the project, one for files.
 """
 
 import contextlib
+import importlib.util
 import io
 import os
 import pathlib
@@ -17,6 +18,7 @@ import warnings
 import numpy as np
 import seismichorizons as sh
 
+MISSING = "|".join(["pipeline"] + [name for name in ("resqpy",) if not importlib.util.find_spec(name)])
 PROJECT, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 
 
@@ -59,7 +61,7 @@ class PagesTest(unittest.TestCase):
             blocks = re.findall(r"^```python\n(.*?)^```$", page.read_text(encoding="utf-8"), re.M | re.S)
             known = {"horizon": top, "top": top, "base": base, "picks": picks, "boundary": sh.exterior_boundary(top)}
             for block in blocks:
-                if not re.search(r"paraview|vtk|pipeline|batch|Recipes", block) and re.search(r"\bsh\.", block):
+                if re.search(r"\bsh\.|solid", block) and not re.search("paraview|vtk|" + MISSING, block):
                     with self.subTest(page=page.name), contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
                         warnings.simplefilter("ignore", UserWarning)  # of areas that are not known
                         exec(block, known)
