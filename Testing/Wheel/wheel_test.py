@@ -17,7 +17,8 @@ import venv
 
 PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 TESTS = PROJECT / "Testing/Wheel"
-BESIDE = ("pandas", "geopandas", "xarray", "xtgeo", "pyvista", "trimesh", "resqpy", "mypy")
+BESIDE = ("pandas", "geopandas", "xarray", "xtgeo", "pyvista", "trimesh", "resqpy", "mypy", "segyio", "matplotlib", "nbclient", "ipykernel", "gempy",
+          "LoopStructural")
 ENVIRONMENT = {**{name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
                "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
 
@@ -53,5 +54,6 @@ run(python, TESTS / "core_example.py", FOLDER / "files")
 run(python, "-m", "pip", "install", "--quiet", *BESIDE)
 run(python, TESTS / "core_tasks.py", FOLDER / "tasks")
 run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
+run(python, TESTS / "notebooks_test.py", PROJECT / "Documentation/Notebooks", FOLDER / "notebooks")
 run(python, "-m", "mypy", "--strict", "--cache-dir", FOLDER / "mypy", TESTS / "core_example.py")
 shutil.rmtree(FOLDER / "use")
