@@ -24,7 +24,7 @@ INLINE, CROSSLINE = ("inline", "iline", "il"), ("crossline", "xline", "xl")
 PLACES = ("x", "y", "inline", "crossline", "z")
 
 
-def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None, points: Any = None, name: str = "horizon",
+def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None, points: Any = None, name: str = "",
             attributes: Mapping[str, Any] | None = None, columns: Mapping[str, str] | None = None,
             origin: Sequence[float] | None = None, spacing: Sequence[float] | None = None, azimuth: float | None = None,
             column_step: Sequence[float] | None = None, row_step: Sequence[float] | None = None,
@@ -47,7 +47,8 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
         In place of `data`, where an array of three columns is a grid.
     points : array of shape (n, 3), optional
         In place of `data`: x, y and z.
-    name : str
+    name : str, optional
+        By default that of the data, or "horizon".
     attributes : dict of arrays, optional
         Other values, of the shape of the heights.
     columns : dict, optional
@@ -104,6 +105,7 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
         raise TypeError("x and %s alone, expected x, y and z" % ("z" if y is None else "y"))
     arrays = (given.xyz(data, y, z) if z is not None else given.grid(grid) if grid is not None
               else given.points(points) if points is not None else given.recognize(data))
+    name = name or given.name or "horizon"
     options = placement(duplicates, gridding, leave_out_strays, **given.lattice)
     survey = tuple(own or found for own, found in zip(where[2], given.survey))
     try:
@@ -151,6 +153,7 @@ class _Given:
     """What data say: arrays for the core, attributes, and where they stand."""
 
     def __init__(self, attributes: Mapping[str, Any] | None, nodata: Any, place: Mapping[str, Any], columns: Mapping[str, str] | None):
+        self.name = ""
         self._attributes = dict(attributes or {})
         self._nodata = [] if nodata is None else list(np.ravel(nodata))
         self._place = {key: value for key, value in place.items() if value is not None}
@@ -363,6 +366,7 @@ class _Given:
     # ---- xtgeo ------------------------------------------------------------------------------------------------------
     def _of_xtgeo(self, surface: Any) -> dict[str, Any]:
         self._require_own_place("a surface of xtgeo")
+        self.name = surface.name if surface.name not in (None, "unknown") else ""
         angle = math.radians(surface.rotation)
         column = np.array((math.cos(angle), math.sin(angle))) * surface.xinc
         row = np.array((-math.sin(angle), math.cos(angle))) * surface.yinc * surface.yflip

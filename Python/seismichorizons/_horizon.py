@@ -165,20 +165,20 @@ class Horizon(WithAttributes):
         """1 if z increases upwards, otherwise -1."""
         return 1 if self.direction == "up" else -1
 
-    def grid(self, name: str | None = None) -> NDArray[Any]:
+    def grid(self, values: str | NDArray[Any] | None = None) -> NDArray[Any]:
         """Values on the whole lattice.
 
         Parameters
         ----------
-        name : str, optional
-            An attribute; z by default.
+        values : str or array of n, optional
+            An attribute, or a number for each point; z by default.
 
         Returns
         -------
         array of shape (rows, columns)
             nan where the horizon has no point.
         """
-        values = self.z if name is None else self[name]
+        values = self.z if values is None else self[values] if isinstance(values, str) else values
         grid = np.full(self.lattice.shape, np.nan)
         grid[self.columns[:, 1], self.columns[:, 0]] = values
         return grid
@@ -245,7 +245,7 @@ class Horizon(WithAttributes):
         rows, columns = self.lattice.shape
         return xtgeo.RegularSurface(
             ncol=columns, nrow=rows, xinc=dx, yinc=dy, xori=self.lattice.origin[0], yori=self.lattice.origin[1],
-            rotation=math.degrees(math.atan2(ay, ax)) % 360.0, yflip=1 if ax * by - ay * bx > 0.0 else -1,
+            rotation=round(math.degrees(math.atan2(ay, ax)) % 360.0, 10), yflip=1 if ax * by - ay * bx > 0.0 else -1,
             values=np.ma.masked_invalid(self.grid(name).T), name=name or self.name)
 
     def to_vtk(self) -> Any:
@@ -285,8 +285,15 @@ class Horizon(WithAttributes):
         bar = axes.figure.colorbar(drawn, ax=axes, label=label)
         if name is None and self.direction == "down":
             bar.ax.invert_yaxis()
-        axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
+        label_map(axes, self)
         return axes
+
+
+def label_map(axes: Any, data: Any) -> None:
+    """The title of a map, and its axes with the unit of x and y."""
+    unit = " (%s)" % data.horizontal_unit if data.horizontal_unit else ""
+    axes.set(aspect="equal", title=data.name, xlabel="x" + unit, ylabel="y" + unit)
+    axes.locator_params(nbins=5)
 
 
 def horizon_of(name: str, data: Data, **more: Any) -> Horizon:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._data import Data, give_attributes, loops, snake, survey
-from ._horizon import Floats, Lattice, WithAttributes, _poly_data
+from ._horizon import Floats, Lattice, WithAttributes, _poly_data, label_map
 
 
 @dataclasses.dataclass(frozen=True)
@@ -127,7 +127,8 @@ class Mesh(WithAttributes):
 
     def __repr__(self) -> str:
         unit = " " + self.vertical_unit if self.vertical_unit else ""
-        error = ", largest error %.4g%s, mean %.4g%s" % (self.largest_error, unit, self.mean_error, unit)
+        mean = "" if np.isnan(self.mean_error) else ", mean %.4g%s" % (self.mean_error, unit)
+        error = ", largest error %.4g%s%s" % (self.largest_error, unit, mean)
         return "Mesh %s: {:,} points, {:,} triangles%s%s".format(len(self.points), len(self.triangles)) % (
             self.name, "" if np.isnan(self.largest_error) else error, "; %r" % self.ledger if self.ledger.covered else "")
 
@@ -164,7 +165,7 @@ class Mesh(WithAttributes):
             self.vertical_domain or "z", "(%s)" % self.vertical_unit if self.vertical_unit else ""))))
         if self.direction == "down":
             bar.ax.invert_yaxis()
-        axes.set(aspect="equal", title=self.name, xlabel="x", ylabel="y")
+        label_map(axes, self)
         return axes
 
 

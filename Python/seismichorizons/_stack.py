@@ -32,8 +32,8 @@ class Layers:
         Of the layers, the uppermost first, such as "Top to Base".
     points : float64 array of shape (n, 3)
         x, y and z of the world, z upwards.
-    cells : list of int64 arrays of shape (m, corners)
-        Corners of tetrahedra (4), pyramids (5) and wedges (6), each kind in the order of VTK.
+    cells : dict of int64 arrays of shape (m, corners) by number of corners
+        Tetrahedra (4), pyramids (5) and wedges (6), each kind in the order of VTK.
     layer, thickness, volume : dict of arrays by number of corners
         Number of the layer, mean thickness and volume of each cell.
     bodies : dict of Mesh

@@ -79,8 +79,8 @@ class Faults:
     def __repr__(self) -> str:
         unit = " " + self.vertical_unit if self.vertical_unit else ""
         known = np.abs(self.throws[np.isfinite(self.throws)])
-        return "Faults: %d lines, %d links cut, throws up to %.4g%s, noise %.3g%s" % (
-            len(self), len(self.links), known.max(initial=0.0), unit, self.noise, unit)
+        return "Faults: %d line%s, %d links cut, throws up to %.4g%s, noise %.3g%s" % (
+            len(self), "s" * (len(self) != 1), len(self.links), known.max(initial=0.0), unit, self.noise, unit)
 
 
 def links_of(given: Faults | None) -> Any:
@@ -240,7 +240,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     data, _ = call(horizon.name, _core.surface, given, options, progress)
     mesh = mesh_of(horizon.name, data, take_attributes(data["point_data"], horizon.attributes), given["field_data"], horizon.lattice)
     if mesh.ledger.left_out > 0.001 * max(1, mesh.ledger.covered):
-        warn(horizon.name, str(mesh.ledger))
+        way = "" if outline_tolerance == 0 else "; outline_tolerance=0 keeps outlines as they are"
+        warn(horizon.name, str(mesh.ledger) + way)
     return mesh
 
 

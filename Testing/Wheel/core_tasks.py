@@ -81,6 +81,20 @@ class TaskTest(unittest.TestCase):
         surface = found.horizon.to_xtgeo("Isochore")
         np.testing.assert_allclose(surface.values.T, found.horizon.grid("Isochore"), atol=1e-6)
 
+    @needs("xtgeo")
+    def test_surfaces_of_xtgeo_return(self):
+        import xtgeo
+
+        for turn, flip in ((0.0, 1), (30.0, 1), (117.3, -1)):
+            surface = xtgeo.RegularSurface(ncol=60, nrow=50, xinc=25.0, yinc=12.5, xori=461000.0, yori=6800000.0, rotation=turn, yflip=flip,
+                                           values=Z.T, name="Reek")
+            surface.values[3, 4] = np.ma.masked
+            top = sh.horizon(surface)
+            self.assertEqual((top.name, len(top)), ("Reek", 2999))
+            back = top.to_xtgeo()
+            self.assertTrue(surface.compare_topology(back), turn)
+            np.testing.assert_allclose(back.values.filled(0.0), surface.values.filled(0.0))
+
     @needs("geopandas")
     def test_6_faults_of_files(self):
         for n in range(3):
