@@ -7,6 +7,7 @@
 #include "Tools/Check.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -77,7 +78,9 @@ void LongNumbersAreRead()
     const std::string power = std::to_string(zeros);
     CheckNumber('1' + digits + "e-" + power, NumberKind::Finite, 1.0);
     CheckNumber("0." + digits + "1e" + power, NumberKind::Finite, 0.1);
-    CheckNumber('1' + digits, zeros <= 308 ? NumberKind::Finite : NumberKind::NotFinite, std::pow(10.0, zeros));
+    // Not std::pow, which MinGW does not round to nearest.
+    const double expected = std::strtod(("1e" + power).c_str(), nullptr);
+    CheckNumber('1' + digits, zeros <= 308 ? NumberKind::Finite : NumberKind::NotFinite, expected);
   }
   CheckNumber('1' + std::string(400, '0') + "e-5", NumberKind::NotFinite);
   CheckNumber("0." + std::string(400, '0') + "1e5", NumberKind::Finite, 0.0);
