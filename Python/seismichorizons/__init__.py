@@ -11,12 +11,11 @@
 Everything takes and gives numpy arrays; other packages are imported where their objects are asked for.
 """
 
-import importlib.metadata
-
 from ._cube import Cube, extract, read_cube
 from ._door import horizon
 from ._files import read, read_mesh, write
 from ._horizon import Horizon, Lattice
+from ._late import find as __getattr__  # noqa: F401 -- names that are not here
 from ._lines import Lines, read_faults
 from ._mesh import Ledger, Mesh
 from ._stack import Distance, Layers, crossings, distance, layers
@@ -31,9 +30,6 @@ from ._thesis import (
     triangulation,
 )
 
-from ._old import find as __getattr__  # noqa: F401 -- names that are not here
-
-__version__ = importlib.metadata.version("seismichorizons")
 __all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "boundary_simplification",
            "crossings", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",
            "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "surface",

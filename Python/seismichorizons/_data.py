@@ -114,12 +114,17 @@ def warn(subject: object, message: str) -> None:
     warnings.warn("%s: %s" % (subject, message), stacklevel=level)
 
 
+def warn_all(subject: object, messages: list[str]) -> None:
+    """The warnings of the core, in keywords."""
+    for message in filter(None, messages):
+        warn(subject, in_keywords(message))
+
+
 def call(name: str, stage: Callable[..., tuple[Any, list[str]]], *arguments: Any) -> Any:
     """The outputs of a stage of the core. Its warnings, and errors, name the horizon."""
     try:
         outputs, messages = stage(*arguments)
     except ValueError as error:
         raise ValueError("%s: %s" % (name, in_keywords(str(error)))) from None
-    for message in filter(None, messages):
-        warn(name, in_keywords(message))
+    warn_all(name, messages)
     return outputs

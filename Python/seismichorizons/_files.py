@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._data import Progress, in_keywords, warn
+from ._data import Progress, in_keywords, warn_all
 from ._horizon import Horizon
 from ._made import framing, placement
 from ._made import horizons as make_horizons
@@ -198,5 +198,4 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     named = [(name or (key if isinstance(key, str) else one.name), one._data_of_file()) for key, one in many.items()]
     with _of_file(path):
         messages = _core.write(str(path), form, named, options, progress)
-    for message in messages:
-        warn(path, in_keywords(message))
+    warn_all(path, messages)

@@ -281,16 +281,16 @@ class Horizon(WithAttributes):
         x, y = self.lattice.places(np.arange(columns + 1)[None] - 0.5, np.arange(rows + 1)[:, None] - 0.5)
         colours = {"cmap": "viridis_r" if name is None and self.direction == "down" else "viridis"}
         drawn = axes.pcolormesh(x, y, self.grid(name), **{**colours, **keywords})
-        label = name or " ".join(filter(None, (self.vertical_domain or "z", "(%s)" % self.vertical_unit if self.vertical_unit else "")))
-        bar = axes.figure.colorbar(drawn, ax=axes, label=label)
-        if name is None and self.direction == "down":
-            bar.ax.invert_yaxis()
-        label_map(axes, self)
+        label_map(axes, drawn, self, name)
         return axes
 
 
-def label_map(axes: Any, data: Any) -> None:
-    """The title of a map, and its axes with the unit of x and y."""
+def label_map(axes: Any, drawn: Any, data: Any, name: str | None = None) -> None:
+    """The title of a map, its axes with the unit of x and y, and the bar of an attribute or of z."""
+    z = " ".join(filter(None, (data.vertical_domain or "z", "(%s)" % data.vertical_unit if data.vertical_unit else "")))
+    bar = axes.figure.colorbar(drawn, ax=axes, label=name or z)
+    if name is None and data.direction == "down":
+        bar.ax.invert_yaxis()
     unit = " (%s)" % data.horizontal_unit if data.horizontal_unit else ""
     axes.set(aspect="equal", title=data.name, xlabel="x" + unit, ylabel="y" + unit)
     axes.locator_params(nbins=5)
@@ -309,23 +309,44 @@ def horizon_of(name: str, data: Data, **more: Any) -> Horizon:
                    direction="up" if sign > 0.0 else "down", **{"filled": points.get("Filled"), **survey(fields), **more})
 
 
-def _poly_data(points: Floats, arrays: Mapping[str, NDArray[Any]], triangles: NDArray[Any] | None) -> Any:
+def require_vtk() -> None:
+    """Raises ImportError, with what to install."""
     try:
-        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-        from vtkmodules.vtkCommonCore import vtkPoints
-        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+        import vtkmodules  # noqa: F401
     except ImportError:
         raise ImportError("no module vtkmodules, expected VTK: pip install vtk, or pyvista") from None
-    data, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+
+
+def fill_vtk(data: Any, points: Floats, offsets: NDArray[Any], corners: NDArray[Any]) -> Any:
+    """Gives a vtkPointSet its points; returns a vtkCellArray."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+    places, cells = vtkPoints(), vtkCellArray()
     places.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
     data.SetPoints(places)
-    corners = np.arange(len(points)) if triangles is None else triangles.ravel()
-    size = 1 if triangles is None else 3
-    cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, len(corners) + 1, size, dtype=np.int64), deep=True),
-                  numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=True))
-    (data.SetVerts if triangles is None else data.SetPolys)(cells)
+    cells.SetData(numpy_to_vtkIdTypeArray(offsets.astype(np.int64), deep=True), numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=True))
+    return cells
+
+
+def add_arrays(attributes: Any, arrays: Mapping[str, NDArray[Any]]) -> None:
+    """Adds arrays to a vtkDataSetAttributes."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
     for name, values in arrays.items():
         array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
         array.SetName(name)
-        data.GetPointData().AddArray(array)
+        attributes.AddArray(array)
+
+
+def _poly_data(points: Floats, arrays: Mapping[str, NDArray[Any]], triangles: NDArray[Any] | None) -> Any:
+    require_vtk()
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    data = vtkPolyData()
+    corners = np.arange(len(points)) if triangles is None else triangles.ravel()
+    cells = fill_vtk(data, points, np.arange(0, len(corners) + 1, 1 if triangles is None else 3), corners)
+    (data.SetVerts if triangles is None else data.SetPolys)(cells)
+    add_arrays(data.GetPointData(), arrays)
     return data

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._data import in_keywords, warn
+from ._data import in_keywords, warn_all
 from ._horizon import Horizon, horizon_of
 from ._units import UNITS
 
@@ -47,8 +47,7 @@ def horizons(found: tuple[Any, ...], fallback: str, first: str = "", file_name: 
     """Horizons by distinct names, from (list, description, warnings) of the core. `first` is the format of a file, whose name
     some programs write as that of the horizon."""
     given, description, messages = found
-    for message in messages:
-        warn(fallback, in_keywords(message))
+    warn_all(fallback, messages)
     lines = tuple(filter(None, (*first.split("\n"), *in_keywords(description).split("\n"))))
     made: dict[str, Horizon] = {}
     for own, data in given:

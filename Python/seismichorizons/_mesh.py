@@ -161,11 +161,7 @@ class Mesh(WithAttributes):
         colours = {"cmap": "viridis_r" if self.direction == "down" else "viridis", "edgecolors": "k", "linewidth": 0.2}
         drawn = axes.tripcolor(self.points[:, 0], self.points[:, 1], self.triangles,
                                facecolors=self.z[self.triangles].mean(axis=1), **{**colours, **keywords})
-        bar = axes.figure.colorbar(drawn, ax=axes, label=" ".join(filter(None, (
-            self.vertical_domain or "z", "(%s)" % self.vertical_unit if self.vertical_unit else ""))))
-        if self.direction == "down":
-            bar.ax.invert_yaxis()
-        label_map(axes, self)
+        label_map(axes, drawn, self)
         return axes
 
 

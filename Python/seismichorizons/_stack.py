@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._data import Data, Progress, call, in_keywords, snake, take_attributes
-from ._horizon import Floats, Horizon
+from ._horizon import Floats, Horizon, add_arrays, fill_vtk, require_vtk
 from ._mesh import Mesh, mesh_of
 from ._stages import Faults, given_options, links_of, require_horizon
 from ._units import height
@@ -70,24 +70,18 @@ class Layers:
 
     def to_vtk(self) -> Any:
         """A vtkUnstructuredGrid with cell data Layer, Thickness and Volume; z of the world is upwards."""
-        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-        from vtkmodules.vtkCommonCore import vtkPoints
-        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
+        require_vtk()
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
-        grid, places, cells = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
-        places.SetData(numpy_to_vtk(self.points, deep=True))
-        grid.SetPoints(places)
+        grid = vtkUnstructuredGrid()
         offsets, corners = self._core["cells"]
         if _wedges_begin_below():
             wedges = offsets[:-1][self._core["types"] == _WEDGE, None]
             corners = corners.copy()
             corners[wedges + np.arange(6)] = corners[wedges + [3, 4, 5, 0, 1, 2]]
-        cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(corners, deep=True))
-        grid.SetCells(numpy_to_vtk(self._core["types"], deep=True), cells)
-        for name, values in self._core["cell_data"].items():
-            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-            array.SetName(name)
-            grid.GetCellData().AddArray(array)
+        grid.SetCells(numpy_to_vtk(self._core["types"], deep=True), fill_vtk(grid, self.points, offsets, corners))
+        add_arrays(grid.GetCellData(), self._core["cell_data"])
         return grid
 
     def to_pyvista(self) -> Any:

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Functions by their names of version 0.2, which give a warning. They go with the next version."""
+"""Names that are found when they are asked for: the version, and functions by their names of version 0.2, which give a warning
+and go with the next version."""
 
 from __future__ import annotations
 
@@ -14,7 +15,11 @@ NAMES = {"horizon_from_points": horizon, "horizon_from_image": horizon, "hole_fi
 
 
 def find(name: str) -> Any:
-    """The function of an old name. Raises AttributeError."""
+    """The version, or the function of an old name. Raises AttributeError."""
+    if name == "__version__":
+        import importlib.metadata  # takes as long as half of numpy
+
+        return importlib.metadata.version("seismichorizons")
     if name.startswith("vtk"):
         raise AttributeError("module 'seismichorizons' without the classes of VTK, which are in the Debian package python3-seismichorizons")
     if name not in NAMES:
