@@ -1,112 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Turns files of seismic horizons into triangle meshes, with a table and a picture of every stage.
+"""The program horizon-mesh where its Python packages are not installed, but in PYTHONPATH."""
 
-Runs in pvbatch, pvpython and the system Python if the package seismichorizons is in PYTHONPATH. Its command
-line is the package seismichorizons_command, which loads no VTK; the modules of the other package do the work.
-"""
+import sys
 
-import os
-import signal
-
-
-def _end_at_once(signal_number, _frame):
-    os._exit(128 + signal_number)
-
-
-if __name__ == "__main__":
-    # Until the work begins there is nothing to clean up, so Ctrl-C ends the program at once.
-    signal.signal(signal.SIGINT, _end_at_once)
-    signal.signal(signal.SIGTERM, _end_at_once)
-
-import sys  # noqa: E402
-
-IS_COMMAND = __name__ in ("__main__", "seismichorizons_command.horizon_mesh")
-PROGRAM = os.path.splitext(os.path.basename(sys.argv[0]))[0] if IS_COMMAND else "horizon_mesh"
-
-
-def make_parser():
-    from seismichorizons_command import parser
-
-    return parser.make_parser(os.path.basename(sys.argv[0]) if IS_COMMAND else PROGRAM + ".py", tell)
-
-
-def tell(kind, text):
-    """Writes an error or a warning."""
-    sys.stderr.write("%s: %s: %s\n" % (PROGRAM, kind, text))
-    sys.stderr.flush()
-
-
-def fail(error):
-    """Writes an error and returns the exit code."""
-    tell("error", error)
-    return 1
-
-
-def _fail_without_package(error):
-    return fail("the Python package seismichorizons cannot be loaded; is its folder in PYTHONPATH? (%s)" % error)
-
-
-def _run(options):
-    """Processes all files, then writes figures and report. Returns the exit code."""
-    from seismichorizons import batch, interrupt, progress, record, report
-    from seismichorizons.options import make_settings
-    from seismichorizons.stage import HorizonError, heard_by
-
-    page = getattr(options, "report", None)
-    if options.quiet:
-        progress.silence()
-    with_pictures = not options.no_pictures and batch.has_display()
-    run = record.Record(tell, bool(page or options.json), report.make_album(with_pictures) if page else None)
-    if not with_pictures and not options.no_pictures:
-        run.warn("no pictures, as there is no X server (xvfb-run starts one)")
-    try:
-        if page:
-            report.check(page)
-        with heard_by(run.warn):
-            batch.run(options.inputs, options.output_folder, make_settings(options), with_pictures, run,
-                      not (options.json or options.quiet), options.threads)
-        interrupt.check()
-        if page:
-            report.write(run.as_values(), page, run.album)
-    except (HorizonError, OSError) as error:
-        run.fail(error)
-    if options.json:
-        try:
-            batch.print_lines([run.as_json()])
-        except HorizonError as error:
-            run.fail(error)
-    return 0 if run.is_done() else 1
-
-
-def main(arguments=None):
-    arguments = sys.argv[1:] if arguments is None else arguments
-    try:
-        from seismichorizons_command import VERSION_LINE
-
-        if arguments == ["--version"]:  # needs no parser
-            sys.stdout.write(VERSION_LINE)
-            return 0
-        parser = make_parser()
-    except ImportError as error:
-        return _fail_without_package(error)
-    options = parser.parse_args(arguments)
-    parser.check(options)
-    files = {os.path.normpath(path) for path in options.inputs}
-    for word in arguments:
-        is_text = word == word.encode(errors="replace").decode()
-        if not is_text and os.path.normpath(word) not in files:  # errors of files are reported one by one
-            parser.error("%s is not in UTF-8" % ascii(word))
-    try:
-        from seismichorizons import interrupt
-        from seismichorizons.stage import set_threads
-    except ImportError as error:
-        return _fail_without_package(error)
-    interrupt.listen()
-    set_threads(options.threads)
-    return _run(options)
-
+try:
+    from seismichorizons_command.horizon_mesh import main
+except ImportError as error:
+    sys.exit("horizon_mesh: error: the Python package seismichorizons_command cannot be loaded; is its folder in PYTHONPATH? "
+             "(%s)" % error)
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -7,6 +7,7 @@
 #include "Data.h"
 
 #include "Common/Survey/Units.h"
+#include "Common/Text/InputFile.h"
 #include "Readers/SEGYCube/SEGYImage.h"
 #include "Sources/Reflections/ReflectionStage.h"
 
@@ -46,8 +47,7 @@ SeismicImage TakeCube(const nb::dict& given)
   return image;
 }
 
-nb::tuple ReadCube(const std::string& path, const nb::dict& chosen, const std::string& direction,
-  const std::array<std::string, 4>& survey, const nb::object& progress)
+SEGYOptions TakeCubeOptions(const nb::dict& chosen)
 {
   SEGYOptions options;
   Take(chosen, "sample_format", options.FormatCode);
@@ -61,44 +61,76 @@ nb::tuple ReadCube(const std::string& path, const nb::dict& chosen, const std::s
   Take(chosen, "ignore_incomplete_trace", options.IgnoreIncompleteTrace);
   TakeChoice(chosen, "duplicates", { "refuse", "first", "last", "mean" }, options.Duplicates);
   TakeChoice(chosen, "delays", { "interpolate", "nearest" }, options.Delays);
-  SEGYRanges ranges;
-  Take(chosen, "inlines", ranges.Inlines);
-  Take(chosen, "crosslines", ranges.Crosslines);
-  Take(chosen, "sample_range", ranges.Samples);
-  double imageTolerance = std::numeric_limits<double>::infinity(); // The lattice has the places; the image is not drawn.
-  Take(chosen, "image_tolerance", imageTolerance);
   CheckSEGYOptions(options);
-  SEGYCube cube;
-  CubeView view;
-  CubeImage read;
-  Run(progress,
-    [&](const Monitor& monitor)
-    {
-      cube = ReadSEGYCube(path, options, monitor.Step(0.0, 0.1));
-      SurveyDescription description = cube.Survey;
-      OverrideSurvey(description, survey[0].c_str(), survey[1].c_str(), survey[2].c_str(), survey[3].c_str());
-      view = MakeCubeView(
-        cube, description, direction == "up" ? VerticalDirection::Up : VerticalDirection::Down, imageTolerance);
-      read = ReadCubeImage(cube, view, FindExtent(cube, ranges), monitor.Step(0.1, 1.0));
-    });
-  std::vector<std::string> warnings;
-  if (!cube.Warnings.empty())
-  {
-    warnings.push_back(WarningText(cube));
-  }
-  if (read.NotFinite > 0)
-  {
-    warnings.push_back(std::to_string(read.NotFinite) +
-      " samples that are nan or beyond the range of a float; is sample_format right?");
-  }
-  nb::dict given;
-  given["extent"] = nb::cast(read.Image.Extent);
-  given["to_world"] = nb::cast(MapOf(view.Image));
-  given["point_data"] = GiveTable(read.Image.PointData);
-  given["field_data"] = GiveTable(read.Image.FieldData);
-  given["description"] = Describe(cube);
-  return nb::make_tuple(given, warnings);
+  return options;
 }
+
+/// A cube of which the headers are known.
+class CubeFile
+{
+public:
+  CubeFile(const std::string& path, const nb::dict& chosen, const nb::object& progress)
+  {
+    const SEGYOptions options = TakeCubeOptions(chosen);
+    SEGYRanges ranges;
+    Take(chosen, "inlines", ranges.Inlines);
+    Take(chosen, "crosslines", ranges.Crosslines);
+    Take(chosen, "sample_range", ranges.Samples);
+    Run(progress,
+      [&](const Monitor& monitor)
+      {
+        MakeFileStamp(path); // Refuses folders and devices.
+        this->Cube = ReadSEGYCube(path, options, monitor);
+        this->Extent = FindExtent(this->Cube, ranges);
+      });
+  }
+
+  /// The number that is read.
+  std::int64_t CountSamples() const
+  {
+    const auto& e = this->Extent;
+    return std::int64_t(e[1] - e[0] + 1) * (e[3] - e[2] + 1) * (e[5] - e[4] + 1);
+  }
+
+  /// Returns the image, and warnings.
+  nb::tuple Read(
+    const std::string& direction, const std::array<std::string, 4>& survey, const nb::object& progress) const
+  {
+    CubeView view;
+    CubeImage read;
+    Run(progress,
+      [&](const Monitor& monitor)
+      {
+        SurveyDescription description = this->Cube.Survey;
+        OverrideSurvey(description, survey[0].c_str(), survey[1].c_str(), survey[2].c_str(), survey[3].c_str());
+        // The lattice has the places; the image is not drawn.
+        view = MakeCubeView(this->Cube, description, direction == "up" ? VerticalDirection::Up : VerticalDirection::Down,
+          std::numeric_limits<double>::infinity());
+        read = ReadCubeImage(this->Cube, view, this->Extent, monitor);
+      });
+    std::vector<std::string> warnings;
+    if (!this->Cube.Warnings.empty())
+    {
+      warnings.push_back(WarningText(this->Cube));
+    }
+    if (read.NotFinite > 0)
+    {
+      warnings.push_back(std::to_string(read.NotFinite) +
+        " samples that are nan or beyond the range of a float; is SampleFormat right?");
+    }
+    nb::dict given;
+    given["extent"] = nb::cast(read.Image.Extent);
+    given["to_world"] = nb::cast(MapOf(view.Image));
+    given["point_data"] = GiveTable(read.Image.PointData);
+    given["field_data"] = GiveTable(read.Image.FieldData);
+    given["description"] = Describe(this->Cube);
+    return nb::make_tuple(given, warnings);
+  }
+
+private:
+  SEGYCube Cube;
+  CubeExtent Extent = {};
+};
 
 ExtractionOptions TakeExtractionOptions(const nb::dict& chosen)
 {
@@ -160,7 +192,10 @@ nb::tuple Extract(const nb::dict& cube, const std::optional<nb::list>& guides, c
 //----------------------------------------------------------------------------------------------------------------------
 void BindCubes(nb::module_& module)
 {
-  module.def("read_cube", &ReadCube, "path"_a, "options"_a, "direction"_a, "survey"_a, "progress"_a.none());
+  nb::class_<CubeFile>(module, "CubeFile")
+    .def(nb::init<const std::string&, const nb::dict&, const nb::object&>(), "path"_a, "options"_a, "progress"_a.none())
+    .def_prop_ro("samples", &CubeFile::CountSamples)
+    .def("read", &CubeFile::Read, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("extract", &Extract, "cube"_a, "guides"_a.none(), "limits"_a.none(), "options"_a, "progress"_a.none());
 }
 }

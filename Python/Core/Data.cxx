@@ -107,6 +107,7 @@ nb::dict GiveData(const Horizon& horizon)
 {
   nb::dict given;
   given["places"] = GiveArray(horizon.Places);
+  given["has_vertices"] = horizon.Vertices.Size() > 0;
   given["lines"] = GiveCells(horizon.Lines);
   given["polygons"] = GiveCells(horizon.Polygons);
   given["point_data"] = GiveTable(horizon.PointData);

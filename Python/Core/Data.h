@@ -29,7 +29,8 @@ namespace SeismicHorizons
 {
 nb::object GiveArray(const DataArray& array);
 nb::dict GiveTable(const ArrayTable& table);
-/// Keys: places, lines and polygons (offsets and points), point_data, cell_data, field_data.
+/// Keys: places, has_vertices (one for each point), lines and polygons (offsets and points), point_data, cell_data,
+/// field_data.
 nb::dict GiveData(const Horizon& horizon);
 nb::list GiveList(const std::vector<Horizon>& horizons);
 /// Pairs of a name and data, and back.

@@ -6,7 +6,10 @@
 
 #include "Data.h"
 
+#include "Common/Base/Parallel.h"
 #include "Common/Text/FileErrors.h"
+
+#include <algorithm>
 
 NB_MODULE(_core, module)
 {
@@ -28,6 +31,8 @@ NB_MODULE(_core, module)
         PyErr_SetString(PyExc_ValueError, error.what());
       }
     });
+  module.def(
+    "set_threads", [](int number) { SeismicHorizons::Detail::NumberOfThreads() = std::max(1, number); }, nb::arg("number"));
   SeismicHorizons::BindReading(module);
   SeismicHorizons::BindStages(module);
   SeismicHorizons::BindLayers(module);

@@ -18,13 +18,14 @@
 #include "Readers/GOCADTSurf/TSurfHorizon.h"
 #include "Readers/HorizonGrid/GridReader.h"
 #include "Readers/HorizonText/HorizonTextParser.h"
+#include "Readers/SEGYCube/SEGYHeader.h"
 #include "Readers/VerneySparseMatrix/SparseMatrixFile.h"
+#include "Readers/VerneySparseMatrix/SparseMatrixParser.h"
 
 #include <nanobind/ndarray.h>
 
 #include <array>
 #include <memory>
-#include <numeric>
 
 using namespace nanobind::literals;
 
@@ -94,15 +95,27 @@ PlacementOptions MakePlacement(const nb::dict& given, bool isUp)
   Take(given, "tolerance", options.Tolerance);
   Take(given, "leave_out_strays", options.LeaveOutStrays);
   TakeChoice(given, "duplicates", Policies, options.Policy);
-  if (given.contains("origin"))
+  const auto takeVector = [&](const char* name, Eigen::Vector2d& vector)
   {
-    const auto vector = [&](const char* name)
-    { return Eigen::Vector2d(nb::cast<std::array<double, 2>>(given[name]).data()); };
-    options.Source = LatticeSource::OriginAndSteps;
-    options.Origin = vector("origin");
-    options.ColumnStep = vector("column_step");
-    options.RowStep = vector("row_step");
+    if (given.contains(name))
+    {
+      options.Source = LatticeSource::OriginAndSteps;
+      vector = Eigen::Vector2d(nb::cast<std::array<double, 2>>(given[name]).data());
+    }
+  };
+  takeVector("origin", options.Origin);
+  takeVector("column_step", options.ColumnStep);
+  takeVector("row_step", options.RowStep);
+  if (given.contains("corners"))
+  {
+    options.Source = LatticeSource::CornerPoints;
+    const auto corners = nb::cast<std::array<std::array<double, 4>, 3>>(given["corners"]);
+    for (std::size_t n = 0; n < corners.size(); ++n)
+    {
+      options.Corners[n] = { corners[n][0], corners[n][1], corners[n][2], corners[n][3] };
+    }
   }
+  CheckPlacement(options);
   return options;
 }
 
@@ -115,7 +128,13 @@ SurveyHorizons Place(PickTable picks, const std::string& direction, const nb::di
   {
     const nb::gil_scoped_acquire lock;
     options.Placement = MakePlacement(given, direction == "" ? picks.Survey.IsUpright : direction == "up");
-    gridding = nb::cast<std::string>(given["gridding"]);
+    Take(given, "gridding", gridding);
+    Take(given, "gridding_radius", options.Radius);
+    Take(given, "gridding_smoothing", options.Smoothing);
+  }
+  if (gridding != "" && options.Placement.Policy == DuplicatePolicy::Sheets)
+  {
+    throw InputError("DuplicatePolicy Sheets with Gridding, expected one z for each column");
   }
   options.Method = gridding == "plate" ? GriddingMethod::Plate : GriddingMethod::Nearest;
   SurveyHorizons placed = gridding == "" ? PlacePicks(std::move(picks), options.Placement, monitor)
@@ -155,6 +174,12 @@ nb::tuple PlacePoints(const nb::dict& arrays, const nb::dict& attributes, const 
 
 // ---- Files ----------------------------------------------------------------------------------------------------------
 
+std::unique_ptr<std::istream> Open(const std::string& path)
+{
+  MakeFileStamp(path); // Refuses folders and devices.
+  return OpenInputFile(path);
+}
+
 nb::tuple ReadGrid(const std::string& path, const std::string& nulls, double verticalStep, const std::string& direction,
   const std::array<std::string, 4>& survey, const nb::object& progress)
 {
@@ -165,7 +190,7 @@ nb::tuple ReadGrid(const std::string& path, const std::string& nulls, double ver
     [&](const Monitor& monitor)
     {
       const NullValues numbers(nulls);
-      HorizonGrid grid = ReadHorizonGrid(*OpenInputFile(path), monitor);
+      HorizonGrid grid = ReadHorizonGrid(*Open(path), monitor);
       name = grid.Name;
       format = grid.Format;
       return PlaceGrid(std::move(grid), numbers);
@@ -183,7 +208,7 @@ nb::tuple ReadText(const std::string& path, const std::string& columns, const st
   SurveyHorizons placed = Run(progress,
     [&](const Monitor& monitor)
     {
-      const auto stream = OpenInputFile(path);
+      const auto stream = Open(path);
       const TextLayout layout = ReadTextLayout(*stream, { columns, nulls, headerLines });
       format = layout.Describe();
       PickTable picks = ReadPicks(*stream, layout, monitor.Step(0.0, 0.6));
@@ -193,41 +218,107 @@ nb::tuple ReadText(const std::string& path, const std::string& columns, const st
   return nb::make_tuple(format, GiveHorizons(std::move(placed), names, framing));
 }
 
-/// z is real z, or the vertical index in files without it.
-nb::tuple ReadSparse(const std::string& path, const nb::dict& chosen, const std::string& direction,
-  const std::array<std::string, 4>& survey, const nb::object& progress)
+/// A file of sparse voxels. With an overview it keeps no points from listing, and reads rows of chosen horizons.
+class SparseFile
 {
-  SparseMatrixOptions options;
-  TakeChoice(chosen, "duplicates", Policies, options.Policy);
-  LatticeFrame frame;
-  frame.Direction = direction == "up" ? VerticalDirection::Up : VerticalDirection::Down;
-  Framing(0.0, direction, survey).Override(frame.Survey);
-  NamedHorizons horizons;
-  Run(progress,
-    [&](const Monitor& monitor)
+public:
+  SparseFile(const std::string& path, bool withOverview)
+    : Path(path)
+    , File(MakeSparseMatrixFile(withOverview))
+  {
+  }
+
+  void List(const nb::dict& chosen, const nb::object& progress)
+  {
+    SparseMatrixOptions options;
+    TakeChoice(chosen, "duplicates", Policies, options.Policy);
+    if (chosen.contains("rows"))
     {
-      const std::unique_ptr<SparseMatrixFile> file = MakeSparseMatrixFile(false);
-      file->List(path, options, monitor.Step(0.0, 0.8));
-      std::vector<int> places(file->Horizons().size());
-      std::iota(places.begin(), places.end(), 0);
-      SparseMatrix matrix = file->Take(places, monitor.Step(0.8, 1.0));
-      const auto [columns, rows, indices] = file->Size();
-      const SparseMatrixVerticalFit& fit = file->VerticalFit();
-      frame.Lattice.Columns = { columns, rows };
-      frame.UseRealZ = fit.Step != 0.0;
-      frame.Sampling = { frame.UseRealZ ? fit.Offset : 0.0, frame.UseRealZ ? fit.Step : 1.0, indices };
-      for (const int place : places)
+      options.RowRange = nb::cast<std::array<int, 2>>(chosen["rows"]); // first and last
+    }
+    Run(progress, [&](const Monitor& monitor) { this->File->List(this->Path, options, monitor); });
+  }
+
+  std::vector<std::string> Names() const
+  {
+    std::vector<std::string> names;
+    for (const ListedHorizon& horizon : this->File->Horizons())
+    {
+      names.push_back(HorizonName(horizon.SurfaceId));
+    }
+    return MakeDistinct(std::move(names));
+  }
+
+  std::vector<std::int64_t> Sizes() const
+  {
+    std::vector<std::int64_t> sizes;
+    for (const ListedHorizon& horizon : this->File->Horizons())
+    {
+      sizes.push_back(horizon.Size);
+    }
+    return sizes;
+  }
+
+  bool HasRealZ() const { return this->File->VerticalFit().Step != 0.0; }
+  int CountRows() const { return this->File->CountRows(); }
+  std::int64_t CountPoints(std::size_t place, int first, int last) const
+  {
+    return this->File->CountVoxels(place, first, last);
+  }
+
+  /// The options place the lattice: origin of x, y and z, column_step, row_step, vertical_step, and use_real_z.
+  nb::list Take(const std::vector<int>& places, const nb::dict& chosen, const std::string& direction,
+    const std::array<std::string, 4>& survey, const nb::object& progress)
+  {
+    LatticeFrame frame;
+    frame.Direction = direction == "up" ? VerticalDirection::Up : VerticalDirection::Down;
+    frame.Sampling = { 0.0, 1.0, 0 };
+    if (chosen.contains("origin"))
+    {
+      const auto [x, y, z] = nb::cast<std::array<double, 3>>(chosen["origin"]);
+      frame.Lattice.Origin = { x, y };
+      frame.Sampling.First = static_cast<int>(frame.Direction) * z;
+    }
+    const auto takeStep = [&](const char* name, Eigen::Vector2d& step)
+    {
+      if (chosen.contains(name))
       {
-        horizons.push_back({ HorizonName(file->Horizons()[std::size_t(place)].SurfaceId),
-          MakeHorizonPoints(std::move(matrix.Horizons[std::size_t(place)]), frame) });
+        step = Eigen::Vector2d(nb::cast<std::array<double, 2>>(chosen[name]).data());
       }
-    });
-  const std::string description = std::to_string(frame.Lattice.Columns[0]) + " x " +
-    std::to_string(frame.Lattice.Columns[1]) + " columns, places are their numbers\nz is " +
-    (frame.UseRealZ ? "real z of the file" : "the vertical index") + ", and increases " +
-    (frame.Direction == VerticalDirection::Up ? "upwards" : "downwards");
-  return nb::make_tuple("sparse voxels", nb::make_tuple(GiveNamed(horizons), description, std::vector<std::string>()));
-}
+    };
+    takeStep("column_step", frame.Lattice.ColumnStep);
+    takeStep("row_step", frame.Lattice.RowStep);
+    SeismicHorizons::Take(chosen, "vertical_step", frame.Sampling.Step);
+    SeismicHorizons::Take(chosen, "use_real_z", frame.UseRealZ);
+    Framing(0.0, direction, survey).Override(frame.Survey);
+    frame.Check();
+    NamedHorizons horizons;
+    const std::vector<std::string> names = this->Names();
+    Run(progress,
+      [&](const Monitor& monitor)
+      {
+        SparseMatrix matrix = this->File->Take(places, monitor);
+        const SparseMatrixVerticalFit& fit = this->File->VerticalFit();
+        if (frame.UseRealZ && fit.Step != 0.0)
+        {
+          frame.Sampling = { fit.Offset, fit.Step, 0 };
+        }
+        const auto [columns, rows, indices] = this->File->Size();
+        frame.Lattice.Columns = { columns, rows };
+        frame.Sampling.Indices = indices;
+        for (const int place : places)
+        {
+          horizons.push_back({ names[std::size_t(place)],
+            MakeHorizonPoints(std::move(matrix.Horizons[std::size_t(place)]), frame) });
+        }
+      });
+    return GiveNamed(horizons);
+  }
+
+private:
+  std::string Path;
+  std::unique_ptr<SparseMatrixFile> File;
+};
 
 /// Meshes; returns their names, and where z increases to.
 nb::tuple ReadTSurfs(const std::string& path, const nb::object& progress)
@@ -237,9 +328,9 @@ nb::tuple ReadTSurfs(const std::string& path, const nb::object& progress)
   Run(progress,
     [&](const Monitor& monitor)
     {
-      const std::vector<std::string> names = NamesOf(ListTSurfs(*OpenInputFile(path), monitor.Step(0.0, 0.3)));
+      const std::vector<std::string> names = NamesOf(ListTSurfs(*Open(path), monitor.Step(0.0, 0.3)));
       std::vector<TSurf> surfaces = LoadTSurfs(
-        *OpenInputFile(path), [](std::size_t) { return true; }, monitor.Step(0.3, 1.0));
+        *Open(path), [](std::size_t) { return true; }, monitor.Step(0.3, 1.0));
       sense = DescribeSense(surfaces);
       for (std::size_t n = 0; n < surfaces.size(); ++n)
       {
@@ -254,7 +345,7 @@ nb::dict ReadLines(const std::string& path, const std::string& direction, const 
   const Framing framing(0.0, direction, {});
   return GiveData(Run(progress,
     [&](const Monitor& monitor)
-    { return MakeFaultLines(ReadFaultLines(*OpenInputFile(path), monitor), framing.Direction); }));
+    { return MakeFaultLines(ReadFaultLines(*Open(path), monitor), framing.Direction); }));
 }
 
 std::string FindFormat(const std::string& path)
@@ -265,9 +356,10 @@ std::string FindFormat(const std::string& path)
     const std::optional<std::string> type = FirstTypeOfGOCAD(stream);
     return type && *type != "pline";
   };
-  return ExtensionOf(path) == "vsm"                                                               ? "sparse"
-    : isRecognised(isTSurf)                                                                       ? "tsurf"
+  return ExtensionOf(path) == "vsm" || isRecognised(BeginsAsSparseMatrix)                         ? "sparse"
     : isRecognised(IsGrid)                                                                        ? "grid"
+    : IsSEGYFile(path)                                                                            ? "cube"
+    : isRecognised(isTSurf)                                                                       ? "tsurf"
     : isRecognised([&path](std::istream& stream) { return ArePicks(stream, ExtensionOf(path)); }) ? "text"
                                                                                                   : "";
 }
@@ -276,7 +368,18 @@ std::string FindFormat(const std::string& path)
 //----------------------------------------------------------------------------------------------------------------------
 void BindReading(nb::module_& module)
 {
+  nb::class_<SparseFile>(module, "SparseFile")
+    .def(nb::init<const std::string&, bool>(), "path"_a, "with_overview"_a)
+    .def("list", &SparseFile::List, "options"_a, "progress"_a.none())
+    .def_prop_ro("names", &SparseFile::Names)
+    .def_prop_ro("sizes", &SparseFile::Sizes)
+    .def_prop_ro("has_real_z", &SparseFile::HasRealZ)
+    .def_prop_ro("rows", &SparseFile::CountRows)
+    .def("count_points", &SparseFile::CountPoints, "place"_a, "first_row"_a, "last_row"_a)
+    .def("take", &SparseFile::Take, "places"_a, "options"_a, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("find_format", &FindFormat, "path"_a);
+  module.attr("DEFAULT_NULLS") = DefaultNulls;
+  module.def("make_distinct", &MakeDistinct, "names"_a);
   module.def(
     "role_of", [](const std::string& name) { return std::string(RoleWord(RoleOfName(name))); }, "name"_a);
   module.def(
@@ -285,7 +388,6 @@ void BindReading(nb::module_& module)
     [](const std::vector<std::string>& names, const std::string& remedy) { return ChooseZ(names, remedy.c_str()); });
   module.def(
     "read_grid", &ReadGrid, "path"_a, "nulls"_a, "vertical_step"_a, "direction"_a, "survey"_a, "progress"_a.none());
-  module.def("read_sparse", &ReadSparse, "path"_a, "options"_a, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_text", &ReadText, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "options"_a, "vertical_step"_a,
     "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_tsurfs", &ReadTSurfs, "path"_a, "progress"_a.none());

@@ -6,9 +6,12 @@
 #include "Data.h"
 
 #include "Common/Horizon/HeightNoise.h"
+#include "Filters/Algorithms/Surface/Surface.h"
 #include "Filters/Boundary/BoundaryStage.h"
 #include "Filters/BoundarySimplification/BoundarySimplificationStage.h"
 #include "Filters/CellSimplification/CellSimplificationStage.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
 #include "Filters/Common/StageReport.h"
 #include "Filters/Decimation/DecimationStage.h"
 #include "Filters/Despiking/DespikingStage.h"
@@ -176,6 +179,25 @@ nb::tuple MeshSurface(const nb::dict& given, const nb::dict& chosen, const nb::o
     { return RunSurface(horizon, options, outputs, monitor); });
 }
 
+// ---- What is chosen for a surface -----------------------------------------------------------------------------------
+
+LatticePoints ReadGiven(const nb::dict& given)
+{
+  const Horizon horizon = TakeData(given);
+  CheckArraySizes(horizon);
+  return ReadColumns(WithoutHiddenPoints(horizon));
+}
+
+/// Returns the largest error, in vertical indices, and the figures that it comes from.
+nb::tuple ChooseError(const nb::dict& given)
+{
+  const LatticePoints points = ReadGiven(given);
+  const HeightNoise noise = MeasureHeightNoise(points.Column, points.Height);
+  ArrayTable figures;
+  WriteHeightNoise(noise, figures);
+  return nb::make_tuple(noise.MaximumError(), GiveTable(figures));
+}
+
 nb::dict JoinParts(const nb::list& parts, std::int64_t minimumPatchSize, const nb::object& progress)
 {
   std::vector<Horizon> meshes;
@@ -257,11 +279,15 @@ nb::tuple FindThickness(const nb::dict& given, const nb::dict& other, const nb::
     { return RunThickness(horizon, base, outputs, monitor); });
 }
 
+/// Returns both surfaces, and a table of figures in three directions, in lattice and in world units.
 nb::tuple MeasureDistance(
   const nb::dict& reference, const nb::dict& mesh, const nb::dict& chosen, const nb::object& progress)
 {
   DistanceStageOptions options;
   options.InWorldUnits = true;
+  Take(chosen, "in_world_units", options.InWorldUnits);
+  std::string name;
+  Take(chosen, "name", name);
   Take(chosen, "samples_per_point", options.SamplesPerPoint);
   Take(chosen, "seed", options.Seed);
   Take(chosen, "radius", options.Radius);
@@ -269,8 +295,8 @@ nb::tuple MeasureDistance(
   const Horizon first = TakeData(reference);
   const Horizon second = TakeData(mesh);
   const MeasuredPair measured =
-    Run(progress, [&](const Monitor& monitor) { return RunSurfaceDistance(first, second, "", options, monitor); });
-  return nb::make_tuple(GiveData(measured.Reference), GiveData(measured.Mesh));
+    Run(progress, [&](const Monitor& monitor) { return RunSurfaceDistance(first, second, name, options, monitor); });
+  return nb::make_tuple(GiveData(measured.Reference), GiveData(measured.Mesh), GiveTable(measured.Rows.Figures));
 }
 }
 
@@ -288,6 +314,9 @@ void BindStages(nb::module_& module)
   bind("surface", &MeshSurface);
   bind("fill_holes", &Fill);
   bind("despike", &Despike);
+  module.def(
+    "choose_radius", [](const nb::dict& given) { return ChooseRadius(ReadGiven(given).Column); }, "horizon"_a);
+  module.def("choose_error", &ChooseError, "horizon"_a);
   module.def("join", &JoinParts, "parts"_a, "minimum_patch_size"_a, "progress"_a.none());
   module.def("faults", &FindFaults, "horizon"_a, "lines"_a.none(), "options"_a, "progress"_a.none());
   module.def("thickness", &FindThickness, "horizon"_a, "base"_a, "progress"_a.none());

@@ -10,9 +10,13 @@
 #include "Writers/HorizonGrid/HorizonGridPrinter.h"
 #include "Writers/HorizonLayers/LayersFile.h"
 #include "Writers/HorizonMesh/HorizonMesh.h"
+#include "Writers/HorizonSampling.h"
 #include "Writers/HorizonText/HorizonText.h"
 #include "Writers/VerneySparseMatrix/HorizonMatrix.h"
 #include "Writers/VerneySparseMatrix/SparseMatrixPrinter.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace nanobind::literals;
 
@@ -35,6 +39,7 @@ Printer ChoosePrinter(const std::string& format, const nb::dict& chosen, std::ve
     Take(chosen, "is_down", isDown);
     options.Positive = isDown ? VerticalPositive::Depth : VerticalPositive::Elevation;
     options.Arrays = WrittenArrays::All;
+    TakeChoice(chosen, "arrays", { "none", "picks", "all" }, options.Arrays);
     return [options](const auto& horizons, std::ostream& stream, const Monitor& monitor)
     { PrintTSurfs(horizons, options, stream, monitor); };
   }
@@ -99,6 +104,29 @@ std::vector<std::string> Write(const std::string& path, const std::string& forma
     });
   return warnings;
 }
+
+/// Returns columns and rows, and heights there, of what a mesh covers; z is `sign` times world z.
+nb::tuple Sample(const nb::dict& given, int sign, const nb::object& progress)
+{
+  const Horizon horizon = TakeData(given);
+  const HorizonGrid grid =
+    Run(progress, [&](const Monitor& monitor) { return SampleWholeLattice(horizon, sign, monitor); });
+  const std::int64_t known = std::count_if(grid.Z.begin(), grid.Z.end(), [](double z) { return !std::isnan(z); });
+  DataArray columns = DataArray::Make(ValueType::Int, known, 2);
+  DataArray heights = DataArray::Make(ValueType::Double, known, 1);
+  int* column = columns.As<int>();
+  double* height = heights.As<double>();
+  for (std::size_t n = 0; n < grid.Z.size(); ++n)
+  {
+    if (!std::isnan(grid.Z[n]))
+    {
+      *column++ = int(n % std::size_t(grid.Lattice.Columns[0]));
+      *column++ = int(n / std::size_t(grid.Lattice.Columns[0]));
+      *height++ = grid.Z[n];
+    }
+  }
+  return nb::make_tuple(GiveArray(columns), GiveArray(heights));
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -112,6 +140,7 @@ void BindWriting(nb::module_& module)
       Run(progress, [&](const Monitor& monitor) { WriteLayersFile(path, grid, monitor); });
     },
     "path"_a, "volumes"_a, "progress"_a.none());
+  module.def("sample", &Sample, "mesh"_a, "sign"_a, "progress"_a.none());
   module.def("write", &Write, "path"_a, "format"_a, "horizons"_a, "options"_a, "progress"_a.none());
 }
 }

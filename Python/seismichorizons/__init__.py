@@ -29,6 +29,7 @@ from ._thesis import (
     rough_simplification,
     triangulation,
 )
+from ._version import VERSION as __version__
 
 __all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "boundary_simplification",
            "crossings", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",

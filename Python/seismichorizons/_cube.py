@@ -156,7 +156,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
         inlines=inlines, crosslines=crosslines, sample_range=sample_range, inline_byte=inline_byte, crossline_byte=crossline_byte, x_byte=x_byte,
         y_byte=y_byte, sample_format=sample_format, vertical_step=where[0], tolerance=float(tolerance), duplicates=duplicates, delays=delays,
         ignore_incomplete_trace=ignore_incomplete_trace)
-    data = call(str(path), _core.read_cube, str(path), options, *where[1:], progress)
+    data = call(str(path), lambda: _core.CubeFile(str(path), options, progress).read(*where[1:], progress))
     first_i, last_i, first_j, last_j, first_k, last_k = data["extent"]
     shape = (last_k - first_k + 1, last_j - first_j + 1, last_i - first_i + 1)
     points, fields = data["point_data"], data["field_data"]

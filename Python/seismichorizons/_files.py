@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _core
+from . import _core, _xml
 from ._data import Progress, in_keywords, warn_all
 from ._horizon import Horizon
 from ._made import framing, placement
@@ -91,18 +91,30 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
         kind = _core.find_format(name)
         if kind == "tsurf":
             raise ValueError("a mesh in the format of GOCAD, expected picks or a grid: read_mesh(path) reads it")
+        if kind == "cube":
+            raise ValueError("a seismic cube, expected picks or a grid: extract(read_cube(path)) finds horizons")
         if kind == "sparse":
             if vertical_step is not None:
                 raise ValueError("vertical_step for sparse voxels, which have their own, expected none")
-            form, found = _core.read_sparse(name, {"duplicates": placement(duplicates)["duplicates"]}, *where[1:], progress)
+            form, found = "sparse voxels", _read_sparse(name, placement(duplicates)["duplicates"], *where[1:], progress)
         elif kind == "grid":
             form, found = _core.read_grid(name, nulls, *where, progress)
         else:
             text = columns if isinstance(columns, str) else " ".join(columns)
-            form, found = _core.read_text(name, text, nulls or "usual", int(header_lines), placement(duplicates, gridding, leave_out_strays),
+            form, found = _core.read_text(name, text, nulls or _core.DEFAULT_NULLS, int(header_lines), placement(duplicates, gridding, leave_out_strays),
                                           *where, progress)
         made = make_horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
     return _choose(path, made, horizons)
+
+
+def _read_sparse(path: str, duplicates: str, direction: str, survey: Any, progress: Progress | None) -> tuple[Any, str, list[str]]:
+    """Horizons with the real z of the file or, if it has none, vertical indices; a description; and warnings."""
+    file = _core.SparseFile(path, False)
+    file.list({"duplicates": duplicates}, progress)
+    found = file.take(list(range(len(file.names))), {"use_real_z": file.has_real_z}, direction, survey, progress)
+    columns, rows, _ = found[0][1]["field_data"]["LatticeDimensions"].ravel().tolist() if found else (0, 0, 0)
+    return found, "%d x %d columns, places are their numbers\nz is %s, and increases %s" % (
+        columns, rows, "real z of the file" if file.has_real_z else "the vertical index", "upwards" if direction == "up" else "downwards"), []
 
 
 def _choose(path: pathlib.Path, made: dict[str, Any], names: str | Sequence[str] | None) -> dict[str, Any]:

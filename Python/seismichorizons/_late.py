@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names that are found when they are asked for: the version, and functions by their names of version 0.2, which give a warning
-and go with the next version."""
+"""Names of version 0.2, which give a warning and go with the next version: those of functions, and of the classes of VTK."""
 
 from __future__ import annotations
 
@@ -15,13 +14,15 @@ NAMES = {"horizon_from_points": horizon, "horizon_from_image": horizon, "hole_fi
 
 
 def find(name: str) -> Any:
-    """The version, or the function of an old name. Raises AttributeError."""
-    if name == "__version__":
-        import importlib.metadata  # takes as long as half of numpy
-
-        return importlib.metadata.version("seismichorizons")
+    """The function or class of an old name. Raises AttributeError."""
     if name.startswith("vtk"):
-        raise AttributeError("module 'seismichorizons' without the classes of VTK, which are in the Debian package python3-seismichorizons")
+        try:
+            from . import vtk
+        except ImportError:
+            raise AttributeError("module 'seismichorizons' without the classes of VTK, which are in the Debian package "
+                                 "python3-seismichorizons") from None
+        warnings.warn("seismichorizons.%s is now seismichorizons.vtk.%s" % (name, name), DeprecationWarning, stacklevel=3)
+        return getattr(vtk, name)
     if name not in NAMES:
         raise AttributeError("module 'seismichorizons' has no attribute '%s'" % name)
     warnings.warn("seismichorizons.%s is now seismichorizons.%s" % (name, NAMES[name].__name__), DeprecationWarning, stacklevel=3)

@@ -49,13 +49,9 @@ def horizons(found: tuple[Any, ...], fallback: str, first: str = "", file_name: 
     given, description, messages = found
     warn_all(fallback, messages)
     lines = tuple(filter(None, (*first.split("\n"), *in_keywords(description).split("\n"))))
+    names = _core.make_distinct([fallback if own in ("", file_name) else own for own, _ in given])
     made: dict[str, Horizon] = {}
-    for own, data in given:
-        base = name = own if own not in ("", file_name) else fallback
-        number = 1
-        while name in made:
-            number += 1
-            name = "%s %d" % (base, number)
+    for name, (_, data) in zip(names, given):
         left_out = {reason: int(data["field_data"][field][0]) for reason, field in (
             ("duplicates", "DroppedDuplicates"), ("without z", "DroppedNulls")) if field in data["field_data"]}
         filled = data["point_data"].pop("Filled", None)  # of gridding, as numbers with fractions

@@ -306,7 +306,7 @@ def distance(reference: Any, mesh: Any, *, samples_per_point: float = 2.0, seed:
     data, other = (_surface_data(one, what) for one, what in ((reference, "reference"), (mesh, "mesh")))
     options = {"samples_per_point": float(samples_per_point), "seed": int(seed), "radius": int(radius), "include_filled_points": bool(include_filled)}
     try:
-        first, second = _core.distance(data, other, options, progress)
+        first, second, _ = _core.distance(data, other, options, progress)
     except ValueError as error:
         raise ValueError(in_keywords(str(error))) from None
     world = 1  # of the units lattice, world, diagonal

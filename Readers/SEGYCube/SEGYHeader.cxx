@@ -4,11 +4,15 @@
 #include "SEGYHeader.h"
 
 #include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 #include "SEGYLayout.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace SeismicHorizons
 {
@@ -276,6 +280,17 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
       ", as they state (byte 115)");
   }
 }
+
+/// Few of the first 3200 bytes may be control characters, in ASCII or EBCDIC.
+bool BeginsWithText(std::istream& stream)
+{
+  stream.seekg(0);
+  const std::string text = PeekText(stream, SEGYTextSize);
+  const auto isControl = [](char c)
+  { return c > 0 && c < ' ' && std::string_view("\n\r\t\x15\x05").find(c) == std::string_view::npos; };
+  constexpr std::size_t most = SEGYTextSize / 100;
+  return std::size_t(std::count_if(text.begin(), text.end(), isControl)) <= most;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -335,5 +350,22 @@ bool IsSEGY(std::istream& stream)
   binary.FindOrder();
   const bool hasSamples = binary.Samples() > 0 || binary.Unsigned16(SEGYFileHeaderSize + TraceSamplesByte) > 0;
   return SampleSize(binary.Integer16(FormatByte)) > 0 && hasSamples;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsSEGYFile(const std::string& path)
+{
+  const std::string extension = ExtensionOf(path);
+  const bool isOwn = extension == "sgy" || extension == "segy" || extension == "seg";
+  return IsRecognised(path.c_str(),
+    [&path, isOwn](std::istream&)
+    {
+      const auto place = std::filesystem::u8path(path);
+      std::ifstream stream(place, std::ios::binary); // without decoding gzip
+      return IsSEGY(stream) &&
+        (isOwn ||
+          (BeginsWithText(stream) &&
+            ReadSEGYHeader(stream, std::int64_t(std::filesystem::file_size(place))).Traces > 0));
+    });
 }
 }

@@ -62,6 +62,9 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
 
 /// Requires a valid format code, in either byte order, and a number of samples.
 bool IsSEGY(std::istream& stream);
+
+/// Files without an extension of SEG-Y must also begin with text and have traces.
+bool IsSEGYFile(const std::string& path);
 }
 
 #endif

@@ -27,8 +27,6 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <tuple>
 
 using namespace SeismicHorizons;
@@ -73,17 +71,6 @@ bool AreSameOptions(const SEGYOptions& a, const SEGYOptions& b)
   return values(a) == values(b);
 }
 
-/// Few of the first 3200 bytes may be control characters, in ASCII or EBCDIC.
-bool BeginsWithText(std::istream& stream)
-{
-  stream.seekg(0);
-  const std::string text = PeekText(stream, SEGYTextSize);
-  const auto isControl = [](char c)
-  { return c > 0 && c < ' ' && std::string_view("\n\r\t\x15\x05").find(c) == std::string_view::npos; };
-  constexpr std::size_t most = SEGYTextSize / 100;
-  return std::size_t(std::count_if(text.begin(), text.end(), isControl)) <= most;
-}
-
 std::string NoMemory(const char* fileName)
 {
   return FilePrefix(fileName) + "more data than memory, expected a smaller InlineRange, CrosslineRange or SampleRange";
@@ -126,18 +113,7 @@ int vtkSEGYCubeReader::FillOutputPortInformation(int port, vtkInformation* info)
 //----------------------------------------------------------------------------------------------------------------------
 int vtkSEGYCubeReader::CanReadFile(const char* fileName)
 {
-  const std::string extension = ExtensionOf(fileName ? fileName : "");
-  const bool isOwn = extension == "sgy" || extension == "segy" || extension == "seg";
-  return IsRecognised(fileName,
-    [fileName, isOwn](std::istream&)
-    {
-      const auto path = std::filesystem::u8path(fileName);
-      std::ifstream stream(path, std::ios::binary); // without decoding gzip
-      return IsSEGY(stream) &&
-        (isOwn ||
-          (BeginsWithText(stream) &&
-            ReadSEGYHeader(stream, std::int64_t(std::filesystem::file_size(path))).Traces > 0));
-    });
+  return IsSEGYFile(fileName ? fileName : "");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,17 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the manual page of a program from the description of its options and the examples on its page, so that all of them
-agree.
+"""Writes the manual page of horizon-mesh from the description of its options and the examples on its page, so that all of
+them agree.
 
-Arguments: the program (Python with a function make_parser), its installed name, the version, the page with examples, and
-the file to write.
+Arguments: the page with examples, and the file to write.
 """
 
 import gzip
-import importlib.util
 import pathlib
 import re
 import sys
+
+import seismichorizons_command
+from seismichorizons_command.horizon_mesh import make_parser
 
 SEE_ALSO = r"""\fBparaview\fR(1), \fBpvpython\fR(1), the pages in /usr/share/doc/seismichorizons"""
 
@@ -20,13 +21,6 @@ def escape(text):
     """Escapes a text for troff."""
     text = text.replace("\\", r"\e").replace("-", r"\-")
     return re.sub(r"(?m)^([.'])", r"\\&\1", text)
-
-
-def load_parser(path):
-    specification = importlib.util.spec_from_file_location(path.stem, path)
-    program = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(program)
-    return program.make_parser()
 
 
 def describe(formatter, action):
@@ -67,8 +61,9 @@ def manual_page(parser, name, version, examples_page):
         ".SH SEE ALSO\n%s\n" % SEE_ALSO))
 
 
-def main(program, name, version, examples_page, page):
-    text = manual_page(load_parser(pathlib.Path(program)), name, version, pathlib.Path(examples_page).read_text(encoding="utf-8"))
+def main(examples_page, page):
+    text = manual_page(make_parser(), seismichorizons_command.NAME, seismichorizons_command.__version__,
+                       pathlib.Path(examples_page).read_text(encoding="utf-8"))
     # Without a time stamp the same input gives the same file.
     pathlib.Path(page).write_bytes(gzip.compress(text.encode("utf-8"), 9, mtime=0))
 

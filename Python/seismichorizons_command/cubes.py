@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Seismic cubes: the reflections of a SEG-Y file, joined to horizons."""
+
+import pathlib
+
+import numpy as np
+from seismichorizons import _core
+
+from . import core, data
+from .core import snake
+from .memory import size_text
+from .progress import file_work
+
+# Number of surfaces of a cube that become meshes, strongest first.
+LARGEST_NUMBER = 20
+# Peak memory in bytes per sample, cube included, while reflections are joined (ReflectionBenchmark).
+WORKED = 20
+WORKED_WITH_PICKS = 45
+
+
+def is_named_so(path):
+    """Whether a file has the extension of SEG-Y, whatever it contains."""
+    return pathlib.Path(path).suffix.lower() in (".sgy", ".segy")
+
+
+# Properties of the reader and of the extraction.
+READER = ("InlineRange", "CrosslineRange", "LatticeTolerance", "DuplicatePolicy", "VerticalStep", "VerticalDirection", "VerticalUnit",
+          "CoordinateSystem")
+EXTRACTION = ("Polarity", "Joining", "AmplitudePercentile", "LimitSide", "LargestNumber", "SmallestSize")
+
+
+class CubeSource:
+    """The horizons that are extracted from a cube: those of a file of picks, between those of files of limits, or the
+    strongest. Raises core.HorizonError for a property that neither reader nor extraction has."""
+
+    kind = "seismic cube"
+
+    def __init__(self, path, properties):
+        self.path, self.lines, self.surfaces, self.number = path, [], {}, None
+        self.picks, self.limits = properties.pop("Picks", None), properties.pop("Limits", ())
+        for name in properties:
+            if name not in (*READER, *EXTRACTION):
+                raise core.HorizonError("%s: a seismic cube does not support %s" % (path, name))
+        self._given = properties
+        self._file = None
+
+    def _of_reader(self):
+        names = {"InlineRange": "inlines", "CrosslineRange": "crosslines", "LatticeTolerance": "tolerance"}
+        return core.options({names.get(name, name): value for name, value in self._given.items() if name in READER[:5]})
+
+    def open(self):
+        """Reads the headers. Raises HorizonError."""
+        with core.errors("%s: " % self.path):
+            self._file = core.run(_core.CubeFile, str(self.path), self._of_reader(), label="%s: reading headers" % self.path.name)
+
+    def count_samples(self):
+        return self._file.samples
+
+    def read(self, horizons=None):
+        """Returns the horizons as a list of (name, data). Raises HorizonError."""
+        from . import reading  # which also reads picks, and needs this module
+
+        if self._file is None:
+            self.open()
+        direction = snake(self._given.get("VerticalDirection", ""))
+        survey = (self._given.get("VerticalUnit", ""), "", "", self._given.get("CoordinateSystem", ""))
+        with core.errors("%s: " % self.path):
+            cube, warnings = core.run(self._file.read, "up" if direction == "up" else "down", survey,
+                                      label="%s: reading the cube" % self.path.name, work=file_work(self.path))
+        self._file = None
+        self.lines = cube["description"].splitlines()
+        self._warn(warnings)
+        image = {"extent": cube["extent"], "to_world": cube["to_world"], "field_data": cube["field_data"]}
+        for name, array in cube.pop("point_data").items():
+            image["ghosts" if name == "vtkGhostType" else "amplitudes"] = array
+        place = lattice_properties(cube)
+        others = [[horizon for file in files for horizon in self._read_others(file, place, reading)] or None for files in (
+            [self.picks] if self.picks else [], self.limits)]
+        options = {"largest_number": LARGEST_NUMBER, **core.options({
+            name: value for name, value in self._given.items() if name in EXTRACTION})}
+        (found, _, _), warnings = core.run(_core.extract, image, *others, options, label="%s: reading" % self.path.name)
+        self._warn(warnings)
+        self.number = len(found)
+        return [found[number] for number in reading.choose([name for name, _ in found], horizons, self.path)]
+
+    def _warn(self, warnings):
+        for text in filter(None, warnings):
+            core.warn("%s: %s" % (self.path, text))
+
+    @staticmethod
+    def _read_others(file, place, reading):
+        """Returns the horizons of a file of picks or limits, on the columns of the cube. A few picks do not define a
+        lattice."""
+        source = reading.open_file(file)
+        if isinstance(source, CubeSource):
+            raise core.HorizonError("%s: a seismic cube, expected picks of horizons" % file)
+        if source.kind == reading.KINDS["text"]:
+            source = reading.open_file(file, **place)
+        return reading.read_source(source)[0]
+
+
+def lattice_properties(cube):
+    """Returns the properties that make a reader place picks on the columns of a cube; well picks and other surveys lie between
+    columns. z has the direction of the cube; if that is downwards, negative z still lies above 0."""
+    matrix = np.reshape(data.values(cube, "LatticeToWorld"), (4, 4))
+    return {"Origin": matrix[:2, 3].tolist(), "ColumnStep": matrix[:2, 0].tolist(), "RowStep": matrix[:2, 1].tolist(),
+            "LatticeTolerance": 0.499, "StrayPicks": "LeaveOut",
+            "VerticalDirection": "Up" if data.vertical_direction(cube) > 0 else "Automatic"}
+
+
+def require(source, budget):
+    """Raises HorizonError if the cube and its picks do not fit in memory."""
+    source.open()
+    size = (WORKED_WITH_PICKS if source.picks else WORKED) * source.count_samples()
+    budget.require_bytes(size, "%s: a cube that takes %s with its picks" % (source.path, size_text(size)),
+                         "; --inlines and --crosslines read a part")

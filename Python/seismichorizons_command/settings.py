@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Converts the options of the command to properties of the reader and of each stage."""
+
+from . import wording
+from .core import snake
+from .pipeline import Settings, fault_settings, surface_properties
+
+# Properties of readers that are options of the same name, and those of another one.
+SAME = (
+    "VerticalDirection", "VerticalStep", "VerticalUnit", "CoordinateSystem", "ZFrom", "DuplicatePolicy", "Columns", "NullValues",
+    "HeaderLines", "StrayPicks", "LatticeTolerance", "Origin", "ColumnStep", "RowStep", "Polarity", "Joining",
+    "AmplitudePercentile", "Picks", "Limits", "LimitSide", "Gridding", "GriddingRadius", "GriddingSmoothing")
+RENAMED = {"LargestNumber": "surfaces", "SmallestSize": "smallest_surface", "InlineRange": "inlines", "CrosslineRange": "crosslines"}
+# What messages of classes name, in the words of the command.
+NAMES = {**{name: "--" + option.replace("_", "-") for name, option in {**{name: snake(name) for name in SAME}, **RENAMED}.items()},
+         "LatticeSource OriginAndSteps": "--origin, --column-step and --row-step", "LatticeSource CornerPoints": "--corners",
+         "Order AsGiven": "--order AsGiven", "MinimumPatchSize": "--minimum-patch-size"}
+CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
+
+
+def with_options(text):
+    """Returns a message with options in place of properties."""
+    return wording.rename(text, NAMES, wording.as_option)
+
+
+def given(options, *same, **renamed):
+    """The values of options that were given, by the names of their properties; all others have the defaults of their
+    classes."""
+    names = {**{name: snake(name) for name in same}, **renamed}
+    return {key: getattr(options, name) for key, name in names.items() if hasattr(options, name)}
+
+
+def _unit(height):
+    return "World" if height.unit else "Lattice"
+
+
+def _reader(options):
+    properties = given(options, *SAME, **RENAMED)
+    if hasattr(options, "corners"):
+        corners = options.corners
+        properties.update(LatticeSource="CornerPoints",
+                          **{name: corners[4 * n:4 * n + 4] for n, name in enumerate(CORNERS)})
+    return properties
+
+
+def _surface(options, boundary, simplified):
+    """Returns properties of the single surface stage, from the largest error or number of triangles and the options given
+    beside it. None for the stages of the thesis."""
+    if options.stages:
+        return None
+    target = given(options, largest_error="largest_error", triangles="triangles")
+    error = target.get("largest_error")
+    unit = {"ErrorUnit": "World"} if getattr(error, "unit", "") else {}
+    named = {**boundary, **simplified}
+    names = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold", "GrowthStrategy", "MinimumPatchSize")
+    return surface_properties(**target, **unit, **{name: named[name] for name in names if name in named})
+
+
+def _layers(options):
+    """Returns properties of the layers; their error is the error of the meshes, if given."""
+    words = getattr(options, "crossings", [])
+    crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
+    error = given(options, MaximumError="largest_error")
+    unit = {"HeightUnit": "World"} if getattr(error.get("MaximumError"), "unit", "") else {}
+    return {**error, **unit, **crossings, **given(options, "Order", "Missing")}
+
+
+def make_settings(options):
+    """Returns the settings of all stages."""
+    settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
+    settings.formats = options.formats
+    settings.memory = options.memory
+    settings.jobs = options.jobs
+    settings.other_files = [*getattr(options, "limits", []), *given(
+        options, picks="picks", traces="fault_lines", sticks="fault_sticks").values()]
+    settings.reader = _reader(options)
+    if hasattr(options, "despike"):
+        settings.despiked = {"Threshold": options.despike, "ThresholdUnit": _unit(options.despike)}
+    throw = getattr(options, "cut_faults", None)
+    settings.torn, settings.fault_lines = fault_settings(
+        None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
+    settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
+    settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "HoleBoundaries")
+    settings.simplified = {
+        **({"Method": "FewestPoints"} if hasattr(options, "fewest_outline_points") else {}),
+        **given(options, "BoundDeviation", "OutlineTolerance", "DistanceThreshold")}
+    settings.rough = None if hasattr(options, "skip_rough") else given(options, "CellSize", "Representative")
+    settings.elaborate = None if not hasattr(options, "elaborate") else given(
+        options, "FlatnessThreshold", "Representative", CellSize="elaborate_cell_size")
+    settings.surface = _surface(options, settings.boundary, settings.simplified)
+    if hasattr(options, "layers"):
+        settings.layers = _layers(options)
+    if options.close_faults:
+        (settings.mesh if settings.surface is None else settings.surface)["CloseFaults"] = True
+    settings.error_if_whole = hasattr(options, "report") and not options.measure_error
+    settings.error = None if not options.measure_error and not settings.error_if_whole else given(
+        options, "DistanceUnit", "SamplesPerPoint")
+    return settings

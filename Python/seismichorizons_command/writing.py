@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results as files: meshes, points, cells of layers, and tables of figures.
+
+Each format has one writer, shared with ParaView. A file is written under a temporary name, checked and renamed; if that
+fails, an existing file is unchanged.
+"""
+
+import csv
+import io
+import os
+import pathlib
+import tempfile
+
+from seismichorizons import _core, _xml
+
+from . import core, geotiff
+from .core import HorizonError
+
+MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
+# Grids of the columns that meshes cover; GeoTIFF is written by GDAL.
+GRID_FORMATS = ("irap", "gri", "zmap", "tif")
+POINT_FORMATS = {"dat": "text", "vsm": "vsm"}
+LAYER_FORMATS = ("msh", "inp", "disv")  # for cells of layers, in addition to .vtu
+FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r")  # first characters of formulas in spreadsheets
+
+
+def write(result, path):
+    """Writes a result (pipeline.Result) in the format of the file extension: its mesh, or the points from which the mesh
+    was made. Returns warnings. Raises HorizonError."""
+    return write_data(prepared(result) if path.suffix[1:] in POINT_FORMATS else result.data["mesh"], path, result.name)
+
+
+def prepared(result):
+    """Returns the points from which a mesh was made."""
+    return next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
+
+
+def write_data(given, path, name):
+    """Writes a mesh or the points of a horizon, with a name, in the format of the file extension. Returns warnings. Raises
+    HorizonError."""
+    form = path.suffix[1:]
+    if form == "tif":
+        content, warnings = geotiff.make_content(given, path)
+        write_file(content, path)
+        return warnings
+    if form == "vtp":
+        write_file(_xml.poly_data(given), path)
+        return []
+    return _run(path, _core.write, POINT_FORMATS.get(form, form), [(name, given)], {"arrays": "picks"})
+
+
+def write_cells(grid, path):
+    """Writes cells of layers in the format of the file extension. Returns warnings. Raises HorizonError."""
+    if path.suffix == ".vtu":
+        write_file(_xml.unstructured_grid(grid), path)
+        return []
+    return _run(path, _core.write_layers, grid) or []
+
+
+def _run(path, function, *arguments):
+    """Writes a file and returns warnings. Errors name the file without its folder, which may be a temporary one. Raises
+    HorizonError, which says "cannot be written" for errors of the file system."""
+    require_writable(path)
+    label = "%s: writing" % path.name
+    try:
+        return core.run(lambda *given: _as_own(function, *given), str(path), *arguments, label=label)
+    except _DiskError as error:
+        raise HorizonError("%s cannot be written: %s" % (path.name, str(error).replace("%s: " % path, "", 1))) from None
+    except HorizonError as error:
+        raise HorizonError("%s: %s" % (path.name, str(error).replace("%s: " % path, "", 1))) from None
+
+
+class _DiskError(HorizonError):
+    """An error of the file system."""
+
+
+def _as_own(function, *arguments):
+    try:
+        return function(*arguments)
+    except OSError as error:
+        raise _DiskError(str(error)) from None
+
+
+def write_tables(tables, path):
+    """Writes tables with the same columns as one file of comma-separated values. Raises HorizonError."""
+    text = io.StringIO()
+    writer = csv.writer(text)
+    for number, table in enumerate(tables):
+        if number == 0:
+            writer.writerow(table)
+        writer.writerows([_cell(value) for value in row] for row in zip(*map(list, table.values())))
+    write_file(text.getvalue().encode(), path)
+
+
+def _cell(value):
+    """Returns the text of a value, quoted if a spreadsheet would interpret it as a formula."""
+    if isinstance(value, str):
+        return "'" + value if value.startswith(FORMULA_SIGNS) else value
+    return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def write_file(content, path):
+    """Writes bytes under a temporary name and renames the file when it is complete. A device is written to directly. Raises
+    HorizonError."""
+    require_writable(path)
+    path = pathlib.Path(os.path.realpath(path))
+    try:
+        if path.exists() and not path.is_file():
+            path.write_bytes(content)
+            return
+        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".", suffix=".part", delete=False) as file:
+            try:
+                file.write(content)
+                file.close()
+                os.chmod(file.name, path.stat().st_mode if path.exists() else 0o666 & ~_umask())
+                os.replace(file.name, path)
+            except BaseException:
+                os.unlink(file.name)
+                raise
+    except OSError as error:
+        raise HorizonError("%s cannot be written: %s" % (path.name, error.strerror)) from None
+
+
+def require_writable(path):
+    """Raises HorizonError if a file would replace a folder, or if opening it may block forever."""
+    if path.is_dir():
+        raise HorizonError("%s cannot be written: it is a folder" % path)
+    if path.is_fifo() or path.is_socket():
+        raise HorizonError("%s cannot be written: a pipe or socket, expected a file" % path)
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
