@@ -51,5 +51,5 @@ source_folder=$(dirname -- "$utilities")
 
 "$utilities/setup.sh" --without-tests
 PYTHONPATH=$source_folder/build/release/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH} \
-  "$utilities/with-xvfb.sh" pvbatch "$utilities/horizon_mesh.py" --output-folder "$output" "$@"
+  "$utilities/with-xvfb.sh" /usr/bin/python3 "$utilities/horizon_mesh.py" --output-folder "$output" "$@"
 echo "demo: results are in $output"

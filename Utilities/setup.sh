@@ -9,14 +9,14 @@ set -eu
 
 # libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
 packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev
-  zlib1g-dev libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb"
+  zlib1g-dev libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb python3-pip"
 # mkdocs-material and doxygen make the site of the documentation.
-# libjs-three turns meshes around in reports.
 # dpkg-dev and file find out what the Debian packages depend on.
 # codespell checks the spelling of the pages.
-packages_of_tests="mkdocs-material doxygen libjs-three xdotool dpkg-dev file codespell"
+packages_of_tests="mkdocs-material doxygen xdotool dpkg-dev file codespell"
 with_tests=ON
 with_build=yes
+python=${PYTHON:-/usr/bin/python3}
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 build_folder=$source_folder/build/release
 log=$(mktemp)
@@ -117,6 +117,18 @@ install_packages() {
   fi
 }
 
+# Binds the methods for Python. Debian 12 has no package of it; PyPI has.
+fetch_nanobind() {
+  [ ! -d "$build_folder/nanobind/nanobind" ] || return 0
+  ! "$python" -m nanobind --cmake_dir >/dev/null 2>&1 || return 0
+  echo "setup: fetching nanobind from PyPI into build/release"
+  if ! quietly "fetching nanobind" "$python" -m pip install --no-deps --target "$build_folder/nanobind" "nanobind>=2.4"; then
+    cat "$log" >&2
+    rm -rf "$build_folder/nanobind"
+    fail "no nanobind from PyPI, expected it for the Python package: is the network there?"
+  fi
+}
+
 # Files that are compiled several at a time take half as long.
 configure() {
   echo "setup: configuring in build/release"
@@ -136,6 +148,7 @@ is_configured() {
 }
 
 build() {
+  fetch_nanobind
   is_configured || configure
   echo "setup: building in build/release, some minutes the first time"
   if ! quietly "building" cmake --build "$build_folder" -- --quiet; then

@@ -105,6 +105,25 @@ std::vector<std::string> Write(const std::string& path, const std::string& forma
   return warnings;
 }
 
+/// Writes pairs of a name and bytes: one into the path, several into files with the name added to that of the path.
+void WriteContents(const std::string& path, const nb::list& given)
+{
+  std::vector<std::string> names;
+  std::vector<nb::bytes> contents;
+  for (const nb::handle& one : given)
+  {
+    const auto pair = nb::cast<nb::tuple>(one);
+    names.push_back(nb::cast<std::string>(pair[0]));
+    contents.push_back(nb::cast<nb::bytes>(pair[1]));
+  }
+  std::string subject;
+  WriteFiles(
+    names.size() == 1 ? std::vector<std::string>{ path } : NameFiles(path, names),
+    [&](std::size_t n, std::ostream& stream, const Monitor&)
+    { stream.write(contents[n].c_str(), std::streamsize(contents[n].size())); },
+    Monitor(), subject);
+}
+
 /// Returns columns and rows, and heights there, of what a mesh covers; z is `sign` times world z.
 nb::tuple Sample(const nb::dict& given, int sign, const nb::object& progress)
 {
@@ -140,6 +159,7 @@ void BindWriting(nb::module_& module)
       Run(progress, [&](const Monitor& monitor) { WriteLayersFile(path, grid, monitor); });
     },
     "path"_a, "volumes"_a, "progress"_a.none());
+  module.def("write_contents", &WriteContents, "path"_a, "contents"_a);
   module.def("sample", &Sample, "mesh"_a, "sign"_a, "progress"_a.none());
   module.def("write", &Write, "path"_a, "format"_a, "horizons"_a, "options"_a, "progress"_a.none());
 }

@@ -42,6 +42,13 @@ def give_attributes(attributes: Mapping[str, NDArray[Any]]) -> Data:
     return {MARK + name: give(values) for name, values in attributes.items()}
 
 
+def unmarked(data: Data) -> Data:
+    """Data with attributes by their names; those of the core come first."""
+    points = data["point_data"]
+    own = {name: values for name, values in points.items() if not name.startswith(MARK)}
+    return {**data, "point_data": {**{name.removeprefix(MARK): values for name, values in points.items()}, **own}}
+
+
 def take_attributes(arrays: Data, given: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
     """Attributes that the core has kept, with the types that they were given with."""
     return {name: take(arrays[MARK + name], values.dtype) for name, values in given.items() if MARK + name in arrays}

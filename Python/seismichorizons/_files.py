@@ -20,7 +20,7 @@ from ._made import horizons as make_horizons
 from ._mesh import Mesh, mesh_of
 
 # Formats by extension, and what they hold.
-FORMATS = {".ts": ("ts", "mesh"), ".dxf": ("dxf", "mesh"), ".stl": ("stl", "mesh"), ".ply": ("ply", "mesh"), ".obj": ("obj", "mesh"),
+FORMATS = {".vtp": ("vtp", "any"), ".ts": ("ts", "mesh"), ".dxf": ("dxf", "mesh"), ".stl": ("stl", "mesh"), ".ply": ("ply", "mesh"), ".obj": ("obj", "mesh"),
            ".irap": ("irap", "any"), ".gri": ("gri", "any"), ".zmap": ("zmap", "any"), ".dat": ("text", "any"), ".txt": ("text", "any"),
            ".vsm": ("vsm", "horizon")}
 
@@ -165,7 +165,7 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     Parameters
     ----------
     data : Mesh, Horizon, or a list or dict of these
-        Meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary)
+        Either for .vtp (VTK, with all arrays); meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary)
         and .zmap, and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
         and .vsm; otherwise each has a file of its own, with its name added to that of `path`. `to_dataframe().to_csv` writes .csv.
     path : str or path
@@ -201,12 +201,17 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
         if holds not in (what, "any"):
             endings = ", ".join(ending for ending, (_, kind) in FORMATS.items() if kind in (what, "any"))
             raise ValueError("%s: a %s, expected %s" % (path, what, "a " + holds if holds else "one of the extensions " + endings))
-        if holds == "any" and one.lattice is None:
+        if holds == "any" and form != "vtp" and one.lattice is None:
             raise ValueError("%s: %s of a file, which has no lattice, expected the mesh of a horizon" % (path, one.name))
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
     way = direction or (next(iter(many.values())).direction if many else "down")
     options = {"with_borders": bool(with_borders), "is_down": way == "down", "with_attributes": bool(with_attributes), "sense": way}
+    if form == "vtp":
+        with _of_file(path):
+            _core.write_contents(str(path), [(name or (key if isinstance(key, str) else one.name), _xml.poly_data(one._data_of_vtk()))
+                                             for key, one in many.items()])
+        return
     named = [(name or (key if isinstance(key, str) else one.name), one._data_of_file()) for key, one in many.items()]
     with _of_file(path):
         messages = _core.write(str(path), form, named, options, progress)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._data import Data, give_attributes, give_survey, survey
+from ._data import Data, give_attributes, give_survey, survey, unmarked
 
 Floats = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -199,6 +199,10 @@ class Horizon(WithAttributes):
         if self.filled.any():
             points["Filled"] = np.ascontiguousarray(self.filled, np.uint8)
         return {"places": np.column_stack((self.x, self.y, self.sign * self.z)), "point_data": points, "field_data": fields}
+
+    def _data_of_vtk(self) -> Data:
+        """Data with attributes by their names."""
+        return unmarked(self._data())
 
     def _data_of_file(self) -> Data:
         """Data with the attributes of a file."""

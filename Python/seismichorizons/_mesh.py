@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._data import Data, give_attributes, loops, snake, survey
+from ._data import Data, give_attributes, loops, snake, survey, unmarked
 from ._horizon import Floats, Lattice, WithAttributes, _poly_data, label_map
 
 
@@ -116,6 +116,10 @@ class Mesh(WithAttributes):
                 self.name, len(self.points), len(self._core["places"])))
         return {**self._core, "places": np.ascontiguousarray(self.points, np.float64),
                 "point_data": {**self._core["point_data"], **give_attributes(self.attributes)}}
+
+    def _data_of_vtk(self) -> Data:
+        """Data with attributes by their names."""
+        return unmarked(self._data())
 
     def _data_of_file(self) -> Data:
         """Data with the attributes of a file."""

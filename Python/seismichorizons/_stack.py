@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _core, _xml
 from ._data import Data, Progress, call, in_keywords, snake, take_attributes
 from ._horizon import Floats, Horizon, add_arrays, fill_vtk, require_vtk
 from ._mesh import Mesh, mesh_of
@@ -91,7 +91,7 @@ class Layers:
         return pyvista.wrap(self.to_vtk())
 
     def write(self, path: str | os.PathLike[str], *, progress: Progress | None = None) -> None:
-        """Writes the cells for Gmsh (.msh), Abaqus and CalculiX (.inp) or MODFLOW 6 (.disv).
+        """Writes the cells for VTK (.vtu), Gmsh (.msh), Abaqus and CalculiX (.inp) or MODFLOW 6 (.disv).
 
         Raises ValueError if the format cannot hold them, and OSError if the file cannot be written.
         """
@@ -99,7 +99,10 @@ class Layers:
         if not path.absolute().parent.is_dir():
             raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
         try:
-            _core.write_layers(str(path), self._core, progress)
+            if path.suffix.lower() == ".vtu":
+                _core.write_contents(str(path), [("", _xml.unstructured_grid(self._core))])
+            else:
+                _core.write_layers(str(path), self._core, progress)
         except ValueError as error:
             raise ValueError("%s: %s" % (path, in_keywords(str(error)))) from None
 

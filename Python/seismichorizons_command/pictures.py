@@ -106,7 +106,7 @@ def write(image, path):
     writer.WriteToMemoryOn()
     writer.SetInputData(image)
     writer.Write()
-    write_file(writer.GetResult(), path)
+    write_file(vtk_to_numpy(writer.GetResult()).tobytes(), path)
 
 
 def as_jpeg(image, quality=85):

@@ -8,7 +8,6 @@
 """
 
 import os
-import pathlib
 import shlex
 
 from . import sections
@@ -16,14 +15,8 @@ from .album import MESH_BYTES, Album
 from .markup import Markup, as_json, data_uri, fill, join, read, script_hash, script_safe
 from .progress import duration_text
 from .core import HorizonError
-from .styles import FAULT_COLOR, FAULT_COLOR_BY_DISTANCE, LOW_TO_HIGH, NEAR_TO_FAR, rgb
+from .colors import FAULT_COLOR, FAULT_COLOR_BY_DISTANCE, LOW_TO_HIGH, NEAR_TO_FAR, rgb
 from .writing import require_writable, write_file
-
-# Paths of three.js in Debian's package libjs-three; SEISMICHORIZONS_THREE overrides them.
-THREE_FILES = ("/usr/share/javascript/three/three.min.js", "/usr/share/nodejs/three/build/three.min.js")
-THREE_VARIABLE = "SEISMICHORIZONS_THREE"
-NO_THREE = ("Interactive meshes are not available in this page: three.js (Debian's package libjs-three) was not found "
-            "where it was written.")
 
 
 def make_album(with_pictures):
@@ -40,26 +33,15 @@ def check(path):
 
 def write(run, path, album):
     """Writes the page of a run (Record.as_values) and its album; the file appears when it is complete. Raises HorizonError."""
-    write_file(make(run, album, find_three()).encode("utf-8"), path)
+    write_file(make(run, album).encode("utf-8"), path)
 
 
-def find_three():
-    """Returns the code of three.js, or None if it is not installed."""
-    places = [os.environ[THREE_VARIABLE]] if THREE_VARIABLE in os.environ else THREE_FILES
-    for place in places:
-        try:
-            return pathlib.Path(place).read_text(encoding="utf-8")
-        except (OSError, UnicodeError):
-            continue
-    return None
-
-
-def make(run, album, three):
-    """Returns the text of the page. `three` is the code of three.js, or None."""
+def make(run, album):
+    """Returns the text of the page."""
     codes = [read("page.js")]
-    viewer = _viewer(run, album, three)
+    viewer = _viewer(run, album)
     if "viewer-data" in viewer:
-        codes += [fill("three_licence") + three, read("viewer.js")]
+        codes.append(read("viewer.js"))
     codes = [script_safe(code) for code in codes]
     pairs = sections.horizons_of(run)
     labels = [file["label"] for file in run["files"]]
@@ -96,14 +78,14 @@ def _ramps():
                 ", ".join(low), ", ".join(near), FAULT_COLOR, FAULT_COLOR_BY_DISTANCE))
 
 
-def _viewer(run, album, three):
+def _viewer(run, album):
     """Returns the section of the interactive meshes."""
     pairs = sections.horizons_of(run)
     having = [number for number, entry in enumerate(album.entries) if entry.mesh]
     if not pairs:
         return Markup()
-    if not three or not having:
-        return fill("no_viewer", reason=NO_THREE if not three else "No mesh is small enough for this page, which has "
+    if not having:
+        return fill("no_viewer", reason="No mesh is small enough for this page, which has "
                     "room for %d MB." % (MESH_BYTES >> 20) if any(h["triangles"] for _, h in pairs) else
                     "There is no mesh with triangles.")
     left_out = sum(1 for number, (_, h) in enumerate(pairs) if h["triangles"] and number not in having)

@@ -12,6 +12,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper
 
 from . import data, triangles
+from .colors import (FAULT_COLOR, FAULT_COLOR_BY_DISTANCE, LAYER_COLORS, LEVEL_COLORS, LOW_TO_HIGH, NEAR_TO_FAR, rgb)
 
 POINTS = "points"
 OUTLINE = "outline"
@@ -24,24 +25,13 @@ FAULTS = "faults"  # lines coloured by the magnitude of their point data array T
 BODIES = "bodies"  # closed surfaces coloured by their cell data array Layer
 THICKNESS = "thickness"  # triangles of a plan in map view, coloured by their point data array Thickness
 
-LOW_TO_HIGH = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
-LEVEL_COLORS = ("1d4e89", "2a9d8f", "e9a23b", "c1121f", "6a0d83", "333333")
-NEAR_TO_FAR = ((0.0, "f4f2ea"), (0.12, "fee090"), (0.3, "fdae61"), (0.5, "e9693e"), (0.72, "b72842"), (1.0, "4a0c4a"))
-LAYER_COLORS = ("edc97a", "cc8052", "8cb06b", "5c94ad", "73618f", "9e9ea3")
 EXTERIOR_COLOR = (0.78, 0.11, 0.16)
 HOLE_COLOR = (0.95, 0.55, 0.05)
 PALE_COLOR = (0.72, 0.75, 0.79)
-# Colours of triangles that close faults, next to colours of heights and of distances.
-FAULT_COLOR, FAULT_COLOR_BY_DISTANCE = "cc6b4d", "8fa3b5"
 # Offset of lines towards the viewer, in steps of the depth buffer; a hundred correspond to a few pixels on a slope of 45
 # degrees. VTK's slope-dependent offset leaves gaps in the edges, which also differ between versions.
 EDGE_OFFSET = -100.0
 OUTLINE_OFFSET = -800.0  # in front of the edges as well
-
-
-def rgb(color):
-    """Returns red, green and blue from 0 to 1 for a colour of six hexadecimal digits."""
-    return tuple(int(color[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
 
 
 def values(horizon, name):

@@ -8,9 +8,6 @@ fails, an existing file is unchanged.
 
 import csv
 import io
-import os
-import pathlib
-import tempfile
 
 from seismichorizons import _core, _xml
 
@@ -104,22 +101,10 @@ def write_file(content, path):
     """Writes bytes under a temporary name and renames the file when it is complete. A device is written to directly. Raises
     HorizonError."""
     require_writable(path)
-    path = pathlib.Path(os.path.realpath(path))
     try:
-        if path.exists() and not path.is_file():
-            path.write_bytes(content)
-            return
-        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".", suffix=".part", delete=False) as file:
-            try:
-                file.write(content)
-                file.close()
-                os.chmod(file.name, path.stat().st_mode if path.exists() else 0o666 & ~_umask())
-                os.replace(file.name, path)
-            except BaseException:
-                os.unlink(file.name)
-                raise
+        _core.write_contents(str(path), [("", content)])
     except OSError as error:
-        raise HorizonError("%s cannot be written: %s" % (path.name, error.strerror)) from None
+        raise HorizonError("%s cannot be written: %s" % (path.name, error)) from None
 
 
 def require_writable(path):
@@ -128,9 +113,3 @@ def require_writable(path):
         raise HorizonError("%s cannot be written: it is a folder" % path)
     if path.is_fifo() or path.is_socket():
         raise HorizonError("%s cannot be written: a pipe or socket, expected a file" % path)
-
-
-def _umask():
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

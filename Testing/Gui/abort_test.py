@@ -15,7 +15,7 @@ import sys
 import threading
 import time
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 
 import window
 

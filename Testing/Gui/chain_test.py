@@ -11,7 +11,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 
 import window
 

@@ -6,7 +6,7 @@ import pathlib
 import sys
 
 import seismichorizons
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
 
 import mesh_checks
 import pipelines
@@ -26,8 +26,8 @@ def main():
     assert len(meshes) >= 2
     for name, mesh in meshes.items():
         print("%s: %d triangles" % (name, mesh_checks.check_mesh(mesh)))
-    meter = seismichorizons.vtkHorizonSurfaceDistance()
-    apply(meter, stages[0], stages[-1])
+    meter = sh.vtkHorizonSurfaceDistance()
+    sh.apply(meter, stages[0], stages[-1])
     assert meter.GetOutputDataObject(2).GetNumberOfRows() == 9 * len(meshes)
 
 

@@ -13,7 +13,7 @@ import re
 import sys
 
 import numpy as np
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from vtkmodules import vtkCommonCore, vtkCommonDataModel
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 

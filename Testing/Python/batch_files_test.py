@@ -21,7 +21,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import ledger_check
 import mesh_checks
-from seismichorizons import reading
+from seismichorizons_command import reading
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]

@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import bound_check
-import seismichorizons
+from seismichorizons import vtk as sh
 
 RUNS = int(sys.argv[1])
 REAL = pathlib.Path(sys.argv[2])
@@ -136,11 +136,11 @@ class BoundTest(unittest.TestCase):
             random = numpy.random.default_rng(seed)
             horizon = random_horizon(random)
             if random.random() < 0.3:
-                faults = seismichorizons.vtkHorizonFaults()
+                faults = sh.vtkHorizonFaults()
                 faults.SetSmallestThrow(float(random.uniform(1.0, 20.0)))
                 horizon = run(faults, horizon)
             error, outline, height = random_tolerances(random)
-            surface = seismichorizons.vtkHorizonSurface()
+            surface = sh.vtkHorizonSurface()
             surface.SetErrorUnitToLattice()
             surface.SetMaximumError(error)
             surface.SetEffort(int(random.integers(2)))
@@ -163,14 +163,14 @@ class BoundTest(unittest.TestCase):
             random = numpy.random.default_rng(seed)
             horizon = random_horizon(random)
             error, outline, height = random_tolerances(random)
-            boundary = run(seismichorizons.vtkHorizonExteriorBoundary(), horizon)
-            simplification = seismichorizons.vtkHorizonBoundarySimplification()
+            boundary = run(sh.vtkHorizonExteriorBoundary(), horizon)
+            simplification = sh.vtkHorizonBoundarySimplification()
             simplification.SetMethod(int(random.integers(2)))
             simplification.SetOutlineTolerance(outline)
             simplification.SetDistanceThreshold(height)
             simplification.BoundDeviationOn()
             outlines = run(simplification, boundary)
-            decimation = seismichorizons.vtkHorizonDecimation()
+            decimation = sh.vtkHorizonDecimation()
             decimation.SetErrorUnitToLattice()
             decimation.SetMaximumError(error)
             self.check(seed, horizon, run(decimation, outlines), error, outline, height)
@@ -182,9 +182,9 @@ class BoundTest(unittest.TestCase):
             rows = numpy.unique(numpy.rint(bound_check.lattice_points(horizon)[:, 1])).astype(int).tolist()
             cut = int(random.choice(rows))
             error = random_tolerances(random)[0]
-            join = seismichorizons.vtkHorizonSurfaceJoin()
+            join = sh.vtkHorizonSurfaceJoin()
             for first, last, seams in ((rows[0], cut, (-1, cut)), (cut, rows[-1], (cut, -1))):
-                surface = seismichorizons.vtkHorizonSurface()
+                surface = sh.vtkHorizonSurface()
                 surface.SetMaximumError(error)
                 surface.AutomaticRadiusOff()
                 surface.SetSeamRows(seams)
@@ -195,27 +195,27 @@ class BoundTest(unittest.TestCase):
     def test_figures_of_stages_before(self):
         """A second simplification keeps the figures of the first; those of triangles do not outlive these."""
         horizon = random_horizon(numpy.random.default_rng(13))
-        data = run(seismichorizons.vtkHorizonExteriorBoundary(), horizon)
+        data = run(sh.vtkHorizonExteriorBoundary(), horizon)
         for tolerance in (3.0, 0.0):
-            simplification = seismichorizons.vtkHorizonBoundarySimplification()
+            simplification = sh.vtkHorizonBoundarySimplification()
             simplification.SetMethodToFewestPoints()
             simplification.SetOutlineTolerance(tolerance)
             simplification.SetDistanceThreshold(tolerance)
             data = run(simplification, data)
             self.assertGreater(bound_check.value(data, "NumberOfOutsidePoints"), 0)
             self.assertGreater(bound_check.value(data, "OutlineDeviation"), 0.0)
-        mesh = run(seismichorizons.vtkHorizonDecimation(), data)
+        mesh = run(sh.vtkHorizonDecimation(), data)
         points = vtkPolyData()  # of the mesh, without its triangles, which stages of points refuse
         points.ShallowCopy(mesh)
         points.SetPolys(None)
         points.GetCellData().Initialize()
-        rough = run(seismichorizons.vtkHorizonRoughSimplification(), points)
+        rough = run(sh.vtkHorizonRoughSimplification(), points)
         self.assertTrue(mesh.GetFieldData().HasArray("LargestError"))
         for name in ("LargestError", "MeanError", "LargestLoopError", "TriangleCount", "SmallestAngle"):
             self.assertFalse(rough.GetFieldData().HasArray(name), name)
-        boundary = run(seismichorizons.vtkHorizonExteriorBoundary(), points)
+        boundary = run(sh.vtkHorizonExteriorBoundary(), points)
         self.assertFalse(boundary.GetFieldData().HasArray("NumberOfOutsidePoints"))
-        for stage in (seismichorizons.vtkHorizonDecimation, seismichorizons.vtkHorizonSurface):
+        for stage in (sh.vtkHorizonDecimation, sh.vtkHorizonSurface):
             said = []
             again = stage()
             again.AddObserver("ErrorEvent", lambda *arguments: said.append(1))
@@ -231,7 +231,7 @@ class BoundTest(unittest.TestCase):
             rows = rows[numpy.lexsort((rows[:, 0], rows[:, 1]))]
             horizon = make_horizon(rows[:, :2].astype(int), rows[:, 2], False)
             for error in (0.75, 3.0) if len(rows) < 100_000 else (3.0,):
-                surface = seismichorizons.vtkHorizonSurface()
+                surface = sh.vtkHorizonSurface()
                 surface.SetErrorUnitToLattice()
                 surface.SetMaximumError(error)
                 self.check(path.name, horizon, run(surface, horizon), error, error)

@@ -16,7 +16,7 @@ import unittest
 import browser
 import image_compare
 import numpy as np
-from seismichorizons import report
+from seismichorizons_command import report
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 SKIPPED = 77

@@ -6,9 +6,9 @@ file. Exits with 77 where VTK has no such cells, before 9.6."""
 import pathlib
 import sys
 
-import seismichorizons as sh
-from seismichorizons import pipeline, tables
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons_command import pipeline, tables
+from seismichorizons.vtk import apply
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()

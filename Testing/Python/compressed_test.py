@@ -14,7 +14,7 @@ import struct
 import sys
 import unittest
 
-from seismichorizons import batch, pipeline, record
+from seismichorizons_command import batch, pipeline, record
 from seismichorizons.stage import HorizonError, make, update
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 

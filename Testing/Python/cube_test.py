@@ -14,8 +14,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import ledger_check
 import mesh_checks
-from seismichorizons import cubes, pipeline, reading
-from seismichorizons.stage import HorizonError
+from seismichorizons_command import cubes, pipeline, reading
+from seismichorizons_command.core import HorizonError
 
 GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 CUBE = FOLDER / "survey.sgy"

@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-import seismichorizons
+from seismichorizons import vtk as sh
 
 TREE = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(TREE / "Utilities" / "CMake"))
@@ -59,7 +59,7 @@ def check_slider(where, prop, text):
 
 
 def check_proxy(proxy, texts):
-    algorithm = getattr(seismichorizons, proxy.class_name)()
+    algorithm = getattr(sh, proxy.class_name)()
     help_text = proxy.element.find("Documentation")
     expect(help_text is not None and help_text.get("long_help") and len((help_text.text or "").split()) >= 4,
            "%s: long_help or help is missing" % proxy.name)

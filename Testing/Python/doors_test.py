@@ -24,7 +24,7 @@ from unittest import mock
 import numpy as np
 import seismichorizons as sh
 from doors import CommandTest, picks
-from seismichorizons import batch, making, pipeline, record, stage, writing
+from seismichorizons_command import batch, making, pipeline, record, stage, writing
 
 PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 GRIDS_OF_CELLS = ("vtu", *writing.LAYER_FORMATS)

@@ -8,8 +8,8 @@ import struct
 import sys
 import unittest
 
-import seismichorizons as sh
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons.vtk import apply
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 

@@ -11,8 +11,8 @@ import sys
 import numpy as np
 from vtkmodules.util import numpy_support
 
-import seismichorizons as sh
-from seismichorizons import pipeline, reading, stage, writing
+from seismichorizons import vtk as sh
+from seismichorizons_command import pipeline, reading, stage, writing
 
 FOLDER = pathlib.Path(sys.argv[1])
 # Formats of GDAL that we read, with the extension of their files and how exact their numbers are.

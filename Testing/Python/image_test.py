@@ -10,9 +10,9 @@ import math
 import image_compare
 import numpy
 import seismichorizons as sh
-from seismichorizons import pictures
-from seismichorizons.pipeline import read, read_first, surface
-from seismichorizons.stage import apply, make, update
+from seismichorizons_command import pictures
+from seismichorizons_command.pipeline import read, read_first, surface
+from seismichorizons.vtk import apply, make, update
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkThreshold

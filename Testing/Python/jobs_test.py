@@ -21,7 +21,7 @@ import time
 import unittest
 from unittest import mock
 
-from seismichorizons import jobs, memory, stage
+from seismichorizons_command import jobs, memory, stage
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 SAMPLE = DATA / "blobs.vsm"

@@ -17,7 +17,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import ledger_check
 import seismichorizons as sh
-from seismichorizons import ledger
+from seismichorizons_command import ledger
 
 RUNS, HEADER = int(sys.argv[1]), pathlib.Path(sys.argv[2])
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 0

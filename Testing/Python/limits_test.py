@@ -10,7 +10,7 @@ import sys
 import unittest
 
 import numpy as np
-from seismichorizons.stage import HorizonError, apply, make, update
+from seismichorizons.vtk import apply, make, update
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -51,7 +51,7 @@ class LimitsTest(unittest.TestCase):
         """That the row has the number, that work(least) is refused with it, and that it was the least."""
         self.assertIn(number, LIMITS[row])
         work(least - 1)
-        with self.assertRaisesRegex(HorizonError, message):
+        with self.assertRaisesRegex(ValueError, message):
             work(least)
 
     def test_points(self):
@@ -61,7 +61,7 @@ class LimitsTest(unittest.TestCase):
             file.truncate(12 << 29)  # of no bytes on most disks
         try:
             places = np.memmap(path, np.float32, "r", shape=(1 << 29, 3))
-            with self.assertRaisesRegex(HorizonError, r"536870912 points, expected less than 2\^29"):
+            with self.assertRaisesRegex(ValueError, r"536870912 points, expected less than 2\^29"):
                 apply(make("vtkHorizonSurface"), horizon(places))
         finally:
             path.unlink()
@@ -79,10 +79,10 @@ class LimitsTest(unittest.TestCase):
             places = ((0, 0), (1, 0), (0, 1), (1, 1), (columns - 1, 0))
             read("vtkHorizonTextReader", "far.dat", ["Inline Crossline Z", *("%d %d 5" % place for place in places)])
 
-        with self.assertRaisesRegex(HorizonError, r"expected less than 2\^28 along a side"):
+        with self.assertRaisesRegex(ValueError, r"expected less than 2\^28 along a side"):
             pick(1 << 28)
         self.check("columns that picks span", "2^20", "expected at most 1000 columns a pick", pick, (1 << 19) + 1)
-        with self.assertRaisesRegex(HorizonError, r"expected nX and nY below 2\^28"):
+        with self.assertRaisesRegex(ValueError, r"expected nX and nY below 2\^28"):
             read("vtkVerneySparseMatrixReader", "wide.vsm", ["%d 1 1" % (1 << 28)])
 
     def test_heights(self):
@@ -108,13 +108,13 @@ class LimitsTest(unittest.TestCase):
             apply(make("vtkHorizonSurfaceDistance"), mesh, mesh)
 
         measure(9e15)
-        with self.assertRaisesRegex(HorizonError, r"expected finite coordinates of at most 1e\+16"):
+        with self.assertRaisesRegex(ValueError, r"expected finite coordinates of at most 1e\+16"):
             measure(1e16)
 
     def test_horizons(self):
         """One less takes a gigabyte, and is not tried."""
         self.assertIn("at most 32,768 horizons", LIMITS["picks of a table"])
-        with self.assertRaisesRegex(HorizonError, "picks of 32769 horizons, expected at most 32768"):
+        with self.assertRaisesRegex(ValueError, "picks of 32769 horizons, expected at most 32768"):
             read("vtkHorizonTextReader", "many.dat", ["Name Inline Crossline Z", *(
                 "h%d %d %d 5" % (n % 32769, n % 200, n // 200) for n in range(2 * ((1 << 15) + 1)))])
 

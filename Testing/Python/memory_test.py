@@ -19,9 +19,9 @@ from unittest import mock
 import ledger_check
 import mesh_checks
 import numpy as np
-from seismichorizons import batch, memory, parts, pipeline, reading, record
+from seismichorizons_command import batch, memory, parts, pipeline, reading, record
 from seismichorizons.stage import HorizonError, make, set_threads, update
-from seismichorizons.supply import Supply
+from seismichorizons_command.supply import Supply
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])

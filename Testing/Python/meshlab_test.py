@@ -13,9 +13,9 @@ import subprocess
 import sys
 
 import numpy as np
-import seismichorizons as sh
-from seismichorizons.pipeline import read
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons_command.pipeline import read
+from seismichorizons.vtk import apply
 
 import mesh_checks
 

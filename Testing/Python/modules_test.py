@@ -15,9 +15,9 @@ import sys
 import unittest
 from unittest import mock
 
-import seismichorizons as sh
-from seismichorizons import batch, interrupt, overview, pictures, pipeline, progress, record, stage, tables, writing
-from seismichorizons.stage import HorizonError
+from seismichorizons import vtk as sh
+from seismichorizons_command import batch, interrupt, overview, pictures, pipeline, progress, record, stage, tables, writing
+from seismichorizons_command.core import HorizonError
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 

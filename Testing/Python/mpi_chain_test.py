@@ -9,7 +9,7 @@ Arguments: the folder of the data, and how many ranks there are to be.
 import pathlib
 import sys
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource

@@ -8,7 +8,7 @@ Arguments: the folder of the data.
 import pathlib
 import sys
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkExtractCells

@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 # Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
-import seismichorizons  # noqa: F401
+import seismichorizons.vtk  # noqa: F401
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR

@@ -14,7 +14,7 @@ import unittest
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from seismichorizons import options, pipeline, reading, stage, writing
 from seismichorizons_command import options as command_options
 

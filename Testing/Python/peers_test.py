@@ -13,8 +13,8 @@ import numpy as np
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
 
-import seismichorizons as sh
-from seismichorizons import reading
+from seismichorizons import vtk as sh
+from seismichorizons_command import reading
 
 FOLDER = pathlib.Path(sys.argv[1])
 PYTHON = os.environ.get("PEER_PYTHON", sys.executable)  # one that has them, if this one does not

@@ -13,7 +13,7 @@ FAULT = "1455.0 1922.5 0\n-3090.0 20102.5 0\n999.0 999.0 999.0\n"  # between col
 
 def with_classes(path):
     """The outputs of all stages as a list, reader first."""
-    import seismichorizons as sh
+    from seismichorizons import vtk as sh
 
     stage = sh.vtkVerneySparseMatrixReader()
     stage.SetFileName(str(path))

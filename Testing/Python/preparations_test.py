@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from seismichorizons import album, overview, pipeline, tables
+from seismichorizons_command import album, overview, pipeline, tables
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
 ROUNDING = 1e-12  # of the meter's real numbers; distances here are 0

@@ -15,8 +15,8 @@ import sys
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 import mesh_checks
-from seismichorizons import parts
-from seismichorizons.stage import make, update
+from seismichorizons_command import parts
+from seismichorizons.vtk import make, update
 
 RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
 PVBATCH, RECIPE = sys.argv[4:6]

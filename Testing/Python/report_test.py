@@ -22,7 +22,7 @@ import ledger_check
 import mesh_checks
 import numpy as np
 import seismichorizons as sh
-from seismichorizons import album, batch, charts, figures, markup, memory, pipeline, record, report
+from seismichorizons_command import album, batch, charts, figures, markup, memory, pipeline, record, report
 
 PROGRAM, GENERATOR, DATA, PAGE, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:6])
 SAMPLE = DATA / "blobs.vsm"

@@ -15,8 +15,8 @@ import sys
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import mesh_checks
-from seismichorizons import reading
-from seismichorizons.stage import make
+from seismichorizons_command import reading
+from seismichorizons.vtk import make
 
 RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
 PVBATCH, PYTHON = sys.argv[4:6]

@@ -10,7 +10,7 @@ import shutil
 import sys
 
 # Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
-import seismichorizons  # noqa: F401
+import seismichorizons.vtk  # noqa: F401
 from paraview import servermanager, simple, smstate, smtrace
 
 import mesh_checks

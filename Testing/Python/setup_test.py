@@ -30,6 +30,12 @@ if [ "$1" = -S ]; then
 fi"""
 
 
+# Has no nanobind, which pip puts into a folder.
+PYTHON = """[ "$2" = pip ] || exit 1
+echo "pip $*" >>"%s/log"
+mkdir -p "$6/nanobind" """
+
+
 class Setup(unittest.TestCase):
     def setUp(self):
         self.project = FOLDER / self.id().split(".")[-1]
@@ -41,6 +47,7 @@ class Setup(unittest.TestCase):
         self.write("id", "echo 0")
         self.write("dpkg-query", "echo installed")
         self.write("cmake", CMAKE % self.project)
+        self.write("python", PYTHON % self.project)
 
     def write(self, name, *lines):
         path = self.commands / name
@@ -53,19 +60,20 @@ class Setup(unittest.TestCase):
         log.unlink(missing_ok=True)
         done = subprocess.run(["sh", str(self.project / "Utilities" / "setup.sh"), *options], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, timeout=60, check=False,
-                              env={"PATH": "%s:/usr/bin:/bin" % self.commands})
+                              env={"PATH": "%s:/usr/bin:/bin" % self.commands, "PYTHON": str(self.commands / "python")})
         return done.returncode, done.stdout, log.read_text().splitlines() if log.exists() else []
 
     def test_builds(self):
         """A demo takes no tests; these are configured when they are asked for, and stay."""
         built = "cmake --build %s/build/release -- --quiet" % self.project
+        fetched = "pip -m pip install --no-deps --target %s/build/release/nanobind nanobind>=2.4" % self.project
         configured = ("cmake -S %s -B %s/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON "
                       "-DBUILD_TESTING=%s")
-        for options, testing in ((["--without-tests"], "OFF"), (["--without-tests"], ""), ([], "ON"), ([], ""),
-                                 (["--without-tests"], "")):
+        for number, (options, testing) in enumerate(((["--without-tests"], "OFF"), (["--without-tests"], ""), ([], "ON"), ([], ""),
+                                                     (["--without-tests"], ""))):
             code, printed, commands = self.run_setup(*options)
             self.assertEqual((code, commands),
-                             (0, [configured % (self.project, self.project, testing)] * bool(testing) + [built]))
+                             (0, [fetched] * (number == 0) + [configured % (self.project, self.project, testing)] * bool(testing) + [built]))
             self.assertTrue(printed.endswith("setup: ready\n"), printed)
         self.assertEqual(self.run_setup("--only-packages"), (0, "", []))
 
@@ -93,6 +101,11 @@ class Setup(unittest.TestCase):
         self.write("cmake", "echo no compiler", "exit 1")
         code, printed, _ = self.run_setup()
         self.assertEqual((code, printed.splitlines()[-2:]), (1, ["no compiler", "setup: configuring failed"]))
+        shutil.rmtree(self.project / "build")
+        self.write("python", "exit 1")
+        code, printed, _ = self.run_setup()
+        self.assertEqual(code, 1)
+        self.assertIn("setup: no nanobind from PyPI, expected it for the Python package: is the network there?", printed)
         self.write("dpkg-query", "exit 1")
         self.write("apt-get", "exit 100")
         self.write("apt-cache", "exit 1")

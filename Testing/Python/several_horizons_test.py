@@ -13,7 +13,7 @@ import sys
 import time
 
 import numpy as np
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPolyData

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-from seismichorizons.writing import write_data
+from seismichorizons_command.writing import write_data
 
 import image_compare
 import mesh_checks

@@ -7,7 +7,7 @@ import shutil
 import sys
 import unittest
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPartitionedDataSetCollection, vtkPolyData
 

@@ -14,8 +14,8 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from seismichorizons import reading
-from seismichorizons.stage import HorizonError
+from seismichorizons_command import reading
+from seismichorizons_command.core import HorizonError
 
 FOLDER = pathlib.Path(sys.argv[1])
 DAMAGES = int(sys.argv[2])

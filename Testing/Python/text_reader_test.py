@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 # Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
-import seismichorizons  # noqa: F401
+import seismichorizons.vtk  # noqa: F401
 
 import mesh_checks
 from paraview import simple

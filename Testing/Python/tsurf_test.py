@@ -22,8 +22,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import seismichorizons as sh
-from seismichorizons import overlay, reading, triangles
-from seismichorizons.stage import HorizonError
+from seismichorizons_command import overlay, reading, triangles
+from seismichorizons_command.core import HorizonError
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]

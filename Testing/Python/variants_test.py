@@ -15,8 +15,8 @@ import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 
-from seismichorizons.reading import find_reader
-from seismichorizons.stage import make
+from seismichorizons_command.reading import find_format
+from seismichorizons.vtk import make
 
 FOLDER = pathlib.Path(sys.argv.pop(1)).resolve()
 INLINE, CROSSLINE = np.mgrid[1000:1040, 2000:2050]

@@ -18,7 +18,7 @@ import unittest
 
 import seismichorizons as sh
 from doors import CommandTest, picks
-from seismichorizons import reading, stage
+from seismichorizons_command import reading, stage
 
 PROGRAM, GENERATOR, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 

@@ -7,7 +7,7 @@ import shutil
 import sys
 
 # Before any object of these classes comes out of a proxy: Python would take it for one of a base class, for good.
-import seismichorizons  # noqa: F401
+import seismichorizons.vtk  # noqa: F401
 import numpy as np
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader

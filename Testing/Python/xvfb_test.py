@@ -12,7 +12,7 @@ SKIPPED = 77  # for CTest
 
 COMMAND = """
 import signal, sys, time
-from seismichorizons import batch
+from seismichorizons_command import batch
 
 def finish(_number, _frame):
     time.sleep(0.5)  # a server that ends, too, has done so by then

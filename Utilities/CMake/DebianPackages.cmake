@@ -49,9 +49,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${same_library}, paraview-dev")
 seismichorizons_package(python python3-seismichorizons
   "The command horizon-mesh, and the Python package seismichorizons that it stands on.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_library}, python3-paraview")
-# Meshes in reports are turned around by three.js.
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS libjs-three)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_library}, python3-numpy, python3-paraview")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${PROJECT_SOURCE_DIR}/Utilities/Packaging/python/postinst"
   "${PROJECT_SOURCE_DIR}/Utilities/Packaging/python/prerm")

@@ -14,10 +14,10 @@ import sys
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-import seismichorizons as sh
-from seismichorizons import pictures
-from seismichorizons.pipeline import read_first
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons_command import pictures
+from seismichorizons_command.pipeline import read_first
+from seismichorizons.vtk import apply
 
 PANEL_SIZE = (420, 340)
 

@@ -22,8 +22,8 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
-from seismichorizons import cubes, functions, pictures, reading
-from seismichorizons.pipeline import surface
+from seismichorizons_command import cubes, functions, pictures, reading
+from seismichorizons_command.pipeline import surface
 
 PANEL_SIZE = (480, 430)
 HEIGHT = 0.55  # height of a section as a fraction of its length

@@ -11,9 +11,9 @@ GENERATOR is the program generate_horizons. Needs an X server, and the package s
 import pathlib
 import sys
 
-import seismichorizons as sh
-from seismichorizons import pictures
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons_command import pictures
+from seismichorizons.vtk import apply
 
 from generated import make_surface
 

@@ -19,9 +19,9 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
-from seismichorizons import pictures
-from seismichorizons.pipeline import read_first, surface
-from seismichorizons.stage import make, update
+from seismichorizons_command import pictures
+from seismichorizons_command.pipeline import read_first, surface
+from seismichorizons.vtk import make, update
 
 SIZE = (150, 110)
 PANEL_SIZE = (440, 360)

@@ -6,7 +6,7 @@ import pathlib
 import subprocess
 import tempfile
 
-from seismichorizons.pipeline import read_first
+from seismichorizons_command.pipeline import read_first
 
 
 def make_surface(generator, options, **properties):

@@ -16,10 +16,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkFiltersCore import vtkThresholdPoints
 
-import seismichorizons as sh
-from seismichorizons import pictures
-from seismichorizons.pipeline import read_first
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons_command import pictures
+from seismichorizons_command.pipeline import read_first
+from seismichorizons.vtk import apply
 
 PANEL_SIZE = (420, 340)
 WINDOW = ((58.0, 106.0), (28.0, 70.0))  # columns and rows around the hole

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
-from seismichorizons import pictures
+from seismichorizons_command import pictures
 
 SMOOTHING = 2  # pictures are drawn larger by this factor, and then shrunk
 PANEL_SIZE = (400, 330)

@@ -13,9 +13,9 @@ import pathlib
 import sys
 
 import numpy as np
-import seismichorizons as sh
-from seismichorizons import pictures
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons_command import pictures
+from seismichorizons.vtk import apply
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from generated import make_surface

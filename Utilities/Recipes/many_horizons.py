@@ -15,8 +15,8 @@ import re
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from seismichorizons import pipeline
-from seismichorizons.stage import HorizonError
+from seismichorizons_command import pipeline
+from seismichorizons_command.core import HorizonError
 
 
 def file_name(path, name):

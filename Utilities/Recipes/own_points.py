@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from seismichorizons import pipeline, reading, vtkHorizonFromPoints
-from seismichorizons.stage import apply
+from seismichorizons.vtk import apply
 
 
 def make_points():

@@ -12,9 +12,9 @@ import argparse
 import pathlib
 import sys
 
-from seismichorizons import parts
+from seismichorizons_command import parts
 from seismichorizons.stage import HorizonError, make, update, watched
-from seismichorizons.writing import write_data
+from seismichorizons_command.writing import write_data
 from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 

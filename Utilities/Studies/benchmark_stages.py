@@ -15,7 +15,7 @@ import tempfile
 import time
 
 import numpy as np
-from seismichorizons.pipeline import read_first
+from seismichorizons_command.pipeline import read_first
 from seismichorizons.stage import make, set_threads
 from vtkmodules.vtkFiltersCore import vtkDecimatePro, vtkDelaunay2D
 from vtkmodules.vtkFiltersGeneral import vtkTableToPolyData

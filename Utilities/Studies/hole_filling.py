@@ -29,8 +29,8 @@ from vtkmodules.vtkFiltersCore import vtkDelaunay2D, vtkProbeFilter
 from vtkmodules.vtkFiltersPoints import (vtkGaussianKernel, vtkGeneralizedKernel, vtkPointInterpolator,
                                          vtkShepardKernel, vtkVoronoiKernel)
 
-import seismichorizons as sh
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons.vtk import apply
 from text import report, table
 
 MARGIN = 12  # known columns around each hole

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import time
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The meshes of a report, to be turned around. They are in the page as bytes (see album.py), and are drawn by three.js.
+// The meshes of a report, to be turned around. They are in the page as bytes (see album.py), and are drawn by WebGL.
 (() => {
   "use strict";
 
@@ -12,31 +12,63 @@
   const FIRST_VIEW = { azimuth: -1.08, elevation: 0.66, zoom: 1.0, x: 0.0, y: 0.0 };
   const TURN = 0.01; // radians for each pixel
   const KEY_TURN = 0.12;
-  // Of materials: seen from both sides, and behind the edges on them.
-  const FACES = { side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+  const FARTHEST = 12.0; // of what is drawn, from the middle; the first width is 1
+  const EDGE_COLOR = [0.047, 0.067, 0.086, 0.35];
 
-  let renderer;
-  try {
-    renderer = new THREE.WebGLRenderer({ canvas, alpha: true, antialias: true });
-  } catch (error) {
+  const gl = canvas.getContext("webgl2", { alpha: true, antialias: true });
+  if (!gl) {
     return; // the page tells that nothing is drawn
   }
   byId("viewer").hidden = false;
   byId("viewer-failure").hidden = true;
 
-  const scene = new THREE.Scene();
-  const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.01, 20.0);
-  camera.up.set(0, 0, 1);
-  const side = new THREE.DirectionalLight(0xffffff, 0.62);
-  side.position.set(-1.2, 0.9, 0.9);
-  const front = new THREE.DirectionalLight(0xffffff, 0.38);
-  front.position.set(0, 0, 1);
-  camera.add(side, front);
-  scene.add(camera, new THREE.AmbientLight(0xffffff, 0.18));
-
   let view = { ...FIRST_VIEW };
-  let shown = { group: new THREE.Group() };
-  scene.add(shown.group);
+  let shown = { drawn: [] };
+
+  // Shaders ----------------------------------------------------------------------------------------------------------
+
+  // Places turn into the axes of the screen: right, up and towards the viewer.
+  const VERTEX = `#version 300 es
+    uniform mat3 axes;
+    uniform vec3 scale, place, low, high;
+    in vec3 position, normal, color;
+    out vec3 seen, turned, own;
+    void main() {
+      seen = axes * (scale * (position + place));
+      turned = axes * (normal / scale);
+      own = color;
+      gl_Position = vec4((2.0 * seen - low - high) / (high - low) * vec3(1.0, 1.0, -1.0), 1.0);
+    }`;
+  // A light from aside, a weaker one from the viewer, and both sides of a surface alike. Flat faces take their normals
+  // from the screen.
+  const FRAGMENT = `#version 300 es
+    precision highp float;
+    uniform vec4 plain;
+    uniform int style;
+    in vec3 seen, turned, own;
+    out vec4 result;
+    void main() {
+      if (style == 2) {
+        result = vec4(plain.rgb * plain.a, plain.a);
+        return;
+      }
+      vec3 n = normalize(style == 1 ? cross(dFdx(seen), dFdy(seen)) : turned);
+      n = n.z < 0.0 ? -n : n;
+      float light = 0.24 + 0.62 * max(0.0, dot(n, normalize(vec3(-1.2, 0.9, 1.8)))) + 0.38 * n.z;
+      result = vec4((style == 1 ? plain.rgb : own) * min(light, 1.0), 1.0);
+    }`;
+  const SMOOTH = 0, FLAT = 1, EDGES = 2;
+
+  const program = gl.createProgram();
+  [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]].forEach(([kind, text]) => {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  });
+  gl.linkProgram(program);
+  gl.useProgram(program);
+  const uniform = (name) => gl.getUniformLocation(program, name);
 
   // Meshes ----------------------------------------------------------------------------------------------------------
 
@@ -53,21 +85,49 @@
       const errorCount = { triangles: mesh.triangles, points: mesh.points }[mesh.error_on] || 0;
       const start = 12 * mesh.points;
       const Index = mesh.points <= 65536 ? Uint16Array : Uint32Array;
-      const points = new THREE.BufferAttribute(new Float32Array(bytes.buffer, 0, 3 * mesh.points), 3);
+      const places = new Float32Array(bytes.buffer, 0, 3 * mesh.points);
       const corners = new Index(bytes.buffer, start + 4 * errorCount);
-      const geometryOf = (index) => {
-        const geometry = new THREE.BufferGeometry();
-        geometry.setAttribute("position", points);
-        geometry.setIndex(new THREE.BufferAttribute(index, 1));
-        geometry.computeVertexNormals();
-        geometry.computeBoundingBox();
-        return geometry;
-      };
-      known.set(id, { ...mesh, geometry: geometryOf(corners.subarray(0, 3 * mesh.triangles)),
-        walls: geometryOf(corners.subarray(3 * mesh.triangles)),
-        errors: new Float32Array(bytes.buffer, start, errorCount) });
+      const faces = corners.subarray(0, 3 * mesh.triangles);
+      const box = [0, 1, 2].map((axis) => [Infinity, -Infinity]);
+      places.forEach((value, n) => {
+        const range = box[n % 3];
+        range[0] = Math.min(range[0], value);
+        range[1] = Math.max(range[1], value);
+      });
+      known.set(id, { ...mesh, places, faces, walls: corners.subarray(3 * mesh.triangles), box,
+        normals: normalsOf(places, faces), errors: new Float32Array(bytes.buffer, start, errorCount) });
     }
     return known.get(id);
+  }
+
+  // The normal of a point is the mean of those of its triangles, by their areas.
+  function normalsOf(places, faces) {
+    const normals = new Float32Array(places.length);
+    for (let n = 0; n < faces.length; n += 3) {
+      const [a, b, c] = [3 * faces[n], 3 * faces[n + 1], 3 * faces[n + 2]];
+      const [ux, uy, uz] = [0, 1, 2].map((axis) => places[b + axis] - places[a + axis]);
+      const [vx, vy, vz] = [0, 1, 2].map((axis) => places[c + axis] - places[a + axis]);
+      const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+      [a, b, c].forEach((point) => normal.forEach((value, axis) => { normals[point + axis] += value; }));
+    }
+    return normals;
+  }
+
+  // Each edge once, as pairs of points.
+  function edgesOf(faces, points) {
+    const keys = new Float64Array(faces.length);
+    for (let n = 0; n < faces.length; n += 1) {
+      const [a, b] = [faces[n], faces[n % 3 === 2 ? n - 2 : n + 1]];
+      keys[n] = Math.min(a, b) * points + Math.max(a, b);
+    }
+    keys.sort();
+    const unique = keys.filter((key, n) => n === 0 || key !== keys[n - 1]);
+    const edges = new Uint32Array(2 * unique.length);
+    unique.forEach((key, n) => {
+      edges[2 * n] = Math.floor(key / points);
+      edges[2 * n + 1] = key % points;
+    });
+    return edges;
   }
 
   // The colours of values from 0 to 1, between stops of [value, red, green, blue].
@@ -87,41 +147,29 @@
     return colors;
   }
 
-  function colorByHeight(mesh, range) {
-    const points = mesh.geometry.getAttribute("position");
+  function heightColors(mesh, range) {
     const values = Float32Array.from({ length: mesh.points },
-      (_, n) => (points.getZ(n) + mesh.center[2] - range[0]) / (range[1] - range[0] || 1));
-    mesh.geometry.setAttribute("color", new THREE.BufferAttribute(colorsOf(values, data.low_to_high), 3));
-    return mesh.geometry;
+      (_, n) => (mesh.places[3 * n + 2] + mesh.center[2] - range[0]) / (range[1] - range[0] || 1));
+    return colorsOf(values, data.low_to_high);
+  }
+
+  function errorColors(mesh, range) {
+    return colorsOf(mesh.errors.map((error) => error / (range[1] || 1)), data.near_to_far);
   }
 
   // Triangles with one colour each share no points.
-  function colorByError(mesh, range) {
-    const values = mesh.errors.map((error) => error / (range[1] || 1));
-    const colors = colorsOf(values, data.near_to_far);
-    if (mesh.error_on === "points") {
-      mesh.geometry.setAttribute("color", new THREE.BufferAttribute(colors, 3));
-      return mesh.geometry;
-    }
-    const plain = new THREE.BufferGeometry();
-    plain.setIndex(mesh.geometry.index);
-    plain.setAttribute("position", mesh.geometry.getAttribute("position"));
-    plain.setAttribute("normal", mesh.geometry.getAttribute("normal"));
-    const apart = plain.toNonIndexed();
-    const spread = new Float32Array(9 * mesh.triangles);
-    for (let n = 0; n < spread.length; n += 1) {
-      spread[n] = colors[3 * Math.floor(n / 9) + n % 3];
-    }
-    apart.setAttribute("color", new THREE.BufferAttribute(spread, 3));
-    return apart;
+  function apart(mesh, colors) {
+    const spread = (values) => Float32Array.from({ length: 3 * mesh.faces.length },
+      (_, n) => values[3 * mesh.faces[Math.floor(n / 3)] + n % 3]);
+    return { places: spread(mesh.places), normals: spread(mesh.normals),
+      colors: Float32Array.from({ length: 9 * mesh.triangles }, (_, n) => colors[3 * Math.floor(n / 9) + n % 3]) };
   }
 
   function rangeOf(meshes, byError) {
     if (byError) {
       return [0, Math.max(...meshes.map((mesh) => mesh.farthest))];
     }
-    return [Math.min(...meshes.map((m) => m.center[2] + m.geometry.boundingBox.min.z)),
-      Math.max(...meshes.map((m) => m.center[2] + m.geometry.boundingBox.max.z))];
+    return [Math.min(...meshes.map((m) => m.center[2] + m.box[2][0])), Math.max(...meshes.map((m) => m.center[2] + m.box[2][1]))];
   }
 
   // What is chosen ---------------------------------------------------------------------------------------------------
@@ -131,10 +179,28 @@
     return choice.startsWith("file-") ? data.files[Number(choice.slice(5))] : [choice];
   }
 
-  function add(geometry, material, place) {
-    const mesh = new THREE.Mesh(geometry, material);
-    mesh.position.copy(place);
-    shown.group.add(mesh);
+  // Buffers of what is drawn: arrays of three numbers a point, and an index or none.
+  function add(style, arrays, index, place, color) {
+    const drawn = { style, place, color, array: gl.createVertexArray(), buffers: [] };
+    gl.bindVertexArray(drawn.array);
+    const fill = (target, values) => {
+      drawn.buffers.push(gl.createBuffer());
+      gl.bindBuffer(target, drawn.buffers[drawn.buffers.length - 1]);
+      gl.bufferData(target, values, gl.STATIC_DRAW);
+    };
+    Object.entries(arrays).forEach(([name, values]) => {
+      const where = gl.getAttribLocation(program, name);
+      fill(gl.ARRAY_BUFFER, values);
+      gl.enableVertexAttribArray(where);
+      gl.vertexAttribPointer(where, 3, gl.FLOAT, false, 0, 0);
+    });
+    drawn.count = index ? index.length : arrays.position.length / 3;
+    if (index) {
+      drawn.type = index instanceof Uint16Array ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT;
+      fill(gl.ELEMENT_ARRAY_BUFFER, index);
+    }
+    gl.bindVertexArray(null);
+    shown.drawn.push(drawn);
   }
 
   function build() {
@@ -142,32 +208,37 @@
     const meshes = ids.map(load);
     const byError = byId("viewer-colors").value === "error" && meshes.every((mesh) => mesh.error_on);
     const range = rangeOf(meshes, byError);
-    const bounds = new THREE.Box3();
-    const offsets = meshes.map((mesh) => new THREE.Vector3(...mesh.center.map((c, n) => c - meshes[0].center[n])));
-    meshes.forEach((mesh, n) => bounds.union(mesh.geometry.boundingBox.clone().translate(offsets[n])));
-    const middle = bounds.getCenter(new THREE.Vector3());
-    const extent = bounds.getSize(new THREE.Vector3());
-    const width = Math.max(extent.x, extent.y, 1e-9);
+    const offsets = meshes.map((mesh) => mesh.center.map((c, n) => c - meshes[0].center[n]));
+    const bounds = [0, 1, 2].map((axis) => [0, 1].map((end) => Math[end ? "max" : "min"](
+      ...meshes.map((mesh, n) => mesh.box[axis][end] + offsets[n][axis]))));
+    const extent = bounds.map(([low, high]) => high - low);
+    const width = Math.max(extent[0], extent[1], 1e-9);
 
-    scene.remove(shown.group);
+    shown.drawn.forEach((drawn) => {
+      gl.deleteVertexArray(drawn.array);
+      drawn.buffers.forEach((buffer) => gl.deleteBuffer(buffer));
+    });
     const share = HEIGHT_SHARES[meshes.length > 1 ? 1 : 0];
-    shown = { group: new THREE.Group(), ids, width, factor: extent.z > 0 ? share * width / extent.z : 1 };
+    shown = { drawn: [], ids, width, factor: extent[2] > 0 ? share * width / extent[2] : 1 };
     meshes.forEach((mesh, n) => {
-      const geometry = byError ? colorByError(mesh, range) : colorByHeight(mesh, range);
-      const place = offsets[n].clone().sub(middle);
-      add(geometry, new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors, ...FACES }), place);
+      const place = offsets[n].map((value, axis) => value - (bounds[axis][0] + bounds[axis][1]) / 2);
+      const colors = byError ? errorColors(mesh, range) : heightColors(mesh, range);
+      if (byError && mesh.error_on === "triangles") {
+        const own = apart(mesh, colors);
+        add(SMOOTH, { position: own.places, normal: own.normals, color: own.colors }, null, place);
+      } else {
+        add(SMOOTH, { position: mesh.places, normal: mesh.normals, color: colors }, mesh.faces, place);
+      }
       // What closes faults is no part of the surface: it has a colour of its own, and sharp edges to what is beside it.
       if (mesh.fault_triangles) {
-        const color = new THREE.Color(...data.fault_colors[byError ? "error" : "height"]);
-        add(mesh.walls, new THREE.MeshPhongMaterial({ color, flatShading: true, shininess: 0, ...FACES }), place);
+        add(FLAT, { position: mesh.places }, mesh.walls, place, [...data.fault_colors[byError ? "error" : "height"], 1.0]);
       }
       if (byId("viewer-edges").checked) {
-        const lines = new THREE.MeshBasicMaterial({ color: 0x0c1116, wireframe: true, transparent: true, opacity: 0.35 });
-        [mesh.geometry, ...(mesh.fault_triangles ? [mesh.walls] : [])].forEach((edges) => add(edges, lines, place));
+        [mesh.faces, mesh.walls].filter((faces) => faces.length).forEach((faces) => add(
+          EDGES, { position: mesh.places }, edgesOf(faces, mesh.points), place, EDGE_COLOR));
       }
     });
-    scene.add(shown.group);
-    fit(extent.divideScalar(width));
+    fit(extent.map((size) => size / width));
     tellColors(byError, range);
     draw();
   }
@@ -176,9 +247,10 @@
   function fit(box) {
     const [sin, cos] = [Math.sin, Math.cos];
     const { azimuth, elevation } = FIRST_VIEW;
-    shown.wide = 0.53 * (box.x * Math.abs(sin(azimuth)) + box.y * Math.abs(cos(azimuth)));
-    shown.high = 0.53 * (sin(elevation) * (box.x * Math.abs(cos(azimuth)) + box.y * Math.abs(sin(azimuth)))
-      + cos(elevation) * box.z * shown.factor);
+    const [x, y, z] = box;
+    shown.wide = 0.53 * (x * Math.abs(sin(azimuth)) + y * Math.abs(cos(azimuth)));
+    shown.high = 0.53 * (sin(elevation) * (x * Math.abs(cos(azimuth)) + y * Math.abs(sin(azimuth)))
+      + cos(elevation) * z * shown.factor);
   }
 
   function tellColors(byError, range) {
@@ -211,27 +283,54 @@
     return Number((shown.factor * 2 ** Number(byId("viewer-heights").value)).toPrecision(2));
   }
 
+  // Half of what is seen, in parts of the first width: across, and up.
+  function halves() {
+    const aspect = canvas.clientWidth / canvas.clientHeight;
+    const half = Math.max(shown.high, shown.wide / aspect) / view.zoom;
+    return [half * aspect, half];
+  }
+
   function drawNow() {
     asked = false;
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
-    renderer.setSize(width, height, false);
-    const scale = 1 / shown.width;
-    shown.group.scale.set(scale, scale, scale * exaggeration());
+    const ratio = Math.min(2, window.devicePixelRatio || 1);
+    canvas.width = Math.round(ratio * canvas.clientWidth);
+    canvas.height = Math.round(ratio * canvas.clientHeight);
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.polygonOffset(1, 1); // what has edges on it is behind them
     byId("viewer-factor").textContent = "\u00d7 " + exaggeration();
 
-    const aspect = width / height;
-    const half = Math.max(shown.high, shown.wide / aspect) / view.zoom;
-    camera.left = view.x - half * aspect;
-    camera.right = view.x + half * aspect;
-    camera.top = view.y + half;
-    camera.bottom = view.y - half;
-    camera.updateProjectionMatrix();
-    camera.position.set(Math.cos(view.elevation) * Math.cos(view.azimuth), Math.cos(view.elevation) * Math.sin(view.azimuth),
-      Math.sin(view.elevation)).multiplyScalar(8);
-    camera.lookAt(0, 0, 0);
-    renderer.render(scene, camera);
-    canvas.dataset.triangles = renderer.info.render.triangles;
+    const [sinA, cosA] = [Math.sin(view.azimuth), Math.cos(view.azimuth)];
+    const [sinE, cosE] = [Math.sin(view.elevation), Math.cos(view.elevation)];
+    const [across, up] = halves();
+    gl.uniformMatrix3fv(uniform("axes"), false,
+      [-sinA, -sinE * cosA, cosE * cosA, cosA, -sinE * sinA, cosE * sinA, 0, cosE, sinE]);
+    const scale = 1 / shown.width;
+    gl.uniform3f(uniform("scale"), scale, scale, scale * exaggeration());
+    gl.uniform3f(uniform("low"), view.x - across, view.y - up, -FARTHEST);
+    gl.uniform3f(uniform("high"), view.x + across, view.y + up, FARTHEST);
+    let triangles = 0;
+    shown.drawn.forEach((drawn) => {
+      const isEdges = drawn.style === EDGES;
+      (isEdges ? gl.enable : gl.disable).call(gl, gl.BLEND);
+      (isEdges ? gl.disable : gl.enable).call(gl, gl.POLYGON_OFFSET_FILL);
+      gl.uniform1i(uniform("style"), drawn.style);
+      gl.uniform3fv(uniform("place"), drawn.place);
+      gl.uniform4fv(uniform("plain"), drawn.color || EDGE_COLOR);
+      gl.bindVertexArray(drawn.array);
+      if (drawn.type) {
+        gl.drawElements(isEdges ? gl.LINES : gl.TRIANGLES, drawn.count, drawn.type, 0);
+      } else {
+        gl.drawArrays(gl.TRIANGLES, 0, drawn.count);
+      }
+      triangles += isEdges ? 0 : drawn.count / 3;
+    });
+    gl.bindVertexArray(null);
+    canvas.dataset.triangles = triangles;
   }
 
   function turn(right, up) {
@@ -265,7 +364,7 @@
       const distance = (place) => Math.hypot(place[0] - other[1][0], place[1] - other[1][1]) || 1;
       zoom(distance([event.clientX, event.clientY]) / distance(last));
     } else if (event.shiftKey || event.buttons === 4) {
-      const pixel = (camera.top - camera.bottom) / canvas.clientHeight;
+      const pixel = 2 * halves()[1] / canvas.clientHeight;
       view.x -= pixel * right;
       view.y += pixel * down;
       draw();

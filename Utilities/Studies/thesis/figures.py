@@ -4,8 +4,8 @@
 
 import os
 
-import seismichorizons as sh
-from seismichorizons import pictures
+from seismichorizons import vtk as sh
+from seismichorizons_command import pictures
 
 from . import partners, reported, stages, surfaces
 from .worth import errors, measure

@@ -4,7 +4,7 @@
 
 import time
 
-import seismichorizons as sh
+from seismichorizons import vtk as sh
 from seismichorizons.stage import configure
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 

@@ -9,7 +9,7 @@ from statistics import median
 import subprocess
 
 import numpy as np
-from seismichorizons.pipeline import read_first
+from seismichorizons_command.pipeline import read_first
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData

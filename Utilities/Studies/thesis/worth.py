@@ -3,8 +3,8 @@
 """The quality of a mesh: its distance from the surface that it represents, and the shape of its triangles."""
 
 import numpy as np
-import seismichorizons as sh
-from seismichorizons.stage import apply
+from seismichorizons import vtk as sh
+from seismichorizons.vtk import apply
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SAMPLES_PER_POINT = 0.5  # more samples changed the largest error by less than 1 %, the mean by less than 0.2 %
