@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._data import Data, Progress, call, give_survey, in_keywords, survey
+from ._data import Data, Progress, call, give_survey, in_keywords, require_file, survey
 from ._horizon import Floats, Horizon, Lattice, horizon_of
 from ._made import framing
 from ._stages import given_options
@@ -149,8 +149,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     FileNotFoundError
     """
     path = pathlib.Path(path)
-    if not path.is_file():
-        raise FileNotFoundError("%s: no such file" % path)
+    require_file(path)
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     options = given_options(
         inlines=inlines, crosslines=crosslines, sample_range=sample_range, inline_byte=inline_byte, crossline_byte=crossline_byte, x_byte=x_byte,

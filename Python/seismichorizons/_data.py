@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import pathlib
 import re
 import sys
 import warnings
@@ -35,7 +36,8 @@ def take(values: Any, dtype: np.dtype[Any]) -> NDArray[Any]:
     """The inverse of `give`; numbers that the core averaged have the type of the given ones."""
     if isinstance(values, list):
         return np.array(values, dtype)
-    return values.view(dtype) if dtype.kind in "mM" else values.astype(dtype, copy=False)
+    taken: NDArray[Any] = values.view(dtype) if dtype.kind in "mM" else values.astype(dtype, copy=False)
+    return taken
 
 
 def give_attributes(attributes: Mapping[str, NDArray[Any]]) -> Data:
@@ -111,6 +113,14 @@ def in_keywords(message: str) -> str:
 
 def snake(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
+
+
+def require_file(path: pathlib.Path) -> None:
+    """Raises FileNotFoundError, or OSError for a folder and for what opening could wait for, such as a pipe."""
+    if not path.exists():
+        raise FileNotFoundError("%s: %s" % (path, "a link to a file that does not exist" if path.is_symlink() else "no such file"))
+    if not path.is_file():
+        raise OSError("%s: %s" % (path, "a directory, expected a file" if path.is_dir() else "a special file, expected a regular one"))
 
 
 def warn(subject: object, message: str) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
 from ._data import Progress, in_keywords
@@ -106,7 +107,7 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
     arrays = (given.xyz(data, y, z) if z is not None else given.grid(grid) if grid is not None
               else given.points(points) if points is not None else given.recognize(data))
     name = name or given.name or "horizon"
-    options = placement(duplicates, gridding, leave_out_strays, **given.lattice)
+    options = placement(duplicates, gridding, leave_out_strays, **given.lattice)  # type: ignore[arg-type]
     survey = tuple(own or found for own, found in zip(where[2], given.survey))
     try:
         made = horizons(_core.place_points(arrays, given.attributes, given.names or [name], options, where[0],
@@ -132,7 +133,7 @@ def _widen(made: Horizon, shape: tuple[int, int], origin: Sequence[float]) -> No
     first = np.rint(np.linalg.solve(steps, np.subtract(lattice.origin, origin))).astype(np.int32)
     made.columns = made.columns + first
     made.taken = (made.taken[0], *made.taken[-1:])  # The rest is of the lattice of the points.
-    made.lattice = dataclasses.replace(lattice, shape=shape, origin=tuple(map(float, origin)))
+    made.lattice = dataclasses.replace(lattice, shape=shape, origin=(float(origin[0]), float(origin[1])))
 
 
 def _floats(values: Any, what: str) -> Any:
@@ -140,7 +141,7 @@ def _floats(values: Any, what: str) -> Any:
     try:
         if hasattr(values, "isna"):  # pandas, whose missing values may be objects
             values = values.to_numpy(dtype=np.float64, na_value=np.nan)
-        array = np.ma.asarray(values)
+        array: NDArray[Any] = np.ma.asarray(values)
         if array.dtype.kind not in "iufbO" or (array.dtype.kind == "b" and what in ("heights", "z")):
             raise ValueError
         array = np.ma.filled(array.astype(np.float64), np.nan)
@@ -356,8 +357,8 @@ class _Given:
         names = np.asarray(columns[roles["horizon"]]).astype(str) if "horizon" in roles else None
         arrays = self._points(found.pop("x", None), found.pop("y", None), found.pop("z"), **found)
         if names is not None:
-            self.names, numbers = np.unique(names, return_inverse=True)
-            self.names = [str(one) for one in self.names]
+            unique, numbers = np.unique(names, return_inverse=True)
+            self.names = [str(one) for one in unique]
             if self.dropped:
                 raise ValueError("%d rows without a place in a table of several horizons, expected a place in each" % self.dropped)
             arrays["horizon"] = np.ascontiguousarray(numbers.ravel(), np.int32)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _core, _xml
-from ._data import Progress, in_keywords, warn_all
+from ._data import Progress, in_keywords, require_file, warn_all
 from ._horizon import Horizon
 from ._made import framing, placement
 from ._made import horizons as make_horizons
@@ -82,14 +82,14 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     FileNotFoundError
     """
     path = pathlib.Path(path)
-    if not path.is_file():
-        raise FileNotFoundError("%s: no such file" % path)
+    require_file(path)
     name = str(path)
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     nulls = nodata if isinstance(nodata, str) else " ".join(map(repr, map(float, np.ravel([] if nodata is None else nodata))))
     with _of_file(path):
         kind = _core.find_format(name)
         if kind == "tsurf":
+            _core.read_tsurfs(name, progress)  # which says what other files of GOCAD are
             raise ValueError("a mesh in the format of GOCAD, expected picks or a grid: read_mesh(path) reads it")
         if kind == "cube":
             raise ValueError("a seismic cube, expected picks or a grid: extract(read_cube(path)) finds horizons")
@@ -149,8 +149,7 @@ def read_mesh(path: str | os.PathLike[str], horizons: str | Sequence[str] | None
     FileNotFoundError
     """
     path = pathlib.Path(path)
-    if not path.is_file():
-        raise FileNotFoundError("%s: no such file" % path)
+    require_file(path)
     with _of_file(path):
         found, _ = _core.read_tsurfs(str(path), progress)
     made = {name: mesh_of(name, {**data, "point_data": {}, "cell_data": {}}, dict(data["point_data"]), data["field_data"], None)
@@ -202,7 +201,7 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
             endings = ", ".join(ending for ending, (_, kind) in FORMATS.items() if kind in (what, "any"))
             raise ValueError("%s: a %s, expected %s" % (path, what, "a " + holds if holds else "one of the extensions " + endings))
         if holds == "any" and form != "vtp" and one.lattice is None:
-            raise ValueError("%s: %s of a file, which has no lattice, expected the mesh of a horizon" % (path, one.name))
+            raise ValueError("%s: %s has no lattice, expected the mesh of a horizon" % (path, one.name))
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
     way = direction or (next(iter(many.values())).direction if many else "down")

@@ -137,23 +137,25 @@ class Horizon(WithAttributes):
     # ---- Places -----------------------------------------------------------------------------------------------------
     @property
     def x(self) -> Floats:
-        return self.lattice.places(*self.columns.T)[0]
+        x: Floats = self.lattice.places(*self.columns.T)[0]
+        return x
 
     @property
     def y(self) -> Floats:
-        return self.lattice.places(*self.columns.T)[1]
+        y: Floats = self.lattice.places(*self.columns.T)[1]
+        return y
 
     @property
     def inlines(self) -> Floats:
         """Inline of each point. Raises ValueError without line numbers."""
         first, step = self._lines()[:2]
-        return first + step * self.columns[:, 1]
+        return first + step * self.columns[:, 1].astype(np.float64)
 
     @property
     def crosslines(self) -> Floats:
         """Crossline of each point. Raises ValueError without line numbers."""
         first, step = self._lines()[2:]
-        return first + step * self.columns[:, 0]
+        return first + step * self.columns[:, 0].astype(np.float64)
 
     def _lines(self) -> tuple[float, float, float, float]:
         if self.lattice.lines is None:

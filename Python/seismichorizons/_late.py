@@ -15,7 +15,7 @@ NAMES = {"horizon_from_points": horizon, "horizon_from_image": horizon, "hole_fi
 
 def find(name: str) -> Any:
     """The function or class of an old name. Raises AttributeError."""
-    if name.startswith("vtk"):
+    if name.startswith("vtk") and name != "vtk":  # the module, which Python asks for here before it loads it
         try:
             from . import vtk
         except ImportError:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._data import Data, Progress, give_lines, in_keywords, loops, survey
+from ._data import Data, Progress, give_lines, in_keywords, loops, require_file, survey
 from ._horizon import Floats, Horizon
 
 
@@ -82,12 +82,14 @@ def lines_of(given: Any) -> Lines:
     """Lines from Lines, several of these, or arrays. Raises TypeError and ValueError."""
     if isinstance(given, Lines):
         return given
+    lines: list[Lines]
     if hasattr(given, "geometry") and hasattr(given, "iterrows"):  # geopandas
         given = [np.asarray(part.coords, float) for shape in given.geometry for part in getattr(shape, "geoms", [shape])]
     if not isinstance(given, Sequence) or isinstance(given, str):
         raise TypeError("lines of %s, expected Lines, or a list of these or of arrays: read_faults(path) reads some" % type(given).__name__)
     if given and all(isinstance(one, Lines) for one in given):
-        return dataclasses.replace(given[0], names=[name for one in given for name in one.names], lines=[line for one in given for line in one])
+        lines = list(given)
+        return dataclasses.replace(lines[0], names=[name for one in lines for name in one.names], lines=[line for one in lines for line in one])
     arrays = [np.asarray(one, np.float64) for one in given]
     for number, array in enumerate(arrays):
         if array.ndim != 2 or array.shape[1] not in (2, 3):
@@ -117,8 +119,7 @@ def read_faults(path: str | os.PathLike[str], *, direction: str = "", progress: 
         With the line, if the file violates its format.
     FileNotFoundError
     """
-    if not pathlib.Path(path).is_file():
-        raise FileNotFoundError("%s: no such file" % path)
+    require_file(pathlib.Path(path))
     try:
         data = _core.read_fault_lines(str(path), direction, progress)
     except ValueError as error:

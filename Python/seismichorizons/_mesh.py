@@ -191,7 +191,8 @@ def mesh_of(name: str, data: Data, attributes: dict[str, NDArray[Any]], before: 
                if not isinstance(values, list) and values.size == 1 and key != "VerticalDirection" and values is not before.get(key)}
     inner = details.pop("largest_error", np.nan)
     area = 1.0 if lattice is None else abs(float(np.linalg.det((lattice.column_step, lattice.row_step))))
-    ledger = Ledger(*fields["LedgerColumns"].ravel().tolist(), area) if "LedgerColumns" in fields else Ledger()
+    known, filled, bridged, extrapolated, left_out = fields["LedgerColumns"].ravel().tolist() if "LedgerColumns" in fields else (0,) * 5
+    ledger = Ledger(known, filled, bridged, extrapolated, left_out, area)
     return Mesh(
         name=name, points=data["places"], triangles=triangles, attributes=attributes, errors=of_triangles("Error", np.float64) * step,
         quality=of_triangles("Quality", np.float32), outlines=loops(data["lines"]), patches=of_points("PatchId", np.int32, 0),

@@ -105,6 +105,8 @@ class Layers:
                 _core.write_layers(str(path), self._core, progress)
         except ValueError as error:
             raise ValueError("%s: %s" % (path, in_keywords(str(error)))) from None
+        except OSError as error:
+            raise OSError("%s: %s" % (path, error)) from None
 
 
 _WEDGE = 13  # VTK_WEDGE
@@ -316,7 +318,8 @@ def distance(reference: Any, mesh: Any, *, samples_per_point: float = 2.0, seed:
     details = {snake(name): values[:, world] for name, values in second["field_data"].items()
                if not isinstance(values, list) and values.ndim == 2 and values.shape == (3, 3)}
     both = 2
-    return Distance(*(float(details[name][both]) for name in ("largest_distance", "mean_distance", "rms_distance")),
+    largest, mean, rms = (float(details[name][both]) for name in ("largest_distance", "mean_distance", "rms_distance"))
+    return Distance(largest, mean, rms,
                     first["point_data"]["Distance"], second["point_data"]["Distance"], first["point_data"]["VerticalDistance"],
                     second["point_data"]["VerticalDistance"], details)
 

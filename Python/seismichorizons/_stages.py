@@ -161,7 +161,7 @@ def surface(horizon: Horizon, largest_error: float | str | None = ..., **options
 def surface(horizon: Mapping[str, Horizon], largest_error: float | str | None = ..., **options: Any) -> dict[str, Mesh]: ...
 
 
-def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,
+def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,  # type: ignore[misc]
             smallest_angle: float = 2.0, effort: str = "best", fit_heights: bool = True, radius: int | None = None,
             hole_boundaries: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
             outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,

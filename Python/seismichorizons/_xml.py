@@ -50,7 +50,7 @@ def _file(kind: str, data: Data, counts: str, size: int, parts: Iterable[str]) -
         '<?xml version="1.0"?>\n<VTKFile type="%s" version="1.0" byte_order="LittleEndian" header_type="UInt64" '
         'compressor="vtkZLibDataCompressor">\n<%s>\n<FieldData>\n%s</FieldData>\n<Piece NumberOfPoints="%d"%s>\n' % (
             kind, kind, fields, size, counts),
-        _attributes("PointData", data["point_data"]), _attributes("CellData", data["cell_data"]), *parts,
+        _attributes("PointData", data["point_data"]), _attributes("CellData", data.get("cell_data", {})), *parts,
         "</Piece>\n</%s>\n</VTKFile>\n" % kind)).encode()
 
 

@@ -21,6 +21,8 @@ class Found:
 
     def add(self, horizon, mesh):
         """Adds a horizon as it was read, or the mesh of a horizon larger than memory, and its mesh."""
+        if not data.count_points(horizon):  # nothing is known of a horizon larger than memory without a mesh
+            return
         self._surveys.append(figures.survey(horizon))
         self._bounds.append(data.bounds(horizon)[4:6])
         noise = heights.noise_of(mesh)
@@ -31,6 +33,8 @@ class Found:
     def lines(self, origin, settings):
         """Returns the summary; `origin` is the result of reading.describe."""
         what = origin["description"][:1] or [origin["format"]]
+        if not self._surveys:
+            return what
         reason = next((line for line in origin["description"] if line.startswith(DIRECTION)), "")
         return [*what, *self._lattice(), self._heights(origin["format"], settings, reason), *self._left_out()]
 

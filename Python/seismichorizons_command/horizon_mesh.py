@@ -27,6 +27,12 @@ def tell(kind, text):
     sys.stderr.flush()
 
 
+def fail(error):
+    """Writes an error and returns the exit code."""
+    tell("error", error)
+    return 1
+
+
 def _run(options):
     """Processes all files, then writes figures and report. Returns the exit code."""
     from . import batch, interrupt, progress, record, report
@@ -80,8 +86,7 @@ def main(arguments=None):
         from . import interrupt
         from .core import set_threads
     except ImportError as error:
-        tell("error", "the Python package seismichorizons cannot be loaded (%s)" % error)
-        return 1
+        return fail("the Python package seismichorizons cannot be loaded; is its folder in PYTHONPATH? (%s)" % error)
     interrupt.listen()
     set_threads(options.threads)
     return _run(options)

@@ -46,6 +46,8 @@ class Windows:
         with core.errors("%s: " % self.name):
             if "Radius" not in properties:
                 chosen["Radius"] = _core.choose_radius(points)
+                if chosen["Radius"] < 1:
+                    raise HorizonError("no radius can be chosen, expected points on a lattice")
             if "MaximumError" not in properties:
                 chosen["MaximumError"], self.noise = _core.choose_error(points)
         return {**properties, **chosen}
@@ -59,9 +61,11 @@ def mesh_window(windows, number, properties, label="", warnings=None):
     first_row, last_row = windows.rows[number]
     options = core.options(properties)
     options["seam_rows"] = [-1 if number == 0 else first_row, -1 if number == last else last_row]
-    (made, _), messages = core.run(_core.surface, windows.read(number, step), options, label=step)
+    points = windows.read(number, step)
+    with core.errors("%s: " % windows.name):
+        (made, _), messages = core.run(_core.surface, points, options, label=step)
     if warnings is not None:
-        warnings += filter(None, messages)
+        warnings += ["%s: %s" % (windows.name, text) for text in filter(None, messages)]
     return made
 
 
@@ -70,5 +74,6 @@ def mesh(windows, properties, label="", warnings=None):
     given = windows.choose(dict(properties), "%s: reading" % label)
     smallest_patch = given.pop("MinimumPatchSize", 1)
     made = [mesh_window(windows, number, given, label, warnings) for number in range(len(windows.rows))]
-    joined = core.run(_core.join, made, smallest_patch, label="%s: joining" % label)
+    with core.errors("%s: " % windows.name):
+        joined = core.run(_core.join, made, smallest_patch, label="%s: joining" % label)
     return with_fields(joined, windows.noise)

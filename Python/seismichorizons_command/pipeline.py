@@ -44,7 +44,7 @@ class Settings:
 
     `horizons` lists the IDs or names of the horizons to read, None for all. A horizon that cannot be processed raises an
     error or, with `leave_out_invalid`, has an empty mesh and a warning. `formats` lists the formats of meshes
-    (writing.FORMATS), and `other_files` the input files other than those of horizons. `memory` is the limit in bytes,
+    (options.FORMATS), and `other_files` the input files other than those of horizons. `memory` is the limit in bytes,
     None for most of the free memory; as many horizons as fit are read at a time; `jobs` is the number of
     files that share it. With `error_if_whole`, the error of a
     horizon larger than memory, which cannot be measured, is not requested.
@@ -220,7 +220,12 @@ def run(source, name, points, settings, surface=None):
         tsurf.account(result, surface, unit)
     result.warn_of_ledger()
     if settings.error is not None and data.count_points(result.data["mesh"]):
-        _measure(result, settings, surface or result.data["boundary"])
+        try:
+            _measure(result, settings, surface or result.data["boundary"])
+        except HorizonError as error:
+            if not settings.leave_out_invalid:
+                raise
+            result.leave_out(error)
     return result
 
 

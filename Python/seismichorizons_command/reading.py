@@ -8,6 +8,7 @@
 
 import os
 import pathlib
+import tempfile
 import time
 
 import numpy as np
@@ -47,15 +48,32 @@ def find_format(path):
         return "geotiff"
     if beginning.upper().startswith(b"GOCAD PLINE"):
         return None  # it begins like a surface
+    if not _is_text(path):
+        return _find_format_by_link(path)
     return _core.find_format(str(path)) or None
+
+
+def _find_format_by_link(path):
+    """Returns the format of a file whose name is not UTF-8, which the core does not accept as a name."""
+    with tempfile.TemporaryDirectory() as folder:
+        link = os.path.join(folder, "file" + "".join(suffix for suffix in path.suffixes[-2:] if suffix.isascii()))
+        os.symlink(os.path.abspath(path), link)
+        return _core.find_format(link) or None
+
+
+def _is_text(path):
+    """Whether a file name is UTF-8."""
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def require_text(path):
     """Raises HorizonError if a file name is not UTF-8."""
-    try:
-        str(path).encode()
-    except UnicodeEncodeError:
-        raise HorizonError("%s: the name of the file is not in UTF-8" % ascii(str(path))) from None
+    if not _is_text(path):
+        raise HorizonError("%s: the name of the file is not in UTF-8" % ascii(str(path)))
 
 
 class Source:

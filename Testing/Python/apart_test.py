@@ -11,7 +11,8 @@ import sys
 import unittest
 
 import numpy as np
-from seismichorizons import stage
+from seismichorizons import _core, vtk
+from seismichorizons_command import core, data, writing
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -42,7 +43,7 @@ def two_squares(i, j):
 
 
 def apply(name, *inputs):
-    return stage.apply(stage.make("vtkHorizon" + name), *inputs)
+    return vtk.apply(vtk.make("vtkHorizon" + name), *inputs)
 
 
 def simplified(points):
@@ -61,19 +62,44 @@ BEFORE = {
 STAGES = ["ExteriorBoundary", "Despiking", "Faults", "HoleFilling", "Surface", *BEFORE]
 
 
+# The same stages as the command runs them.
+FUNCTIONS = {"ExteriorBoundary": _core.boundary, "BoundarySimplification": _core.boundary_simplification, "Despiking": _core.despike,
+             "RoughSimplification": _core.rough_simplification, "ElaborateSimplification": _core.elaborate_simplification,
+             "Decimation": _core.decimation, "Triangulation": _core.triangulation, "HoleFilling": _core.fill_holes,
+             "Surface": _core.surface, "Faults": lambda points, *rest: _core.faults(points, None, *rest),
+             "SurfaceDistance": lambda mesh, *rest: _core.distance(mesh, mesh, *rest)}
+
+
 def run(name, points):
-    data = BEFORE.get(name, lambda same: same)(points)
-    inputs = [data, data] if name == "SurfaceDistance" else [data]
+    before = BEFORE.get(name, lambda same: same)(points)
+    inputs = [before, before] if name == "SurfaceDistance" else [before]
     return lambda: apply(name, *inputs)
 
 
+def run_for_command(name, points):
+    before = data.from_vtk(BEFORE.get(name, lambda same: same)(points))
+    return lambda: core.run(FUNCTIONS[name], before, {})
+
+
+def write_for_command(extension, points):
+    path = FOLDER / ("%d.%s" % (os.getpid(), extension))
+    given = data.from_vtk(points)
+
+    def work():
+        try:
+            writing.write_data(given, path, "a horizon")
+        finally:
+            path.unlink(missing_ok=True)
+    return work
+
+
 def write(class_name, points):
-    writer = stage.make(class_name, FileName=str(FOLDER / (class_name + str(os.getpid()))))
+    writer = vtk.make(class_name, FileName=str(FOLDER / (class_name + str(os.getpid()))))
     writer.SetInputDataObject(points)
 
     def work():
         try:
-            stage.update(writer)
+            vtk.update(writer)
         finally:
             pathlib.Path(writer.GetFileName()).unlink(missing_ok=True)
     return work
@@ -119,6 +145,7 @@ class ApartTest(unittest.TestCase):
                 for i, j in ((apart, 0), (0, apart), (apart, apart)):
                     with self.subTest(stage=name, i=i, j=j):
                         self.check(run, name, two_squares(i, j))
+                        self.check(run_for_command, name, two_squares(i, j))
 
     def test_lists(self):
         """Files that list the points of a horizon; those of a mesh its vertices."""
@@ -127,18 +154,23 @@ class ApartTest(unittest.TestCase):
             with self.subTest(i=i, j=j):
                 self.check(write, "vtkHorizonTextWriter", points)
                 for writer in ("vtkGOCADTSurfWriter", "vtkHorizonDXFWriter"):
-                    self.check(lambda data, name=writer: write(name, apply("Surface", data)), points)
+                    self.check(lambda given, name=writer: write(name, apply("Surface", given)), points)
+                self.check(write_for_command, "dat", points)
+                for extension in ("ts", "dxf", "stl", "vtp"):
+                    self.check(lambda given, name=extension: write_for_command(name, apply("Surface", given)), points)
 
     def test_grids(self):
         """Files with something for each column of the lattice: a band is written, a square is refused with its size."""
-        for writer in ("vtkHorizonGridWriter", "vtkVerneySparseMatrixWriter"):
+        for prepare, writer in ((write, "vtkHorizonGridWriter"), (write, "vtkVerneySparseMatrixWriter"), (write_for_command, "gri"),
+                                (write_for_command, "irap"), (write_for_command, "zmap"), (write_for_command, "vsm")):
             for i, j in ((80000, 0), (0, 80000)):
                 with self.subTest(writer=writer, i=i, j=j):
-                    self.check(write, writer, two_squares(i, j))
+                    self.check(prepare, writer, two_squares(i, j))
             self.assertIn("lattice of 80012 x 80012 columns, expected less than 2^31",
-                          str(grown(write, writer, two_squares(80000, 80000))))
-        self.assertIn("lattice of 20012 x 20012 columns, of which the horizon has 288, expected at least one in 10000",
-                      str(grown(write, "vtkHorizonGridWriter", two_squares(20000, 20000))))
+                          str(grown(prepare, writer, two_squares(80000, 80000))))
+        for prepare, writer in ((write, "vtkHorizonGridWriter"), (write_for_command, "gri")):
+            self.assertIn("lattice of 20012 x 20012 columns, of which the horizon has 288, expected at least one in 10000",
+                          str(grown(prepare, writer, two_squares(20000, 20000))))
 
 
 if __name__ == "__main__":

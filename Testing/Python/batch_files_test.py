@@ -17,11 +17,11 @@ import time
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import ledger_check
 import mesh_checks
 from seismichorizons_command import reading
+from seismichorizons_command.data import count_points
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]
@@ -159,7 +159,7 @@ class FilesTest(unittest.TestCase):
             for steps, columns in (((), 7), (("--column-step", "25", "0", "--row-step", "0", "25"), 17)):
                 given = {"ColumnStep": (25.0, 0.0), "RowStep": (0.0, 25.0), "Origin": (431000.0, 6348000.0, 0.0)} if steps else {}
                 (name, points), = reading.read(path, **given)[0]
-                x, y, z = vtk_to_numpy(points.GetPoints().GetData()).T
+                x, y, z = points["places"].T
                 self.assertEqual((name, len(set(x.round(6))) >= columns), ("Top", True))
                 self.assertLess(np.abs(z * sign - (1000 + 0.5 * (x - 431000) - 0.25 * (y - 6348000))).max(), 1e-6)
                 code, messages, told = self.run_program(*steps, path)
@@ -170,7 +170,7 @@ class FilesTest(unittest.TestCase):
                                         "VRTX 2 0.35 99.4 0", "VRTX 3 0.3 50.4 90", "TRGL 1 2 3", "END"])
         code, messages, _ = self.run_program("--column-step", "10", "0", "--row-step", "0", "10", steep)
         self.assertEqual((code, len(messages)), (1, 1))
-        self.assertIn("steep.ts: no column under its triangles, expected some", messages[0])
+        self.assertIn("steep.ts: Fault: no column under its triangles, expected some", messages[0])
 
     def test_gridding(self):
         """2D lines of IESX and scattered picks stand on no lattice: of a plane comes a plane."""
@@ -192,7 +192,7 @@ class FilesTest(unittest.TestCase):
             self.assertEqual((code, messages), (0, []))
             self.assertIn("50 x 50 apart", told)
             (_, points), = reading.read(path, Gridding="Plate")[0]
-            x, y, z = vtk_to_numpy(points.GetPoints().GetData()).T
+            x, y, z = points["places"].T
             self.assertLess(np.abs(-z - (1500 + 0.02 * (x - 431000) - 0.03 * (y - 6348000))).max(), off)
 
     def test_gridding_of_strays(self):
@@ -217,14 +217,14 @@ class FilesTest(unittest.TestCase):
         dome = self.write_turned()
         self.run_program("--largest-error", "0.01ms", "--formats", "irap", "dat", "vsm", "--", dome)
         (_, picks), = reading.read(dome)[0]
-        expected = vtk_to_numpy(picks.GetPoints().GetData())
+        expected = picks["places"]
         for name, most in (("dome.irap", 0.02), ("dome.dat", 1e-4)):
             (_, points), = reading.read(self.output / name)[0]
-            found = vtk_to_numpy(points.GetPoints().GetData())
+            found = points["places"]
             distances = np.linalg.norm(found[:, None, :] - expected[None, :, :], axis=2).min(axis=0)
             self.assertLess(distances.max(), most, name)
         (_, voxels), = reading.read(self.output / "dome.vsm")[0]
-        self.assertEqual(voxels.GetNumberOfPoints(), picks.GetNumberOfPoints())
+        self.assertEqual(count_points(voxels), count_points(picks))
 
     def test_formats_of_less(self):
         """Turned grids: what a format cannot hold is told once, under the name of the file, and the rest is as it was."""
@@ -236,9 +236,9 @@ class FilesTest(unittest.TestCase):
         drawing = (self.output / "dome.dxf").read_text(encoding="ascii")
         self.assertEqual(drawing.count("3DFACE\n8\ndome\n"), mesh.GetNumberOfPolys())
         (_, picks), = reading.read(dome)[0]
-        for name, most in (("dome.gri", picks.GetNumberOfPoints() + 2), ("dome.zmap", picks.GetNumberOfPoints())):
+        for name, most in (("dome.gri", count_points(picks) + 2), ("dome.zmap", count_points(picks))):
             (_, points), = reading.read(self.output / name)[0]
-            found = vtk_to_numpy(points.GetPoints().GetData())
+            found = points["places"]
             self.assertTrue(0.75 * most < len(found) <= most, (name, len(found), most))
             c, s = math.cos(math.radians(30.0)), math.sin(math.radians(30.0))
             x, y = found[:, 0] - 460000.0, found[:, 1] - 6000000.0
@@ -313,7 +313,9 @@ class FilesTest(unittest.TestCase):
     def test_name_in_latin_1(self):
         """An error of that file alone, also in a report and in JSON."""
         good, report = self.copy("good.vsm"), self.folder / "report.html"
-        for wrong in (self.copy(LATIN + ".vsm"), self.copy(LATIN + "/a.vsm").parent):
+        folder = self.copy(LATIN + "/a.vsm").parent
+        (folder / (LATIN + ".txt")).write_text("dear all\n")  # no file of horizons, which is not looked at
+        for wrong in (self.copy(LATIN + ".vsm"), folder):
             code, messages, printed = self.run_program(wrong, good, "--json", "--report", report)
             self.assertEqual((code, len(messages)), (1, 1), messages)
             self.assertRegex(messages[0], r"error: '.*caf\\udce9.*\.vsm': the name of the file is not in UTF-8")

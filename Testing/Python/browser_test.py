@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Reports in a browser: they open without a complaint, sort, find, print, and turn their meshes. Skips itself where
-Chromium, its driver or three.js is not installed. Needs an X server.
+Chromium or its driver is not installed. Needs an X server.
 
 Arguments: the program, the folder of the data, a work folder.
 """
@@ -16,7 +16,6 @@ import unittest
 import browser
 import image_compare
 import numpy as np
-from seismichorizons_command import report
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 SKIPPED = 77
@@ -203,7 +202,7 @@ class BrowserTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    lacking = browser.missing() + ([] if report.find_three() else ["three.js (libjs-three)"])
+    lacking = browser.missing()
     if lacking:
         print("SKIPPED: not installed: %s" % ", ".join(lacking))
         sys.exit(SKIPPED)

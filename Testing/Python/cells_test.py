@@ -7,9 +7,11 @@ import pathlib
 import sys
 
 from seismichorizons import vtk as sh
-from seismichorizons_command import pipeline, tables
 from seismichorizons.vtk import apply
+from seismichorizons_command import tables
 from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+import vtk_inputs
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
 ROUNDING = 1e-12  # of the meter's real numbers; distances here are 0
@@ -19,7 +21,8 @@ def read_plane():
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "plane.vsm"
     path.write_bytes(b"5 4 9\n" + b"3 1 1 0.5 4.0\n" * 20)
-    return pipeline.read_first(path)
+    (points,) = vtk_inputs.read(path).values()
+    return points
 
 
 def set_vertices(points):

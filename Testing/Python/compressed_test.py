@@ -14,8 +14,10 @@ import struct
 import sys
 import unittest
 
-from seismichorizons_command import batch, pipeline, record
-from seismichorizons.stage import HorizonError, make, update
+from seismichorizons import _core
+from seismichorizons.vtk import make, update
+from seismichorizons_command import batch, core, pipeline, reading, record
+from seismichorizons_command.core import HorizonError
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 MATRIX = b"3 2 9\n1 1 1 1 1\n2 1 1 2 2\n3 1 1 3 3\n4 1 1 4 4\n5 1 1 5 5\n6 1 1 6 6\n"
@@ -39,6 +41,7 @@ SURFER7 = (b"DSRB" + struct.pack("<ii", 4, 2) + b"GRID" + struct.pack("<iii8d", 
            + b"DATA" + struct.pack("<i%dd" % (SIDE * SIDE), 8 * SIDE * SIDE, *VALUES))
 SURFER6 = b"DSBB" + struct.pack("<hh6d6f", 3, 2, 0, 50, 0, 25, 1, 6, 1, 2, 3, 4, 5, 6)
 STORM = b"STORMGRID_BINARY\n\n3 2 25 25\n0 50 0 25\n" + struct.pack(">6d", 1, 2, 3, 4, 5, 6)
+# The class of VTK that reads each of them.
 FILES = (("map.gri", IRAP, "vtkHorizonGridReader"), ("map7.grd", SURFER7, "vtkHorizonGridReader"),
          ("map6.grd", SURFER6, "vtkHorizonGridReader"), ("map.storm", STORM, "vtkHorizonGridReader"),
          ("faults.dat", FAULTS, "vtkFaultLinesReader"), ("a.vsm", MATRIX, "vtkVerneySparseMatrixReader"),
@@ -66,6 +69,15 @@ def load(path, class_name):
     return names, [[block.GetPoint(n) for n in range(block.GetNumberOfPoints())] for block in blocks]
 
 
+def load_for_command(path, class_name):
+    """The same as the command reads it."""
+    if class_name == "vtkFaultLinesReader":
+        with core.errors("%s: " % path):
+            return ["faults"], [core.run(_core.read_fault_lines, str(path), "")["places"].tolist()]
+    found, _ = reading.read(path)
+    return [name for name, _ in found], [points["places"].tolist() for _, points in found]
+
+
 class CompressedFiles(unittest.TestCase):
     def test_all_formats(self):
         for name, content, class_name in FILES:
@@ -74,10 +86,20 @@ class CompressedFiles(unittest.TestCase):
                 compressed = write(name + ".gz", gzip.compress(content[:40]) + gzip.compress(content[40:]))
                 if class_name != "vtkFaultLinesReader":
                     self.assertEqual(make(class_name).CanReadFile(str(compressed)), 1)
+                    self.assertIsNotNone(reading.find_format(compressed))
+                    self.assertEqual(reading.find_format(compressed), reading.find_format(plain))
                 names, points = load(plain, class_name)
                 self.assertEqual(load(compressed, class_name), (names, points))
+                self.assertEqual(load_for_command(compressed, class_name), load_for_command(plain, class_name))
+                self.check_same_points(load_for_command(compressed, class_name), (names, points), class_name)
                 self.assertEqual(names, {"a.vsm": ["Horizon 1"], "top.ts": ["Top"]}.get(name, [plain.stem]))
                 self.assertGreaterEqual(len(points[0]), 3)
+
+    def check_same_points(self, found, expected, class_name):
+        """Surfaces are those of the file for VTK, and columns under them for the command."""
+        self.assertEqual(found[0], expected[0])
+        if class_name != "vtkGOCADTSurfReader":
+            self.assertEqual(found[1], [list(map(list, points)) for points in expected[1]])
 
     def test_recognised_by_content(self):
         matrix = make("vtkVerneySparseMatrixReader")
@@ -88,6 +110,9 @@ class CompressedFiles(unittest.TestCase):
         self.assertEqual(matrix.CanReadFile(str(write("plain.vsm.gz", MATRIX))), 1)
         self.assertEqual(load(FOLDER / "plain.vsm.gz", "vtkVerneySparseMatrixReader"),
                          load(FOLDER / "some.dat", "vtkVerneySparseMatrixReader"))
+        for name, form in (("some.dat", "sparse"), ("text.dat", None), ("cut.dat", "sparse"), ("cut.vsm.gz", "sparse"),
+                           ("plain.vsm.gz", "sparse")):
+            self.assertEqual(reading.find_format(FOLDER / name), form, name)
 
     def test_errors(self):
         """One for each, with the name of the file."""
@@ -102,14 +127,21 @@ class CompressedFiles(unittest.TestCase):
                 with self.subTest(name + ": " + text):
                     path = write(name + ".gz", wrong)
                     reader = make(class_name, FileName=str(path))
-                    with self.assertRaises(HorizonError) as raised:
+                    with self.assertRaises(ValueError) as raised:
                         update(reader)
-                    self.assertIn("%s: " % path, str(raised.exception))
-                    self.assertIn(text, str(raised.exception))
+                    self.check_error(raised.exception, path, text)
                     self.assertEqual(reader.GetErrorCode(), getattr(vtkErrorCode, code))
+                    with self.assertRaises(HorizonError) as raised:
+                        load_for_command(path, class_name)
+                    self.check_error(raised.exception, path, text)
         path = write("lines.vsm.gz", gzip.compress(MATRIX.replace(b"4 1 1 4", b"4 1 x 4")))
-        with self.assertRaisesRegex(HorizonError, 'line 5: thickness "x", expected a number'):
-            load(path, "vtkVerneySparseMatrixReader")
+        for loads, error in ((load, ValueError), (load_for_command, HorizonError)):
+            with self.assertRaisesRegex(error, 'line 5: thickness "x", expected a number'):
+                loads(path, "vtkVerneySparseMatrixReader")
+
+    def check_error(self, error, path, text):
+        self.assertIn("%s: " % path, str(error))
+        self.assertIn(text, str(error))
 
     def test_much_out_of_little(self):
         """What a small file is made from does not have to be in memory at once, and of one line it may not be."""
@@ -122,11 +154,13 @@ class CompressedFiles(unittest.TestCase):
                                           ("long.dat", FAULTS, "vtkFaultLinesReader")):
             with self.subTest(name):
                 path = write(name + ".gz", gzip.compress(content) + blanks)
-                with self.assertRaisesRegex(HorizonError, r"byte \d+: a line of more than \d+ bytes, expected a shorter one"):
-                    load(path, class_name)
+                for loads, error in ((load, ValueError), (load_for_command, HorizonError)):
+                    with self.assertRaisesRegex(error, r"byte \d+: a line of more than \d+ bytes, expected a shorter one"):
+                        loads(path, class_name)
         path = write("comments.dat.gz", gzip.compress(b"# nothing\n" * 400000) * 100 + gzip.compress(FAULTS))
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-        self.assertEqual(len(load(path, "vtkFaultLinesReader")[1][0]), 4)
+        for loads in (load, load_for_command):
+            self.assertEqual(len(loads(path, "vtkFaultLinesReader")[1][0]), 4)
         self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 200000)  # KiB
 
     def test_names_of_results(self):

@@ -10,12 +10,13 @@ import sys
 import unittest
 from itertools import filterfalse
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
+import numpy as np
 
 import ledger_check
 import mesh_checks
 from seismichorizons_command import cubes, pipeline, reading
 from seismichorizons_command.core import HorizonError
+from seismichorizons_command.data import count_points, values
 
 GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 CUBE = FOLDER / "survey.sgy"
@@ -51,32 +52,30 @@ class CubeTest(unittest.TestCase):
         horizons, _ = pipeline.read(CUBE)
         self.assertGreaterEqual(len(horizons), SURFACES)
         self.assertLessEqual(len(horizons), cubes.LARGEST_NUMBER)
-        energies = [(vtk_to_numpy(points.GetPointData().GetArray("Amplitude")) ** 2).sum() for _, points in horizons]
+        energies = [(points["point_data"]["Amplitude"] ** 2).sum() for _, points in horizons]
         self.assertEqual(max(energies), energies[0])
         self.assertGreater(energies[0], 2.0 * energies[-1])
         for number, (name, points) in enumerate(horizons[:4]):
             self.assertEqual(name, "Horizon %d" % (number + 1))
-            mesh, _ = pipeline.surface(points, largest_error=1.0)
+            settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=1.0))
+            mesh = pipeline.run(CUBE.name, name, points, settings).data["mesh"]
             written = mesh_checks.read(folder / ("survey_horizon_%d.vtp" % (number + 1)))
-            self.assertTrue((mesh_checks.coordinates(written) == mesh_checks.coordinates(mesh)).all())
-            self.assertEqual(vtk_to_numpy(written.GetPointData().GetArray("PointCount")).sum(), points.GetNumberOfPoints())
+            self.assertTrue(np.array_equal(mesh_checks.coordinates(written), mesh["places"]))
+            self.assertEqual(mesh_checks.array(written, "PointCount").sum(), count_points(points))
 
     def test_choices(self):
         everything, _ = reading.read(CUBE)
         two, _ = reading.read(CUBE, horizons=["3", "1"])
         self.assertEqual([name for name, _ in two], ["Horizon 1", "Horizon 3"])
-        self.assertEqual(two[1][1].GetNumberOfPoints(), everything[2][1].GetNumberOfPoints())
+        self.assertEqual(count_points(two[1][1]), count_points(everything[2][1]))
         # With the polarity, there are fewer picks; with the reader's window, fewer traces.
         positive, _ = reading.read(CUBE, Polarity="Positive", SmallestSize=500)
-        self.assertTrue(all(points.GetNumberOfPoints() >= 500 for _, points in positive))
-        self.assertTrue(all((vtk_to_numpy(points.GetPointData().GetArray("Amplitude")) > 0.0).all()
-                            for _, points in positive))
-        reader = cubes.open_cube(CUBE).GetInputAlgorithm()
-        reader.Update()
-        first = int(vtk_to_numpy(reader.GetOutput().GetFieldData().GetArray("LineNumbers")).ravel()[0])
-        lines = reader.GetOutput().GetDimensions()[1]
+        self.assertTrue(all(count_points(points) >= 500 for _, points in positive))
+        self.assertTrue(all((points["point_data"]["Amplitude"] > 0.0).all() for _, points in positive))
+        first = int(values(everything[0][1], "LineNumbers")[0])
+        lines = int(values(everything[0][1], "LatticeDimensions")[1])
         part, _ = reading.read(CUBE, InlineRange=(first, first + lines // 4))
-        self.assertLess(part[0][1].GetNumberOfPoints(), everything[0][1].GetNumberOfPoints())
+        self.assertLess(count_points(part[0][1]), count_points(everything[0][1]))
 
     def test_errors_are_those_of_the_reader(self):
         for name, content in (("cut.sgy", CUBE.read_bytes()[:5000]), ("text.segy", b"no cube\n"), ("empty.sgy", b"")):
@@ -92,7 +91,7 @@ class CubeTest(unittest.TestCase):
         self.assertRegex(self.refused("--inlines", "-9", "-8", CUBE), "--inlines -9 to -8, expected some of the lines")
         self.assertRegex(self.refused("--smallest-surface", "1000000", CUBE), "no points")
         with self.assertRaisesRegex(HorizonError, "a seismic cube does not support Wrong"):
-            cubes.open_cube(CUBE, Wrong=1)
+            reading.open_file(CUBE, Wrong=1)
 
 
 if __name__ == "__main__":

@@ -7,13 +7,15 @@ import importlib.util
 import io
 import shutil
 import unittest
+from unittest import mock
+
+from seismichorizons_command import horizon_mesh
 
 
 def load_program(path):
     specification = importlib.util.spec_from_file_location("horizon_mesh", path)
     program = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(program)
-    program.PROGRAM = "horizon-mesh"
     return program
 
 
@@ -42,7 +44,9 @@ class CommandTest(unittest.TestCase):
         """The exit code, the lines on the error output, and what was printed."""
         errors, printed = io.StringIO(), io.StringIO()
         code = 1
-        with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(printed), contextlib.suppress(SystemExit):
+        # Messages begin with the name by which a process is started.
+        with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(printed), contextlib.suppress(SystemExit), \
+                mock.patch.object(horizon_mesh, "PROGRAM", "horizon-mesh"):
             code = load_program(self.program).main(["--no-pictures", "--output-folder", str(self.output),
                                                     *map(str, arguments)])
         return code, errors.getvalue().splitlines(), printed.getvalue()

@@ -24,11 +24,24 @@ from unittest import mock
 import numpy as np
 import seismichorizons as sh
 from doors import CommandTest, picks
-from seismichorizons_command import batch, making, pipeline, record, stage, writing
+from seismichorizons import vtk
+from seismichorizons_command import batch, pipeline, record, writing
+from seismichorizons_command.core import HorizonError
+from seismichorizons_command.options import FORMATS
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 GRIDS_OF_CELLS = ("vtu", *writing.LAYER_FORMATS)
-NEIGHBOURS = (*writing.FORMATS, "vtu", "aux.xml", "tif.aux.xml", "part", "tmp", "csv", "png")
+FILES_OF_VTK = {"vtp": vtkXMLPolyDataReader, "vtu": vtkXMLUnstructuredGridReader}
+MESH_WRITER, GRID_WRITER = "vtkHorizonMeshWriter", "vtkHorizonGridWriter"
+WRITERS = {"vtp": MESH_WRITER, "stl": MESH_WRITER, "ply": MESH_WRITER, "obj": MESH_WRITER, "ts": "vtkGOCADTSurfWriter",
+           "dxf": "vtkHorizonDXFWriter", "irap": GRID_WRITER, "gri": GRID_WRITER, "zmap": GRID_WRITER,
+           "dat": "vtkHorizonTextWriter", "vsm": "vtkVerneySparseMatrixWriter",
+           **dict.fromkeys(GRIDS_OF_CELLS, "vtkHorizonLayersWriter")}
+# GeoTIFF takes GDAL, which neither the functions nor the classes load.
+BY_COMMAND_ALONE = ("tif",)
+NEIGHBOURS = (*FORMATS, "vtu", "aux.xml", "tif.aux.xml", "part", "tmp", "csv", "png")
 SMALL = 600  # bytes of a file for which a full disk has room
 PRECIOUS = b"precious"
 
@@ -93,16 +106,65 @@ def dome(rows=30, columns=40):
     return 1000.0 + 0.37 * i + 20.0 * np.sin(j / 9.0) * np.cos(i / 11.0)
 
 
+def kind_of(form):
+    """What a format holds."""
+    return "cells" if form in GRIDS_OF_CELLS else "points" if form in writing.POINT_FORMATS else "mesh"
+
+
+def read_by_vtk(path):
+    reader = FILES_OF_VTK[path.suffix[1:]]()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def arrays_of(data):
+    """All that is in data of VTK, as types, shapes and values that can be compared."""
+    def plain(array):
+        if not array.IsNumeric():
+            return [array.GetValue(number) for number in range(array.GetNumberOfValues())]
+        return array.GetDataTypeAsString(), array.GetNumberOfComponents(), vtk_to_numpy(array).tobytes()
+
+    found = {"points": plain(data.GetPoints().GetData())}
+    for name in ("Verts", "Lines", "Polys", "Cells"):
+        cells = getattr(data, "Get" + name)() if hasattr(data, "Get" + name) else None
+        if cells is not None:
+            found[name] = plain(cells.GetOffsetsArray()), plain(cells.GetConnectivityArray())
+    if hasattr(data, "GetCellTypesArray"):
+        found["types"] = plain(data.GetCellTypesArray())
+    for kind in ("Point", "Cell", "Field"):
+        attributes = getattr(data, "Get%sData" % kind)()
+        arrays = [attributes.GetAbstractArray(number) for number in range(attributes.GetNumberOfArrays())]
+        found[kind] = {array.GetName(): plain(array) for array in arrays}
+    return found
+
+
+def write_picks_by_class(points, path):
+    """Writes the horizons of a file of picks as the window does, each into a file of its own."""
+    reader = vtk.make("vtkHorizonTextReader", FileName=str(points))
+    vtk.update(reader)
+    writer = vtk.make(MESH_WRITER, FileName=str(path))
+    writer.SetInputDataObject(reader.GetOutputDataObject(0))
+    vtk.update(writer)
+
+
 class DoorsTest(CommandTest):
     program, top_folder = PROGRAM, FOLDER
 
     @classmethod
     def setUpClass(cls):
         with contextlib.redirect_stderr(io.StringIO()):
-            cls.top = sh.horizon(dome(), origin=(512345.678, 6543210.987), spacing=(0.25, 0.25), vertical_step=0.1)
+            place = {"origin": (512345.678, 6543210.987), "spacing": (0.25, 0.25), "vertical_step": 0.1}
+            cls.top = sh.horizon(dome(), name="top", **place)
             cls.mesh = sh.surface(cls.top)
-            base = sh.horizon(dome() + 50.0, origin=(512345.678, 6543210.987), spacing=(0.25, 0.25), vertical_step=0.1)
-            cls.cells = sh.layers({"Top": cls.top, "Base": base}, effort="Fast").cells
+            cls.layers = sh.layers({"Top": cls.top, "Base": sh.horizon(dome() + 50.0, **place)}, effort="fast")
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        # What classes write, as VTK reads it.
+        cls.given = {}
+        for kind, data, form in (("points", cls.top, "vtp"), ("mesh", cls.mesh, "vtp"), ("cells", cls.layers, "vtu")):
+            path = FOLDER / ("%s.%s" % (kind, form))
+            data.write(path) if form == "vtu" else sh.write(data, path)
+            cls.given[kind] = read_by_vtk(path)
 
     def setUp(self):
         super().setUp()
@@ -110,19 +172,24 @@ class DoorsTest(CommandTest):
         patch.__enter__()
         self.addCleanup(patch.__exit__, None, None, None)
 
-    def data_of(self, form):
-        return self.cells if form in GRIDS_OF_CELLS else self.top if form in writing.POINT_FORMATS else self.mesh
+    def write_by_function(self, path):
+        form = path.suffix[1:]
+        if form in GRIDS_OF_CELLS:
+            self.layers.write(path)
+        else:
+            sh.write(self.top if form in writing.POINT_FORMATS else self.mesh, path)
 
     def doors(self, form):
         """What writes a format into a folder as top.form, by the name of the door."""
         def by_function(folder):
-            sh.write(self.data_of(form), folder / ("top." + form))
+            self.write_by_function(folder / ("top." + form))
 
         def by_class(folder):
-            name = "vtkHorizonLayersWriter" if form in GRIDS_OF_CELLS else writing.WRITERS[form]
-            writer = stage.make(name, FileName=str(folder / ("top." + form)))
-            writer.SetInputDataObject(self.data_of(form))
-            stage.update(writer)
+            # The functions write surfaces of GOCAD in the direction of the horizon, which a class is told.
+            told = {"VerticalPositive": "Depth"} if form == "ts" else {}
+            writer = vtk.make(WRITERS[form], FileName=str(folder / ("top." + form)), **told)
+            writer.SetInputDataObject(self.given[kind_of(form)])
+            vtk.update(writer)
 
         def by_command(folder):
             points = pathlib.Path(self.folder / "top.dat")
@@ -133,15 +200,15 @@ class DoorsTest(CommandTest):
             if run.files[0]["error"]:
                 raise OSError(run.files[0]["error"])
 
-        yield "function", by_function
-        if form != "tif":
+        if form not in BY_COMMAND_ALONE:
+            yield "function", by_function
             yield "class", by_class
         if form not in GRIDS_OF_CELLS:
             yield "command", by_command
 
     def test_beside_each_other(self):
         """No file but the one that is written changes, appears or goes, whatever is beside it."""
-        for form in (*writing.FORMATS, "vtu"):
+        for form in (*FORMATS, "vtu"):
             for door, write in self.doors(form):
                 with self.subTest(form=form, door=door):
                     folder = self.folder / ("%s-%s" % (form, door))
@@ -160,7 +227,7 @@ class DoorsTest(CommandTest):
 
     def test_all_at_once(self):
         """In any order."""
-        forms = ["irap", "tif", *(form for form in writing.FORMATS if form not in ("irap", "tif", *writing.LAYER_FORMATS))]
+        forms = ["irap", "tif", *(form for form in FORMATS if form not in ("irap", "tif", *writing.LAYER_FORMATS))]
         points = self.write("top.txt", picks())
         for order in (forms, forms[::-1]):
             shutil.rmtree(self.output, ignore_errors=True)
@@ -170,7 +237,7 @@ class DoorsTest(CommandTest):
 
     def test_full_disk(self):
         """An OSError, or an exit code; what was there is as it was, and nothing else is left."""
-        for form in (*writing.FORMATS, "vtu"):
+        for form in (*FORMATS, "vtu"):
             for door, write in self.doors(form):
                 with self.subTest(form=form, door=door):
                     folder = self.folder / ("%s-%s" % (form, door))
@@ -182,7 +249,7 @@ class DoorsTest(CommandTest):
                         (self.folder / "top.dat").write_text(picks(), encoding="ascii")
                     with full_disk(SMALL), warnings.catch_warnings(), mock.patch("pathlib.Path.write_text"):
                         warnings.simplefilter("ignore")
-                        with self.assertRaises((OSError, stage.HorizonError)) as raised:
+                        with self.assertRaises((OSError, ValueError)) as raised:
                             write(folder)
                     if door != "class":
                         self.assertIsInstance(raised.exception, OSError)
@@ -194,23 +261,40 @@ class DoorsTest(CommandTest):
         """Not by a limit, but where the last bytes do not fit."""
         if not os.path.exists("/dev/full"):
             self.skipTest("no such device")
-        for form in writing.WRITERS:
+        (name, points), = pipeline.read(self.write("top.dat", picks()))[0]
+        result = pipeline.run("top.dat", name, points, pipeline.Settings())
+        for form in (*FORMATS, "vtu"):
             link = self.folder / ("x." + form)
             link.symlink_to("/dev/full")
-            with self.subTest(form=form), self.assertRaises(OSError), warnings.catch_warnings():
+            with self.subTest(form=form), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                sh.write(self.data_of(form), link)
+                if form in BY_COMMAND_ALONE:
+                    with self.assertRaisesRegex(HorizonError, "cannot be written"):
+                        writing.write(result, link)
+                else:
+                    with self.assertRaises(OSError):
+                        self.write_by_function(link)
 
     def test_same_bytes(self):
-        """Every door writes the same file; meshes have all digits."""
-        for form in (*writing.MESH_FORMATS, "dat", "vsm", *GRIDS_OF_CELLS):
+        """Every door writes the same file; meshes have all digits. In files of VTK the same arrays are compressed otherwise."""
+        for form in (*FORMATS, "vtu"):
+            if form in BY_COMMAND_ALONE:
+                continue
+            path = self.folder / ("top." + form)
             written = []
             for door, write in self.doors(form):
-                if door != "command":
+                if door == "command":
+                    continue
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")  # of single precision
                     write(self.folder)
-                    written.append((self.folder / ("top." + form)).read_bytes().replace(b"Horizon 1", b"top").replace(b"Horizon_1", b"top"))
-            self.assertGreater(len(written[0]), 100, form)
+                self.assertGreater(path.stat().st_size, 100, form)
+                written.append(arrays_of(read_by_vtk(path)) if form in FILES_OF_VTK else
+                               path.read_bytes().replace(b"Horizon 1", b"top").replace(b"Horizon_1", b"top"))
             self.assertEqual(*written, form)
+        np.testing.assert_array_equal(vtk_to_numpy(self.given["mesh"].GetPoints().GetData()), self.mesh.points)
+        corners = vtk_to_numpy(self.given["mesh"].GetPolys().GetConnectivityArray())
+        np.testing.assert_array_equal(corners.reshape(-1, 3), self.mesh.triangles)
         head = (self.folder / "top.ply").read_bytes()[:300]
         self.assertIn(b"property double x", head)
         for name in ("top.ts", "top.obj"):
@@ -241,23 +325,22 @@ class DoorsTest(CommandTest):
         written = os.listdir(self.output)
         self.assertEqual(len(written), len(names) + 1)
         self.assertEqual(len({name.casefold() for name in written}), len(written), written)
-        horizons = sh.read(points)
-        writer = stage.make("vtkHorizonMeshWriter", FileName=str(self.folder / "y.vtp"))
-        writer.SetInputDataObject(making.collect_picks(horizons))
-        stage.update(writer)
-        written = [path.name.casefold() for path in self.folder.glob("y*.vtp")]
-        self.assertEqual((len(written), len(set(written))), (len(names), len(names)), written)
+        write_picks_by_class(points, self.folder / "y.vtp")
+        sh.write(sh.read(points), self.folder / "z.vtp")
+        for stem in "yz":
+            written = [path.name.casefold() for path in self.folder.glob(stem + "*.vtp")]
+            self.assertEqual((len(written), len(set(written))), (len(names), len(names)), written)
 
     def test_long_names(self):
-        """Two that differ in their last letters only; the window writes them, too."""
+        """Two that differ in their last letters only; the window and the functions write them, too."""
         names = ["\u00e4" * 300 + end for end in "ab"]
         points = self.write("x.txt", picks(names[0]) + picks(names[1], z=1700.0))
         code, messages, _ = self.run_command(points, "--formats", "vtp", "dat")
         self.assertEqual((code, messages, len(os.listdir(self.output))), (0, [], 4))
-        writer = stage.make("vtkHorizonMeshWriter", FileName=str(self.folder / "y.vtp"))
-        writer.SetInputDataObject(making.collect_picks(sh.read(points)))
-        stage.update(writer)
-        self.assertEqual(len(list(self.folder.glob("y*.vtp"))), 2)
+        write_picks_by_class(points, self.folder / "y.vtp")
+        sh.write(sh.read(points), self.folder / "z.vtp")
+        for stem in "yz":
+            self.assertEqual(len(list(self.folder.glob(stem + "*.vtp"))), 2)
         name = "z" * 251 + ".vtp"  # as long as may be
         sh.write(self.mesh, self.folder / name)
         self.assertTrue((self.folder / name).is_file())

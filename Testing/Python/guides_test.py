@@ -11,19 +11,19 @@ import sys
 import unittest
 
 import numpy as np
-import seismichorizons as sh
+import vtk_inputs
+from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
+LARGEST_NUMBER = 20  # of horizons
 QUARTER = 8.0 * 4.0 / 4.0  # of the period, about, in ms
 
 
 def points_of(places, names=None):
-    data = vtkPolyData()
-    data.SetPoints(vtkPoints())
-    data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(places, dtype=float), deep=True))
+    data = vtk_inputs.points_of(places)
     if names is not None:
         array = vtkStringArray()
         array.SetName("Horizon")
@@ -31,6 +31,13 @@ def points_of(places, names=None):
             array.InsertNextValue(name)
         data.GetPointData().AddArray(array)
     return data
+
+
+def dataset_of(given):
+    """The dataset of an array, of a dictionary of arrays and datasets, or of a dataset itself."""
+    if isinstance(given, dict):
+        return vtk_inputs.collect({name: dataset_of(own) for name, own in given.items()})
+    return points_of(given) if isinstance(given, np.ndarray) else given
 
 
 def places_of(horizon):
@@ -54,7 +61,18 @@ class GuidesTest(unittest.TestCase):
             own = rows[rows[:, 0] == number]
             if len(own) > 2000:
                 cls.truth["Reflector %d" % number] = np.column_stack((own[:, 3], own[:, 4], -own[:, 5]))
-        cls.cube = sh.read_cube(cls.path)
+        cls.cube = sh.apply(sh.make("vtkSEGYCubeReader", FileName=str(cls.path)))
+
+    def extract(self, picks=None, limits=(), **properties):
+        """The horizons of the cube, by name."""
+        extraction = sh.make("vtkSeismicReflectionExtraction", **{"LargestNumber": LARGEST_NUMBER, **properties})
+        extraction.SetInputDataObject(self.cube)
+        if picks is not None:
+            extraction.SetInputDataObject(1, dataset_of(picks))
+        for own in limits if isinstance(limits, (list, tuple)) else [limits]:
+            extraction.AddInputDataObject(2, dataset_of(own))
+        sh.update(extraction)
+        return sh.horizons_of(extraction.GetOutputDataObject(0))
 
     def picks(self, count, seed=1):
         draw = random.Random(seed)
@@ -74,13 +92,13 @@ class GuidesTest(unittest.TestCase):
     def test_found(self):
         picks = self.picks(12)
         self.assertGreater(len(picks), 5)
-        self.check(sh.extract(self.cube, picks), list(picks), 0.8)
+        self.check(self.extract(picks), list(picks), 0.8)
 
     def test_arrays(self):
         """Where a pick is the pick is, and distances are those to the nearest pick."""
         picks = self.picks(6)
         name = next(iter(picks))
-        top = sh.extract(self.cube, {name: picks[name]})[name]
+        top = self.extract({name: picks[name]})[name]
         places, origins, distances = places_of(top), array_of(top, "Origin"), array_of(top, "GuideDistance")
         self.assertEqual(set(origins.tolist()) - {0.0, 1.0, 2.0}, set())
         for x, y, z in picks[name]:
@@ -96,19 +114,19 @@ class GuidesTest(unittest.TestCase):
     def test_forms(self):
         """A dict of arrays, datasets, and one dataset with names give the same; without a name it is Guide 1."""
         picks = dict(list(self.picks(5).items())[:2])
-        expected = [places_of(top) for top in sh.extract(self.cube, picks).values()]
+        expected = [places_of(top) for top in self.extract(picks).values()]
         names = [name for name, places in picks.items() for _ in places]
         for given in ({name: points_of(places) for name, places in picks.items()},
                       points_of(np.concatenate(list(picks.values())), names)):
-            found = sh.extract(self.cube, given)
+            found = self.extract(given)
             self.assertEqual(list(found), list(picks))
             for places, top in zip(expected, found.values()):
                 np.testing.assert_array_equal(places, places_of(top))
-        self.assertEqual(list(sh.extract(self.cube, next(iter(picks.values())))), ["Guide 1"])
+        self.assertEqual(list(self.extract(next(iter(picks.values())))), ["Guide 1"])
 
     def test_others(self):
         picks = dict(list(self.picks(5).items())[:1])
-        found = sh.extract(self.cube, picks, keep_others=True, largest_number=5)
+        found = self.extract(picks, KeepOthers=True, LargestNumber=5)
         self.assertEqual(list(found), [*picks, *("Horizon %d" % (n + 1) for n in range(5))])
         taken = set(map(tuple, places_of(next(iter(found.values()))).tolist()))
         for top in list(found.values())[1:]:
@@ -117,7 +135,7 @@ class GuidesTest(unittest.TestCase):
 
     def test_without_growth(self):
         picks = self.picks(8)
-        grown, parts = sh.extract(self.cube, picks), sh.extract(self.cube, picks, growth_reach=0)
+        grown, parts = self.extract(picks), self.extract(picks, GrowthReach=0)
         for name, top in parts.items():
             self.assertFalse(np.any(array_of(top, "Origin") == 2.0))
             self.assertLessEqual(top.GetNumberOfPoints(), grown[name].GetNumberOfPoints())
@@ -130,7 +148,7 @@ class GuidesTest(unittest.TestCase):
 
     def test_limits(self):
         """Every point is on a trace with all limits, and within these."""
-        everything = sh.extract(self.cube, largest_number=1000, smallest_size=1)
+        everything = self.extract(LargestNumber=1000, SmallestSize=1)
         names = list(self.truth)
         top, base = self.truth[names[1]], self.truth[names[3]]
         upper, lower = self.by_column(top), self.by_column(base)
@@ -140,13 +158,13 @@ class GuidesTest(unittest.TestCase):
             self.assertGreater(len(points), 1000)
             for place, z in points:
                 self.assertTrue(is_inside(place, z), (place, z))
-        between = sh.extract(self.cube, limits=[top, base], largest_number=1000, smallest_size=1)
+        between = self.extract(limits=[top, base], LargestNumber=1000, SmallestSize=1)
         check(between, lambda place, z: min(lower[place], upper[place]) - 1e-6 <= z <= max(lower[place], upper[place]) + 1e-6)
-        swapped = sh.extract(self.cube, limits={"a": base, "b": points_of(top)}, largest_number=1000, smallest_size=1)
+        swapped = self.extract(limits={"a": base, "b": points_of(top)}, LargestNumber=1000, SmallestSize=1)
         for one, other in zip(between.values(), swapped.values()):
             np.testing.assert_array_equal(places_of(one), places_of(other))
-        below = sh.extract(self.cube, limits=top, largest_number=1000, smallest_size=1)
-        above = sh.extract(self.cube, limits=top, limit_side="Above", largest_number=1000, smallest_size=1)
+        below = self.extract(limits=top, LargestNumber=1000, SmallestSize=1)
+        above = self.extract(limits=top, LimitSide="Above", LargestNumber=1000, SmallestSize=1)
         check(below, lambda place, z: z <= upper[place] + 1e-6)
         check(above, lambda place, z: z >= upper[place] - 1e-6)
         self.assertGreater(sum(map(vtkPolyData.GetNumberOfPoints, everything.values())),
@@ -155,13 +173,13 @@ class GuidesTest(unittest.TestCase):
     def test_guides_within_limits(self):
         names = list(self.truth)
         picks = dict(list(self.picks(12).items())[2:3])
-        found = sh.extract(self.cube, picks, limits=[self.truth[names[1]], self.truth[names[3]]])
+        found = self.extract(picks, limits=[self.truth[names[1]], self.truth[names[3]]])
         self.check(found, list(picks), 0.5)
 
     def test_zero_crossings(self):
         """A crossing is half way between the peaks beside it, about, and amplitudes have the sign of its direction."""
-        peaks = sh.extract(self.cube, position="Peak", largest_number=3)
-        crossings = sh.extract(self.cube, position="ZeroCrossing", largest_number=3)
+        peaks = self.extract(Position="Peak", LargestNumber=3)
+        crossings = self.extract(Position="ZeroCrossing", LargestNumber=3)
         for top in crossings.values():
             amplitudes = array_of(top, "Amplitude")
             self.assertEqual(len(set(np.sign(amplitudes))), 1)
@@ -183,25 +201,24 @@ class GuidesTest(unittest.TestCase):
                                  "all of its points are above or below the samples of the cube, expected points from ("),
                                 (place + [1e7, 0.0, 0.0], "limits on no trace of the cube, expected horizons with points from (")):
             with self.assertRaises(ValueError, msg=message) as caught:
-                sh.extract(self.cube, limits=limits)
+                self.extract(limits=limits)
             self.assertIn(message, str(caught.exception))
 
     def test_random_picks(self):
         """Whatever the picks are: each is on its horizon or counted, and their order does not matter."""
         draw = np.random.default_rng(7)
         places = np.concatenate(list(self.truth.values()))
-        from seismichorizons import vtkSeismicReflectionExtraction
         for run in range(12):
             count = int(draw.integers(1, 60))
             given = places[draw.integers(0, len(places), count)] + draw.normal(0.0, 2.0 ** draw.integers(0, 5), (count, 3))
             given = given[np.unique(np.round(given[:, :2] / 40.0), axis=0, return_index=True)[1]]
             results = []
             for order in (np.arange(len(given)), draw.permutation(len(given))):
-                extraction = vtkSeismicReflectionExtraction()
+                extraction = sh.vtkSeismicReflectionExtraction()
                 extraction.SetInputData(self.cube)
                 extraction.SetInputDataObject(1, points_of(given[order]))
                 try:
-                    sh.calls.run(extraction, "extract")
+                    sh.update(extraction)
                 except ValueError as error:
                     results.append(str(error).partition(" at (")[0])
                     continue
@@ -216,23 +233,21 @@ class GuidesTest(unittest.TestCase):
     def test_errors(self):
         name, places = next(iter(self.picks(4).items()))
         for given, message in (({name: places + [0.0, 0.0, 5000.0]}, 'guide "%s": none of its 4 points is on the cube' % name),
-                               ({name: np.zeros((0, 3))}, "no points, expected some that are not nan"),
-                               ({name: places[:, :2]}, "points of shape (4, 2), expected (n, 3)"),
                                (points_of(np.zeros((0, 3))), "guides without points, expected picks"),
                                (points_of(places * [1.0, np.nan, 1.0]), 'guide "Guide 1": a point at ('),
                                (points_of(places, ["a"] * 3), "array Horizon of 3 tuples"),
                                ({name: np.concatenate((places, places + [0.0, 0.0, -60.0]))}, "two picks in one column")):
             with self.assertRaises(ValueError, msg=message) as caught:
-                sh.extract(self.cube, given)
+                self.extract(given)
             self.assertIn(message, str(caught.exception))
         vectors = points_of(places)
         vectors.GetPointData().AddArray(numpy_to_vtk(places, deep=True))
         vectors.GetPointData().GetArray(0).SetName("Horizon")
         with self.assertRaises(ValueError) as caught:
-            sh.extract(self.cube, vectors)
+            self.extract(vectors)
         self.assertIn("guide array Horizon of 3 components, expected the number or the name", str(caught.exception))
         with self.assertRaises(ValueError) as caught:
-            sh.extract(self.cube, {name: places}, joining="Components")
+            self.extract({name: places}, Joining="Components")
         self.assertIn("expected BestFirst", str(caught.exception))
 
     def run_program(self, *words):
@@ -266,8 +281,7 @@ class GuidesTest(unittest.TestCase):
         draw = random.Random(3)
         bad = draw.sample(picks[3][1].tolist(), 1)
         given = np.array(draw.sample(places.tolist(), 9) + bad + [[0.0, 0.0, 0.0]])
-        from seismichorizons import vtkSeismicReflectionExtraction
-        extraction = vtkSeismicReflectionExtraction()
+        extraction = sh.vtkSeismicReflectionExtraction()
         extraction.SetInputData(self.cube)
         extraction.SetInputDataObject(1, points_of(given))
         extraction.Update()

@@ -9,10 +9,11 @@ import math
 
 import image_compare
 import numpy
-import seismichorizons as sh
-from seismichorizons_command import pictures
-from seismichorizons_command.pipeline import read, read_first, surface
+import vtk_inputs
+from seismichorizons import vtk as sh
 from seismichorizons.vtk import apply, make, update
+from seismichorizons_command import pictures
+from seismichorizons_command.data import from_vtk
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkThreshold
@@ -35,6 +36,16 @@ class Parameters:
         self.smallest_throw = 14.0 if changed else 4.0
         self.largest_hole = 100 if changed else 2500
         self.amplitude_percentile = 45 if changed else 25
+
+
+def make_panel(data, style, behind=None):
+    """A panel of VTK's data, without texts."""
+    return pictures.Panel("", "", from_vtk(data), style, None if behind is None else from_vtk(behind))
+
+
+def read_first(sample, row_step):
+    """The first horizon of a file."""
+    return next(iter(vtk_inputs.read(sample, RowStep=row_step).values()))
 
 
 def simplified_boundary(data, parameters):
@@ -130,7 +141,7 @@ def marked(data, name, level):
     origins = numpy_support.numpy_to_vtk(numpy.outer(marks, (level, 0, 0)).astype(numpy.int32), deep=True)
     origins.SetName("CellOrigin")
     data.GetPointData().AddArray(origins)
-    return pictures.Panel("", "", data, pictures.LEVELS)
+    return make_panel(data, pictures.LEVELS)
 
 
 def reflections(amplitude_percentile):
@@ -151,10 +162,10 @@ def bodies(maximum_error):
     depths = {"Sea": 100.0 + 0.3 * fold, "Top": 112.0 + 0.5 * fold + thrown,
               "Fill": numpy.minimum(135.0 + 0.2 * fold + thrown, 98.0 + 0.7 * x + 0.6 * fold + thrown), "Base": 150.0 + fold + thrown}
     depths["Fill"] = numpy.maximum(depths["Fill"], depths["Top"])
-    horizons = {name: sh.horizon(z, spacing=(2.0, 2.0), vertical_step=1.0) for name, z in depths.items()}
-    horizons["Base"] = sh.faults(horizons["Base"], smallest_throw=4.0)
+    horizons = {name: vtk_inputs.horizon(z, spacing=(2.0, 2.0), VerticalStep=1.0) for name, z in depths.items()}
+    horizons["Base"] = apply(sh.vtkHorizonFaults(), horizons["Base"], SmallestThrow=4.0)
     together = vtkAppendPolyData()
-    for number, body in enumerate(sh.layers(horizons, largest_error=maximum_error).bodies.values()):
+    for number, body in enumerate(vtk_inputs.layers(horizons, MaximumError=maximum_error).bodies.values()):
         numpy_support.vtk_to_numpy(body.GetPoints().GetData())[:, 2] -= 18.0 * number
         together.AddInputData(body)
     together.Update()
@@ -165,49 +176,49 @@ def panel(scene, sample, changed):
     """The panel of a scene. Only what belongs to the scene is changed, not what leads to it."""
     usual, own = Parameters(False), Parameters(changed)
     if scene == "Points":
-        return pictures.Panel("", "", read_first(sample, RowStep=own.row_step), pictures.POINTS)
+        return make_panel(read_first(sample, own.row_step), pictures.POINTS)
     if scene == "Volume":
-        return pictures.Panel("", "", voxels(sample, own.angle), pictures.MESH)
+        return make_panel(voxels(sample, own.angle), pictures.MESH)
     if scene == "ExteriorBoundary":
-        data = apply(sh.vtkHorizonExteriorBoundary(), read_first(sample, RowStep=own.row_step))
-        return pictures.Panel("", "", data, pictures.OUTLINE)
+        data = apply(sh.vtkHorizonExteriorBoundary(), read_first(sample, own.row_step))
+        return make_panel(data, pictures.OUTLINE)
     if scene == "Layers":
-        return pictures.Panel("", "", bodies(own.maximum_error), pictures.BODIES)
+        return make_panel(bodies(own.maximum_error), pictures.BODIES)
     if scene == "Reflections":
-        return pictures.Panel("", "", reflections(own.amplitude_percentile), pictures.POINTS)
-    data = read_first(sample, RowStep=usual.row_step)
+        return make_panel(reflections(own.amplitude_percentile), pictures.POINTS)
+    data = read_first(sample, usual.row_step)
     if scene == "Despiking":
         found = apply(sh.vtkHorizonDespiking(), with_spikes(data), Action="Flag", Threshold=own.spike_threshold)
         return marked(found, "Spike", 3)
     if scene == "Faults":
         faulted = torn(data)
-        return pictures.Panel("", "", fault_lines(faulted, own.smallest_throw), pictures.FAULTS, faulted)
+        return make_panel(fault_lines(faulted, own.smallest_throw), pictures.FAULTS, faulted)
     if scene == "HoleFilling":
         return marked(apply(sh.vtkHorizonHoleFilling(), data, LargestHoleSize=own.largest_hole), "Filled", 2)
     if scene == "BoundarySimplification":
-        return pictures.Panel("", "", simplified_boundary(data, own), pictures.OUTLINE, data)
+        return make_panel(simplified_boundary(data, own), pictures.OUTLINE, data)
     if scene == "RoughSimplification":
-        return pictures.Panel("", "", rough(data, own), pictures.POINTS)
+        return make_panel(rough(data, own), pictures.POINTS)
     if scene == "ElaborateSimplification":
-        return pictures.Panel("", "", elaborate(data, own), pictures.LEVELS)
+        return make_panel(elaborate(data, own), pictures.LEVELS)
     if scene == "Decimation":
         straight = apply(sh.vtkHorizonBoundarySimplification(), apply(sh.vtkHorizonExteriorBoundary(), data),
                          DistanceThreshold=0.75, OutlineTolerance=0.75)
         mesh = apply(sh.vtkHorizonDecimation(), straight, MaximumError=own.maximum_error)
-        return pictures.Panel("", "", mesh, pictures.MESH)
+        return make_panel(mesh, pictures.MESH)
     if scene == "Surface":
-        return pictures.Panel("", "", surface(data, largest_error=own.maximum_error)[0], pictures.MESH)
+        return make_panel(vtk_inputs.surface(data, MaximumError=own.maximum_error), pictures.MESH)
     if scene == "Thickness":
-        other = read(sample, RowStep=usual.row_step)[0][1][1]
-        mesh = surface(apply(sh.vtkHorizonThickness(), data, other), largest_error=own.maximum_error)[0]
+        other = list(vtk_inputs.read(sample, RowStep=usual.row_step).values())[1]
+        mesh = vtk_inputs.surface(vtk_inputs.thickness(data, other), MaximumError=own.maximum_error)
         mesh.GetPointData().GetArray("Isochore").SetName("Distance")
-        return pictures.Panel("", "", mesh, pictures.DISTANCE)
+        return make_panel(mesh, pictures.DISTANCE)
     mesh = apply(sh.vtkHorizonTriangulation(), rough(data, own))
     if scene == "SurfaceDistance":
         meter = sh.vtkHorizonSurfaceDistance()
         apply(meter, data, mesh)
-        return pictures.Panel("", "", meter.GetOutputDataObject(1), pictures.DISTANCE)
-    return pictures.Panel("", "", mesh, pictures.MESH)
+        return make_panel(meter.GetOutputDataObject(1), pictures.DISTANCE)
+    return make_panel(mesh, pictures.MESH)
 
 
 def main():

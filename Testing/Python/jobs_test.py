@@ -21,7 +21,7 @@ import time
 import unittest
 from unittest import mock
 
-from seismichorizons_command import jobs, memory, stage
+from seismichorizons_command import core, jobs, memory
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 SAMPLE = DATA / "blobs.vsm"
@@ -213,9 +213,9 @@ class JobsTest(unittest.TestCase):
         code, _, messages = self.run_program(2, "--no-pictures", "--memory", "300M", path)
         self.assertEqual((code, messages), (0, ""))  # one file has all of it
 
-        with mock.patch.object(stage, "set_threads") as set_threads:
+        with mock.patch.object(core._core, "set_threads") as set_threads:
             for number in (6, 3, 1, 0):
-                stage.share_threads(number, 2)
+                core.share_threads(number, 2)
             self.assertEqual([call.args[0] for call in set_threads.call_args_list],
                              [3, 1, 1, max(1, len(os.sched_getaffinity(0)) // 2)])
 

@@ -10,7 +10,8 @@ import warnings
 
 import mesh_checks
 import numpy as np
-import seismichorizons as sh
+import vtk_inputs
+from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
@@ -21,12 +22,12 @@ TOP, BASE, OUTLINE, FAULT = range(4)
 
 
 def on_grid(z, **keywords):
-    return sh.horizon(z, **{"spacing": (25.0, 12.5), "azimuth": 30.0, "origin": (5e5, 6e6), "vertical_step": 1.0, **keywords})
+    return vtk_inputs.horizon(z, **{"spacing": (25.0, 12.5), "azimuth": 30.0, "origin": (5e5, 6e6), "VerticalStep": 1.0, **keywords})
 
 
 def lattice_places(data, lattice=None):
     """Coordinates of points on their lattice, or on that of other data."""
-    to_world = sh.details(data if lattice is None else lattice).lattice_to_world
+    to_world = vtk_inputs.details(data if lattice is None else lattice).lattice_to_world
     world = mesh_checks.coordinates(data)
     return (np.linalg.inv(to_world) @ np.column_stack((world, np.ones(len(world)))).T).T[:, :3]
 
@@ -64,7 +65,7 @@ class LayersTest(unittest.TestCase):
         self.assertGreater(own.min(), 0.0)
         np.testing.assert_allclose(own, volumes, rtol=1e-6)  # large coordinates
         self.assertEqual(len(np.unique(mesh_checks.coordinates(made.cells), axis=0)), made.cells.GetNumberOfPoints())
-        names = sh.details(made.cells).layer_names
+        names = vtk_inputs.details(made.cells).layer_names
         names = [names] if isinstance(names, str) else names
         self.assertEqual(names, list(made.figures))
         for number, name in enumerate(names):
@@ -81,11 +82,11 @@ class LayersTest(unittest.TestCase):
             places = lattice_places(points, made.horizons[name])
             off = surface_heights(made.horizons[name], places) - places[:, 2]
             outside = np.count_nonzero(np.isnan(off))
-            self.assertEqual(sh.details(made.horizons[name]).number_of_outside_points, outside)
+            self.assertEqual(vtk_inputs.details(made.horizons[name]).number_of_outside_points, outside)
             beside += outside / len(off) / len(horizons)
             if name not in moved:
                 self.assertLessEqual(np.nanmax(np.abs(off)), error + 1e-6, name)
-            self.assertLessEqual(sh.details(made.horizons[name]).largest_error, error + 1e-9)
+            self.assertLessEqual(vtk_inputs.details(made.horizons[name]).largest_error, error + 1e-9)
         return beside
 
     def check_body(self, body, figures):
@@ -106,13 +107,13 @@ class LayersTest(unittest.TestCase):
 
     def test_sample(self):
         """Horizons with holes, on a turned lattice; both domains."""
-        horizons = sh.read(SAMPLE, column_step=(3.0, 4.0), row_step=(-8.0, 6.0))
-        each = sh.layers(horizons, 0.75)
+        horizons = vtk_inputs.read(SAMPLE, ColumnStep=(3.0, 4.0), RowStep=(-8.0, 6.0))
+        each = vtk_inputs.layers(horizons, MaximumError=0.75)
         self.check(each, horizons, 0.75)
-        common = sh.layers(horizons, largest_error=1.5, domain="Common")
+        common = vtk_inputs.layers(horizons, MaximumError=1.5, Domain="Common")
         self.assertLess(self.check(common, horizons, 1.5), 0.5)
         self.assertLess(common.cells.GetNumberOfCells(), each.cells.GetNumberOfCells())
-        kept = sh.layers(horizons, 0.75, domain="Common", keep_outlines=True, fit_heights=False, effort="Fast")
+        kept = vtk_inputs.layers(horizons, MaximumError=0.75, Domain="Common", KeepOutlines=True, FitHeights=False, Effort="Fast")
         self.check(kept, horizons, 0.75)
         for mesh in kept.horizons.values():
             self.assertIsNotNone(mesh.GetPointData().GetArray("Amplitude"))
@@ -124,20 +125,20 @@ class LayersTest(unittest.TestCase):
         expected = [area * (20.0 + 0.25 * (COLUMNS - 1) / 2 - 0.5 * (ROWS - 1) / 2), area * 30.0]
         for spacing in ((25.0, 12.5), (25.0, -12.5)):
             for sign, direction in ((1.0, "Down"), (-1.0, "Up")):
-                horizons = {name: on_grid(sign * z, spacing=spacing, vertical_direction=direction)
+                horizons = {name: on_grid(sign * z, spacing=spacing, VerticalDirection=direction)
                             for name, z in depths.items()}
-                made = sh.layers(horizons, largest_error=0.1)
+                made = vtk_inputs.layers(horizons, MaximumError=0.1)
                 self.check(made, horizons, 0.1)
                 self.assertEqual(list(made.figures), ["Top to Middle", "Middle to Base"])
                 np.testing.assert_allclose([own.volume for own in made.figures.values()], expected, rtol=1e-9)
         with self.assertWarnsRegex(UserWarning, "contact -1e\\+06 below all layers, expected a z from "):
-            contact = sh.layers(horizons, contact=-1e6).figures["Middle to Base"]
+            contact = vtk_inputs.layers(horizons, MeasureAboveContact=True, Contact=-1e6).figures["Middle to Base"]
         self.assertAlmostEqual(contact.volume_above_contact, contact.volume, delta=1e-9 * contact.volume)
 
     def test_pinch_out(self):
         """A layer that ends on a line through columns."""
         top = {"Top": on_grid(np.full(X.shape, 100.0)), "Base": on_grid(100.0 + np.maximum(0.0, X - 15.0))}
-        made = sh.layers(top, largest_error=0.2)
+        made = vtk_inputs.layers(top, MaximumError=0.2)
         self.check(made, top, 0.2)
         figures = made.figures["Top to Base"]
         self.assertAlmostEqual(figures.area, 25.0 * 12.5 * (ROWS - 1) * (COLUMNS - 1 - 15), delta=1e-6)
@@ -150,19 +151,19 @@ class LayersTest(unittest.TestCase):
                     "Basement": on_grid(80.0 + 2.0 * X)}
         moves = {}
         for policy, moved in (("UpperWins", ("Basement",)), ("LowerWins", ("Top", "Fill")), ("Mean UpperWins", ("Basement",))):
-            chosen = {"crossings_by_layer": policy} if " " in policy else {"crossings": policy}
-            made = sh.layers(horizons, 0.75, order="AsGiven", **chosen)
+            chosen = {"CrossingsByLayer": policy} if " " in policy else {"Crossings": policy}
+            made = vtk_inputs.layers(horizons, MaximumError=0.75, Order="AsGiven", **chosen)
             self.check(made, horizons, 0.75, moved)
-            moves[policy] = {name: sh.details(mesh).moved_columns for name, mesh in made.horizons.items()}
+            moves[policy] = {name: vtk_inputs.details(mesh).moved_columns for name, mesh in made.horizons.items()}
         self.assertEqual(moves["UpperWins"], {"Top": 0, "Fill": 0, "Basement": 15 * ROWS})
         self.assertEqual(moves["LowerWins"], {"Top": 10 * ROWS, "Fill": 15 * ROWS, "Basement": 0})
         self.assertEqual(moves["Mean UpperWins"], moves["UpperWins"])
         with self.assertRaisesRegex(ValueError, "Fill and Basement cross in 450 columns, by up to 30 lattice units, expected none: choose Mean"):
-            sh.layers(horizons, order="AsGiven", crossings_by_layer="Mean Stop")
+            vtk_inputs.layers(horizons, Order="AsGiven", CrossingsByLayer="Mean Stop")
         with self.assertWarnsRegex(UserWarning, "Fill and Basement cross by up to 30, expected no more than their noise makes"):
-            sh.layers(horizons, order="AsGiven")
+            vtk_inputs.layers(horizons, Order="AsGiven")
         with self.assertRaisesRegex(ValueError, "Fill is above Basement in 6. % of their columns and below in 3. %, expected an order"):
-            sh.layers(horizons)
+            vtk_inputs.layers(horizons)
 
     def test_repaired(self):
         """All points of horizons, in order, by the crossings alone."""
@@ -173,7 +174,7 @@ class LayersTest(unittest.TestCase):
         order = ["Top", "Fill", "Basement"]
         stack = {name: horizons[name] for name in order}
         for policy in ("UpperWins", "LowerWins", "Mean"):
-            made = sh.crossings(stack, order="AsGiven", crossings=policy)
+            made = vtk_inputs.crossings(stack, Order="AsGiven", Crossings=policy)
             self.assertEqual(list(made), order)
             heights = np.full((3, *X.shape), np.nan)
             for n, name in enumerate(order):
@@ -181,8 +182,8 @@ class LayersTest(unittest.TestCase):
                 np.testing.assert_array_equal(points[:, :2], given[name][:, :2])
                 moved = mesh_checks.array(made[name], "Moved")
                 np.testing.assert_allclose(points[:, 2] - given[name][:, 2], moved, atol=1e-9)
-                self.assertEqual(np.count_nonzero(moved), sh.details(made[name]).moved_columns)
-                self.assertAlmostEqual(np.abs(moved).max(), sh.details(made[name]).farthest_move, delta=1e-9)
+                self.assertEqual(np.count_nonzero(moved), vtk_inputs.details(made[name]).moved_columns)
+                self.assertAlmostEqual(np.abs(moved).max(), vtk_inputs.details(made[name]).farthest_move, delta=1e-9)
                 columns = np.rint(lattice_places(made[name], horizons["Top"])[:, :2]).astype(int)
                 heights[n, columns[:, 1], columns[:, 0]] = points[:, 2]
                 np.testing.assert_allclose(mesh_checks.array(made[name], "VerticalIndex"), lattice_places(made[name])[:, 2],
@@ -201,11 +202,11 @@ class LayersTest(unittest.TestCase):
         """Horizons that become one have one z to the bit, whatever the step; in order, nothing moves any more."""
         for step, policy in ((0.1, "UpperWins"), (0.01, "LowerWins"), (0.3, "LowerWins"), (1.0, "Mean"), (0.1, "Mean")):
             noise = np.random.default_rng(1).normal(0.0, 1.0, (3, *X.shape))
-            stack = {name: sh.horizon((1500.0 + 10.0 * np.sin(0.1 * X) + 0.8 * n + noise[n]).round(1), spacing=(25, 25),
-                                      vertical_unit="m", vertical_step=step) for n, name in enumerate("ABC")}
+            stack = {name: vtk_inputs.horizon((1500.0 + 10.0 * np.sin(0.1 * X) + 0.8 * n + noise[n]).round(1), spacing=(25, 25),
+                                              VerticalUnit="m", VerticalStep=step) for n, name in enumerate("ABC")}
             with self.subTest(step=step, policy=policy):
-                made = sh.crossings(stack, order="AsGiven", crossings=policy)
-                self.assertGreater(sum(sh.details(points).moved_columns for points in made.values()), 100)
+                made = vtk_inputs.crossings(stack, Order="AsGiven", Crossings=policy)
+                self.assertGreater(sum(vtk_inputs.details(points).moved_columns for points in made.values()), 100)
                 heights = np.array([mesh_checks.coordinates(points)[:, 2] for points in made.values()])
                 self.assertTrue(np.all(np.diff(heights, axis=0) <= 0.0))
                 for name, points in made.items():
@@ -214,18 +215,18 @@ class LayersTest(unittest.TestCase):
                 for pair in ("AB", "BC", "AC"):
                     with warnings.catch_warnings():
                         warnings.simplefilter("ignore")
-                        self.assertEqual(sh.details(sh.thickness(*(made[name] for name in pair))).isochore_crossings, 0)
-                for points in sh.crossings(made, order="AsGiven", crossings=policy).values():
-                    self.assertEqual((sh.details(points).moved_columns, sh.details(points).farthest_move), (0, 0.0))
+                        self.assertEqual(vtk_inputs.details(vtk_inputs.thickness(*(made[name] for name in pair))).isochore_crossings, 0)
+                for points in vtk_inputs.crossings(made, Order="AsGiven", Crossings=policy).values():
+                    self.assertEqual((vtk_inputs.details(points).moved_columns, vtk_inputs.details(points).farthest_move), (0, 0.0))
         with self.assertRaisesRegex(ValueError, r"A and B cross in \d+ columns, by up to [0-9.]+ m, expected none"):
-            sh.crossings(stack, order="AsGiven", crossings="Stop")
+            vtk_inputs.crossings(stack, Order="AsGiven", Crossings="Stop")
 
     def test_faults(self):
         """Thrown down along a line that ends inside, in the lower horizon alone: a wall on both sides, in all layers."""
         lower = 150.0 + np.where((X > 19.5) & (Y < 20.5), 12.0, 0.0)
-        faulted = sh.faults(on_grid(lower), smallest_throw=5.0)
+        faulted = sh.apply(sh.make("vtkHorizonFaults", SmallestThrow=5.0), on_grid(lower))
         horizons = {"Top": on_grid(np.full(X.shape, 100.0)), "Base": faulted}
-        made = sh.layers(horizons, 0.75)
+        made = vtk_inputs.layers(horizons, MaximumError=0.75)
         self.check(made, horizons, 0.75)
         figures = made.figures["Top to Base"]
         cut = 25.0 * 12.5 * (ROWS - 1) * (COLUMNS - 1) - figures.area
@@ -238,7 +239,7 @@ class LayersTest(unittest.TestCase):
         columns = lattice_places(body)[mesh_checks.triangles(body)][face == FAULT][:, :, 0]
         self.assertGreaterEqual(np.count_nonzero(face == FAULT), 4)
         self.assertTrue(np.all((columns >= 19.0) & (columns <= 20.0)) or figures.area_at_faults > 25.0 * 12.5 * 21)
-        whole = sh.layers(horizons, 0.75, use_cuts=False)
+        whole = vtk_inputs.layers(horizons, MaximumError=0.75, UseCuts=False)
         self.assertEqual(whole.figures["Top to Base"].area_at_faults, 0.0)
         self.check(whole, horizons, 0.75)
 
@@ -246,33 +247,34 @@ class LayersTest(unittest.TestCase):
         """Every second line of one horizon, and another window of the survey."""
         fine = on_grid(100.0 + 0.5 * Y)
         coarse = on_grid((120.0 + 0.5 * Y)[::2, ::2], spacing=(50.0, 25.0))
-        made = sh.layers({"Coarse": coarse, "Fine": fine}, largest_error=0.1)
+        made = vtk_inputs.layers({"Coarse": coarse, "Fine": fine}, MaximumError=0.1)
         self.check(made, {"Coarse": coarse, "Fine": fine}, 0.1)
         figures = made.figures["Fine to Coarse"]
         self.assertAlmostEqual(figures.volume / figures.area, 20.0, delta=1e-9)
         step = fine.GetPoint(3 * COLUMNS + 5)
         window = on_grid((120.0 + 0.5 * (Y + 3))[:, :30], origin=step[:2])
-        made = sh.layers({"Window": window, "All": fine}, largest_error=0.1)
+        made = vtk_inputs.layers({"Window": window, "All": fine}, MaximumError=0.1)
         self.check(made, {"Window": window, "All": fine}, 0.1)
         self.assertAlmostEqual(made.figures["All to Window"].area, 25.0 * 12.5 * 26 * 29, delta=1e-6)
         deep = on_grid(200.0 + X)
         with self.assertRaisesRegex(ValueError, "Coarse with steps of 2 columns from point to point, expected 1 for the domain"):
-            sh.layers({"Coarse": coarse, "Fine": fine, "Deep": deep}, missing="Void")
+            vtk_inputs.layers({"Coarse": coarse, "Fine": fine, "Deep": deep}, Missing="Void")
         rough = on_grid(100.0 + 3.0 * np.sin(X) * np.cos(2.0 * Y))
         for domain, third in (("EachLayer", {}), ("Common", {"Deep": deep})):
             stack = {"Rough": rough, "Coarse": on_grid(np.full((15, 20), 140.0), spacing=(50.0, 25.0)), **third}
-            self.check(sh.layers(stack, 0.75, domain=domain), stack, 0.75)
+            self.check(vtk_inputs.layers(stack, MaximumError=0.75, Domain=domain), stack, 0.75)
         with self.assertRaisesRegex(ValueError, "a point of Between at .*, which is not on a column of Fine, expected points on "
                                                 "one lattice"):
-            sh.layers({"Fine": fine, "Between": on_grid(150.0 + Y, origin=(5e5 + 3.0, 6e6))})
+            vtk_inputs.layers({"Fine": fine, "Between": on_grid(150.0 + Y, origin=(5e5 + 3.0, 6e6))})
 
     def test_straight_line(self):
         """A layer ends along the line through the outermost columns that have none of it, whatever the error."""
         x, y = np.meshgrid(np.arange(61.0), np.arange(61.0))
         top = 100.0 + 3.0 * np.sin(x / 9.0) + 2.0 * np.cos(y / 7.0)
-        wedge = {"A": sh.horizon(top, vertical_step=1.0), "B": sh.horizon(top + np.maximum(0.0, 0.1 * (x - 20.0)), vertical_step=1.0)}
+        wedge = {name: vtk_inputs.horizon(top + own, VerticalStep=1.0)
+                 for name, own in (("A", 0.0), ("B", np.maximum(0.0, 0.1 * (x - 20.0))))}
         for error in (0.3, 1.5, 3.0):
-            made = sh.layers(wedge, error, minimum_thickness=1.0, keep_outlines=True)
+            made = vtk_inputs.layers(wedge, MaximumError=error, MinimumThickness=1.0, KeepOutlines=True)
             self.assertAlmostEqual(made.figures["A to B"].area, 31.0 * 60.0, 6)
 
     def test_strips_at_faults(self):
@@ -285,10 +287,10 @@ class LayersTest(unittest.TestCase):
             links = np.array([(i, j, 0) for j in range(41) for i in columns], np.int32)
             horizons = {}
             for n in range(number):
-                horizons["ABC"[n]] = sh.horizon(np.where(known, 100.0 + 20.0 * n + 0.1 * x + 0.05 * y, np.nan), vertical_step=1.0)
+                horizons["ABC"[n]] = vtk_inputs.horizon(np.where(known, 100.0 + 20.0 * n + 0.1 * x + 0.05 * y, np.nan), VerticalStep=1.0)
                 add_cuts(horizons["ABC"[n]], links)
-            cut, whole = (sh.layers(horizons, 0.0, keep_outlines=domain == "Common", use_cuts=use, domain=domain).figures["A to B"]
-                          for use in (True, False))
+            cut, whole = (vtk_inputs.layers(horizons, MaximumError=0.0, KeepOutlines=domain == "Common", UseCuts=use,
+                                            Domain=domain).figures["A to B"] for use in (True, False))
             self.assertAlmostEqual(cut.area_at_faults, whole.area - cut.area, 6)
             self.assertAlmostEqual(cut.volume_at_faults, whole.volume - cut.volume, 5)
             self.assertGreater(cut.area_at_faults, 10.0)
@@ -298,11 +300,11 @@ class LayersTest(unittest.TestCase):
         offs = {True: [], False: []}
         for seed, fit in itertools.product(range(5), (True, False)):
             noise = np.random.default_rng(seed).normal(0.0, 0.2, (2, *X.shape))
-            horizons = {name: sh.horizon(z + 2.0 * np.sin(Y / 6.0) + np.where(X > 19.5, 12.0, 0.0) + own, vertical_step=1.0)
+            horizons = {name: vtk_inputs.horizon(z + 2.0 * np.sin(Y / 6.0) + np.where(X > 19.5, 12.0, 0.0) + own, VerticalStep=1.0)
                         for name, z, own in zip(("Top", "Base"), (100.0, 130.0), noise)}
             for horizon in horizons.values():
                 add_cuts(horizon, np.array([(19, j, 0) for j in range(ROWS)], np.int32))
-            made = sh.layers(horizons, 0.6, fit_heights=fit)
+            made = vtk_inputs.layers(horizons, MaximumError=0.6, FitHeights=fit)
             self.check(made, horizons, 0.6)
             for z, mesh in zip((100.0, 130.0), made.horizons.values()):
                 x, y, height = mesh_checks.coordinates(mesh).T
@@ -312,68 +314,65 @@ class LayersTest(unittest.TestCase):
         self.assertLess(np.std(offs[True]), 0.75 * np.std(offs[False]))
 
     def test_units(self):
-        """A unit of one height leaves others as they are; what any horizon says of units counts; of vertical indices the
-        smallest."""
-        kind = {"vertical_step": 4.0, "vertical_unit": "m"}
+        """Heights in the unit of z are those in vertical indices; what any horizon says of units counts; of vertical
+        indices the smallest."""
+        kind = {"VerticalStep": 4.0, "VerticalUnit": "m"}
         pair = {"A": on_grid(400.0 + 24.0 * np.sin(X / 6.0), **kind), "B": on_grid(420.0 + 24.0 * np.sin(X / 6.0) + 4.0 * np.cos(X / 3.0), **kind)}
-        plain, mixed = (sh.layers(pair, 0.75, minimum_thickness=thin) for thin in (0.25, "1 m"))
-        self.assertEqual(plain.figures, mixed.figures)
-        self.assertEqual(sh.layers(pair, "3 m").figures, plain.figures)
-        self.assertEqual(sh.layers(pair, 3.0, height_unit="World").figures, plain.figures)
+        for thin in (0.0, 0.25):
+            plain = vtk_inputs.layers(pair, MaximumError=0.75, MinimumThickness=thin)
+            world = vtk_inputs.layers(pair, MaximumError=3.0, MinimumThickness=4.0 * thin, HeightUnit="World")
+            self.assertEqual(world.figures, plain.figures)
         bare = on_grid(430.0 + 0 * X)
         for one, two in ((pair["A"], bare), (bare, pair["A"])):
-            made = sh.layers({"One": one, "Two": two})
-            self.assertEqual(sh.details(made.cells).vertical_unit, "m")
-            self.assertEqual(abs(sh.details(made.cells).lattice_to_world[2, 2]), 1.0)
+            made = vtk_inputs.layers({"One": one, "Two": two})
+            self.assertEqual(vtk_inputs.details(made.cells).vertical_unit, "m")
+            self.assertEqual(abs(vtk_inputs.details(made.cells).lattice_to_world[2, 2]), 1.0)
         for name, units in (("HorizontalUnit", ("ft", "m")), ("VerticalUnit", ("ms", "m")), ("CoordinateSystem", ("EPSG:23031", "EPSG:32631"))):
             with self.assertRaisesRegex(ValueError, 'Two of the Vertical(Domain "depth"|Unit)|Two of the HorizontalUnit "m", expected "ft" as of One'
                                         '|Two of the CoordinateSystem "EPSG:32631", expected "EPSG:23031" as of One'):
-                sh.layers({"One": mesh_checks.with_text(bare, name, units[0]), "Two": mesh_checks.with_text(bare, name, units[1])})
+                vtk_inputs.layers({number: mesh_checks.with_text(bare, name, unit) for number, unit in zip(("One", "Two"), units)})
         for name, same in (("HorizontalUnit", ("m", "metre", "Metres")), ("VerticalUnit", ("metres", "m")), ("CoordinateSystem", ("EPSG:23031", "epsg:23031"))):
-            sh.layers({str(n): mesh_checks.with_text(on_grid(430.0 + 10.0 * n + 0 * X), name, unit) for n, unit in enumerate(same)})
+            vtk_inputs.layers({str(n): mesh_checks.with_text(on_grid(430.0 + 10.0 * n + 0 * X), name, unit) for n, unit in enumerate(same)})
         with self.assertWarnsRegex(UserWarning, "z is time"):
-            sh.layers({"One": bare, "Two": mesh_checks.with_text(on_grid(440.0 + 0 * X), "VerticalUnit", "ms")})
+            vtk_inputs.layers({"One": bare, "Two": mesh_checks.with_text(on_grid(440.0 + 0 * X), "VerticalUnit", "ms")})
 
     def test_errors(self):
-        for wrong, message in (((None,), "NoneType, expected a dict or a list of horizons"),
-                               (([on_grid(X), on_grid(X)], 1.0, None), "largest_error and maximum_error, expected one of them")):
-            with self.assertRaisesRegex(TypeError, message):
-                sh.layers(*wrong, **({} if len(wrong) == 1 else {"maximum_error": 2.0}))
         top, base = on_grid(np.full(X.shape, 100.0)), on_grid(np.full(X.shape, 120.0))
         for wrong, message in (({"Top": top}, "one horizon with points, expected at least 2"),
                                ({"Top": top, "Far": on_grid(np.full(X.shape, 120.0), origin=(5e5 - 2500.0 * np.sqrt(3) / 2, 6e6 + 1250.0))},
                                 "Top and Far have no column in common|which is not on a column")):
             with self.assertRaisesRegex(ValueError, message):
-                sh.layers(wrong)
+                vtk_inputs.layers(wrong)
         pair = {"Top": top, "Base": base}
-        for keywords, message in (({"crossings_by_layer": "Middle"}, 'crossings "Middle", expected Mean, UpperWins, LowerWins or Stop'),
-                                  ({"crossings_by_layer": "Mean Stop"}, "crossings of 2 layers, expected 1, from the uppermost on"),
-                                  ({"maximum_error": -2.0}, "maximum_error -2|maximum error -2, expected at least 0, or -1 for automatic"),
-                                  ({"minimum_thickness": float("nan")}, "minimum thickness nan, expected a finite number, at least 0"),
-                                  ({"smallest_pinch": 0}, "smallest pinch 0, expected at least 1"),
-                                  ({"smallest_angle": 70.0}, "smallest angle 70, expected .*60")):
+        for keywords, message in (({"CrossingsByLayer": "Middle"}, 'crossings "Middle", expected Mean, UpperWins, LowerWins or Stop'),
+                                  ({"CrossingsByLayer": "Mean Stop"}, "crossings of 2 layers, expected 1, from the uppermost on"),
+                                  ({"MaximumError": -2.0}, "maximum error -2, expected at least 0, or -1 for automatic"),
+                                  ({"MinimumThickness": float("nan")}, "minimum thickness nan, expected a finite number, at least 0"),
+                                  ({"SmallestPinch": 0}, "smallest pinch 0, expected at least 1"),
+                                  ({"SmallestAngle": 70.0}, "smallest angle 70, expected .*60")):
             with self.assertRaisesRegex(ValueError, message):
-                sh.layers(pair, **keywords)
+                vtk_inputs.layers(pair, **keywords)
         with self.assertRaisesRegex(ValueError, 'Base of the VerticalDomain "time", expected "depth" as of Top'):
-            sh.layers({"Top": mesh_checks.with_text(top, "VerticalDomain", "depth"), "Base": mesh_checks.with_text(base, "VerticalDomain", "time")})
+            vtk_inputs.layers({name: mesh_checks.with_text(points, "VerticalDomain", domain)
+                               for (name, points), domain in zip(pair.items(), ("depth", "time"))})
         with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):
-            sh.layers({name: mesh_checks.with_text(points, "VerticalDomain", "time") for name, points in pair.items()})
+            vtk_inputs.layers({name: mesh_checks.with_text(points, "VerticalDomain", "time") for name, points in pair.items()})
         with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):  # by what the user says
-            sh.layers(sh.read(SAMPLE, vertical_unit="ms", vertical_step=4.0), crossings="LowerWins")
-        mesh = sh.surface(on_grid(100.0 + np.sin(X)), largest_error=2.0)
+            vtk_inputs.layers(vtk_inputs.read(SAMPLE, VerticalUnit="ms", VerticalStep=4.0), Crossings="LowerWins")
+        mesh = vtk_inputs.surface(on_grid(100.0 + np.sin(X)), MaximumError=2.0)
         with self.assertRaisesRegex(ValueError, "Top: a mesh of 2 triangles, already simplified, expected all points"):
-            sh.layers({"Top": mesh, "Base": base})
+            vtk_inputs.layers({"Top": mesh, "Base": base})
         line = np.full(X.shape, np.nan)
         line[3] = 150.0
         for thin in (top, on_grid(line)):
             with self.assertWarnsRegex(UserWarning, "Top to Thin without a cell, expected horizons that are apart by more than the error over an area"):
-                empty = sh.layers({"Top": top, "Thin": thin}, order="AsGiven")
+                empty = vtk_inputs.layers({"Top": top, "Thin": thin}, Order="AsGiven")
             self.assertEqual((empty.figures["Top to Thin"].volume, empty.bodies), (0.0, {}))
         with self.assertRaisesRegex(ValueError, "contact nan, expected a finite number"):
-            sh.layers(pair, contact=float("nan"))
+            vtk_inputs.layers(pair, MeasureAboveContact=True, Contact=float("nan"))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            sh.layers(pair)
+            vtk_inputs.layers(pair)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,8 @@ import unittest
 
 import mesh_checks
 import numpy as np
-import seismichorizons as sh
+import vtk_inputs
+from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
@@ -39,7 +40,15 @@ def volume_of(points):
 
 
 def few_layers():
-    return sh.layers({"A": sh.horizon(np.zeros((3, 3))), "B": sh.horizon(np.ones((3, 3)))}, 0.75).cells
+    pair = {"A": vtk_inputs.horizon(np.zeros((3, 3))), "B": vtk_inputs.horizon(np.ones((3, 3)))}
+    return vtk_inputs.layers(pair, MaximumError=0.75).cells
+
+
+def write(data, path):
+    """Writes cells in the format of the extension. Raises ValueError with the error of the writer."""
+    writer = sh.make("vtkHorizonLayersWriter", FileName=str(path))
+    writer.SetInputDataObject(data)
+    sh.update(writer)
 
 
 class LayersWriterTest(unittest.TestCase):
@@ -51,8 +60,8 @@ class LayersWriterTest(unittest.TestCase):
         depths = {"Top": 100.0 + np.maximum(0.0, y - 12.0), "Sand": 110.0 + 0.2 * y,
                   "Shale": 110.0 + 0.2 * y + np.maximum(0.0, x - 9.0), "Base": 150.0 + np.sin(0.3 * x)}
         depths["Top"][:6] = depths["Sand"][:6]
-        survey = {"origin": (5e5, 6e6), "spacing": (25.0, 12.5), "azimuth": 40.0, "vertical_step": 1.0}
-        cls.layers = sh.layers({name: sh.horizon(z, **survey) for name, z in depths.items()}, largest_error=0.2)
+        survey = {"origin": (5e5, 6e6), "spacing": (25.0, 12.5), "azimuth": 40.0, "VerticalStep": 1.0}
+        cls.layers = vtk_inputs.layers({name: vtk_inputs.horizon(z, **survey) for name, z in depths.items()}, MaximumError=0.2)
         cls.grid = cls.layers.cells
         sizes = vtkCellSizeFilter()
         sizes.SetInputData(cls.grid)
@@ -63,7 +72,7 @@ class LayersWriterTest(unittest.TestCase):
         cls.counts = {kind: types.count(kind) for kind in (WEDGE, PYRAMID, TETRA)}
         assert min(cls.counts.values()) > 0, cls.counts
         for form in ("msh", "inp", "disv", "vtu"):
-            sh.write(cls.grid, FOLDER / ("layers." + form))
+            write(cls.grid, FOLDER / ("layers." + form))
 
     def volume(self, layer):
         return float(self.volumes[self.layer == layer].sum())
@@ -221,13 +230,13 @@ class LayersWriterTest(unittest.TestCase):
                 (feet, "disv", "z in ft and x and y in m, expected one unit")):
             path = FOLDER / ("wrong." + form)
             with self.assertRaisesRegex(ValueError, message):
-                sh.write(data, path)
+                write(data, path)
             self.assertFalse(path.exists())
-        with self.assertRaisesRegex(ValueError, "the extension .stl, expected one of .msh, .inp, .disv, .vtu"):
-            sh.write(few, FOLDER / "wrong.stl")
-        sh.write(mesh_checks.with_text(feet, "HorizontalUnit", "ft"), FOLDER / "feet.disv")
+        with self.assertRaisesRegex(ValueError, "extension \"stl\", expected vtu, msh, inp or disv"):
+            write(few, FOLDER / "wrong.stl")
+        write(mesh_checks.with_text(feet, "HorizontalUnit", "ft"), FOLDER / "feet.disv")
         self.assertIn("  LENGTH_UNITS FEET\n", (FOLDER / "feet.disv").read_text())
-        sh.write(mesh_checks.with_text(few, "VerticalDomain", "time"), FOLDER / "time.msh")
+        write(mesh_checks.with_text(few, "VerticalDomain", "time"), FOLDER / "time.msh")
 
     def test_other_grids(self):
         """What Horizon Layers does not make."""
@@ -250,13 +259,13 @@ class LayersWriterTest(unittest.TestCase):
                 grid.GetCellData().AddArray(array)
             for form in ("msh", "inp", "disv"):
                 with self.assertRaisesRegex(ValueError, message):
-                    sh.write(grid, FOLDER / ("other." + form))
+                    write(grid, FOLDER / ("other." + form))
 
     def test_names(self):
         """Layers have names, too, where nobody gave them any."""
         few = few_layers()
         few.GetFieldData().RemoveArray("LayerNames")
-        sh.write(few, FOLDER / "nameless.msh")
+        write(few, FOLDER / "nameless.msh")
         self.assertIn('\n3 1 "Layer 1"\n', (FOLDER / "nameless.msh").read_text())
 
     def test_complete_or_not_at_all(self):
@@ -287,8 +296,11 @@ class LayersWriterTest(unittest.TestCase):
     def test_bodies(self):
         """Closed in other formats, too."""
         for name, body in self.layers.bodies.items():
-            sh.write(body, FOLDER / "body.ts", name)
-            (surface,) = sh.read(FOLDER / "body.ts").values()
+            writer = sh.make("vtkGOCADTSurfWriter", FileName=str(FOLDER / "body.ts"))
+            writer.SetInputDataObject(vtk_inputs.collect({name: body}))
+            sh.update(writer)
+            ((found, surface),) = vtk_inputs.read(FOLDER / "body.ts", "vtkGOCADTSurfReader").items()
+            self.assertEqual(found, name)
             self.assertEqual(surface.GetNumberOfPolys(), body.GetNumberOfPolys())
             triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
             edges = np.concatenate((triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]))

@@ -16,8 +16,10 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import ledger_check
-import seismichorizons as sh
+import vtk_inputs
+from seismichorizons import vtk as sh
 from seismichorizons_command import ledger
+from seismichorizons_command.data import from_vtk
 
 RUNS, HEADER = int(sys.argv[1]), pathlib.Path(sys.argv[2])
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 0
@@ -109,7 +111,7 @@ class LedgerTest(unittest.TestCase):
                 if not data.GetNumberOfPoints():
                     break
             expected = ledger_check.expected_of_mesh(read, points, data)
-            dropped = sh.details(data).dropped_small_patch_points  # they are left out even under the mesh
+            dropped = vtk_inputs.details(data).dropped_small_patch_points  # they are left out even under the mesh
             if names.count("vtkHorizonBoundarySimplification") > 1 or dropped:  # the second has no points that the first dropped
                 self.assertLessEqual(expected["Known"] - own["Known"], dropped if names.count("vtkHorizonBoundarySimplification") < 2
                                      else len(read), (seed, names))
@@ -126,13 +128,13 @@ class LedgerTest(unittest.TestCase):
                 heights[j, i] = 1100.0
                 links |= {link for link, other in (((i, j, 0), (i + 1, j)), ((i - 1, j, 0), (i - 1, j)), ((i, j, 1), (i, j + 1)),
                                                    ((i, j - 1, 1), (i, j - 1))) if other not in block}
-            horizon = sh.horizon(heights, vertical_step=1.0)
+            horizon = vtk_inputs.horizon(heights, VerticalStep=1.0)
             array = numpy_to_vtk(numpy.array(sorted(links, key=lambda link: (link[1], link[0], link[2])), dtype=numpy.int32), deep=1)
             array.SetName("FaultedLinks")
             horizon.GetFieldData().AddArray(array)
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                found = sh.details(sh.surface(horizon, largest_error=1.0, minimum_patch_size=20))
+                found = vtk_inputs.details(vtk_inputs.surface(horizon, MaximumError=1.0, MinimumPatchSize=20))
             self.assertEqual(found.dropped_small_patch_points, size * size)
             self.assertGreaterEqual(found.ledger_columns.left_out, size * size)
             self.assertEqual(found.ledger_columns.known + found.ledger_columns.left_out, 81)
@@ -176,16 +178,13 @@ class LedgerTest(unittest.TestCase):
         heights[:30, :40] = 100.0
         heights[35, 5:25] = 103.0
         heights[10:13, 10:13] = numpy.nan
-        horizon = sh.horizon(heights, spacing=(25.0, 10.0))
-        self.assertEqual(sh.details(horizon).ledger_columns.known, 1211)
-        with warnings.catch_warnings(record=True) as told:
-            warnings.simplefilter("always")
-            mesh = sh.surface(horizon, largest_error=3.0)
-        self.assertEqual(vars(sh.details(mesh).ledger_columns),
+        horizon = vtk_inputs.horizon(heights, spacing=(25.0, 10.0))
+        self.assertEqual(vtk_inputs.details(horizon).ledger_columns.known, 1211)
+        mesh = vtk_inputs.surface(horizon, MaximumError=3.0)
+        self.assertEqual(vars(vtk_inputs.details(mesh).ledger_columns),
                          {"known": 1191, "filled": 0, "bridged": 0, "extrapolated": 0, "left_out": 20})
-        self.assertEqual(sh.details(mesh).ledger_area.left_out, 20 * 250.0)
-        self.assertEqual([str(one.message) for one in told],
-                         ["1.7 % of the points are left out"])
+        self.assertEqual(vtk_inputs.details(mesh).ledger_area.left_out, 20 * 250.0)
+        self.assertEqual(ledger.warning(ledger.read(from_vtk(mesh))), "1.7 % of the points are left out")
 
     def test_percentages(self):
         """Are figures without an exponent, and of the points at most 100."""

@@ -19,10 +19,10 @@ from unittest import mock
 import ledger_check
 import mesh_checks
 import numpy as np
-from seismichorizons_command import batch, memory, parts, pipeline, reading, record
-from seismichorizons.stage import HorizonError, make, set_threads, update
+from seismichorizons import _core
+from seismichorizons_command import batch, core, data, memory, pipeline, record
+from seismichorizons_command.core import HorizonError, set_threads
 from seismichorizons_command.supply import Supply
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 GENERATOR, PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 ERROR = 0.75
@@ -143,7 +143,7 @@ class BatchTest(unittest.TestCase):
         return messages, printed.getvalue(), files
 
     def sizes(self, path):
-        return [points.GetNumberOfPoints() for _, points in pipeline.read(path)[0]]
+        return [data.count_points(points) for _, points in pipeline.read(path)[0]]
 
     def test_same_results(self):
         """Of one horizon at a time, two, and all; also when only some are wanted."""
@@ -165,7 +165,7 @@ class BatchTest(unittest.TestCase):
         with alone():
             supply = Supply(self.three, None, memory.Budget(limit_of(max(sizes))))
         self.assertEqual((supply.names, supply.is_whole), (["Horizon 1", "Horizon 2", "Horizon 3"], False))
-        self.assertEqual([points.GetNumberOfPoints() for _, points in supply], sizes)
+        self.assertEqual([data.count_points(points) for _, points in supply], sizes)
         self.assertTrue(Supply(self.three, None, memory.Budget()).is_whole)
         with self.assertRaisesRegex(HorizonError, "there is no horizon 9; the file has 1, 2, 3"):
             Supply(self.three, [9], memory.Budget(1 << 40))
@@ -177,22 +177,22 @@ class BatchTest(unittest.TestCase):
         mesh = mesh_checks.read(self.output / str(points) / name)
         horizon = pipeline.read_first(path)
         self.assertGreater(mesh_checks.check_mesh(mesh), 0)
-        self.assertEqual(mesh_checks.array(mesh, "PointCount").sum(), horizon.GetNumberOfPoints())
+        self.assertEqual(mesh_checks.array(mesh, "PointCount").sum(), data.count_points(horizon))
         self.assertGreaterEqual(mesh.GetFieldData().GetArray("NumberOfParts").GetValue(0), least_parts)
-        self.assertIn(str(horizon.GetNumberOfPoints()), printed)
+        self.assertIn(str(data.count_points(horizon)), printed)
         return mesh, horizon, files[name]
 
     def test_windows(self):
         """A mesh that is valid, near to all points, and hardly larger than that of the whole; always the same."""
         size, = self.sizes(self.one)
-        whole, _ = pipeline.surface(pipeline.read_first(self.one), largest_error=ERROR)
+        settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=ERROR))
+        whole = pipeline.run("one.vsm", "Horizon 1", pipeline.read_first(self.one), settings).data["mesh"]
         for parts_wanted in (2, 5, 20):
             points = size // parts_wanted + 2 * 300
             mesh, horizon, content = self.check_windows(self.one, points, parts_wanted - 1)
             for figure in ("NumberOfPatches", "NumberOfHoles", "ChosenRadius"):
-                self.assertEqual(mesh.GetFieldData().GetArray(figure).GetValue(0),
-                                 whole.GetFieldData().GetArray(figure).GetValue(0))
-            self.assertLess(mesh.GetNumberOfPoints(), (1.05 + 0.04 * parts_wanted) * whole.GetNumberOfPoints())
+                self.assertEqual(mesh.GetFieldData().GetArray(figure).GetValue(0), data.value(whole, figure))
+            self.assertLess(mesh.GetNumberOfPoints(), (1.05 + 0.04 * parts_wanted) * data.count_points(whole))
             self.assertLessEqual(mesh.GetFieldData().GetArray("LargestError").GetValue(0), ERROR + 1e-9)
             self.check_distances(horizon, mesh)
             set_threads(1)
@@ -202,16 +202,10 @@ class BatchTest(unittest.TestCase):
 
     def check_distances(self, horizon, mesh):
         """No point inside the outlines is farther from the mesh than the error, and all but few are above or below it."""
-        outlines = make("vtkHorizonExteriorBoundary", HoleBoundaries=True, SmallestHoleSize=9)
-        outlines.SetInputDataObject(0, horizon)
-        update(outlines)
-        meter = make("vtkHorizonSurfaceDistance")
-        meter.SetInputDataObject(0, outlines.GetOutputDataObject(0))
-        meter.SetInputDataObject(1, mesh)
-        update(meter)
-        reference = meter.GetOutputDataObject(0)
-        inside = vtk_to_numpy(reference.GetPointData().GetArray("Boundary")) == 0
-        distances = vtk_to_numpy(reference.GetPointData().GetArray("VerticalDistance"))[inside]
+        (outlines,), _ = core.run(_core.boundary, horizon, {"hole_boundaries": True, "smallest_hole_size": 9})
+        reference, _, _ = core.run(_core.distance, outlines, data.from_vtk(mesh), {"in_world_units": False})
+        inside = reference["point_data"]["Boundary"] == 0
+        distances = reference["point_data"]["VerticalDistance"][inside]
         known = np.isfinite(distances)
         self.assertGreater(known.mean(), 0.999)
         self.assertLessEqual(abs(distances[known]).max(), ERROR + 1e-6)
@@ -229,8 +223,8 @@ class BatchTest(unittest.TestCase):
     def test_automatic_error(self):
         """One for all windows, by the noise of the largest."""
         messages, printed, _ = self.run_batch(self.one, 9000, surface=pipeline.surface_properties())
-        data = mesh_checks.read(self.output / "9000" / "one_horizon_1.vtp").GetFieldData()
-        largest, chosen = (data.GetArray(name).GetValue(0) for name in ("LargestError", "ChosenMaximumError"))
+        fields = mesh_checks.read(self.output / "9000" / "one_horizon_1.vtp").GetFieldData()
+        largest, chosen = (fields.GetArray(name).GetValue(0) for name in ("LargestError", "ChosenMaximumError"))
         self.assertEqual(messages, [])
         self.assertTrue(0.75 < largest <= chosen + 1e-9, (largest, chosen))
         self.assertIn("error %.2g vertical indices, six times the noise" % chosen, printed)

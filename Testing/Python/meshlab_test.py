@@ -14,10 +14,10 @@ import sys
 
 import numpy as np
 from seismichorizons import vtk as sh
-from seismichorizons_command.pipeline import read
 from seismichorizons.vtk import apply
 
 import mesh_checks
+import vtk_inputs
 
 SKIPPED = 77
 FACE_SAMPLES = 200000
@@ -43,7 +43,7 @@ def pairs(sample):
     ways = ((sh.vtkHorizonRoughSimplification(), {"CellSize": 3}),
             (sh.vtkHorizonRoughSimplification(), {"CellSize": 8}),
             (sh.vtkHorizonElaborateSimplification(), {"FlatnessThreshold": 0.05}))
-    for (name, points), (algorithm, properties) in zip(read(sample)[0], ways):
+    for (name, points), (algorithm, properties) in zip(vtk_inputs.read(sample).items(), ways):
         outlined = apply(sh.vtkHorizonExteriorBoundary(), points)
         full = apply(sh.vtkHorizonTriangulation(), outlined)
         thinned = apply(algorithm, apply(sh.vtkHorizonBoundarySimplification(), outlined), **properties)

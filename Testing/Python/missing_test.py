@@ -12,7 +12,8 @@ import warnings
 import numpy as np
 
 import missing_check
-import seismichorizons as sh
+import vtk_inputs
+from seismichorizons import vtk as sh
 
 RUNS = int(sys.argv[1])
 FIRST = int(sys.argv[2]) if len(sys.argv) > 2 else 0
@@ -62,14 +63,14 @@ def make(stack, names=None, error=0.2, **keywords):
     horizons = {}
     for n, own in enumerate(stack):
         if names is None or n in names:
-            horizons[chr(ord("A") + n)] = sh.horizon(-own, spacing=(25.0, 12.5), azimuth=30.0, origin=(5e5, 6e6), vertical_step=1.0,
-                                         vertical_direction="Down")
-    return sh.layers(horizons, error, order="AsGiven", **keywords)
+            horizons[chr(ord("A") + n)] = vtk_inputs.horizon(-own, spacing=(25.0, 12.5), azimuth=30.0, origin=(5e5, 6e6),
+                                                             VerticalStep=1.0, VerticalDirection="Down")
+    return vtk_inputs.layers(horizons, MaximumError=error, Order="AsGiven", **keywords)
 
 
 def entries(data, name="ledger_columns"):
     """Of the ledger of a dataset, in order."""
-    ledger = getattr(sh.details(data), name)
+    ledger = getattr(vtk_inputs.details(data), name)
     return [getattr(ledger, entry) for entry in ENTRIES]
 
 
@@ -84,16 +85,16 @@ class MissingTest(unittest.TestCase):
 
     def compare(self, top, middle, base, lost, **keywords):
         """Layers of the middle horizon have all that is between top and base; with Void they lose a part, and say so."""
-        whole = volumes(make([top, base], keep_outlines=True)).sum()
+        whole = volumes(make([top, base], KeepOutlines=True)).sum()
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            made = {policy: make([top, middle, base], missing=policy, **keywords) for policy in POLICIES}
+            made = {policy: make([top, middle, base], Missing=policy, **keywords) for policy in POLICIES}
         for policy, share in zip(POLICIES, lost):
             self.assertAlmostEqual(1.0 - volumes(made[policy]).sum() / whole, share, delta=0.001, msg=policy)
             without = sum(own.volume_without for own in made[policy].figures.values())
             self.assertAlmostEqual((volumes(made[policy]).sum() + without) / whole, 1.0, delta=0.001, msg=policy)
         with self.assertWarnsRegex(UserWarning, "A to B without .* % of its area .volume .*, expected all between its horizons"):
-            make([top, middle, base], missing="Void", **keywords)
+            make([top, middle, base], Missing="Void", **keywords)
         with self.assertWarnsRegex(UserWarning, "A to B with heights that were not read over a part of its area"):
             default = make([top, middle, base], **keywords)
         self.assertEqual(default.figures, made["Follow"].figures)
@@ -132,7 +133,7 @@ class MissingTest(unittest.TestCase):
                 left = first + 4.0 * n * np.sign(throw) + 0.1 * self.y
                 z = np.where((self.x > left) & (self.x < left + 5.0), np.nan, np.where(self.x >= left + 5.0, z - throw, z))
             stack.append(z)
-        made = make(stack, missing="Void")
+        made = make(stack, Missing="Void")
         without = sum(own.volume_without for own in made.figures.values())
         self.assertGreater(without, 0.1 * volumes(made).sum())
         whole = BIN * 99.0 * 119.0
@@ -146,7 +147,7 @@ class MissingTest(unittest.TestCase):
         top = -1000.0 + 0.0 * self.x
         middle = np.where((abs(self.x - 60.0) < 25.0) & (abs(self.y - 50.0) < 25.0), np.nan, -1010.0)
         with self.assertWarnsRegex(UserWarning, "20.01 % extrapolated"):
-            made = make([top, middle, top - 60.0], largest_hole_size=49 * 49 - 1)
+            made = make([top, middle, top - 60.0], LargestHoleSize=49 * 49 - 1)
         self.assertAlmostEqual(made.figures["A to B"].area / BIN, 99.0 * 119.0 - 48.0 * 48.0, delta=1e-6)
         with self.assertWarnsRegex(UserWarning, "20.01 % filled"):
             filled = make([top, middle, top - 60.0])
@@ -157,9 +158,9 @@ class MissingTest(unittest.TestCase):
             sparse = make([top, lines, top - 60.0])
         self.assertAlmostEqual(volumes(sparse).sum() / BIN, 60.0 * 99.0 * 119.0, delta=200.0)
         with self.assertRaisesRegex(ValueError, "B with steps of 3 columns from point to point, expected 1"):
-            make([top, lines, top - 60.0], missing="Void")
-        for keywords, message in (({"largest_gap": 256}, "largest gap 256, expected 0 to 255"),
-                                  ({"largest_hole_size": -1}, "largest hole size -1, expected at least 0")):
+            make([top, lines, top - 60.0], Missing="Void")
+        for keywords, message in (({"LargestGap": 256}, "largest gap 256, expected 0 to 255"),
+                                  ({"LargestHoleSize": -1}, "largest hole size -1, expected at least 0")):
             with self.assertRaisesRegex(ValueError, message):
                 make([top, middle, top - 60.0], **keywords)
 
@@ -173,7 +174,7 @@ class MissingTest(unittest.TestCase):
             maker = sh.vtkHorizonLayers()
             maker.SetMaximumError(0.75)
             for own in stack:
-                maker.AddInputDataObject(0, sh.horizon(-own, vertical_step=1.0))
+                maker.AddInputDataObject(0, vtk_inputs.horizon(-own, VerticalStep=1.0))
 
             def listen(algorithm, _):
                 reports.append(algorithm.GetProgress())
@@ -196,9 +197,9 @@ class MissingTest(unittest.TestCase):
         """Columns that an earlier stage filled count as filled."""
         top = -1000.0 + self.bumps
         middle = np.where((abs(self.x - 60.0) < 5.0) & (abs(self.y - 50.0) < 5.0), np.nan, top - 30.0)
-        points = {name: sh.horizon(-own, vertical_step=1.0) for name, own in (("A", top), ("B", middle), ("C", top - 60.0))}
-        points["B"] = sh.hole_filling(points["B"])
-        made = sh.layers(points, 0.5, order="AsGiven", missing="Void")
+        points = {name: vtk_inputs.horizon(-own, VerticalStep=1.0) for name, own in (("A", top), ("B", middle), ("C", top - 60.0))}
+        points["B"] = sh.apply(sh.make("vtkHorizonHoleFilling"), points["B"])
+        made = vtk_inputs.layers(points, MaximumError=0.5, Order="AsGiven", Missing="Void")
         self.assertEqual(entries(made.bodies["A to B"]), [12000 - 81, 81, 0, 0, 0])
 
     def test_random(self):
@@ -208,7 +209,7 @@ class MissingTest(unittest.TestCase):
             planes, masks = random_stack(random)
             if not masks.any(axis=(1, 2)).all():
                 continue
-            limits = {"largest_hole_size": int(random.choice([0, 5, 30, 2500])), "largest_gap": int(random.choice([0, 2, 20]))}
+            limits = {"LargestHoleSize": int(random.choice([0, 5, 30, 2500])), "LargestGap": int(random.choice([0, 2, 20]))}
             with self.subTest(seed=seed), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 checked += self.check(planes, masks, limits)
@@ -218,14 +219,14 @@ class MissingTest(unittest.TestCase):
     def check(self, planes, masks, limits):
         """Gives whether there are layers, their volumes are known, and they add up."""
         stack = np.where(masks, planes, np.nan)
-        origins = missing_check.origins_of(stack, limits["largest_hole_size"], limits["largest_gap"])
+        origins = missing_check.origins_of(stack, limits["LargestHoleSize"], limits["LargestGap"])
         heights = missing_check.follow(missing_check.fill_planes(stack, origins, planes), origins)
         whole = missing_check.present_layers(origins, 2)
         if any(not missing_check.present_layers(origins, policy).any() for policy in range(3)):
             return False, False, False
         for policy, name in enumerate(POLICIES):
             try:
-                made = make(stack, error=ERROR, missing=name, **limits)
+                made = make(stack, error=ERROR, Missing=name, **limits)
             except ValueError as error:
                 self.assertEqual(name, "Void")
                 self.assertIn("columns from point to point, expected 1", str(error))
@@ -261,8 +262,8 @@ class MissingTest(unittest.TestCase):
     def check_sum(self, stack, whole, limits):
         """With Follow, layers have all that is between top and base."""
         try:
-            pair = make(stack, (0, len(stack) - 1), ERROR, keep_outlines=True, **limits)
-            made = make(stack, error=ERROR, domain="Common", keep_outlines=True, **limits)
+            pair = make(stack, (0, len(stack) - 1), ERROR, KeepOutlines=True, **limits)
+            made = make(stack, error=ERROR, Domain="Common", KeepOutlines=True, **limits)
         except ValueError:  # top and base have no column in common
             return False
         total, expected = volumes(made).sum() / BIN, volumes(pair).sum() / BIN
@@ -275,8 +276,8 @@ class MissingTest(unittest.TestCase):
         x = np.arange(12.0) * np.ones((10, 1))
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            top, base = (sh.horizon(z, spacing=(25.0, 25.0), vertical_unit="m") for z in (-100.0 + 20.0 * x, -400.0 - x))
-        for run in (lambda: sh.layers({"Top": top, "Base": base}), lambda: sh.thickness(top, base)):
+            top, base = (vtk_inputs.horizon(z, spacing=(25.0, 25.0), VerticalUnit="m") for z in (-100.0 + 20.0 * x, -400.0 - x))
+        for run in (lambda: vtk_inputs.layers({"Top": top, "Base": base}), lambda: vtk_inputs.thickness(top, base)):
             with self.assertWarnsRegex(UserWarning, "z of the file increases (up|down)wards in .*VerticalDirection"):
                 run()
 

@@ -15,11 +15,13 @@ import sys
 import unittest
 from unittest import mock
 
+import numpy as np
+from seismichorizons import _core
 from seismichorizons import vtk as sh
-from seismichorizons_command import batch, interrupt, overview, pictures, pipeline, progress, record, stage, tables, writing
+from seismichorizons_command import batch, core, data, interrupt, overview, pictures, pipeline, progress, record, tables, writing
 from seismichorizons_command.core import HorizonError
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
 
@@ -44,60 +46,106 @@ def plane():
 
 def loops_of(*loops):
     """Outlines over points that lie anywhere."""
-    data = vtkPolyData()
-    points = vtkPoints()
-    points.SetNumberOfPoints(1 + max(map(max, loops)))
-    data.SetPoints(points)
-    lines = vtkCellArray()
-    for loop in loops:
-        lines.InsertNextCell(len(loop), loop)
-    data.SetLines(lines)
-    return data
+    offsets = np.cumsum([0, *map(len, loops)])
+    return {**data.empty(), "places": np.zeros((1 + max(map(max, loops)), 3)), "lines": (offsets, np.concatenate(loops))}
 
 
 def largest_error(figures):
-    return figures.GetValueByName(tables.TWO_SIDED, "LargestDistance").ToDouble()
+    return figures["LargestDistance"][tables.TWO_SIDED]
 
 
-class StageTest(unittest.TestCase):
+def surface(points, **given):
+    """The mesh of a horizon, and the parameters that were chosen for it."""
+    result = pipeline.run("a file", "Horizon 1", points, pipeline.Settings(surface=pipeline.surface_properties(**given)))
+    return result.data["mesh"], pipeline.chosen_parameters(result.data["mesh"])
+
+
+class ClassesTest(unittest.TestCase):
+    """Classes of VTK."""
+
+    def read(self):
+        reader = sh.make("vtkVerneySparseMatrixReader", FileName=str(write("plane.vsm", PLANE)))
+        self.assertGreaterEqual(sh.update(reader), 0.0)
+        return sh.horizons_of(reader.GetOutput())["Horizon 1"]
+
     def test_properties(self):
-        reader = stage.make("vtkVerneySparseMatrixReader", FileName="RealZ", ZFrom="RealZ", Origin=[1.0, 2.0, 3.0])
+        reader = sh.make("vtkVerneySparseMatrixReader", FileName="RealZ", ZFrom="RealZ", Origin=[1.0, 2.0, 3.0])
         self.assertEqual(reader.GetFileName(), "RealZ")
         self.assertEqual(reader.GetZFrom(), sh.vtkVerneySparseMatrixReader.RealZ)
         self.assertEqual(reader.GetOrigin(), (1.0, 2.0, 3.0))
-        stage.configure(reader, ZFrom=sh.vtkVerneySparseMatrixReader.VerticalIndex)
+        sh.configure(reader, ZFrom=sh.vtkVerneySparseMatrixReader.VerticalIndex)
         self.assertEqual(reader.GetZFrom(), sh.vtkVerneySparseMatrixReader.VerticalIndex)
         with self.assertRaises(AttributeError):
-            stage.configure(reader, NoSuchProperty=1)
+            sh.configure(reader, NoSuchProperty=1)
 
     def test_apply(self):
-        outlined = stage.apply(sh.vtkHorizonExteriorBoundary(), plane())
-        mesh = stage.apply(sh.vtkHorizonTriangulation(), outlined)
+        outlined = sh.apply(sh.vtkHorizonExteriorBoundary(), self.read())
+        mesh = sh.apply(sh.vtkHorizonTriangulation(), outlined)
         self.assertEqual((mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()), (20, 24))
         meter = sh.vtkHorizonSurfaceDistance()
-        stage.apply(meter, outlined, mesh)
-        self.assertLess(largest_error(meter.GetOutputDataObject(2)), ROUNDING)
+        sh.apply(meter, outlined, mesh)
+        figures = meter.GetOutputDataObject(2)
+        self.assertLess(figures.GetValueByName(tables.TWO_SIDED, "LargestDistance").ToDouble(), ROUNDING)
 
     def test_error(self):
         """One line without the place in the source; nobody watches any more afterwards."""
         algorithm = sh.vtkHorizonRoughSimplification()
-        with self.assertRaises(HorizonError) as raised:
-            stage.apply(algorithm, stage.apply(sh.vtkHorizonExteriorBoundary(), plane()), CellSize=0)
+        with self.assertRaises(ValueError) as raised:
+            sh.apply(algorithm, sh.apply(sh.vtkHorizonExteriorBoundary(), self.read()), CellSize=0)
         self.assertEqual(str(raised.exception), "Horizon 1: cell size 0, expected at least 1 column")
         self.assertFalse(algorithm.HasObserver("ErrorEvent"))
         self.assertFalse(algorithm.GetExecutive().HasObserver("ErrorEvent"))
 
+
+class StageTest(unittest.TestCase):
+    """Calls of the core."""
+
+    def test_run(self):
+        (outlined,), _ = core.run(_core.boundary, plane(), {})
+        (mesh, _), _ = core.run(_core.triangulation, outlined, {})
+        self.assertEqual((data.count_points(mesh), data.count_polygons(mesh)), (20, 24))
+        _, _, figures = core.run(_core.distance, outlined, mesh, {})
+        self.assertLess(largest_error(figures), ROUNDING)
+
+    def test_error(self):
+        """One line; what raises it names the horizon."""
+        (outlined,), _ = core.run(_core.boundary, plane(), {})
+        with self.assertRaises(HorizonError) as raised:
+            core.run(_core.rough_simplification, outlined, {"cell_size": 0})
+        self.assertEqual(str(raised.exception), "cell size 0, expected at least 1 column")
+
+    def test_errors(self):
+        """All of the core are those of the program, under the name of what they are about."""
+        for error, text in ((ValueError("wrong"), "a file: wrong"), (OSError("no such file"), "a file: no such file"),
+                            (HorizonError("wrong"), "a file: wrong"), (MemoryError(), "a file: " + core.NO_MEMORY)):
+            with self.assertRaises(HorizonError) as raised, core.errors("a file: "):
+                raise error
+            self.assertEqual(str(raised.exception), text)
+
+    def test_options(self):
+        """Names and words of the core."""
+        self.assertEqual(core.options({"CellSize": 3, "GrowthStrategy": "Distance", "DuplicatePolicy": "Lowest", "Threshold": 2.5}),
+                         {"cell_size": 3, "growth": "distance", "duplicates": "lowest", "threshold": 2.5})
+
+    def test_warnings(self):
+        """The last one who listens hears them."""
+        heard = [], []
+        with core.heard_by(heard[0].append):
+            with core.heard_by(heard[1].append):
+                core.warn("first")
+            core.warn("second")
+        core.warn("nobody hears it")
+        self.assertEqual(heard, (["second"], ["first"]))
+
     def test_progress(self):
         """Told of long work that has a label, on a terminal: as it goes on, and at its end with the rate and the time."""
-        boundary = sh.vtkHorizonExteriorBoundary()
-        boundary.SetInputDataObject(0, plane())
+        points = plane()
         for seconds, label, is_terminal, told in ((0.0, "a label", True, True), (1000.0, "a label", True, False),
                                                   (0.0, "", True, False), (0.0, "a label", False, False)):
-            boundary.Modified()
             log = io.StringIO()
             log.isatty = lambda answer=is_terminal: answer
             with mock.patch.multiple(progress, LONG_WORK=seconds, BETWEEN=0.0), contextlib.redirect_stderr(log):
-                self.assertGreaterEqual(stage.update(boundary, label, work=(20, "points")), 0.0)
+                core.run(_core.boundary, points, {}, label=label, work=(20, "points"))
             self.assertEqual(bool(log.getvalue()), told, log.getvalue())
             if told:
                 self.assertRegex(log.getvalue(), r"\ra label: +\d+ %")
@@ -117,24 +165,22 @@ class StageTest(unittest.TestCase):
 class SurfaceTest(unittest.TestCase):
     def test_surface(self):
         """A plane is two triangles, and all is chosen; what is given is kept."""
-        mesh, chosen = pipeline.surface(plane(), largest_error=0.5)
-        self.assertEqual((mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()), (4, 2))
+        mesh, chosen = surface(plane(), largest_error=0.5)
+        self.assertEqual((data.count_points(mesh), data.count_polygons(mesh)), (4, 2))
         self.assertEqual(chosen, {"Radius": 1, "SmallestHoleSize": 9, "OutlineTolerance": 0.5, "DistanceThreshold": 0.5,
                                   "MaximumError": 0.5, "MaximumNumberOfPoints": 0})
-        chosen = pipeline.surface(plane(), triangles=10, Radius=2, Effort="Fast")[1]
+        chosen = surface(plane(), triangles=10, Radius=2, Effort="Fast")[1]
         self.assertEqual((chosen["Radius"], chosen["MaximumNumberOfPoints"]), (2, 8))
-        self.assertAlmostEqual(pipeline.surface(plane())[1]["MaximumError"], 6.0 / 12.0 ** 0.5)  # whole heights
+        self.assertAlmostEqual(surface(plane())[1]["MaximumError"], 6.0 / 12.0 ** 0.5)  # whole heights
         with self.assertRaisesRegex(HorizonError, "Horizon 1: radius 33, expected 1 to 32 columns"):
-            pipeline.surface(plane(), Radius=33)
-        with self.assertRaises(ValueError):
-            pipeline.surface(plane(), largest_error=1.0, triangles=10)
+            surface(plane(), Radius=33)
 
     def test_settings(self):
         """One stage gives the mesh, and outlines to measure it against."""
         settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=0.5), error={})
         result = pipeline.run("a file", "Horizon 1", plane(), settings)
         self.assertEqual(sorted(result.data), ["boundary", "measured", "mesh", "points"])
-        self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
+        self.assertEqual(data.count_points(result.data["boundary"]), 20)
         self.assertLess(largest_error(result.figures), ROUNDING)
         self.assertEqual([tables.row(result)[head] for head in ("loops", "kept", "triangles")], ["1", "4", "2"])
 
@@ -152,13 +198,20 @@ def listen(test):
 class InterruptTest(unittest.TestCase):
     def test_stage_stops(self):
         """At the next report of its progress, without a result."""
-        boundary = sh.vtkHorizonExteriorBoundary()
-        boundary.SetInputDataObject(0, plane())
+        points, reports = plane(), []
+        with mock.patch.object(progress.Progress, "show", lambda _, fraction: reports.append(fraction)):
+            core.run(_core.surface, points, {})
+        self.assertGreater(len(reports), 2)
+        reports.clear()
         listen(self)
-        boundary.AddObserver("ProgressEvent", lambda *_: os.kill(os.getpid(), signal.SIGTERM))
-        with self.assertRaises(SystemExit):
-            stage.update(boundary)
-        self.assertEqual(boundary.GetOutputDataObject(0).GetNumberOfPoints(), 0)
+
+        def interrupted(_, fraction):
+            reports.append(fraction)
+            os.kill(os.getpid(), signal.SIGTERM)
+
+        with mock.patch.object(progress.Progress, "show", interrupted), self.assertRaises(SystemExit):
+            core.run(_core.surface, points, {})
+        self.assertEqual(len(reports), 1)
 
     def test_exit_code(self):
         for number in (signal.SIGINT, signal.SIGTERM):
@@ -174,11 +227,11 @@ class PipelineTest(unittest.TestCase):
     def test_read(self):
         path = write("two.vsm", TWO_HORIZONS)
         horizons, seconds = pipeline.read(path)
-        self.assertEqual([(name, points.GetNumberOfPoints()) for name, points in horizons], [("Horizon 1", 20), ("Horizon 2", 2)])
+        self.assertEqual([(name, data.count_points(points)) for name, points in horizons], [("Horizon 1", 20), ("Horizon 2", 2)])
         self.assertGreaterEqual(seconds, 0.0)
         (only,), _ = pipeline.read(str(path), horizons=[2], ZFrom="RealZ", Origin=[0.0, 0.0, 100.0])
         self.assertEqual(only[0], "Horizon 2")
-        self.assertEqual(only[1].GetBounds(), (0.0, 1.0, 0.0, 0.0, -8.0, -8.0))
+        self.assertEqual(data.bounds(only[1]), [0.0, 1.0, 0.0, 0.0, -8.0, -8.0])
 
     def test_nothing_to_read(self):
         for name, content, horizons, message in (
@@ -193,21 +246,20 @@ class PipelineTest(unittest.TestCase):
         names = ["boundary", "simplified", "rough", "elaborate", "mesh"]
         for settings, left_out in ((pipeline.Settings(), {"elaborate"}), (NO_ROUGH, {"rough", "elaborate"}),
                                    (pipeline.Settings(elaborate={}), set())):
-            self.assertEqual([name for name, _ in settings.make_stages()], [n for n in names if n not in left_out])
-        _, rough = pipeline.Settings(rough={"CellSize": 7}).make_stages()[2]
-        self.assertEqual(rough.GetCellSize(), 7)
+            self.assertEqual([name for name, _, _ in settings.stages()], [n for n in names if n not in left_out])
+        self.assertEqual(pipeline.Settings(rough={"CellSize": 7}).stages()[2], ("rough", _core.rough_simplification, {"CellSize": 7}))
 
     def test_run(self):
         points = plane()
         result = pipeline.run("plane.vsm", "Horizon 1", points, pipeline.Settings(rough=None, error={}))
         self.assertIs(result.data["points"], points)
-        self.assertEqual({name: data.GetNumberOfPoints() for name, data in result.data.items()},
+        self.assertEqual({name: data.count_points(made) for name, made in result.data.items()},
                          {"points": 20, "boundary": 20, "simplified": 10, "mesh": 10, "measured": 20})
         # With n points, h of them on the outline, there are 2 n - 2 - h triangles.
-        self.assertEqual(result.data["mesh"].GetNumberOfPolys(), 14)
-        self.assertIsNotNone(result.data["mesh"].GetPointData().GetArray("Distance"))
+        self.assertEqual(data.count_polygons(result.data["mesh"]), 14)
+        self.assertIn("Distance", result.data["mesh"]["point_data"])
         self.assertEqual(set(result.seconds), {"boundary", "simplified", "mesh", "error"})
-        self.assertEqual(result.figures.GetNumberOfRows(), 9)
+        self.assertEqual({len(column) for column in result.figures.values()}, {9})
         self.assertIsNone(pipeline.run("plane.vsm", "Horizon 1", points, NO_ROUGH).figures)
 
     def test_error_is_that_of_all_points(self):
@@ -216,7 +268,7 @@ class PipelineTest(unittest.TestCase):
         points = pipeline.read_first(write("bump.vsm", b"5 4 9\n" + 2 * voxel + b"4 1 1 0.5 4.0\n" + 17 * voxel))
         settings = pipeline.Settings(simplified={"DistanceThreshold": 2.0}, rough=None, error={})
         result = pipeline.run("bump.vsm", "Horizon 1", points, settings)
-        self.assertEqual(result.data["mesh"].GetBounds()[4:], (-3.0, -3.0))
+        self.assertEqual(data.bounds(result.data["mesh"])[4:], [-3.0, -3.0])
         self.assertLess(abs(largest_error(result.figures) - 1.0), ROUNDING)
 
     def test_error_names_the_file(self):
@@ -264,16 +316,16 @@ class ResultTest(unittest.TestCase):
         lines = path.read_text(encoding="utf-8").splitlines()
         self.assertEqual(len(lines), 1 + 2 * 9)
         self.assertEqual(lines[1:10], lines[10:])
-        self.assertEqual(lines[0].split(",")[0], self.result.figures.GetColumnName(0))
+        self.assertEqual(lines[0].split(",")[0], next(iter(self.result.figures)))
 
     def test_disk_is_full(self):
         image = vtkImageData()
         image.SetDimensions(2, 2, 1)
         image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
-        for write_result, data in ((writing.write_tables, [self.result.figures]), (pictures.write, image)):
+        for write_result, content in ((writing.write_tables, [self.result.figures]), (pictures.write, image)):
             with self.assertRaises(HorizonError) as raised:
-                write_result(data, pathlib.Path("/dev/full"))
-            self.assertEqual(str(raised.exception), "full cannot be written: No space left on device")
+                write_result(content, pathlib.Path("/dev/full"))
+            self.assertEqual(str(raised.exception), "full cannot be written: closing the file failed, expected disk space for the rest")
 
     def test_panels(self):
         self.assertEqual([(panel.title, panel.caption) for panel in overview.panels(self.result)], [

@@ -10,12 +10,12 @@ import shutil
 import sys
 
 from paraview import servermanager, simple
-from seismichorizons import layers as make_layers
 from seismichorizons.vtk import vtkGOCADTSurfReader
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
 
 import mesh_checks
 import pipelines
+import vtk_inputs
 
 
 def ranks_with_points(proxy, ranks):
@@ -63,7 +63,7 @@ def check_layers(horizons, folder):
     assert points[0] > 0 and points[1] == 0, points
     found = gather(simple.OutputPort(layers, 1), folder / "bodies.vtpc")
     assert len(found) == 2, list(found)
-    alone = make_layers(read(folder / (horizons.GetXMLName() + ".vtpc")))
+    alone = vtk_inputs.layers(read(folder / (horizons.GetXMLName() + ".vtpc")))
     assert points[0] == alone.cells.GetNumberOfPoints(), (points, alone.cells.GetNumberOfPoints())
     simple.SaveData(str(folder / "layers.msh"), proxy=layers)
     assert " %d 1 %d\n" % (points[0], points[0]) in (folder / "layers.msh").read_text()

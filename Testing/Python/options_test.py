@@ -5,43 +5,32 @@
 Argument: the program horizon_mesh.py.
 """
 
-import importlib.util
 import pathlib
 import re
 import sys
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-
+from seismichorizons import _core
 from seismichorizons import vtk as sh
-from seismichorizons import options, pipeline, reading, stage, writing
-from seismichorizons_command import options as command_options
+from seismichorizons_command import core, data, horizon_mesh, options, pipeline, reading, writing
+from seismichorizons_command.settings import make_settings
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
-
-
-def load_program():
-    specification = importlib.util.spec_from_file_location("horizon_mesh", PROGRAM)
-    program = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(program)
-    return program
+BINDINGS = PROGRAM.parents[1] / "Python/Core"
 
 
 def horizon_in(unit):
     """One without points, whose z have a unit."""
-    horizon = vtkPolyData()
-    name = vtkStringArray()
-    name.SetName("VerticalUnit")
-    name.InsertNextValue(unit)
-    horizon.GetFieldData().AddArray(name)
-    return horizon
+    return data.with_fields(data.empty(), {"VerticalUnit": [unit]})
 
 
 class OptionsTest(unittest.TestCase):
     def settings(self, *arguments):
-        program = load_program()
-        return options.make_settings(program.make_parser().parse_args(["survey.vsm", *arguments]))
+        return make_settings(horizon_mesh.make_parser().parse_args(["survey.vsm", *arguments]))
+
+    def stages(self, *arguments):
+        """The properties of each stage by its name, in their order."""
+        return {name: given for name, _, given in self.settings(*arguments).stages()}
 
     def test_defaults(self):
         """Without options no property is set, and the largest error is automatic."""
@@ -49,7 +38,7 @@ class OptionsTest(unittest.TestCase):
         for name in ("reader", "error", *pipeline.STAGES):
             self.assertEqual(getattr(settings, name), {}, name)
         self.assertIsNone(settings.horizons)
-        self.assertEqual(command_options.FORMATS, writing.FORMATS)
+        self.assertEqual(options.FORMATS, (*writing.MESH_FORMATS, *writing.GRID_FORMATS, *writing.POINT_FORMATS, *writing.LAYER_FORMATS))
         self.assertNotIn("MaximumError", self.settings().surface)
 
     def test_reader(self):
@@ -58,14 +47,15 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual([reader[name] for name in ("FirstCorner", "SecondCorner", "ThirdCorner")],
                          [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]])
         self.assertEqual((reader["VerticalUnit"], reader["StrayPicks"]), ("ms", "LeaveOut"))
-        text = stage.make("vtkHorizonTextReader", **{name: value for name, value in reader.items() if name != "StrayPicks"})
+        text = sh.make("vtkHorizonTextReader", **{name: value for name, value in reader.items() if name != "StrayPicks"})
         self.assertEqual(text.GetSecondCorner(), (4, 5, 6, 7))
+        self.assertLess(reader.keys(), set(reading.PROPERTIES["text"]))
 
     def test_old_names(self):
         """Options of version 0.2 are taken, and not in the help."""
         self.assertEqual(self.settings("--elevation", "RealZ").reader, self.settings("--z-from", "RealZ").reader)
         self.assertEqual(self.settings("--z-from", "RealZ").reader, {"ZFrom": "RealZ"})
-        self.assertNotIn("elevation", load_program().make_parser().format_help())
+        self.assertNotIn("elevation", horizon_mesh.make_parser().format_help())
 
     def test_horizons_with_commas(self):
         """A name of the file is not split."""
@@ -86,26 +76,25 @@ class OptionsTest(unittest.TestCase):
         settings = self.settings("--stages", "--radius", "2", "--growth-strategy", "Distance", "--elaborate", "--cell-size", "5",
                                  "--elaborate-cell-size", "6", "--representative", "NearestPoint")
         self.assertEqual((settings.boundary["Radius"], settings.boundary["GrowthStrategy"]), (2, "Distance"))
-        for _, algorithm in self.settings("--leave-out-invalid").make_stages():
-            self.assertEqual(algorithm.GetInvalidHorizons(), sh.vtkHorizonStage.LeaveOut)
+        self.assertTrue(self.settings("--leave-out-invalid").leave_out_invalid)
         self.assertEqual(settings.rough, {"CellSize": 5, "Representative": "NearestPoint"})
         self.assertEqual((settings.elaborate["CellSize"], settings.elaborate["Representative"]), (6, "NearestPoint"))
 
     def test_fill_holes(self):
         self.assertIsNone(self.settings().filled)
         for target in (("--stages",), ("--largest-error", "1")):
-            name, filling = self.settings("--fill-holes", "40", *target).make_stages()[0]
-            self.assertEqual((name, filling.GetLargestHoleSize()), ("filled", 40))
+            first = self.settings("--fill-holes", "40", *target).stages()[0]
+            self.assertEqual(first, ("filled", _core.fill_holes, {"LargestHoleSize": 40}))
 
     def test_preparations(self):
         """In their order, whatever that of the options."""
         settings = self.settings("--cut-faults", "3", "--fill-holes", "9", "--despike", "2.5")
-        stages = settings.make_stages()[:3]
-        self.assertEqual([name for name, _ in stages], ["despiked", "torn", "filled"])
-        self.assertEqual((stages[0][1].GetThreshold(), stages[1][1].GetSmallestThrow()), (2.5, 3.0))
+        stages = settings.stages()[:3]
+        self.assertEqual([name for name, _, _ in stages], ["despiked", "torn", "filled"])
+        self.assertEqual((stages[0][2]["Threshold"], stages[1][2]["SmallestThrow"]), (2.5, 3.0))
         self.assertFalse(settings.can_cut())
-        by_noise = dict(self.settings("--cut-faults", "0").make_stages())["torn"]
-        self.assertEqual((by_noise.GetDetect(), by_noise.GetSmallestThrow()), (1, 0.0))
+        by_noise = self.stages("--cut-faults", "0")["torn"]
+        self.assertEqual((by_noise.get("Detect", True), by_noise["SmallestThrow"]), (True, 0.0))
 
     def test_fault_files(self):
         """Alone nothing is detected, with --cut-faults both are done."""
@@ -113,9 +102,9 @@ class OptionsTest(unittest.TestCase):
         for words, detects, sticks in ((["--fault-lines", line_file], False, False),
                                          (["--fault-sticks", line_file, "--cut-faults", "3"], True, True)):
             settings = self.settings(*words)
-            faults = dict(settings.make_stages())["torn"]
-            self.assertEqual((faults.GetDetect(), faults.GetLineType() == faults.Sticks), (detects, sticks))
-            self.assertGreater(settings.fault_lines.GetNumberOfLines(), 0)
+            faults = self.stages(*words)["torn"]
+            self.assertEqual((faults.get("Detect", True), faults["LineType"] == "Sticks"), (detects, sticks))
+            self.assertGreater(data.count_lines(settings.fault_lines), 0)
 
     def test_height_units(self):
         """Heights without a unit are vertical indices; others come in the unit of the horizon."""
@@ -123,15 +112,15 @@ class OptionsTest(unittest.TestCase):
         for unit, known, scale in (("", "ms", 1.0), ("ms", "ms", 1.0), ("ms", "s", 0.001), ("s", "ms", 1000.0), ("m", "", 1.0),
                                    ("ft", "m", 0.3048), ("m", "ft", 1.0 / 0.3048)):
             settings = self.settings(*(word % unit if "%" in word else word for word in heights))
-            stages = dict(settings.in_unit_of(horizon_in(known)).make_stages())
-            found = (stages["despiked"].GetThresholdUnit(), stages["torn"].GetThrowUnit(), stages["mesh"].GetErrorUnit())
-            self.assertEqual(found, (bool(unit),) * 3)
+            stages = {name: given for name, _, given in settings.in_unit_of(horizon_in(known)).stages()}
+            found = (stages["despiked"]["ThresholdUnit"], stages["torn"]["ThrowUnit"], stages["mesh"].get("ErrorUnit", "Lattice"))
+            self.assertEqual(found, ("World" if unit else "Lattice",) * 3)
             self.assertEqual(settings.in_unit(known).surface["MaximumError"], 2.0 * scale)
-            self.assertEqual(stages["torn"].GetSmallestThrow(), 30.0 * scale)
-            self.assertEqual((stages["despiked"].GetThreshold(), stages["mesh"].GetMaximumError()), (0.0, 2.0 * scale))
+            self.assertEqual(stages["torn"]["SmallestThrow"], 30.0 * scale)
+            self.assertEqual((stages["despiked"]["Threshold"], stages["mesh"]["MaximumError"]), (0.0, 2.0 * scale))
         for unit, expected in (("m", "m or ft"), ("ms", "ms or s"), ("km", "a number without unit")):
             said = "ms" if unit == "m" else "ft"
-            with self.assertRaisesRegex(stage.HorizonError, "2%s for z in %s, expected %s" % (said, unit, expected)):
+            with self.assertRaisesRegex(core.HorizonError, "2%s for z in %s, expected %s" % (said, unit, expected)):
                 self.settings("--largest-error", "2" + said).in_unit_of(horizon_in(unit))
 
     def test_close_faults(self):
@@ -139,44 +128,54 @@ class OptionsTest(unittest.TestCase):
         for target in (("--stages",), ("--largest-error", "1")):
             for close in (False, True):
                 settings = self.settings("--cut-faults", "3", *target, *(["--close-faults"] if close else []))
-                name, mesher = settings.make_stages()[-1]
-                self.assertEqual((name, mesher.GetCloseFaults()), ("mesh", close))
+                name, _, given = settings.stages()[-1]
+                self.assertEqual((name, given.get("CloseFaults", False)), ("mesh", close))
 
     def test_largest_error(self):
         """One stage, whose parameters are chosen unless they are given."""
         settings = self.settings("--largest-error", "1.5")
-        (name, surface), = settings.make_stages()
-        self.assertEqual((name, surface.GetClassName()), ("mesh", "vtkHorizonSurface"))
+        self.assertEqual(settings.stages(), [("mesh", _core.surface, {"MaximumError": 1.5})])
         self.assertEqual(settings.surface, {"MaximumError": 1.5})
         own = self.settings("--largest-error", "1.5", "--radius", "1", "--outline-tolerance", "2",
                             "--smallest-hole-size", "40", "--distance-threshold", "0.4", "--minimum-patch-size", "9",
                             "--growth-strategy", "Distance", "--leave-out-invalid")
-        (_, surface), = own.make_stages()
-        given = {"Radius": 1, "SmallestHoleSize": 40, "OutlineTolerance": 2.0, "DistanceThreshold": 0.4}
-        for key, value in given.items():
-            self.assertEqual(getattr(surface, "Get" + key)(), value)
-            self.assertFalse(getattr(surface, "GetAutomatic" + key)())
-        self.assertEqual((surface.GetMinimumPatchSize(), surface.GetGrowthStrategy()), (9, surface.Distance))
-        self.assertEqual(surface.GetInvalidHorizons(), sh.vtkHorizonStage.LeaveOut)
+        (_, _, surface), = own.stages()
+        self.assertEqual(surface, {"MaximumError": 1.5, "Radius": 1, "SmallestHoleSize": 40, "OutlineTolerance": 2.0,
+                                   "DistanceThreshold": 0.4, "MinimumPatchSize": 9, "GrowthStrategy": "Distance"})
+        self.assertTrue(own.leave_out_invalid)
         self.assertIsNone(self.settings("--stages", "--radius", "2").surface)
 
     def test_triangles(self):
-        (_, surface), = self.settings("--triangles", "5000").make_stages()
-        self.assertEqual(surface.GetTarget(), surface.NumberOfTriangles)
-        self.assertEqual(surface.GetMaximumNumberOfTriangles(), 5000)
-        self.assertTrue(surface.GetAutomaticRadius())
+        settings = self.settings("--triangles", "5000")
+        self.assertEqual(settings.stages(), [("mesh", _core.surface, {"MaximumNumberOfTriangles": 5000})])
+        self.assertFalse(settings.can_cut())
 
     def test_fewest_outline_points(self):
         settings = self.settings("--stages", "--fewest-outline-points", "--outline-tolerance", "0.5")
         self.assertEqual(settings.simplified["Method"], "FewestPoints")
         self.assertEqual(settings.simplified["OutlineTolerance"], 0.5)
-        straight = dict(settings.make_stages())["simplified"]
-        self.assertEqual(straight.GetMethod(), straight.FewestPoints)
+        self.assertEqual(core.options(settings.simplified), {"method": "fewest_points", "outline_tolerance": 0.5})
+
+    def test_core_takes_them(self):
+        """The core passes over an option that it does not know, so that one with a wrong name would do nothing."""
+        known = set(re.findall(r'Take(?:Choice)?\((?:chosen|given), "(\w+)"', "".join(
+            path.read_text(encoding="utf-8") for path in BINDINGS.glob("*.cxx"))))
+        own = {"line_type", "distance_unit", "order"}  # the command makes others of them
+        words = ("--despike", "2", "--cut-faults", "3 ms", "--fill-holes", "9", "--measure-error", "--distance-unit", "World",
+                 "--samples-per-point", "3", "--close-faults", "--minimum-patch-size", "9", "--growth-strategy", "Distance", "--radius", "2",
+                 "--outline-tolerance", "1", "--distance-threshold", "1", "--smallest-hole-size", "9")
+        of_stages = ("--stages", "--hole-boundaries", "--bound-deviation", "--fewest-outline-points", "--cell-size", "4", "--elaborate",
+                     "--elaborate-cell-size", "5", "--flatness-threshold", "1", "--representative", "NearestPoint")
+        of_surface = ("--largest-error", "2 ms", "--layers", "--crossings", "Mean", "--order", "AsGiven", "--missing", "Void")
+        for more in (of_stages, of_surface, ("--triangles", "9")):
+            settings = self.settings(*words, *more)
+            for given in (*(given for _, _, given in settings.stages()), settings.error, settings.layers or {}):
+                self.assertLessEqual(core.options(given).keys(), known | own)
 
     def test_documentation(self):
         """Names no options but those that there are; what its page tells of names and exit codes, the help does."""
         root = PROGRAM.parents[1]
-        help_text = " ".join(load_program().make_parser().format_help().split())
+        help_text = " ".join(horizon_mesh.make_parser().format_help().split())
         page_of_command = (root / "Documentation/Command.md").read_text(encoding="utf-8")
         paths = [root / "README.md", *(root / "Documentation").glob("*.md")]
         pages = [path.read_text(encoding="utf-8") for path in paths]

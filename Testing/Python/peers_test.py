@@ -14,7 +14,8 @@ from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
 
 from seismichorizons import vtk as sh
-from seismichorizons_command import reading
+
+import vtk_inputs
 
 FOLDER = pathlib.Path(sys.argv[1])
 PYTHON = os.environ.get("PEER_PYTHON", sys.executable)  # one that has them, if this one does not
@@ -39,7 +40,8 @@ def read_horizon(steps):
              for j in range(20) for i in range(30) if not (8 < i < 12 and 5 < j < 9)]
     path = FOLDER / "picks.xyz"
     path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    return reading.read(path)[0][0][1]
+    (points,) = vtk_inputs.read(path, "vtkHorizonTextReader").values()
+    return points
 
 
 def write(writer, data, name, **choices):

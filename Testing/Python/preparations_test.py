@@ -7,9 +7,7 @@ import sys
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
-from seismichorizons_command import album, overview, pipeline, tables
+from seismichorizons_command import album, data, overview, pipeline, tables
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
 ROUNDING = 1e-12  # of the meter's real numbers; distances here are 0
@@ -23,7 +21,7 @@ def write(name, content):
 
 
 def largest_error(figures):
-    return figures.GetValueByName(tables.TWO_SIDED, "LargestDistance").ToDouble()
+    return figures["LargestDistance"][tables.TWO_SIDED]
 
 
 class PreparationsTest(unittest.TestCase):
@@ -34,9 +32,9 @@ class PreparationsTest(unittest.TestCase):
         for settings in (pipeline.Settings(filled={}, rough=None, error={}),
                          pipeline.Settings(filled={}, surface=pipeline.surface_properties(largest_error=0.5), error={})):
             result = pipeline.run("hole.vsm", "Horizon 1", points, settings)
-            self.assertEqual((points.GetNumberOfPoints(), result.number_of_points), (19, 19))
-            self.assertEqual(result.data["filled"].GetNumberOfPoints(), 20)
-            self.assertEqual(result.data["boundary"].GetNumberOfPoints(), 20)
+            self.assertEqual((data.count_points(points), result.number_of_points), (19, 19))
+            self.assertEqual(data.count_points(result.data["filled"]), 20)
+            self.assertEqual(data.count_points(result.data["boundary"]), 20)
             self.assertLess(largest_error(result.figures), ROUNDING)
             self.assertIn("filled", " ".join(tables.table([result])).split())
             row = tables.row(result, entries=["filled"])
@@ -53,7 +51,7 @@ class PreparationsTest(unittest.TestCase):
         points = pipeline.read_first(write("step.vsm", b"30 30 40\n" + rows))
         for surface in (None, pipeline.surface_properties(largest_error=0.5)):
             result = pipeline.run("step.vsm", "Horizon 1", points, pipeline.Settings(despiked={}, torn={}, surface=surface))
-            self.assertEqual(result.data["mesh"].GetNumberOfPolys() if surface else 4, 4)
+            self.assertEqual(data.count_polygons(result.data["mesh"]) if surface else 4, 4)
             self.assertEqual(result.loops[0], 2)
             row = tables.row(result)
             self.assertEqual((row["spikes"], row["faulted links"]), ("0", "30"))
@@ -69,17 +67,16 @@ class PreparationsTest(unittest.TestCase):
             gaping, result = (pipeline.run("step.vsm", "Horizon 1", points, pipeline.Settings(
                 torn={}, **{name: {**given, "CloseFaults": closes}})) for closes in (False, True))
             mesh = result.data["mesh"]
-            faults = mesh.GetCellData().GetArray("Fault")
-            closed = sum(faults.GetValue(n) for n in range(faults.GetNumberOfTuples()))
-            self.assertEqual(closed, mesh.GetFieldData().GetArray("FaultTriangleCount").GetValue(0))
-            self.assertEqual(mesh.GetFieldData().GetArray("TriangleCount").GetValue(0) + closed, mesh.GetNumberOfPolys())
+            closed = int(mesh["cell_data"]["Fault"].sum())
+            self.assertEqual(closed, data.value(mesh, "FaultTriangleCount"))
+            self.assertEqual(data.value(mesh, "TriangleCount") + closed, data.count_polygons(mesh))
             self.assertGreaterEqual(closed, 2)
             self.check_told(gaping, result, closed)
             self.check_encoded(mesh, closed)
 
     def check_told(self, gaping, result, closed):
         """The table and the picture tell of both apart; the table also where only one of two meshes is closed."""
-        surface = gaping.data["mesh"].GetNumberOfPolys()
+        surface = data.count_polygons(gaping.data["mesh"])
         self.assertEqual(overview.panels(gaping)[-1].caption, "%d triangles" % surface)
         self.assertEqual(overview.panels(result)[-1].caption, "%d triangles, %d fault triangles" % (surface, closed))
         self.assertNotIn("fault triangles", tables.table([gaping])[0])
@@ -91,10 +88,10 @@ class PreparationsTest(unittest.TestCase):
     def check_encoded(self, mesh, closed):
         """In a page they come last: only they span the throw."""
         coded = album.encode(mesh)
-        surface = mesh.GetNumberOfPolys() - closed
+        surface = data.count_polygons(mesh) - closed
         self.assertEqual((coded.triangles, coded.fault_triangles), (surface, closed))
-        corners = np.frombuffer(coded.content, "<u2")[-3 * mesh.GetNumberOfPolys():].reshape(-1, 3)
-        heights = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2][corners]
+        corners = np.frombuffer(coded.content, "<u2")[-3 * data.count_polygons(mesh):].reshape(-1, 3)
+        heights = mesh["places"][:, 2][corners]
         np.testing.assert_array_equal(np.ptp(heights, axis=1), surface * [0.0] + closed * [20.0])
 
 

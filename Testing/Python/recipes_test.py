@@ -15,8 +15,8 @@ import sys
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 import mesh_checks
-from seismichorizons_command import parts
 from seismichorizons.vtk import make, update
+from seismichorizons_command import data, parts, reading
 
 RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
 PVBATCH, RECIPE = sys.argv[4:6]
@@ -42,15 +42,11 @@ class WindowSize:
 
 
 def mesh_alone():
-    """The points of the largest horizon, and its mesh by the functions of the package."""
-    reader = make("vtkVerneySparseMatrixReader", FileName=str(SAMPLE), LeastMemory=True)
-    reader.DisableAllHorizons()
-    reader.SetHorizonStatus("Horizon 1", 1)
-    reader.UpdateInformation()
-    windows = parts.Windows(reader, "Horizon 1", WindowSize())
-    mesh = parts.mesh(windows, {"MaximumError": 1.0})
-    update(reader)
-    return reader.GetOutputDataObject(0).GetPartition(0, 0), mesh
+    """The number of points of the largest horizon, and its mesh by the functions of the package."""
+    source = reading.open_file(SAMPLE, with_overview=True)
+    source.list()
+    windows = parts.Windows(source, source.names.index("Horizon 1"), WindowSize())
+    return windows.number_of_points, data.to_vtk(parts.mesh(windows, {"MaximumError": 1.0}))
 
 
 def test_windows():
@@ -66,7 +62,7 @@ def test_windows():
     assert (mesh_checks.coordinates(mesh) == mesh_checks.coordinates(expected)).all()
     assert (mesh_checks.triangles(mesh) == mesh_checks.triangles(expected)).all()
     assert mesh_checks.check_mesh(mesh) > 0
-    assert mesh_checks.array(mesh, "PointCount").sum() == points.GetNumberOfPoints()
+    assert mesh_checks.array(mesh, "PointCount").sum() == points
     # A window with all of it needs no join; another horizon than the largest.
     run(2, SAMPLE, FOLDER / "whole.vtp", "--horizon", "Horizon 2")
     assert mesh_checks.check_mesh(mesh_checks.read(FOLDER / "whole.vtp")) > 0

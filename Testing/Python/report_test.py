@@ -19,10 +19,9 @@ import unittest
 from unittest import mock
 
 import ledger_check
-import mesh_checks
 import numpy as np
 import seismichorizons as sh
-from seismichorizons_command import album, batch, charts, figures, markup, memory, pipeline, record, report
+from seismichorizons_command import album, batch, charts, data, figures, markup, memory, pipeline, record, report, volumes
 
 PROGRAM, GENERATOR, DATA, PAGE, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:6])
 SAMPLE = DATA / "blobs.vsm"
@@ -166,15 +165,6 @@ class ReportTest(unittest.TestCase):
         with self.assertRaises(KeyError):
             markup.fill("tile", name="x")
 
-    def test_without_three(self):
-        """Pictures only, and one line about it."""
-        page = self.run_report(SAMPLE, "--horizons", "1", SEISMICHORIZONS_THREE="/nowhere")
-        self.assertIn(report.NO_THREE, page.text())
-        self.assertEqual(page.all("canvas"), [])
-        self.assertEqual(len(page.all("script")), 1)
-        self.assertGreater(len(page.all("img")), 3)
-        self.assertLess(self.page.stat().st_size, MEGABYTE)
-
     def test_units(self):
         """Distances have the units of the file where it says them, errors that of the user."""
         indices = r"vertical indices \([\d.e-]+ ms\)"
@@ -215,7 +205,7 @@ class ReportTest(unittest.TestCase):
     def test_album(self):
         """What does not fit goes: the largest meshes, and pictures of the smallest horizons."""
         points = pipeline.read(SAMPLE)[0]
-        results = [pipeline.run("sample", name, data, pipeline.Settings(error={})) for name, data in points]
+        results = [pipeline.run("sample", name, own, pipeline.Settings(error={})) for name, own in points]
         with mock.patch.multiple(album, MOST_PICTURED=1, MOST_THUMBNAILS=2):
             few = album.Album(True)
             for result in results:
@@ -238,28 +228,32 @@ class ReportTest(unittest.TestCase):
         mesh = pipeline.run("sample", name, points, pipeline.Settings(surface={"MaximumError": 1.0})).data["mesh"]
         coded = album.encode(mesh)
         places = np.frombuffer(coded.content, "<f4", 3 * coded.points).reshape(-1, 3) + coded.center
-        np.testing.assert_allclose(places, mesh_checks.coordinates(mesh), atol=1e-5)
-        self.assertEqual((coded.error_on, coded.triangles), ("triangles", mesh.GetNumberOfPolys()))
+        np.testing.assert_allclose(places, mesh["places"], atol=1e-5)
+        self.assertEqual((coded.error_on, coded.triangles), ("triangles", data.count_polygons(mesh)))
         errors = np.frombuffer(coded.content, "<f4", coded.triangles, 12 * coded.points)
-        self.assertAlmostEqual(errors.max(), mesh.GetFieldData().GetArray("LargestError").GetValue(0), 5)
+        self.assertAlmostEqual(errors.max(), data.value(mesh, "LargestError"), 5)
         corners = np.frombuffer(coded.content, "<u2", -1, 12 * coded.points + 4 * coded.triangles)
-        np.testing.assert_array_equal(corners.reshape(-1, 3), mesh_checks.triangles(mesh))
+        offsets, expected = mesh["polygons"]
+        np.testing.assert_array_equal(np.diff(offsets), 3)
+        np.testing.assert_array_equal(corners, expected)
 
     def test_maps_of_layers(self):
         """The volume below a map is that of the layer, of wedges, pyramids and tetrahedra; its picture names both ends."""
         rows, columns = np.mgrid[:30, :40].astype(float)
-        made = sh.layers({"Top": sh.horizon(100.0 + 0 * rows, vertical_step=1.0),
-                          "Base": sh.horizon(95.0 + np.hypot(rows - 12.3, columns - 21.7) * 0.8, vertical_step=1.0)},
-                         0.5, order="AsGiven", crossings="UpperWins")
+        path = self.folder / "horizons.dat"
+        sh.write({"Top": sh.horizon(100.0 + 0 * rows), "Base": sh.horizon(95.0 + np.hypot(rows - 12.3, columns - 21.7) * 0.8)}, path)
+        made, _ = volumes.of_points(dict(pipeline.read(path, VerticalStep=1.0)[0]), pipeline.Settings(
+            layers={"MaximumError": 0.5, "Order": "AsGiven", "Crossings": "UpperWins"}), path.name)
         self.assertGreater(made.figures["Top to Base"].tetrahedra, 0)
         self.assertGreater(made.figures["Top to Base"].pyramids, 0)
         plan = album.plan_of(made.cells, 0)
-        thickness = mesh_checks.vtk_to_numpy(plan.GetPointData().GetArray("Thickness")).reshape(-1, 3)
-        sides = np.diff(mesh_checks.coordinates(plan).reshape(-1, 3, 3)[:, :, :2], axis=1)
+        thickness = plan["point_data"]["Thickness"].reshape(-1, 3)
+        np.testing.assert_array_equal(plan["polygons"][1], np.arange(len(plan["places"])))
+        sides = np.diff(plan["places"].reshape(-1, 3, 3)[:, :, :2], axis=1)
         areas = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0]) / 2.0
-        self.assertEqual(len(areas), made.cells.GetNumberOfCells())
+        self.assertEqual(len(areas), len(made.cells["types"]))
         self.assertAlmostEqual(np.sum(areas * thickness.mean(axis=1)), made.figures["Top to Base"].volume, 6)
-        self.assertEqual(album.plan_of(made.cells, 1).GetNumberOfPoints(), 0)
+        self.assertEqual(data.count_points(album.plan_of(made.cells, 1)), 0)
         pictured = album.Album(True)
         pictured.add_layers(made)
         (bodies, map_of_layer), = (entry.pictures for entry in pictured.layers)
@@ -272,8 +266,8 @@ class ReportTest(unittest.TestCase):
         for name, points in pipeline.read(SAMPLE, ColumnStep=[3.0, 1.0], RowStep=[-2.0, 9.0], Origin=[1e6, 2e6, 0.0])[0]:
             mesh = pipeline.run("sample", name, points, pipeline.Settings()).data["mesh"]
             angles = figures.angles(mesh)
-            self.assertAlmostEqual(angles["smallest"], mesh.GetFieldData().GetArray("SmallestAngle").GetValue(0), 6)
-            self.assertEqual(sum(angles["counts"]), mesh.GetNumberOfPolys())
+            self.assertAlmostEqual(angles["smallest"], data.value(mesh, "SmallestAngle"), 6)
+            self.assertEqual(sum(angles["counts"]), data.count_polygons(mesh))
 
     def test_histogram(self):
         drawing = charts.histogram("T", "c", [3, 0, 1], 6.0, "m")
@@ -291,7 +285,7 @@ class ReportTest(unittest.TestCase):
         run = record.Record(lambda *told: ledger_check.is_warning(told[1]) or self.fail(told), True, report.make_album(True))
         with mock.patch.multiple(memory, SPARE=0, _resident=lambda: 0):
             batch.run([SAMPLE], self.folder, settings, False, run, prints=False)
-        page = Page(report.make(run.as_values(), run.album, None))
+        page = Page(report.make(run.as_values(), run.album))
         self.assertIn("not measured: the horizons are larger than memory.", page.text())
         self.assertIn("on average; at outlines at most", page.text())
         self.assertEqual([image["alt"].split(";")[0] for image in page.all("img") if image["alt"].startswith("Mesh")][:1],

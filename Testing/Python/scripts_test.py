@@ -12,11 +12,11 @@ import shutil
 import subprocess
 import sys
 
+import numpy as np
+import seismichorizons as sh
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import mesh_checks
-from seismichorizons_command import reading
-from seismichorizons.vtk import make
 
 RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
 PVBATCH, PYTHON = sys.argv[4:6]
@@ -95,13 +95,9 @@ def test_layers_apart():
 
 def test_fault_cut():
     """Across a straight fault of a throw of 12, a mesh that is cut is near with few triangles, one that is not is far."""
-    picks = FOLDER / "faulted.picks"
-    picks.write_text("X Y Z\n" + "".join("%d %d %d\n" % (25 * i, 25 * j, 1000 + (12 if i + 0.31 * j > 30 else 0) + 0.1 * j)
-                             for i in range(60) for j in range(50)), encoding="utf-8")
-    source = reading.open_file(str(picks))
-    writer = make("vtkVerneySparseMatrixWriter", FileName=str(FOLDER / "faulted.vsm"))
-    writer.SetInputConnection(source.GetOutputPort())
-    writer.Write()
+    i, j = np.meshgrid(np.arange(60), np.arange(50))
+    z = 1000 + 12.0 * (i + 0.31 * j > 30) + 0.1 * j
+    sh.write(sh.horizon(z, spacing=(25, 25)), FOLDER / "faulted.vsm")
     said = run(PVBATCH, "fault_cut", FOLDER / "faulted.vsm", FOLDER / "cut", "--triangles", 60)
     before, after = (float(value) for value in re.findall(r"largest vertical error ([\d.e-]+)", said))
     assert after < 0.25 * before, said

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 
+from seismichorizons_command.data import from_vtk
 from seismichorizons_command.writing import write_data
 
 import image_compare
@@ -45,7 +46,7 @@ def make_build_tree(folder):
 def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     sample, mesh = DATA / "blobs.vsm", FOLDER / "mesh.vtp"
-    write_data(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"], mesh, "Horizon 2")
+    write_data(from_vtk(mesh_checks.blocks(pipelines.with_classes(sample)[-1])["Horizon 2"]), mesh, "Horizon 2")
     done, picture = draw("one.png", "--horizon", 2, sample, mesh)
     assert done.returncode == 0 and "ERR|" not in done.stderr, done.stderr
     assert picture.shape[:2] == (780, 900) and colors(picture) > 500, (picture.shape, colors(picture))

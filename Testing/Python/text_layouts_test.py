@@ -12,9 +12,7 @@ import re
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
-from seismichorizons_command import reading
+from seismichorizons_command import data, reading
 from seismichorizons_command.core import HorizonError
 
 FOLDER = pathlib.Path(sys.argv[1])
@@ -82,10 +80,9 @@ def read(path, **options):
     """All picks of a file with z as in the file, the names of its horizons, how many were dropped, and whether z counts
     upwards in the world."""
     horizons = reading.read(path, **options)[0]
-    sign = horizons[0][1].GetFieldData().GetArray("VerticalDirection").GetValue(0)
-    points = [vtk_to_numpy(horizon.GetPoints().GetData()) * (1.0, 1.0, sign) for _, horizon in horizons]
-    dropped = sum(int(horizon.GetFieldData().GetArray(name).GetValue(0)) for _, horizon in horizons
-                  for name in ("DroppedDuplicates", "DroppedNulls"))
+    sign = data.vertical_direction(horizons[0][1])
+    points = [horizon["places"] * (1.0, 1.0, sign) for _, horizon in horizons]
+    dropped = sum(data.value(horizon, name) for _, horizon in horizons for name in ("DroppedDuplicates", "DroppedNulls"))
     return np.concatenate(points), [name for name, _ in horizons], dropped, sign > 0
 
 

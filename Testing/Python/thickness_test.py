@@ -9,7 +9,8 @@ import warnings
 
 import mesh_checks
 import numpy as np
-import seismichorizons as sh
+import vtk_inputs
+from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -34,10 +35,10 @@ def moved(horizon, shift, rows=slice(None)):
 class ThicknessTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.horizons = list(sh.read(SAMPLE, column_step=(3.0, 4.0), row_step=(-8.0, 6.0)).values())
+        cls.horizons = list(vtk_inputs.read(SAMPLE, ColumnStep=(3.0, 4.0), RowStep=(-8.0, 6.0)).values())
 
     def check(self, first, other, has_neighbours=True):
-        found = sh.thickness(first, other)
+        found = vtk_inputs.thickness(first, other)
         known = {(round(x, 3), round(y, 3)): z for x, y, z in vtk_to_numpy(other.GetPoints().GetData())}
         expected = [(z - known[round(x, 3), round(y, 3)]) for x, y, z in vtk_to_numpy(first.GetPoints().GetData())
                     if (round(x, 3), round(y, 3)) in known]
@@ -59,25 +60,25 @@ class ThicknessTest(unittest.TestCase):
         self.check(top, base)
         self.check(base, top)
         self.check(top, moved(base, (0.0, 0.0, 0.0), slice(0, None, 2)), False)
-        np.testing.assert_allclose(vtk_to_numpy(sh.thickness(top, moved(top, (0.0, 0.0, -7.5))).GetPointData().GetArray("Isochore")),
-                                   7.5)
+        lower = vtk_inputs.thickness(top, moved(top, (0.0, 0.0, -7.5)))
+        np.testing.assert_allclose(vtk_to_numpy(lower.GetPointData().GetArray("Isochore")), 7.5)
 
     def test_lines(self):
         """A column of a horizon on every second line stands for two; those of another number are left out, and told."""
         j, i = np.mgrid[0:40, 0:60]
         z = 1000.0 + 10.0 * np.sin(i / 9.0) * np.cos(j / 8.0)
-        known = {"vertical_step": 1.0, "vertical_unit": "m", "horizontal_unit": "m"}
-        top = sh.horizon(z, spacing=(25.0, 12.5), **known)
+        known = {"VerticalStep": 1.0, "VerticalUnit": "m", "HorizontalUnit": "m"}
+        top = vtk_inputs.horizon(z, spacing=(25.0, 12.5), **known)
         area = 25.0 * 12.5
         for rows, columns in ((1, 2), (2, 1), (2, 3)):
-            own = sh.horizon(z[::rows, ::columns] + 50.0, spacing=(25.0 * columns, 12.5 * rows), **known)
+            own = vtk_inputs.horizon(z[::rows, ::columns] + 50.0, spacing=(25.0 * columns, 12.5 * rows), **known)
             holed = np.full(z.shape, np.nan)
             holed[::rows, ::columns] = z[::rows, ::columns] + 50.0
-            for other in (own, sh.horizon(holed, spacing=(25.0, 12.5), **known)):
+            for other in (own, vtk_inputs.horizon(holed, spacing=(25.0, 12.5), **known)):
                 for first, second in ((top, other), (other, top)):
                     with warnings.catch_warnings():
                         warnings.simplefilter("error")
-                        found = sh.details(sh.thickness(first, second))
+                        found = vtk_inputs.details(vtk_inputs.thickness(first, second))
                     self.assertAlmostEqual(found.isochore_volume, 50.0 * z.size * area, delta=1e-3)
                     bin_ = abs(np.linalg.det(found.lattice_to_world[:2, :2]))
                     self.assertEqual(vars(found.ledger_columns), ledger(round(z.size * area / bin_), 0))
@@ -85,7 +86,7 @@ class ThicknessTest(unittest.TestCase):
         holed = z + 50.0
         holed[5:9, 10:20] = np.nan
         with self.assertWarnsRegex(UserWarning, "one horizon alone is in 40 of 2400 columns, an area of 12500, expected both"):
-            found = sh.details(sh.thickness(top, sh.horizon(holed, spacing=(25.0, 12.5), **known)))
+            found = vtk_inputs.details(vtk_inputs.thickness(top, vtk_inputs.horizon(holed, spacing=(25.0, 12.5), **known)))
         self.assertEqual(vars(found.ledger_columns), ledger(2360, 40))
         self.assertEqual(vars(found.ledger_area), ledger(2360 * area, 40 * area))
 
@@ -93,19 +94,19 @@ class ThicknessTest(unittest.TestCase):
         """To a mesh, and of one, is measured where its triangles are, not at its vertices."""
         j, i = np.mgrid[0:60, 0:80]
         z = 1000.0 + 10.0 * np.sin(i / 9.0) * np.cos(j / 8.0)
-        top, base = (sh.horizon(z + depth, spacing=(30, 30), vertical_step=1.0, vertical_unit="m") for depth in (0.0, 50.0))
-        true = sh.details(sh.thickness(top, base))
+        top, base = (vtk_inputs.horizon(z + depth, spacing=(30, 30), VerticalStep=1.0, VerticalUnit="m") for depth in (0.0, 50.0))
+        true = vtk_inputs.details(vtk_inputs.thickness(top, base))
         self.assertEqual(vars(true.ledger_columns), ledger(z.size, 0))
-        meshes = [sh.surface(points, largest_error=0.5) for points in (top, base)]
+        meshes = [vtk_inputs.surface(points, MaximumError=0.5) for points in (top, base)]
         self.assertLess(meshes[1].GetNumberOfPoints(), 0.2 * base.GetNumberOfPoints())
         for first, second in ((top, meshes[1]), (meshes[0], base), meshes):
-            points = sh.thickness(first, second)
-            found = sh.details(points)
+            points = vtk_inputs.thickness(first, second)
+            found = vtk_inputs.details(points)
             self.assertEqual(points.GetNumberOfPoints(), z.size)
             self.assertEqual(found.ledger_columns, true.ledger_columns)
             np.testing.assert_allclose(found.isochore_volume, true.isochore_volume, rtol=0.01)
             self.assertLess(abs(vtk_to_numpy(points.GetPointData().GetArray("Isochore")) - 50.0).max(), 1.0 + 1e-9)
-            self.assertEqual(sh.exterior_boundary(points).GetNumberOfLines(), 1)  # a horizon as any other
+            self.assertEqual(sh.apply(sh.make("vtkHorizonExteriorBoundary"), points).GetNumberOfLines(), 1)  # a horizon as any other
         flat = sh.vtkHorizonThickness()
         flat.SetInputDataObject(0, meshes[0])
         flat.SetInputDataObject(1, meshes[1])
@@ -115,13 +116,13 @@ class ThicknessTest(unittest.TestCase):
     def test_apart(self):
         """Two parts far apart have no map."""
         square = np.argwhere(np.ones((12, 12)))
-        near = sh.horizon(np.full((24, 12), 100.0), vertical_step=1.0)
+        near = vtk_inputs.horizon(np.full((24, 12), 100.0), VerticalStep=1.0)
         vtk_to_numpy(near.GetFieldData().GetArray("LatticeDimensions"))[..., :2] = 20012
         vtk_to_numpy(near.GetPoints().GetData())[:, :2] = np.vstack((square, square + 20000))
         top, base = (moved(near, (0.0, 0.0, depth)) for depth in (0.0, 9.0))
         top.GetFieldData().PassData(near.GetFieldData())
         with self.assertWarnsRegex(UserWarning, "the map is left out: an image of 20012 x 20012 pixels for 288 columns, expected at most 64"):
-            self.assertEqual(sh.thickness(top, base).GetNumberOfPoints(), 288)
+            self.assertEqual(vtk_inputs.thickness(top, base).GetNumberOfPoints(), 288)
 
     def test_map(self):
         """An image of the same, in its place; none of a lattice that is sheared."""
@@ -145,9 +146,9 @@ class ThicknessTest(unittest.TestCase):
         self.assertTrue(np.all(np.isnan(isochore[ghosts != 0])))
         self.assertEqual(filter.GetPolyDataOutput().GetFieldData().GetArray("IsochoreMean").GetTuple1(0),
                          made.GetFieldData().GetArray("IsochoreMean").GetTuple1(0))
-        sheared = list(sh.read(SAMPLE, column_step=(3.0, 4.0), row_step=(-8.0, 7.0)).values())
+        sheared = list(vtk_inputs.read(SAMPLE, ColumnStep=(3.0, 4.0), RowStep=(-8.0, 7.0)).values())
         with self.assertWarnsRegex(UserWarning, "the map is left out: ColumnStep and RowStep that are not perpendicular"):
-            self.assertGreater(sh.thickness(*sheared[:2]).GetNumberOfPoints(), 1000)
+            self.assertGreater(vtk_inputs.thickness(*sheared[:2]).GetNumberOfPoints(), 1000)
 
     def test_two_at_one_input(self):
         reader = sh.vtkVerneySparseMatrixReader()
@@ -169,7 +170,7 @@ class ThicknessTest(unittest.TestCase):
         """Times have no true thickness and no volume."""
         top, base = self.horizons[:2]
         copy = mesh_checks.with_text(top, "VerticalDomain", "time")
-        found = sh.thickness(copy, base)
+        found = vtk_inputs.thickness(copy, base)
         self.assertIsNotNone(found.GetPointData().GetArray("Isochore"))
         self.assertIsNone(found.GetPointData().GetArray("Isopach"))
         self.assertIsNone(found.GetFieldData().GetArray("IsochoreVolume"))
@@ -180,25 +181,25 @@ class ThicknessTest(unittest.TestCase):
                                (moved(base, (1.0, 0.5, 0.0)), "which is not on a column of the first one, expected points on one lattice"),
                                (moved(base, (3000.0, 4000.0, 0.0)), "no column with points of both horizons")):
             with self.assertRaises(ValueError, msg=message) as caught:
-                sh.thickness(top) if other is None else sh.thickness(top, other)
+                vtk_inputs.thickness(top) if other is None else vtk_inputs.thickness(top, other)
             self.assertIn(message, str(caught.exception))
         holed = moved(base, (0.0, 0.0, 0.0))
         vtk_to_numpy(holed.GetPoints().GetData())[5, 2] = np.nan
         with self.assertRaisesRegex(ValueError, "a point of the other horizon at .*, expected finite numbers"):
-            sh.thickness(top, holed)
+            vtk_inputs.thickness(top, holed)
         vtk_to_numpy(holed.GetPoints().GetData())[5, 2] = 1e30  # as single precision has it
         with self.assertRaisesRegex(ValueError, "a point of the other horizon at .*, expected at most 2\\^50 vertical indices"):
-            sh.thickness(top, holed)
+            vtk_inputs.thickness(top, holed)
         for name, value, other in (("VerticalDomain", "time", "depth"), ("VerticalUnit", "ms", "s"), ("CoordinateSystem", "EPSG:23031", "EPSG:32631")):
             with self.assertRaisesRegex(ValueError, 'the other horizon of the %s "%s", expected "%s" as of the first one'
                                         % (name, other, value)):
-                sh.thickness(mesh_checks.with_text(top, name, value), mesh_checks.with_text(base, name, other))
+                vtk_inputs.thickness(mesh_checks.with_text(top, name, value), mesh_checks.with_text(base, name, other))
         with self.assertWarnsRegex(UserWarning, "the horizons cross in .* columns, expected few"):
             mean = np.mean(vtk_to_numpy(top.GetPoints().GetData())[:, 2] - 0.0)
             flat = moved(top, (0.0, 0.0, 0.0))
             places = vtk_to_numpy(flat.GetPoints().GetData())
             places[:, 2] = mean
-            sh.thickness(top, flat)
+            vtk_inputs.thickness(top, flat)
 
 
 if __name__ == "__main__":

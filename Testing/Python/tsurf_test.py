@@ -15,14 +15,10 @@ import subprocess
 import sys
 import unittest
 
+import mesh_checks
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-
 import seismichorizons as sh
-from seismichorizons_command import overlay, reading, triangles
+from seismichorizons_command import overlay, pipeline, reading, volumes, writing
 from seismichorizons_command.core import HorizonError
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
@@ -58,18 +54,13 @@ def ball(n=24, radius=100.0, center=(500.0, 500.0, 500.0)):
 
 
 def divided(mesh, n):
-    """The same surface in triangles whose edges are an n-th as long."""
-    corners = vtk_to_numpy(mesh.GetPoints().GetData())[triangles.of_surface(mesh)]
+    """The same surface in triangles whose edges are an n-th as long, as points and triangles."""
     upward = [((i, j), (i + 1, j), (i, j + 1)) for i in range(n) for j in range(n - i)]
     downward = [((i + 1, j), (i + 1, j + 1), (i, j + 1)) for i in range(n) for j in range(n - i - 1)]
     parts = np.array(upward + downward) / n
     weights = np.concatenate((1.0 - parts.sum(axis=2, keepdims=True), parts), axis=2)
-    places = np.einsum("tcw,mwx->mtcx", weights, corners).reshape(-1, 3)
-    fine = vtkPolyData()
-    fine.SetPoints(vtkPoints())
-    fine.GetPoints().SetData(numpy_to_vtk(places, deep=True))
-    fine.SetPolys(triangles.cells_of(np.arange(len(places)).reshape(-1, 3)))
-    return fine
+    places = np.einsum("tcw,mwx->mtcx", weights, mesh.points[mesh.triangles]).reshape(-1, 3)
+    return places, np.arange(len(places)).reshape(-1, 3)
 
 
 def dome(x, y):
@@ -161,12 +152,9 @@ class SurfaceTest(unittest.TestCase):
 
     def error_from_file(self, path):
         """The largest vertical distance between the mesh and the triangles of the file, by many places on these."""
-        mesh = vtkXMLPolyDataReader()
-        mesh.SetFileName(str(next((self.folder / "results").glob("*.vtp"))))
-        mesh.Update()
-        found = sh.distance(divided(sh.read(path)["Top"], 12), mesh.GetOutput(), unit="World")
-        return max(np.nanmax(np.abs(vtk_to_numpy(data.GetPointData().GetArray("VerticalDistance"))))
-                   for data in (found.reference, found.mesh))
+        mesh = mesh_checks.read(next((self.folder / "results").glob("*.vtp")))
+        found = sh.distance(divided(sh.read_mesh(path)["Top"], 12), (mesh_checks.coordinates(mesh), mesh_checks.triangles(mesh)))
+        return max(np.nanmax(np.abs(vertical)) for vertical in (found.vertical_of_reference, found.vertical_of_mesh))
 
     def test_error_is_that_of_the_file(self):
         """A rough surface of few vertices: the columns of a lattice miss them."""
@@ -228,12 +216,19 @@ class GridTest(unittest.TestCase):
         FOLDER.mkdir(parents=True, exist_ok=True)
         top, base = (sh.horizon(np.full((20, 30), z) + slope * np.arange(30), spacing=(25, 25))
                      for z, slope in ((-10.0, 0.0), (-30.0, -0.5)))
-        body, = sh.layers({"Top": top, "Base": base}).bodies.values()
+        horizons = {"Top": top, "Base": base}
+        body, = sh.layers(horizons).bodies.values()
+        points = FOLDER / "horizons.dat"
+        sh.write(horizons, points)
+        found = dict(reading.read(points, VerticalDirection="Up")[0])
+        made, _ = volumes.of_points(found, pipeline.Settings(layers={}), points.name)
         for form in ("irap", "gri", "zmap", "dat"):
             path = FOLDER / ("body." + form)
             path.unlink(missing_ok=True)
-            with self.assertRaisesRegex((ValueError, OSError), r"heights \S+ and \S+ \(vertical indices\) of a mesh in column"):
+            with self.assertRaisesRegex(ValueError, "Top to Base.*no lattice"):
                 sh.write(body, path)
+            with self.assertRaisesRegex(HorizonError, r"heights \S+ and \S+ \(vertical indices\) of a mesh in column"):
+                writing.write_data(made.bodies["Top to Base"], path, "Top to Base")
             self.assertFalse(path.exists())
             sh.write(sh.surface(top), path)
 

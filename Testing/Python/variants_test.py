@@ -185,7 +185,7 @@ class VariantsTest(unittest.TestCase):
         for name, text, _ in READ:
             path = FOLDER / (name + ".txt")
             path.write_text(text)
-            self.assertEqual(find_reader(path), "vtkHorizonTextReader", name)
+            self.assertEqual(find_format(path), "text", name)
 
     def test_refused(self):
         for name, text, message in REFUSED:

@@ -18,7 +18,8 @@ import unittest
 
 import seismichorizons as sh
 from doors import CommandTest, picks
-from seismichorizons_command import reading, stage
+from seismichorizons import vtk
+from seismichorizons_command import core, reading
 
 PROGRAM, GENERATOR, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 
@@ -41,7 +42,8 @@ class VoiceTest(CommandTest):
         return {folder: "a directory, expected a file|no file of horizons in this folder",
                 pipe: "a special file, expected a regular one", self.folder / "socket.dat": "a special file, expected a regular",
                 device: "a special file, expected a regular one", link: "a link to a file that does not exist",
-                empty: "expected (lines of numbers|fault lines|at least|SEG-Y, which begins)", self.folder / "missing.dat": "no such file"}
+                empty: "expected (lines of numbers|fault lines|at least|SEG-Y, which begins|\"GOCAD TSurf)",
+                self.folder / "missing.dat": "no such file"}
 
     def test_special_files(self):
         """One error at once from each option that takes a file."""
@@ -58,7 +60,7 @@ class VoiceTest(CommandTest):
                     self.assertRegex(messages[0], words)
                     self.assertLess(seconds, 30.0)  # opening a pipe would wait for ever
             kind = FileNotFoundError if path.name in ("link.dat", "missing.dat") else (OSError, ValueError)
-            for read in (sh.read, sh.read_cube):
+            for read in (sh.read, sh.read_cube, sh.read_mesh, sh.read_faults):
                 with self.subTest(path=path.name, read=read.__name__), self.assertRaisesRegex(kind, words):
                     read(path)
 
@@ -138,11 +140,16 @@ class VoiceTest(CommandTest):
         for message in messages:
             self.assertRegex(message, r"^horizon-mesh: warning: (up|null)\.dat: ")
             self.assertNotRegex(message, r"0x|\x1b|\.cxx|WARN")
-        with self.assertWarnsRegex(UserWarning, "add -9999 to null_values= if it means") as warned:
+        with self.assertWarnsRegex(UserWarning, "add -9999 to nodata if it means") as warned:
             sh.read(null)
         self.assertEqual(warned.filename, __file__)
-        with self.assertWarnsRegex(UserWarning, "add -9999 to --null-values|NullValues"):
+        heard = []
+        with core.heard_by(heard.append):
             reading.read(null)
+        self.assertEqual(len(heard), 1)
+        self.assertRegex(heard[0], "add -9999 to --null-values|NullValues")
+        with self.assertWarnsRegex(UserWarning, "add -9999 to NullValues"):
+            vtk.update(vtk.make("vtkHorizonTextReader", FileName=str(null)))
 
     def test_nothing_is_raw(self):
         """No line of the logger, in a process of its own: its outputs are no terminal."""
@@ -159,15 +166,15 @@ class VoiceTest(CommandTest):
         noise = self.write("noise.xyz", "".join("%.2f %.2f %.2f\n" % (431000 + 37.7 * n % 2000, 6348000 + 91.3 * n % 1900,
                                                                        1500 + 0.01 * n) for n in range(800)))
         two = self.write("two.txt", "X Y TWT DEPTH\n" + "".join("%d %d 5 7\n" % (i, j) for j in range(5) for i in range(5)))
-        for path, option, keyword, name in ((two, "set --columns", "set columns=", "set Columns"),
+        for path, option, keyword, name in ((two, "set --columns", "set columns$", "set Columns"),
                                             (noise, "or --gridding", "or gridding=", "or Gridding")):
             code, messages, _ = self.run_command(path)
             self.assertEqual((code, len(messages)), (1, 1), messages)
             self.assertRegex(messages[0], option)
             with self.assertRaisesRegex(ValueError, keyword):
                 sh.read(path)
-            with self.assertRaisesRegex(stage.HorizonError, name):
-                stage.update(stage.make("vtkHorizonTextReader", FileName=str(path)))
+            with self.assertRaisesRegex(ValueError, name):
+                vtk.update(vtk.make("vtkHorizonTextReader", FileName=str(path)))
         columns = self.write("Columns.txt", "Columns 1\n")
         code, messages, _ = self.run_command(columns)
         self.assertIn("Columns.txt: ", messages[0])  # a name of a file stays

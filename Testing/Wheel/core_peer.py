@@ -6,7 +6,7 @@ import pathlib
 import sys
 
 import numpy as np
-import seismichorizons as sh
+from seismichorizons.vtk import apply, horizons_of, make
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkTable
 
@@ -27,12 +27,12 @@ for seed, error in ((1, 1.0), (2, 4.0), (3, 0.25)):
         array = numpy_to_vtk(np.ascontiguousarray(numbers), deep=True)
         array.SetName(name)
         columns.AddColumn(array)
-    points = sh.horizon_from_points(columns, lattice_source="OriginAndSteps", origin=(1e5, 6e6), column_step=(12.5, 0.0),
-                                    row_step=(0.0, 25.0), vertical_step=step, vertical_direction="Down")
-    mesh = sh.surface(points, error / step)
+    source = make("vtkHorizonFromPoints", LatticeSource="OriginAndSteps", Origin=(1e5, 6e6), ColumnStep=(12.5, 0.0),
+                  RowStep=(0.0, 25.0), VerticalStep=step, VerticalDirection="Down")
+    points, = horizons_of(apply(source, columns)).values()
+    mesh = apply(make("vtkHorizonSurface", MaximumError=error / step), points)
     lines = mesh.GetNumberOfLines()
-    faulted = sh.faults(points)
-    faulted = getattr(faulted, "horizon", faulted[0] if isinstance(faulted, tuple) else faulted).GetFieldData()
+    faulted = apply(make("vtkHorizonFaults"), points).GetFieldData()
     np.savez(FOLDER / ("%d.npz" % seed), z=z, value=value, error=error, step=step, points=vtk_to_numpy(mesh.GetPoints().GetData()),
              triangles=vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3),
              errors=vtk_to_numpy(mesh.GetCellData().GetArray("Error"))[lines:],

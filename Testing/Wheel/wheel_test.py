@@ -51,9 +51,16 @@ run(python, TESTS / "core_test.py", PROJECT / "Data", FOLDER / "files", FOLDER /
 run(python, TESTS / "core_stack_test.py", FOLDER / "stack")
 run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 run(python, TESTS / "core_example.py", FOLDER / "files")
+command = [PROJECT / "Data/sample.vsm", "--no-pictures", "--formats", "vtp,ts", "--report", FOLDER / "page.html"]
+run(FOLDER / "use/bin/horizon-mesh", *command, "-o", FOLDER / "command")
+run(sys.executable, PROJECT / "Utilities/horizon_mesh.py", *command, "-o", FOLDER / "built", env={**ENVIRONMENT, "PYTHONPATH": str(CLASSES)})
+for path in (FOLDER / "built").iterdir():
+    if path.read_bytes() != (FOLDER / "command" / path.name).read_bytes():
+        sys.exit("%s: not the bytes of the command of the build" % path.name)
 run(python, "-m", "pip", "install", "--quiet", *BESIDE)
 run(python, TESTS / "core_tasks.py", FOLDER / "tasks")
 run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 run(python, TESTS / "notebooks_test.py", PROJECT / "Documentation/Notebooks", FOLDER / "notebooks")
 run(python, "-m", "mypy", "--strict", "--cache-dir", FOLDER / "mypy", TESTS / "core_example.py")
+run(python, "-m", "mypy", "--config-file", PROJECT / "pyproject.toml", "--cache-dir", FOLDER / "mypy", PROJECT / "Python/seismichorizons")
 shutil.rmtree(FOLDER / "use")

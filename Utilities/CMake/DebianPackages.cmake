@@ -49,6 +49,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${same_library}, paraview-dev")
 seismichorizons_package(python python3-seismichorizons
   "The command horizon-mesh, and the Python package seismichorizons that it stands on.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+install(FILES Python/NOTICES.txt DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/python3-seismichorizons" COMPONENT python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_library}, python3-numpy, python3-paraview")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${PROJECT_SOURCE_DIR}/Utilities/Packaging/python/postinst"

@@ -11,42 +11,29 @@ SAMPLE is a .vsm file. Needs an X server, and the package seismichorizons in PYT
 import pathlib
 import sys
 
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-
-from seismichorizons import vtk as sh
-from seismichorizons_command import pictures
-from seismichorizons_command.pipeline import read_first
-from seismichorizons.vtk import apply
+import numpy as np
+from seismichorizons import _core
+from seismichorizons_command import core, pictures
+from seismichorizons_command.data import count_lines, value
+from seismichorizons_command.reading import read_first
 
 PANEL_SIZE = (420, 340)
 
 
 def ragged(data):
     """Makes a corner of a horizon with less than half of its points, as left by automatic tracking in noise."""
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    for number in range(data.GetNumberOfPoints()):
-        i, j, k = data.GetPoint(number)
-        # Any hash works that is the same on all machines.
-        noise = (int(i) * 73856093 ^ int(j) * 19349663) * 2654435761 % 2**32 / 2**32
-        if 30 <= i < 80 and 25 <= j < 65 and noise < 0.45:
-            points.InsertNextPoint(i, j, k)
-    part = vtkPolyData()
-    part.SetPoints(points)
-    vertices = vtkCellArray()
-    for number in range(points.GetNumberOfPoints()):
-        vertices.InsertNextCell(1, [number])
-    part.SetVerts(vertices)
-    part.SetFieldData(data.GetFieldData())
-    return part
+    i, j, _ = data["places"].T.astype(np.uint64)
+    # Any hash works that is the same on all machines.
+    noise = (i * 73856093 ^ j * 19349663) * 2654435761 % 2**32 / 2**32
+    kept = (30 <= i) & (i < 80) & (25 <= j) & (j < 65) & (noise < 0.45)
+    return {"places": data["places"][kept], "field_data": data["field_data"]}
 
 
 def outline_panel(data, rule, radius, holes):
-    outline = apply(sh.vtkHorizonExteriorBoundary(), data, Radius=radius, GrowthStrategy=rule, HoleBoundaries=holes,
-                    SmallestHoleSize=2)
-    counts = [int(outline.GetFieldData().GetArray(name).GetTuple1(0)) for name in ("NumberOfPatches", "NumberOfHoles")]
-    points = outline.GetLines().GetNumberOfConnectivityIds() - outline.GetNumberOfLines()
+    options = {"radius": radius, "growth": rule.lower(), "hole_boundaries": holes, "smallest_hole_size": 2}
+    (outline,), _ = core.run(_core.boundary, data, options)
+    counts = [value(outline, name) for name in ("NumberOfPatches", "NumberOfHoles")]
+    points = len(outline["lines"][1]) - count_lines(outline)
     caption = "%d patches, %d boundary points" % (counts[0], points)
     if holes:
         caption = "%d patches, %d holes, %d boundary points" % (*counts, points)

@@ -15,15 +15,12 @@ import pathlib
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-from vtkmodules.vtkImagingCore import vtkExtractVOI
+import seismichorizons as sh
+from seismichorizons_command import pictures
+from seismichorizons_command.data import empty, to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
-
-from seismichorizons_command import cubes, functions, pictures, reading
-from seismichorizons_command.pipeline import surface
 
 PANEL_SIZE = (480, 430)
 HEIGHT = 0.55  # height of a section as a fraction of its length
@@ -47,73 +44,51 @@ def actor(data, color=None, lighting=False):
 
 def section(cube, row):
     """Draws the amplitudes of an inline in grey."""
-    extent = list(cube.GetExtent())
-    extent[2:4] = row, row
-    part = vtkExtractVOI()
-    part.SetInputData(cube)
-    part.SetVOI(extent)
-    outside = vtkDataSetSurfaceFilter()
-    outside.SetInputConnection(part.GetOutputPort())
-    outside.Update()
-    largest = np.percentile(np.abs(vtk_to_numpy(cube.GetPointData().GetScalars())), 99.7)
+    _, columns, samples = cube.values.shape
+    x, y = cube.lattice.places(np.arange(columns), row)
+    z = cube.sign * (cube.lattice.first_z + cube.lattice.vertical_step * np.arange(samples))
+    places = np.stack(np.broadcast_arrays(x, y, z[:, None]), -1).reshape(-1, 3)
+    corner = np.arange(len(places)).reshape(samples, columns)[:-1, :-1].ravel()
+    corners = np.stack((corner, corner + 1, corner + columns + 1, corner + columns), -1).ravel()
+    plane = to_vtk({**empty(), "places": places, "polygons": (np.arange(0, len(corners) + 1, 4), corners)})
+    plane.GetPointData().SetScalars(numpy_to_vtk(cube.values[row].T.ravel(), deep=True))
+    largest = np.percentile(np.abs(cube.values), 99.7)
     grey = vtkLookupTable()
     grey.SetNumberOfTableValues(256)
     grey.SetHueRange(0.0, 0.0)
     grey.SetSaturationRange(0.0, 0.0)
     grey.SetValueRange(0.1, 1.0)
     grey.Build()
-    result = actor(outside.GetOutput())
+    result = actor(plane)
     result.GetMapper().SetLookupTable(grey)
     result.GetMapper().SetScalarRange(-largest, largest)
     return result
 
 
-def is_on_row(points, row):
-    """Returns which points are on an inline."""
-    matrix = vtk_to_numpy(points.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
-    places = vtk_to_numpy(points.GetPoints().GetData())
-    lattice = np.column_stack([places, np.ones(len(places))]) @ np.linalg.inv(matrix).T
-    return np.rint(lattice[:, 1]) == row
+def places_of(horizon):
+    return np.column_stack((horizon.x, horizon.y, horizon.sign * horizon.z))
 
 
-def strength(points):
-    return abs(vtk_to_numpy(points.GetPointData().GetArray("Amplitude")).mean())
-
-
-def picks_of(points, row):
-    """Returns the picks on an inline."""
-    dots = vtkPolyData()
-    dots.SetPoints(points.GetPoints())
-    vertices = vtkCellArray()
-    for number in np.flatnonzero(is_on_row(points, row)):
-        vertices.InsertNextCell(1, [int(number)])
-    dots.SetVerts(vertices)
-    return dots
-
-
-def stroke(points, row, color, size=3.5):
-    """Draws the picks on an inline over its amplitudes."""
-    dots = actor(picks_of(points, row), color)
+def stroke(places, color, size=3.5):
+    """Draws picks over the amplitudes of their inline."""
+    dots = actor(to_vtk({**empty(), "places": places}), color)
     dots.GetProperty().SetPointSize(size)
     dots.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
     return dots
 
 
+def stroke_on(row, horizon, color):
+    return stroke(places_of(horizon)[horizon.columns[:, 1] == row], color)
+
+
 def view_of(cube):
     """Returns the vertical exaggeration of a section, and the unit vectors along and across inlines."""
-    bounds = np.array(cube.GetBounds()).reshape(3, 2)
-    length = np.hypot(*(bounds[:2, 1] - bounds[:2, 0]))
-    matrix = vtk_to_numpy(cube.GetFieldData().GetArray("LatticeToWorld")).reshape(4, 4)
-    along, across = (matrix[:3, n] / np.linalg.norm(matrix[:3, n]) for n in (0, 1))
-    return HEIGHT * length / (bounds[2, 1] - bounds[2, 0]), along, across
-
-
-def extract(path):
-    """Returns the cube of a file and its strongest surfaces."""
-    extraction = cubes.open_cube(path, LargestNumber=LARGEST_NUMBER)
-    cubes.read(extraction, path)
-    extraction.Update()
-    return extraction.GetInputAlgorithm().GetOutput(), [points for _, points in reading.list_horizons(extraction.GetOutput())]
+    rows, columns, samples = cube.values.shape
+    lattice = cube.lattice
+    corners = lattice.places(np.array([0, 0, columns - 1, columns - 1]), np.array([0, rows - 1, 0, rows - 1]))
+    length = np.hypot(*np.ptp(corners, axis=1))
+    along, across = (np.array([*step, 0.0]) / np.hypot(*step) for step in (lattice.column_step, lattice.row_step))
+    return HEIGHT * length / (lattice.vertical_step * (samples - 1)), along, across
 
 
 def place_camera(renderer, toward, scale):
@@ -141,33 +116,25 @@ def panel(title, caption, actors, exaggeration, toward, zoom):
     return renderer
 
 
-def origin_strokes(points, row):
+def origin_strokes(horizon, row):
     """Draws the picks of a guided horizon on an inline: grown picks, taken surfaces, and picks of the guide on top."""
-    strokes = []
-    origins = vtk_to_numpy(points.GetPointData().GetArray("Origin"))
-    places = vtk_to_numpy(points.GetPoints().GetData())
-    for origin, color, size in ((2, "17a2e0", 3.5), (1, "ffb000", 3.5), (0, "e3123c", 9.0)):
-        some = vtkPolyData()
-        some.SetPoints(vtkPoints())
-        some.GetPoints().SetData(numpy_to_vtk(places[origins == origin], deep=True))
-        some.SetFieldData(points.GetFieldData())
-        strokes.append(stroke(some, row, color, size))
-    return strokes
+    is_on_row = horizon.columns[:, 1] == row
+    return [stroke(places_of(horizon)[is_on_row & (horizon["Origin"] == origin)], color, size)
+            for origin, color, size in ((2, "17a2e0", 3.5), (1, "ffb000", 3.5), (0, "e3123c", 9.0))]
 
 
 def draw_guides(path, picture, truth):
     """Draws a section with the strongest surfaces, and with the horizons of guides on reflectors."""
     picks_of_each = 25
-    cube, horizons = extract(path)
-    row = cube.GetDimensions()[1] // 2
-    strokes = [stroke(points, row, COLORS[number % len(COLORS)]) for number, points in enumerate(horizons)]
+    cube = sh.read_cube(path)
+    row = len(cube.values) // 2
+    horizons = sh.extract(cube, largest_number=LARGEST_NUMBER).values()
+    strokes = [stroke_on(row, horizon, COLORS[number % len(COLORS)]) for number, horizon in enumerate(horizons)]
     rows, draw, guides = np.loadtxt(truth, skiprows=1), np.random.default_rng(1), {}
     for reflector in np.unique(rows[:, 0]):
         own = draw.choice(rows[rows[:, 0] == reflector], picks_of_each)
-        guides["Reflector %d" % reflector] = own[:, 3:6] * [1.0, 1.0, -1.0]
-    guided = []
-    for points in functions.extract(cube, guides).values():
-        guided += origin_strokes(points, row)
+        guides["Reflector %d" % reflector] = own[:, 3:6]
+    guided = [drawn for horizon in sh.extract(cube, guides).values() for drawn in origin_strokes(horizon, row)]
     exaggeration, _, across = view_of(cube)
     panels = [panel(title, caption, [section(cube, row), *dots], exaggeration, -across, 1.18) for title, caption, dots in (
         ("Without guides", "the %d strongest surfaces" % LARGEST_NUMBER, strokes),
@@ -182,31 +149,29 @@ def main():
     if len(sys.argv) > 3:
         draw_guides(path, picture, sys.argv[3])
         return
-    cube, horizons = extract(path)
-    horizons.sort(key=strength, reverse=True)
-    row = cube.GetDimensions()[1] // 2
+    cube = sh.read_cube(path)
+    row = len(cube.values) // 2
+    horizons = sorted(sh.extract(cube, largest_number=LARGEST_NUMBER).values(), reverse=True,
+                      key=lambda horizon: abs(horizon["Amplitude"].mean()))
     exaggeration, along, across = view_of(cube)
     aside = 0.75 * along - across + [0.0, 0.0, 0.9]
-    colored = [(points, COLORS[number % len(COLORS)]) for number, points in enumerate(horizons)]
+    colored = [(horizon, COLORS[number % len(COLORS)]) for number, horizon in enumerate(horizons)]
 
-    strokes = [stroke(points, row, color) for points, color in colored]
+    strokes = [stroke_on(row, horizon, color) for horizon, color in colored]
     clouds, meshes, triangles = [], [], 0
-    for points, color in colored[:IN_SPACE]:
-        cloud = actor(points, color)
+    for horizon, color in colored[:IN_SPACE]:
+        cloud = actor(horizon.to_vtk(), color)
         cloud.GetProperty().SetPointSize(2.5)
         clouds.append(cloud)
-        mesh, _ = surface(points, largest_error=LARGEST_ERROR)
-        triangles += mesh.GetNumberOfPolys()
-        only = vtkPolyData()
-        only.SetPoints(mesh.GetPoints())
-        only.SetPolys(mesh.GetPolys())
-        shaded = actor(only, color, lighting=True)
+        mesh = sh.surface(horizon, LARGEST_ERROR * cube.lattice.vertical_step)
+        triangles += len(mesh)
+        shaded = actor(mesh.to_vtk(), color, lighting=True)
         shaded.GetProperty().SetAmbient(0.35)
         shaded.GetProperty().SetDiffuse(0.75)
         shaded.GetProperty().EdgeVisibilityOn()
         shaded.GetProperty().SetEdgeColor(0.1, 0.1, 0.15)
         meshes.append(shaded)
-    picked = sum(points.GetNumberOfPoints() for points in horizons[:IN_SPACE])
+    picked = sum(map(len, horizons[:IN_SPACE]))
     renderers = [
         panel("Amplitudes", "an inline of the cube", [section(cube, row)], exaggeration, -across, 1.18),
         panel("Picks", "in the colours of their surfaces", [section(cube, row), *strokes], exaggeration, -across, 1.18),

@@ -11,9 +11,10 @@ GENERATOR is the program generate_horizons. Needs an X server, and the package s
 import pathlib
 import sys
 
-from seismichorizons import vtk as sh
+from seismichorizons.vtk import (apply, vtkHorizonBoundarySimplification, vtkHorizonDecimation,
+                                 vtkHorizonExteriorBoundary, vtkHorizonSurfaceDistance, vtkHorizonTriangulation)
 from seismichorizons_command import pictures
-from seismichorizons.vtk import apply
+from seismichorizons_command.data import from_vtk
 
 from generated import make_surface
 
@@ -22,25 +23,24 @@ ERRORS = (1.0, 0.5, 0.25)
 
 
 def decimate(outlined, error):
-    straight = apply(sh.vtkHorizonBoundarySimplification(), outlined, Method="FewestPoints", DistanceThreshold=error,
+    straight = apply(vtkHorizonBoundarySimplification(), outlined, Method="FewestPoints", DistanceThreshold=error,
                      OutlineTolerance=error)
-    return apply(sh.vtkHorizonDecimation(), straight, MaximumError=error)
+    return apply(vtkHorizonDecimation(), straight, MaximumError=error)
 
 
 def main():
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     surface = make_surface(generator, SURFACE, ZFrom="RealZ")
-    outlined = apply(sh.vtkHorizonExteriorBoundary(), surface, HoleBoundaries=True, SmallestHoleSize=9)
-    full = apply(sh.vtkHorizonTriangulation(), outlined)
+    outlined = apply(vtkHorizonExteriorBoundary(), surface, HoleBoundaries=True, SmallestHoleSize=9)
+    full = apply(vtkHorizonTriangulation(), outlined)
     meshes = [decimate(outlined, error) for error in ERRORS]
-    shown = [pictures.Panel("Largest error %g" % error, "{:,} triangles".format(mesh.GetNumberOfPolys()), mesh,
+    shown = [pictures.Panel("Largest error %g" % error, "{:,} triangles".format(mesh.GetNumberOfPolys()), from_vtk(mesh),
                             pictures.MESH) for error, mesh in zip(ERRORS, meshes)]
     distances = []
     for error, mesh in zip(ERRORS, meshes):
-        meter = sh.vtkHorizonSurfaceDistance()
-        apply(meter, full, mesh)
+        measured = from_vtk(apply(vtkHorizonSurfaceDistance(), full, mesh))
         mean = mesh.GetFieldData().GetArray("MeanError").GetValue(0)
-        distances.append(pictures.Panel("", "mean error %.2g" % mean, meter.GetOutputDataObject(0), pictures.DISTANCE))
+        distances.append(pictures.Panel("", "mean error %.2g" % mean, measured, pictures.DISTANCE))
     folder.mkdir(parents=True, exist_ok=True)
     pictures.write(pictures.draw([shown, distances]), folder / "DecimationErrors.png")
 

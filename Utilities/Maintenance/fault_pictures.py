@@ -14,14 +14,10 @@ import sys
 import tempfile
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-
-from seismichorizons_command import pictures
-from seismichorizons_command.pipeline import read_first, surface
-from seismichorizons.vtk import make, update
+import seismichorizons as sh
+from seismichorizons import _core
+from seismichorizons_command import core, data, pictures
+from seismichorizons_command.reading import read_first
 
 SIZE = (150, 110)
 PANEL_SIZE = (440, 360)
@@ -51,12 +47,20 @@ def write(path):
     path.write_text("%d %d 200\n%s\n" % (*SIZE, "\n".join(lines)))
 
 
+def surface(points, **options):
+    (mesh, _), _ = core.run(_core.surface, points, {"maximum_error": LARGEST_ERROR, **options})
+    return mesh
+
+
+def triangles_panel(title, mesh):
+    return pictures.Panel(title, "%d triangles" % data.count_polygons(mesh), mesh, pictures.MESH)
+
+
 def draw_closed(cut, within):
     """Draws the mesh with its faults open, and closed."""
-    closed, _ = surface(cut, largest_error=LARGEST_ERROR, CloseFaults=True)
-    walls = closed.GetFieldData().GetArray("FaultTriangleCount").GetValue(0)
-    row = [pictures.Panel("Open", "%d triangles" % within.GetNumberOfPolys(), within, pictures.MESH),
-           pictures.Panel("Closed", "%d more" % walls, closed, pictures.MESH)]
+    closed = surface(cut, close_faults=True)
+    walls = data.value(closed, "FaultTriangleCount")
+    row = [triangles_panel("Open", within), pictures.Panel("Closed", "%d more" % walls, closed, pictures.MESH)]
     pictures.write(pictures.draw([row], panel_size=CLOSED_SIZE), pathlib.Path(sys.argv[1]) / "ClosedFaults.png")
 
 
@@ -68,62 +72,37 @@ def fault_x(y, depth):
 def make_sticks():
     """Returns sticks on every eleventh row in random order; one ends early."""
     rows = np.random.default_rng(3).permutation(np.arange(-2, SIZE[1] + 10, 11))
-    points, lines = vtkPoints(), vtkCellArray()
-    for row in rows:
-        lines.InsertNextCell(3)
-        for depth in (-6.0, 20.0, 34.0 if row == 53 else 62.0):
-            lines.InsertCellPoint(points.InsertNextPoint(fault_x(row, depth), row, -depth))
-    sticks = vtkPolyData()
-    sticks.SetPoints(points)
-    sticks.SetLines(lines)
-    return sticks
+    sticks = [np.array([(fault_x(row, depth), row, -depth) for depth in (-6.0, 20.0, 34.0 if row == 53 else 62.0)])
+              for row in rows]
+    return sh.Lines(["Fault %d" % row for row in rows], sticks)
+
+
+def of_three(numbers):
+    """Returns cells of three points each, as offsets and points."""
+    return np.arange(0, np.size(numbers) + 1, 3), np.ravel(numbers)
 
 
 def draw_surfaces():
     """Draws two horizons, the surface of a fault between its sticks, and both together."""
-    sticks, together, faults = make_sticks(), vtkAppendPolyData(), make("vtkHorizonFaults")
-    faults.SetInputDataObject(1, sticks)
-    faults.DetectOff()
-    faults.SetLineTypeToSticks()
+    sticks, meshes = make_sticks(), []
     x, y = np.meshgrid(np.arange(SIZE[0], dtype=float), np.arange(SIZE[1], dtype=float))
     for depth in (10.0, 40.0):
         fold = 3.0 * np.sin(x / 26.0) + 2.0 * np.cos((x + 2.0 * y) / 45.0)
         z = -(depth + fold + 9.0 * (x > fault_x(y, depth + fold + 4.5)))
-        source = make("vtkHorizonFromPoints", VerticalDirection="Up")
-        cloud = vtkPolyData()
-        places = vtkPoints()
-        places.SetData(numpy_to_vtk(np.stack([x, y, z], -1).reshape(-1, 3), deep=True))
-        cloud.SetPoints(places)
-        source.SetInputDataObject(0, cloud)
-        update(source)
-        faults.SetInputDataObject(0, source.GetOutputDataObject(0))
-        update(faults)
-        mesh, _ = surface(faults.GetOutputDataObject(0).GetPartition(0, 0), largest_error=LARGEST_ERROR / 3.0)
-        together.AddInputData(with_fault(mesh, 0))
-    sheet = vtkPolyData()
-    sheet.DeepCopy(faults.GetOutputDataObject(2).GetPartition(0, 0))
-    lines = vtkPolyData()
-    lines.SetPoints(sticks.GetPoints())
-    lines.SetLines(sticks.GetLines())
-    throws = numpy_to_vtk(np.ones(sticks.GetNumberOfPoints()), deep=True)
-    throws.SetName("Throw")
-    lines.GetPointData().AddArray(throws)
-    together.AddInputData(with_fault(sheet, 1))
-    together.Update()
-    row = [pictures.Panel("Sticks", "%d, in no order" % sticks.GetNumberOfLines(), lines, pictures.FAULTS, together.GetOutput()),
-           pictures.Panel("Their surface", "cuts two horizons", together.GetOutput(), pictures.MESH)]
+        horizon = sh.horizon(x, y, z, direction="up")
+        faults = sh.faults(horizon, lines=sticks, are_sticks=True)
+        meshes.append(sh.surface(faults.horizon, LARGEST_ERROR / 3.0 * horizon.lattice.vertical_step, faults=faults))
+    meshes.append(faults.surfaces)
+    firsts = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
+    together = {
+        **data.empty(), "places": np.concatenate([mesh.points for mesh in meshes]),
+        "polygons": of_three(np.concatenate([mesh.triangles + first for mesh, first in zip(meshes, firsts)])),
+        "cell_data": {"Fault": np.repeat([0, 0, 1], list(map(len, meshes)))}}
+    lines = {"places": np.concatenate(sticks.lines), "lines": of_three(np.arange(3 * len(sticks))),
+             "point_data": {"Throw": np.ones(3 * len(sticks))}}
+    row = [pictures.Panel("Sticks", "%d, in no order" % len(sticks), lines, pictures.FAULTS),
+           pictures.Panel("Their surface", "cuts two horizons", together, pictures.MESH)]
     pictures.write(pictures.draw([row], panel_size=CLOSED_SIZE), pathlib.Path(sys.argv[1]) / "FaultSurfaces.png")
-
-
-def with_fault(mesh, value):
-    """Returns the triangles alone, marked as belonging to a fault or not."""
-    triangles = vtkPolyData()
-    triangles.SetPoints(mesh.GetPoints())
-    triangles.SetPolys(mesh.GetPolys())
-    marks = numpy_to_vtk(np.full(mesh.GetNumberOfPolys(), value, dtype=np.uint8), deep=True)
-    marks.SetName("Fault")
-    triangles.GetCellData().AddArray(marks)
-    return triangles
 
 
 def main():
@@ -131,17 +110,11 @@ def main():
         path = pathlib.Path(folder) / "faulted.vsm"
         write(path)
         points = read_first(path)
-    faults = make("vtkHorizonFaults")
-    faults.SetInputDataObject(0, points)
-    update(faults)
-    cut, lines = faults.GetOutputDataObject(0), faults.GetOutputDataObject(1)
-    without, _ = surface(points, largest_error=LARGEST_ERROR)
-    within, _ = surface(cut, largest_error=LARGEST_ERROR)
+    (cut, lines, _), _ = core.run(_core.faults, points, None, {})
+    within = surface(cut)
     row = [pictures.Panel("Fault lines", "%d lines, %d faulted links" % (
-               lines.GetNumberOfCells(), cut.GetFieldData().GetArray("FaultedLinks").GetNumberOfTuples()),
-               lines, pictures.FAULTS, points),
-           pictures.Panel("Not cut", "%d triangles" % without.GetNumberOfPolys(), without, pictures.MESH),
-           pictures.Panel("Cut", "%d triangles" % within.GetNumberOfPolys(), within, pictures.MESH)]
+               data.count_lines(lines), len(cut["field_data"]["FaultedLinks"])), lines, pictures.FAULTS, points),
+           triangles_panel("Not cut", surface(points)), triangles_panel("Cut", within)]
     pictures.write(pictures.draw([row], panel_size=PANEL_SIZE), pathlib.Path(sys.argv[1]) / "Faults.png")
     draw_closed(cut, within)
     draw_surfaces()

@@ -12,14 +12,10 @@ import pathlib
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkFiltersCore import vtkThresholdPoints
-
-from seismichorizons import vtk as sh
-from seismichorizons_command import pictures
-from seismichorizons_command.pipeline import read_first
-from seismichorizons.vtk import apply
+from seismichorizons import _core
+from seismichorizons_command import core, pictures
+from seismichorizons_command.data import count_points
+from seismichorizons_command.reading import read_first
 
 PANEL_SIZE = (420, 340)
 WINDOW = ((58.0, 106.0), (28.0, 70.0))  # columns and rows around the hole
@@ -27,24 +23,16 @@ WINDOW = ((58.0, 106.0), (28.0, 70.0))  # columns and rows around the hole
 
 def window(data):
     """Returns the points in the window."""
-    x, y = vtk_to_numpy(data.GetPoints().GetData())[:, :2].T
-    (left, right), (bottom, top) = WINDOW
-    keep = numpy_to_vtk(((x >= left) & (x <= right) & (y >= bottom) & (y <= top)).astype(np.uint8), deep=True)
-    keep.SetName("Keep")
-    data.GetPointData().AddArray(keep)
-    threshold = vtkThresholdPoints()
-    threshold.SetInputData(data)
-    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "Keep")
-    threshold.ThresholdByUpper(0.5)
-    threshold.Update()
-    inside = threshold.GetOutput()
-    inside.GetPointData().RemoveArray("Keep")
-    inside.GetFieldData().PassData(data.GetFieldData())
-    return inside
+    low, high = np.transpose(WINDOW)
+    in_plan = data["places"][:, :2]
+    kept = ((low <= in_plan) & (in_plan <= high)).all(axis=1)
+    return {"places": data["places"][kept], "field_data": data["field_data"]}
 
 
 def mesh(points):
-    return apply(sh.vtkHorizonTriangulation(), apply(sh.vtkHorizonExteriorBoundary(), points))
+    (outlined,), _ = core.run(_core.boundary, points, {})
+    (made, _), _ = core.run(_core.triangulation, outlined, {})
+    return made
 
 
 def main():
@@ -52,8 +40,8 @@ def main():
     points = window(read_first(sample))
     panels = [pictures.Panel("Not filled", "the mesh closes holes with long triangles", mesh(points), pictures.MESH)]
     for method in ("Membrane", "Plate"):
-        filled = apply(sh.vtkHorizonHoleFilling(), points, Method=method)
-        caption = "%d new points" % (filled.GetNumberOfPoints() - points.GetNumberOfPoints())
+        (filled,), _ = core.run(_core.fill_holes, points, {"method": method.lower()})
+        caption = "%d new points" % (count_points(filled) - count_points(points))
         panels.append(pictures.Panel(method, caption, mesh(filled), pictures.MESH))
     pictures.write(pictures.draw([panels], panel_size=PANEL_SIZE), folder / "HoleFilling.png")
 

@@ -13,9 +13,9 @@ import pathlib
 import sys
 
 import numpy as np
-from seismichorizons import vtk as sh
+from seismichorizons.vtk import (apply, vtkHorizonBoundarySimplification, vtkHorizonElaborateSimplification,
+                                 vtkHorizonExteriorBoundary, vtkHorizonTriangulation)
 from seismichorizons_command import pictures
-from seismichorizons.vtk import apply
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from generated import make_surface
@@ -107,7 +107,7 @@ def search_actors(mesh, search, size):
 
 
 def stop_after(data, triangles, strategy):
-    algorithm = sh.vtkHorizonTriangulation()
+    algorithm = vtkHorizonTriangulation()
     mesh = apply(algorithm, data, MaximumNumberOfTriangles=triangles, SearchStrategy=strategy)
     return mesh, algorithm.GetOutputDataObject(1)
 
@@ -127,19 +127,19 @@ def growth(title, data, size, triangles):
 
 
 def hull(title, data, **limits):
-    mesh = apply(sh.vtkHorizonTriangulation(), data, ConvexHull=True, **limits)
+    mesh = apply(vtkHorizonTriangulation(), data, ConvexHull=True, **limits)
     actors = [*mesh_actors(mesh, 0.8), outlines(mesh, 1.6), dots(in_plan(mesh), POINT, 2.6)]
     return Map(title, "%d triangles" % mesh.GetNumberOfPolys(), actors, fit(in_plan(mesh)))
 
 
 def simplify(outlined, cell_size):
-    straight = apply(sh.vtkHorizonBoundarySimplification(), outlined, OutlineTolerance=0.7)
-    return apply(sh.vtkHorizonElaborateSimplification(), straight, FlatnessThreshold=0.06, CellSize=cell_size)
+    straight = apply(vtkHorizonBoundarySimplification(), outlined, OutlineTolerance=0.7)
+    return apply(vtkHorizonElaborateSimplification(), straight, FlatnessThreshold=0.06, CellSize=cell_size)
 
 
 def main():
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    full = apply(sh.vtkHorizonExteriorBoundary(), make_surface(generator, SURFACE))
+    full = apply(vtkHorizonExteriorBoundary(), make_surface(generator, SURFACE))
     thinned = simplify(full, 8)
     folder.mkdir(parents=True, exist_ok=True)
     moments = (("full lattice", full, 445), ("simplified", thinned, 81), ("simplified", thinned, 21))
@@ -149,7 +149,7 @@ def main():
     fronts = [[growth("Full lattice", full, 2.0, triangles) for triangles in (100, 600, 1200)],
               [growth("Simplified", thinned, 3.0, triangles) for triangles in (25, 81, 163)]]
     pictures.write(draw(fronts, list(DILATATIONS.values())), folder / "TriangulationGrowth.png")
-    star = simplify(apply(sh.vtkHorizonExteriorBoundary(), make_surface(generator, STAR)), 4)
+    star = simplify(apply(vtkHorizonExteriorBoundary(), make_surface(generator, STAR)), 4)
     hulls = [hull("Convex hull", star), hull("Angle up to 120 degrees", star, MaximumBoundaryAngle=120.0),
              hull("Edges up to 6 columns", star, MaximumBoundaryEdgeLength=6.0)]
     pictures.write(draw([hulls]), folder / "TriangulationHull.png")

@@ -4,8 +4,8 @@
 
     python3 own_points.py mesh.vtp
 
-Runs in the system Python, which must find the package seismichorizons. Replace make_points by your arrays: the points
-must lie on a lattice, which may be rotated; it is found automatically.
+Needs the Python package seismichorizons. Replace make_points by your arrays: the points must lie on a lattice, which may be
+rotated; it is found automatically.
 """
 
 import argparse
@@ -13,13 +13,7 @@ import math
 import random
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-from seismichorizons import pipeline, reading, vtkHorizonFromPoints
-from seismichorizons.vtk import apply
+import seismichorizons as sh
 
 
 def make_points():
@@ -36,29 +30,14 @@ def make_points():
     return np.array(picks)
 
 
-def as_poly_data(places):
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    data = vtkPolyData()
-    data.SetPoints(points)
-    return data
-
-
 def main():
     parser = argparse.ArgumentParser(prog="own_points", description=__doc__.splitlines()[0])
-    parser.add_argument("mesh", metavar="MESH.vtp", help="the file to write")
+    parser.add_argument("mesh", metavar="MESH.vtp", help="the file to write, in this or another format of sh.write")
     arguments = parser.parse_args()
-    source = vtkHorizonFromPoints()
-    source.SetVerticalStep(1.0)  # a vertical index is one metre, so errors are in metres
-    apply(source, as_poly_data(make_points()))
-    name, points = reading.list_horizons(source.GetOutputDataObject(0))[0]
-    mesh, _ = pipeline.surface(points, largest_error=1.0)
-    print("%s: %d points, %d triangles" % (name, points.GetNumberOfPoints(), mesh.GetNumberOfPolys()))
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(arguments.mesh)
-    writer.SetInputData(mesh)
-    writer.SetDataModeToBinary()  # some readers of VTK fail on appended data
-    writer.Write()
+    horizon = sh.horizon(points=make_points(), name="Dome", vertical_unit="m", horizontal_unit="m")
+    mesh = sh.surface(horizon, "1 m")
+    print(horizon, mesh, sep="\n")
+    sh.write(mesh, arguments.mesh)
 
 
 main()

@@ -10,12 +10,17 @@ first process joins the windows and writes the mesh. PYTHONPATH must contain the
 
 import argparse
 import pathlib
+import pickle
 import sys
 
-from seismichorizons_command import parts
-from seismichorizons.stage import HorizonError, make, update, watched
+import numpy as np
+from seismichorizons import _core
+from seismichorizons_command import core, parts, reading
+from seismichorizons_command.core import HorizonError
+from seismichorizons_command.data import count_points, count_polygons
 from seismichorizons_command.writing import write_data
-from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkUnsignedCharArray
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 RANKS = vtkMultiProcessController.GetGlobalController()
@@ -64,17 +69,13 @@ def together(work):
 
 def open_windows(path, name, window_points):
     """Returns the windows of the named horizon, or of the largest one. Raises HorizonError."""
-    reader = make("vtkVerneySparseMatrixReader", FileName=path, LeastMemory=True)
-    with watched(reader):
-        reader.UpdateInformation()
-    names = [reader.GetHorizonName(number) for number in range(reader.GetNumberOfHorizons())]
-    last_row = reader.GetNumberOfRows() - 1
-    name = name or max(names, key=lambda each: reader.GetNumberOfPointsInRows(each, 0, last_row), default="")
-    if name not in names:
-        raise HorizonError("%s: no horizon %r, expected one of %s" % (path, name, ", ".join(names)))
-    reader.DisableAllHorizons()
-    reader.SetHorizonStatus(name, 1)
-    return parts.Windows(reader, name, WindowSize(window_points))
+    source = reading.SparseSource(path, True, {})  # the overview lets it read some rows alone
+    source.list()
+    sizes = dict(zip(source.names, source.sizes))
+    name = name or max(sizes, key=sizes.get, default="")
+    if name not in sizes:
+        raise HorizonError("%s: no horizon %r, expected one of %s" % (path, name, ", ".join(sizes)))
+    return parts.Windows(source, source.names.index(name), WindowSize(window_points))
 
 
 def mesh_own(windows, properties):
@@ -83,28 +84,32 @@ def mesh_own(windows, properties):
             for number in range(OWN, len(windows.rows), SIZE)}
 
 
+def send(mesh):
+    RANKS.Send(numpy_to_vtk(np.frombuffer(pickle.dumps(mesh), np.uint8)), 0, MESH)
+
+
+def receive(rank):
+    message = vtkUnsignedCharArray()
+    RANKS.Receive(message, rank, MESH)
+    return pickle.loads(vtk_to_numpy(message))
+
+
 def gather(meshes, count):
     """Returns the meshes of all windows in order on the first process, and nothing on the others."""
     gathered = []
     for number in range(count):
         rank = number % SIZE
         if OWN == 0:
-            gathered.append(meshes[number] if rank == 0 else RANKS.ReceiveDataObject(rank, MESH))
+            gathered.append(meshes[number] if rank == 0 else receive(rank))
         elif OWN == rank:
-            RANKS.Send(meshes.pop(number), 0, MESH)
+            send(meshes.pop(number))
     return gathered
 
 
 def join(meshes, path):
-    mesh = meshes[0]
-    if len(meshes) > 1:
-        stage = make(parts.JOIN)
-        for part in meshes:
-            stage.AddInputDataObject(part)
-        update(stage)
-        mesh = stage.GetOutputDataObject(0)
+    mesh = meshes[0] if len(meshes) == 1 else core.run(_core.join, meshes, 1)
     write_data(mesh, path, path.stem)
-    print("%d windows, %d points, %d triangles" % (len(meshes), mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()))
+    print("%d windows, %d points, %d triangles" % (len(meshes), count_points(mesh), count_polygons(mesh)))
 
 
 def make_parser():
@@ -124,7 +129,7 @@ def main():
     is_chooser = OWN == windows.largest() % SIZE
     error = {"MaximumError": arguments.largest_error}
     radius = largest_of_all(together(lambda: windows.choose(error)["Radius"] if is_chooser else 0))
-    properties = {**error, "AutomaticRadius": False, "Radius": radius}
+    properties = {**error, "Radius": radius}
     meshes = gather(together(lambda: mesh_own(windows, properties)), len(windows.rows))
     together(lambda: join(meshes, pathlib.Path(arguments.mesh)) if OWN == 0 else None)
 

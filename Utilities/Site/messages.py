@@ -16,7 +16,7 @@ import cpp_messages  # noqa: E402 -- beside this file
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 SHARED = "Several readers, writers or stages"
-COMMAND = "Report"
+COMMAND, PACKAGE = "Report", "InPython"
 # Stems and folders of files whose names differ from their pages.
 PAGES = {stem: page for page, stems in {
     "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
@@ -24,7 +24,6 @@ PAGES = {stem: page for page, stems in {
     "HorizonFromImage": "MapImage", "HorizonFromPoints": "Gridding PickArrays",
     "HorizonLayers": "HorizonStack LayerOutput",
     "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
-    "InPython": "functions making calls stages volumes",
     "SeismicReflectionExtraction": "Reflections ImageCube GuidePicks", "": "Parameters LatticeImage",
 }.items() for stem in stems.split()}
 # Python functions and exceptions that take messages.
@@ -82,10 +81,10 @@ def collect():
     for path in cpp_paths():
         for text in cpp_messages.messages_of(path.read_text("utf-8"), constants):
             found.setdefault(tidy(text), set()).add(page_of(path))
-    for path in [TREE / "Utilities" / "horizon_mesh.py", *sorted(itertools.chain(
-            *((TREE / "Utilities" / folder).glob("*.py") for folder in ("Command", "Python"))))]:
-        for text in python_messages(path.read_text("utf-8")):
-            found.setdefault(tidy(text), set()).add(PAGES.get(path.stem, COMMAND))
+    for folder, page in (("seismichorizons_command", COMMAND), ("seismichorizons", PACKAGE)):
+        for path in sorted((TREE / "Python" / folder).glob("*.py")):
+            for text in python_messages(path.read_text("utf-8")):
+                found.setdefault(tidy(text), set()).add(PAGES.get(path.stem, page))
     found.pop(None, None)
     pages = {}
     for text in sorted(found, key=lambda text: (text.strip("\"'. ").lower(), text)):

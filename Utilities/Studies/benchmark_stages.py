@@ -15,8 +15,7 @@ import tempfile
 import time
 
 import numpy as np
-from seismichorizons_command.pipeline import read_first
-from seismichorizons.stage import make, set_threads
+from seismichorizons.vtk import make
 from vtkmodules.vtkFiltersCore import vtkDecimatePro, vtkDelaunay2D
 from vtkmodules.vtkFiltersGeneral import vtkTableToPolyData
 from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
@@ -102,7 +101,7 @@ def make_stages():
 
 def measure_stages(path, needs):
     # Chains that begin with the file come first, while nothing else is in memory.
-    points = read_first(path).GetNumberOfPoints()
+    points = stages.read(path).GetNumberOfPoints()
     chain = Chain(needs)
     measure_chain(chain, path, points)
     measure_surface(chain, path, points)
@@ -122,7 +121,7 @@ def measure_stages(path, needs):
 
 def measure_chain(chain, path, points):
     def work():
-        data = read_first(path)
+        data = stages.read(path)
         for stage in make_stages():
             stage.SetInputDataObject(0, data)
             stage.Update()
@@ -134,7 +133,7 @@ def measure_chain(chain, path, points):
 def measure_surface(chain, path, points):
     def work():
         surface = make("vtkHorizonSurface", MaximumError=0.75)
-        surface.SetInputDataObject(0, read_first(path))
+        surface.SetInputDataObject(0, stages.read(path))
         surface.Update()
 
     if chain.has_memory(FILE_TO_MESH, points):
@@ -170,8 +169,8 @@ def chain_of_paraview(path):
 
 
 def measure_peers(path, slow):
-    straight = stages.straighten(stages.outline(stages.start(read_first(path))))
-    full = stages.triangles_only(stages.mesh(stages.outline(stages.start(read_first(path)))).data)
+    straight = stages.straighten(stages.outline(stages.start(stages.read(path))))
+    full = stages.triangles_only(stages.mesh(stages.outline(stages.start(stages.read(path)))).data)
     target = stages.mesh(stages.rough(straight, CELL_SIZE)).triangles
     with tempfile.TemporaryDirectory() as folder:
         text = pathlib.Path(folder) / "points.csv"
@@ -191,7 +190,7 @@ def measure_peers(path, slow):
 
 def main():
     what, path, threads, given = sys.argv[1:5]
-    set_threads(int(threads))
+    stages.set_threads(int(threads))
     print(json.dumps({"stages": measure_stages, "peers": measure_peers}[what](path, json.loads(given))))
 
 

@@ -22,15 +22,13 @@ import multiprocessing
 import pathlib
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+import seismichorizons as sh
+from seismichorizons_command.data import empty, to_vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkDelaunay2D, vtkProbeFilter
 from vtkmodules.vtkFiltersPoints import (vtkGaussianKernel, vtkGeneralizedKernel, vtkPointInterpolator,
                                          vtkShepardKernel, vtkVoronoiKernel)
 
-from seismichorizons import vtk as sh
-from seismichorizons.vtk import apply
 from text import report, table
 
 MARGIN = 12  # known columns around each hole
@@ -88,63 +86,38 @@ def cut_holes(random, there, width, number):
 
 
 def horizon(there, height):
-    """Returns the input data of the stages."""
-    j, i = np.nonzero(there)
-    data = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.column_stack([i, j, height[there]]).astype(float), deep=True))
-    data.SetPoints(points)
-    for name, values in (("LatticeDimensions", [[there.shape[1], there.shape[0], 1]]), ("LatticeToWorld", [np.eye(4).ravel()])):
-        array = numpy_to_vtk(np.array(values), deep=True)
-        array.SetName(name)
-        data.GetFieldData().AddArray(array)
-    return data
+    return sh.horizon(np.where(there, height, np.nan), direction="up", vertical_step=1.0)
 
 
 # ---- Methods: each returns the heights at the removed positions (row, column) ----
 
-def fill(there, height, places, **properties):
-    filled = apply(sh.vtkHorizonHoleFilling(), horizon(there, height), LargestHoleSize=there.size, **properties)
-    points = vtk_to_numpy(filled.GetPoints().GetData())
-    result = np.full(there.shape, np.nan)
-    result[points[:, 1].astype(int), points[:, 0].astype(int)] = points[:, 2]
-    return result[places]
+def fill(there, height, places, **options):
+    return sh.fill_holes(horizon(there, height), there.size, **options).grid()[places]
 
 
 def triangles(there, height, places):
     """Linear interpolation over the triangles of the mesh, which closes holes."""
-    outline = apply(sh.vtkHorizonExteriorBoundary(), horizon(there, height))
-    return probe(apply(sh.vtkHorizonTriangulation(), outline), places)
+    mesh = sh.triangulation(sh.exterior_boundary(horizon(there, height)))
+    corners = mesh.triangles.ravel()
+    return probe(flat(mesh.points, polygons=(np.arange(0, len(corners) + 1, 3), corners)), places)
 
 
-def flat(data):
-    """Returns the points in plan view, with their heights as an array."""
-    places = vtk_to_numpy(data.GetPoints().GetData()).copy()
-    heights = numpy_to_vtk(places[:, 2].copy(), deep=True)
-    heights.SetName("Height")
-    places[:, 2] = 0.0
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    result = vtkPolyData()
-    result.SetPoints(points)
-    result.SetPolys(data.GetPolys() if data.GetNumberOfPolys() else vtkCellArray())
-    result.GetPointData().AddArray(heights)
-    return result
+def flat(points, **cells):
+    """Returns points in plan view, with their heights as an array, for VTK."""
+    return to_vtk({**empty(), "places": points * (1.0, 1.0, 0.0), "point_data": {"Height": points[:, 2]}, **cells})
+
+
+def flat_columns(there, height):
+    """Does the same for columns."""
+    row, column = np.nonzero(there)
+    return flat(np.column_stack([column, row, height[there]]))
 
 
 def at_places(places):
-    data = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.column_stack([places[1], places[0], np.zeros(len(places[0]))]).astype(float), deep=True))
-    data.SetPoints(points)
-    return data
+    return to_vtk({**empty(), "places": np.column_stack([places[1], places[0], np.zeros(len(places[0]))])})
 
 
 def probe(mesh, places):
-    return probe_flat(flat(mesh), places)
-
-
-def probe_flat(mesh, places):
     sample = vtkProbeFilter()
     sample.SetInputData(at_places(places))
     sample.SetSourceData(mesh)
@@ -171,16 +144,16 @@ def rim(there, holes, width=3):
 def delaunay(there, height, holes, places):
     """Linear interpolation over VTK's Delaunay triangles between the columns around holes."""
     mesher = vtkDelaunay2D()
-    mesher.SetInputData(flat(horizon(rim(there, holes), height)))
+    mesher.SetInputData(flat_columns(rim(there, holes), height))
     mesher.Update()
-    return probe_flat(mesher.GetOutput(), places)
+    return probe(mesher.GetOutput(), places)
 
 
 def kernel(kind, there, height, holes, places):
     """ParaView's point interpolator, from the columns near holes."""
     interpolator = vtkPointInterpolator()
     interpolator.SetInputData(at_places(places))
-    interpolator.SetSourceData(flat(horizon(rim(there, holes, 6), height)))
+    interpolator.SetSourceData(flat_columns(rim(there, holes, 6), height))
     chosen = kind()
     if isinstance(chosen, vtkGeneralizedKernel):
         chosen.SetKernelFootprintToNClosest()
@@ -244,10 +217,10 @@ def spline(there, height, holes, places, smoothing):
 def methods(there, height, holes, places):
     """Returns the heights of all methods by name."""
     yield "automatic", fill(there, height, places)
-    yield "plate", fill(there, height, places, Method="Plate")
-    yield "exact plate", fill(there, height, places, Method="Plate", RimSmoothing=0.0)
-    yield "smooth plate", fill(there, height, places, Method="Plate", RimSmoothing=16.0, RimWidth=5)
-    yield "membrane", fill(there, height, places, Method="Membrane")
+    yield "plate", fill(there, height, places, method="plate")
+    yield "exact plate", fill(there, height, places, method="plate", rim_smoothing=0.0)
+    yield "smooth plate", fill(there, height, places, method="plate", rim_smoothing=16.0, rim_width=5)
+    yield "membrane", fill(there, height, places, method="membrane")
     yield "spline", spline(there, height, holes, places, 0.0)
     yield "smoothing spline", spline(there, height, holes, places, 10.0)
     yield "triangles", triangles(there, height, places)

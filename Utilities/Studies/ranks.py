@@ -16,7 +16,7 @@ import subprocess
 import sys
 import time
 
-from seismichorizons import vtk as sh
+import seismichorizons.vtk as sh
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 

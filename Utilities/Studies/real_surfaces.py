@@ -42,19 +42,17 @@ def measure(horizon, **target):
 
 def rows(folder):
     for name, (title, unit, factor) in HORIZONS.items():
-        horizon = sh.horizon(factor * read_real(folder / (name + ".ijz")), vertical_unit=unit, vertical_direction="Down")
-        points = horizon.GetNumberOfPoints()
-        step = abs(sh.details(horizon).lattice_to_world[2, 2])
+        horizon = sh.horizon(factor * read_real(folder / (name + ".ijz")), vertical_unit=unit, direction="down")
+        points = len(horizon)
         noise = None
         for target in ({}, {"triangles": TRIANGLES}):
             mesh, seconds = measure(horizon, **target)
-            found = sh.details(mesh)
-            noise = noise or found.height_noise * step
-            kept = mesh.GetNumberOfPoints()
+            noise = noise or mesh.details["height_noise"]
+            kept = len(mesh.points)
             yield ["" if target else title, "" if target else str(points), "" if target else "%.2g %s" % (noise, unit),
-                   "%d triangles" % TRIANGLES if target else "automatic", "%.3g %s" % (max(found.largest_error, found.largest_loop_error) * step, unit),
-                   "%.2f" % (found.mean_error * step / noise), str(kept), str(mesh.GetNumberOfPolys()),
-                   "%.1f %%" % (100.0 * (1.0 - kept / points)), "%.2f" % seconds]
+                   "%d triangles" % TRIANGLES if target else "automatic", "%.3g %s" % (mesh.largest_error, unit),
+                   "%.2f" % (mesh.mean_error / noise), str(kept), str(len(mesh)), "%.1f %%" % (100.0 * (1.0 - kept / points)),
+                   "%.2f" % seconds]
 
 
 def main():

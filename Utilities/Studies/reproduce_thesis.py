@@ -12,13 +12,10 @@ thesis. Results whose programs are missing are omitted.
 import argparse
 import pathlib
 import subprocess
-import sys
 import tempfile
 
-from seismichorizons.stage import set_threads
-
 from text import cells, report
-from thesis import figures, partners, reported, study
+from thesis import figures, partners, reported, stages, study
 from thesis.page import all_tables, page
 
 CURVE_SURFACE = 60511  # surface whose errors are plotted against vertices
@@ -98,7 +95,7 @@ def draw_figures(shown, folder):
 
 def main():
     options = parse_arguments()
-    set_threads(0)
+    stages.set_threads(0)
     paces = (partners.Pace(), study.meshing_pace())
     with tempfile.TemporaryDirectory() as folder:
         found, curves = measure_surfaces(options, folder, paces[0])

@@ -4,10 +4,11 @@
 
 import os
 
-from seismichorizons import vtk as sh
+import seismichorizons.vtk as sh
 from seismichorizons_command import pictures
+from seismichorizons_command.data import from_vtk
 
-from . import partners, reported, stages, surfaces
+from . import partners, stages, surfaces
 from .worth import errors, measure
 
 SQUARE = 257  # columns; 66049 points, 1024 on the boundary
@@ -29,7 +30,7 @@ class Figure:
         self.rows.append([what, thesis, here])
 
     def panel(self, title, caption, data, style, behind=None):
-        self.panels.append(pictures.Panel(title, caption, data, style, behind))
+        self.panels.append(pictures.Panel(title, caption, from_vtk(data), style, behind and from_vtk(behind)))
 
     def picture(self):
         return "Thesis%s.png" % self.numbers[0]

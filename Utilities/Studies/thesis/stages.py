@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stages of this project, each timed."""
+"""The stages of this project, as classes of VTK like the other programs, each timed."""
 
 import time
 
-from seismichorizons import vtk as sh
-from seismichorizons.stage import configure
+import seismichorizons.vtk as sh
+from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 DISTANCE_THRESHOLD = 0.4  # of the boundary simplification, as in the thesis
@@ -21,6 +21,19 @@ class Result:
         self.seconds = seconds
         self.points = data.GetNumberOfPoints()
         self.triangles = data.GetNumberOfPolys()
+
+
+def set_threads(number):
+    """Sets the number of threads of the stages; 0 means all processors."""
+    # The default back-end of many VTK builds is sequential.
+    vtkSMPTools.SetBackend("STDThread")
+    vtkSMPTools.Initialize(number)
+
+
+def read(path):
+    """Returns the first horizon of a file of sparse voxels."""
+    horizons = sh.apply(sh.make("vtkVerneySparseMatrixReader", FileName=str(path)))
+    return next(iter(sh.horizons_of(horizons).values()))
 
 
 def time_update(algorithm):
@@ -40,7 +53,7 @@ def time_update(algorithm):
 
 
 def apply(algorithm, before, **properties):
-    configure(algorithm, **properties)
+    sh.configure(algorithm, **properties)
     algorithm.SetInputDataObject(0, before.data)
     seconds = time_update(algorithm)
     return Result(algorithm.GetPolyDataOutput(), before.seconds + seconds)

@@ -9,7 +9,6 @@ from statistics import median
 import subprocess
 
 import numpy as np
-from seismichorizons_command.pipeline import read_first
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -53,7 +52,7 @@ def generate(generator, points, size, squareness, noise, path):
     command = [str(word) for word in command]
     for features in ([], ["--holes", "0", "--islands", "0"]):
         if subprocess.run(command + features, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0:
-            return read_first(path)
+            return stages.read(path)
     raise SystemExit("generate_horizons failed: %s" % " ".join(command))
 
 

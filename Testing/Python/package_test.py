@@ -1,0 +1,488 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python package by what people ask of it: places and directions, what is left out, units, errors and warnings.
+
+It needs numpy alone: objects of other packages are stood in for where these are not installed. Arguments: the folder of the
+sample data, a folder for files.
+"""
+
+import contextlib
+import dataclasses
+import importlib.util
+import inspect
+import pathlib
+import sys
+import types
+import unittest
+import warnings
+
+import numpy as np
+import seismichorizons as sh
+
+DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+ROWS, COLUMNS = 40, 60
+GRIDS = ("irap", "gri", "zmap")
+
+
+class PlainArray:
+    """As much of a DataArray of xarray as horizons are made of."""
+
+    def __init__(self, values, dims, coords=None, attrs=None):
+        self.values, self.dims, self.attrs = np.asarray(values), tuple(dims), attrs or {}
+        self.coords = {name: own if isinstance(own, PlainArray) else PlainArray(*((own[1], own[0]) if isinstance(own, tuple) else (own, (name,))))
+                       for name, own in (coords or {}).items()}
+        self.sizes, self.dtype = dict(zip(self.dims, self.values.shape)), self.values.dtype
+
+    def __getitem__(self, name):
+        return self.coords[name]
+
+    def __array__(self, *arguments, **keywords):
+        return np.asarray(self.values)
+
+    def squeeze(self, dims):
+        places = tuple(self.dims.index(dim) for dim in dims)
+        return PlainArray(self.values.squeeze(places), [dim for dim in self.dims if dim not in dims], self.coords, self.attrs)
+
+    def transpose(self, *dims):
+        return PlainArray(self.values.transpose([self.dims.index(dim) for dim in dims]), dims, self.coords, self.attrs)
+
+
+if importlib.util.find_spec("xarray"):
+    from xarray import DataArray
+else:
+    DataArray = PlainArray
+
+
+def dome(rows=ROWS, columns=COLUMNS):
+    j, i = np.mgrid[0:rows, 0:columns]
+    return 1000.0 + 20.0 * np.sin(j / 9.0) * np.cos(i / 11.0)
+
+
+def places_of(z, spacing=(25.0, 25.0)):
+    """x, y and z of the values of a grid."""
+    j, i = np.mgrid[0:z.shape[0], 0:z.shape[1]]
+    return np.column_stack((spacing[0] * i.ravel(), spacing[1] * j.ravel(), z.ravel()))
+
+
+def least_angles(mesh):
+    """The smallest angle of each triangle on the lattice, in degrees."""
+    lattice = mesh.lattice
+    steps = np.column_stack((lattice.column_step, lattice.row_step))
+    plan = np.linalg.solve(steps, (mesh.points[:, :2] - lattice.origin).T).T[mesh.triangles]
+    sides = np.stack([np.linalg.norm(plan[:, n] - plan[:, (n + 1) % 3], axis=1) for n in range(3)])
+    a, b, c = np.sort(sides, axis=0)
+    return np.degrees(np.arccos(np.clip((b**2 + c**2 - a**2) / (2.0 * b * c), -1.0, 1.0)))
+
+
+@contextlib.contextmanager
+def silent():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        yield
+
+
+class PlacesTest(unittest.TestCase):
+    def test_azimuth(self):
+        """Each value is at its place; columns follow the azimuth, rows are to the left of it."""
+        z = dome()
+        z[3, 4], z[5, 6] = np.nan, -999.0
+        top = sh.horizon(z, origin=(5e5, 6e6), spacing=(25.0, 50.0), azimuth=120.0, nodata=-999.0, vertical_unit="ms")
+        self.assertEqual((len(top), top.left_out), (ROWS * COLUMNS - 2, {"without z": 2}))
+        angle = np.radians(-30.0)
+        np.testing.assert_allclose(top.lattice.column_step, 25.0 * np.array((np.cos(angle), np.sin(angle))), atol=1e-9)
+        np.testing.assert_allclose(top.lattice.row_step, 50.0 * np.array((-np.sin(angle), np.cos(angle))), atol=1e-9)
+        np.testing.assert_allclose(top.lattice.origin, (5e5, 6e6), atol=1e-6)
+        column, row = top.columns.T
+        np.testing.assert_array_equal(top.z, z[row, column])
+        np.testing.assert_allclose(top.x, 5e5 + top.lattice.column_step[0] * column + top.lattice.row_step[0] * row, atol=1e-6)
+        np.testing.assert_allclose(top.y, 6e6 + top.lattice.column_step[1] * column + top.lattice.row_step[1] * row, atol=1e-6)
+
+    def test_margins(self):
+        """The lattice is that of the array, whatever is empty along its sides; extrapolation fills it."""
+        z = dome()
+        z[:7], z[-5:], z[:, :3], z[:, -9:] = np.nan, np.nan, np.nan, np.nan
+        top = sh.horizon(z, origin=(100.0, 200.0), spacing=(25.0, 50.0), vertical_step=1.0)
+        self.assertEqual((top.lattice.shape, top.lattice.origin), (z.shape, (100.0, 200.0)))
+        np.testing.assert_array_equal(top.grid(), z)
+        self.assertEqual(len(sh.surface(top, 1.0).outlines), 1)
+        np.testing.assert_allclose(np.column_stack((top.x, top.y)), top.columns * (25.0, 50.0) + (100.0, 200.0))
+        whole = sh.fill_holes(top, extrapolation_distance=100)
+        self.assertEqual((len(whole), set(whole.filled)), (ROWS * COLUMNS, {0, 2}))
+
+    def test_points(self):
+        """Points are found to be on the lattice that they are from; others take gridding."""
+        z = dome()
+        grid, found = sh.horizon(z, spacing=(25, 25)), sh.horizon(points=places_of(z))
+        for name in ("x", "y", "z"):
+            np.testing.assert_array_equal(getattr(found, name), getattr(grid, name))
+        scattered = np.random.default_rng(1).random((500, 3)) * (1000.0, 1000.0, 10.0)
+        with self.assertRaisesRegex(ValueError, 'without a lattice.*gridding="plate"'):
+            sh.horizon(points=scattered)
+        for gridding in ("plate", "nearest"):
+            self.assertGreater(len(sh.horizon(points=scattered, gridding=gridding, direction="down")), 100)
+
+    def test_duplicates(self):
+        """Both sides of a reverse fault are sheets, by names; otherwise there is one z in a column, and a warning."""
+        points = np.vstack([places_of(np.full((40, 35), z)) + (x, 0.0, 0.0) for x, z in ((0.0, 100.0), (625.0, 130.0))])
+        for name, names in (("", ["horizon", "horizon (2)"]), ("Top", ["Top", "Top (2)"])):
+            found = sh.horizon(points=points, name=name, duplicates="sheets")
+            self.assertEqual(list(found), names)
+            self.assertEqual([(len(one), len(set(one.z))) for one in found.values()], [(1400, 1)] * 2)
+        with self.assertWarnsRegex(UserWarning, "400 of 2400 columns with several z, up to 30 apart: duplicates says which is kept"):
+            kept = sh.horizon(points=points)
+        self.assertEqual((len(kept), kept.left_out), (2400, {"duplicates": 400}))
+        for policy, z in (("topmost", 100.0), ("lowest", 130.0), ("mean", 115.0)):
+            one = sh.horizon(points=points, duplicates=policy)
+            overlap = (one.x >= 625.0) & (one.x < 875.0)
+            self.assertEqual((int(overlap.sum()), set(one.z[overlap])), (400, {z}), policy)
+
+    def test_nulls(self):
+        """Points that are nan, infinite or `nodata`, also in single precision, are left out and counted."""
+        for null in (np.nan, np.inf, -999.9, -32767.1):
+            for kind in (np.float32, np.float64):
+                z = dome()
+                z[3, 4:9] = np.float32(null)
+                top = sh.horizon(z.astype(kind), nodata=[-999.9, -32767.1])
+                self.assertEqual((len(top), top.left_out), (z.size - 5, {"without z": 5}))
+        for column, reason in ((0, "without a place"), (2, "without z")):
+            for null in (np.nan, np.inf):
+                xyz = places_of(np.full((10, 12), 9.0))
+                xyz[5:25, column] = null
+                top = sh.horizon(points=xyz)
+                self.assertEqual((len(top), top.left_out), (100, {reason: 20}))
+        with self.assertRaisesRegex(ValueError, "expected"):
+            sh.horizon(points=places_of(np.full((10, 12), -999.0)), nodata=-999.0)
+
+    def test_directions(self):
+        """z of one sign says where it increases to, as grids and as points; the world has it below 0 either way."""
+        z = dome()
+        for sign, direction in ((1.0, "down"), (-1.0, "up")):
+            for top in (sh.horizon(sign * z, spacing=(25, 25)), sh.horizon(points=places_of(sign * z))):
+                self.assertEqual(top.direction, direction)
+                self.assertLess(sh.surface(top, 5.0).points[:, 2].max(), 0.0)
+        z = -z
+        z[0, 0] = 1.0
+        with self.assertWarnsRegex(UserWarning, "2399 of 2400 z are negative, so that these may be elevations or depths"):
+            self.assertEqual(sh.horizon(z).direction, "down")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            sh.surface(sh.horizon(dome()))
+            sh.horizon(z, direction="down")
+
+
+class ObjectsTest(unittest.TestCase):
+    def test_xtgeo(self):
+        """Values of xtgeo are by columns; it may turn, and its rows may be flipped."""
+        for flip in (1, -1):
+            surface = types.SimpleNamespace(xori=1e5, yori=2e5, xinc=25.0, yinc=50.0, rotation=30.0, yflip=flip, ncol=COLUMNS, nrow=ROWS,
+                                            name="Reek", values=np.ma.masked_invalid(dome().T))
+            top = sh.horizon(surface)
+            angle = np.radians(30.0)
+            np.testing.assert_allclose(top.lattice.column_step, 25.0 * np.array((np.cos(angle), np.sin(angle))), atol=1e-9)
+            np.testing.assert_allclose(top.lattice.row_step, 50.0 * flip * np.array((-np.sin(angle), np.cos(angle))), atol=1e-9)
+            np.testing.assert_array_equal(top.grid(), dome())
+            self.assertEqual(top.name, "Reek")
+            with self.assertRaisesRegex(ValueError, "origin for a surface of xtgeo, which has a place of its own, expected none"):
+                sh.horizon(surface, origin=(0, 0))
+
+    def test_tables(self):
+        """Columns are known by their names, in any order; others are attributes."""
+        x, y, _ = places_of(np.zeros((5, 6)), (25.0, 40.0)).T
+        top = sh.horizon({"Z": 1000.0 + x, "Y": y, "X": x, "Amp": x + y, "note": np.array(["a"] * 30)})
+        self.assertEqual(top.lattice.shape, (5, 6))
+        np.testing.assert_allclose(top.lattice.spacing, (25.0, 40.0))
+        np.testing.assert_allclose(top.z, 1000.0 + top.x, atol=1e-9)
+        np.testing.assert_allclose(top["Amp"], top.x + top.y, atol=1e-9)
+        self.assertEqual(list(top), ["Amp"])
+        self.assertEqual(sh.horizon({"Elevation": 1000.0 + x, "Y": y, "X": x}).direction, "up")
+        two = sh.horizon({"Horizon": ["Base"] * 30 + ["Top"] * 30, "X": np.tile(x, 2), "Y": np.tile(y, 2), "Z": np.repeat((90.0, 50.0), 30)})
+        self.assertEqual({name: (len(one), set(one.z)) for name, one in two.items()}, {"Base": (30, {90.0}), "Top": (30, {50.0})})
+        with self.assertRaisesRegex(ValueError, "the columns a, b, expected X, Y and Z"):
+            sh.horizon({"a": x, "b": y})
+
+    def test_dimensions(self):
+        """An array of xarray is read by the names of its dimensions, in any order."""
+        z = 1000.0 + np.arange(30.0)[:, None] + 100.0 * np.arange(20.0)
+        x, y = 10.0 * np.arange(30.0), 50.0 - np.arange(20.0)
+        along = sh.horizon(DataArray(z, dims=("x", "y"), coords={"x": x, "y": y}))
+        across = sh.horizon(DataArray(z.T[None], dims=("band", "Northing", "Easting"), coords={"Easting": x, "Northing": y}))
+        for top in (along, across):
+            self.assertEqual((top.x.min(), top.x.max(), top.y.min(), top.y.max()), (0.0, 290.0, 31.0, 50.0))
+            np.testing.assert_allclose(top.z, 1000.0 + 0.1 * top.x + 100.0 * (50.0 - top.y))
+        lines = {"iline": 100.0 + 2.0 * np.arange(30), "xline": 300.0 + np.arange(20)}
+        survey = sh.horizon(DataArray(z.T, dims=("xline", "iline"), coords=lines))
+        self.assertEqual(survey.lattice.lines, (100.0, 2.0, 300.0, 1.0))
+        np.testing.assert_allclose(survey.z, 1000.0 + (survey.inlines - 100.0) / 2.0 + 100.0 * (survey.crosslines - 300.0))
+        grid = {name: (("iline", "xline"), own) for name, own in zip(("cdp_x", "cdp_y"), np.meshgrid(x, y, indexing="ij"))}
+        placed = sh.horizon(DataArray(z, dims=("iline", "xline"), coords={**lines, **grid}))
+        np.testing.assert_allclose((placed.x.min(), placed.x.max(), placed.y.min(), placed.y.max()), (0.0, 290.0, 31.0, 50.0), atol=1e-9)
+        self.assertEqual(placed.lattice.lines, (100.0, 2.0, 300.0, 1.0))
+        with self.assertRaisesRegex(ValueError, "dimensions a, b, expected y and x, or inline and crossline"):
+            sh.horizon(DataArray(z, dims=("a", "b")))
+
+    def test_coordinates(self):
+        """Arrays of xarray say what is no data, and may run southwards; their steps are equal."""
+        coords = {"y": 6e6 - 50.0 * np.arange(ROWS), "x": 5e5 + 25.0 * np.arange(COLUMNS)}
+        top = sh.horizon(DataArray(dome(), dims=("y", "x"), coords=coords, attrs={"_FillValue": 1000.0}))
+        self.assertEqual(len(top), np.count_nonzero(dome() != 1000.0))
+        self.assertEqual(top.lattice.row_step, (0.0, -50.0))
+        with self.assertRaisesRegex(ValueError, "without equal steps"):
+            sh.horizon(DataArray(dome(), dims=("y", "x"), coords={**coords, "x": np.arange(COLUMNS) ** 2.0}))
+
+
+class StagesTest(unittest.TestCase):
+    def test_units(self):
+        """Errors with a unit are those in the unit of z, whatever the vertical step, and all figures are in the unit of z."""
+        top = sh.horizon(dome(), vertical_unit="ms", vertical_step=0.5)
+        plain = sh.surface(top, 2.0)
+        for error in ("2 ms", "0.002 s", "2ms", "2"):
+            mesh = sh.surface(top, error)
+            np.testing.assert_array_equal(mesh.points, plain.points)
+            self.assertEqual(mesh.details["chosen_maximum_error"], 2.0)
+        self.assertEqual(plain.largest_error, max(plain.details["largest_inner_error"], plain.details["largest_loop_error"]))
+        self.assertAlmostEqual(np.nanmax(plain.errors), plain.details["largest_inner_error"])
+        self.assertTrue(1.0 < plain.details["largest_inner_error"] <= 2.0)
+        found = sh.distance(top, plain)
+        self.assertLessEqual(found.largest, 2.0 + 1e-9)
+        vertical = np.nanmax(np.abs(np.concatenate((found.vertical_of_reference, found.vertical_of_mesh))))
+        self.assertAlmostEqual(vertical, plain.largest_error)
+        self.assertIn("vertically up to %.4g" % plain.largest_error, repr(found))
+        self.assertIn("largest error 2 ms", repr(plain))
+        self.assertEqual(sh.faults(top, "3 ms").smallest_throw, 3.0)
+        spiked = dome()
+        spiked[5, 7] += 30.0
+        for threshold in (20.0, "20 ms", "0.02 s"):
+            spikes = sh.despike(sh.horizon(spiked, vertical_unit="ms", vertical_step=0.5), threshold)
+            self.assertEqual((spikes.left_out["spikes"], len(spikes)), (1, ROWS * COLUMNS - 1))
+
+    def test_units_of_layers(self):
+        """A unit of one height leaves others as they are."""
+        stack = {"Top": sh.horizon(dome(), vertical_unit="m"), "Base": sh.horizon(dome() + 5.0 * np.sin(np.arange(COLUMNS) / 3.0), vertical_unit="m")}
+        with silent():
+            plain = sh.layers(stack, 0.75, minimum_thickness=1.0, order="as_given").figures
+            for error, thin in (("0.75 m", 1.0), (0.75, "1 m"), ("0.75 m", "1 m")):
+                for name, values in sh.layers(stack, error, minimum_thickness=thin, order="as_given").figures.items():
+                    np.testing.assert_array_equal(values, plain[name])
+
+    def test_automatic_error(self):
+        """It is six times the noise, whatever the vertical step; an error of 0 is one that can be asked for."""
+        noise = np.random.default_rng(5).normal(0.0, 0.2, (200, 300))
+        errors = []
+        for step in (0.1, 1.0):
+            top = sh.horizon(dome(200, 300) + noise, vertical_step=step)
+            mesh = sh.surface(top)
+            errors.append(mesh.details["chosen_maximum_error"])
+            self.assertLess(len(mesh), 0.06 * 2 * len(top))
+            self.assertLessEqual(mesh.largest_error, errors[-1] + 1e-9)
+            self.assertAlmostEqual(6.0 * mesh.details["height_noise"], errors[-1])
+            self.assertNotIn("height_rounding", mesh.details)
+        self.assertAlmostEqual(errors[0], errors[1], delta=1e-6)
+        self.assertAlmostEqual(errors[0], 1.2, delta=0.1)
+        self.assertEqual(sh.surface(sh.horizon(dome()), 0.0).details["chosen_maximum_error"], 0.0)
+        self.assertEqual(sh.decimation(sh.exterior_boundary(top)).details["chosen_maximum_error"], errors[1])
+        made = sh.layers({"Top": top, "Base": sh.horizon(dome(200, 300) + 90.0 + 2.0 * noise, vertical_step=1.0)})
+        for mesh in made.horizons.values():
+            self.assertTrue(1.5 < mesh.largest_error <= 2.6, mesh.largest_error)  # of the horizon that has the most noise
+        for given in ({"largest_error": 1.0}, {"triangles": 500}):
+            self.assertFalse({"height_noise", "height_rounding"} & sh.surface(top, **given).details.keys())
+        j, i = np.mgrid[0:30, 0:40]
+        plane = sh.surface(sh.horizon(1000.0 + 0.1 * i + 0.2 * j, vertical_step=1.0)).details
+        self.assertAlmostEqual(plane["height_rounding"], 0.1 / 12.0**0.5)
+        self.assertAlmostEqual(6.0 * plane["height_rounding"], plane["chosen_maximum_error"])
+        self.assertNotIn("height_noise", plane)
+
+    def test_smallest_angle(self):
+        """With the effort "fast", points are inserted beside slivers; the few that outlines leave are counted."""
+        j, i = np.mgrid[0:100, 0:120]
+        z = 1000.0 + 20.0 * np.sin(i / 9.0) * np.cos(j / 8.0)
+        top, base = sh.horizon(z, vertical_step=1.0), sh.horizon(z + 40.0, vertical_step=1.0)
+        meshes = [sh.surface(top, 1.0, smallest_angle=angle, effort="fast") for angle in (0.0, 20.0)]
+        for mesh in meshes:
+            self.assertLessEqual(mesh.largest_error, 1.0 + 1e-9)
+            self.assertAlmostEqual(least_angles(mesh).min(), mesh.details["smallest_angle"], places=6)
+        self.assertGreater(len(meshes[1]), len(meshes[0]))
+        self.assertEqual(meshes[1].details["sliver_count"], np.count_nonzero(least_angles(meshes[1]) < 20.0 - 1e-9))
+        self.assertLess(meshes[1].details["sliver_count"], 0.01 * len(meshes[1]))
+        angles = [least_angles(sh.layers({"Top": top, "Base": base}, 1.0, effort="fast", smallest_angle=angle).horizons["Top"])
+                  for angle in (0.0, 20.0)]
+        self.assertLess(np.sum(angles[1] < 20.0), 0.7 * np.sum(angles[0] < 20.0))  # outlines are kept as they are
+
+    def test_distance_leaves_open_what_the_mesh_does(self):
+        """The horizon as read has the hole of its mesh, across which the distance would be four columns."""
+        row, column = np.mgrid[:60, :70]
+        heights = 1000.0 + 0.3 * row + 40.0 * np.exp(-((column - 40) ** 2 + (row - 30) ** 2) / 60.0)
+        heights[26:35, 36:45] = np.nan
+        for spread in (heights, np.where(row % 2 == 0, heights, np.nan)):
+            with silent():
+                top = sh.horizon(spread)
+                mesh = sh.surface(top, 0.5)
+            self.assertEqual(mesh.details["number_of_holes"], 1)
+            found = sh.distance(top, mesh)
+            self.assertLess(found.largest, 1.0)
+            self.assertLessEqual(np.nanmax(np.abs(found.vertical_of_reference)), 0.5 + 1e-9)
+        with silent():
+            self.assertLessEqual(len(sh.surface(top, triangles=50)), 50)
+
+    def test_left_out_is_told(self):
+        """A row of points has no triangles: it is left out, and a warning says so, once and with its share."""
+        heights = np.full((40, 50), np.nan)
+        heights[:30, :40] = 100.0
+        heights[35, 5:25] = 103.0
+        heights[10:13, 10:13] = np.nan
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            mesh = sh.surface(sh.horizon(heights, spacing=(25.0, 10.0)), 3.0)
+        self.assertEqual((mesh.ledger.known, mesh.ledger.left_out, mesh.ledger.covered), (1191, 20, 1191))
+        self.assertAlmostEqual(mesh.ledger.column_area, 250.0)
+        self.assertEqual(len(told), 1, told)
+        self.assertRegex(str(told[0].message), r"^horizon: 1,191 columns covered, 1\.68 % left out;")
+
+    def test_meshes_and_nothing(self):
+        """Stages of points refuse meshes, and what is empty."""
+        top = sh.horizon(dome(), vertical_step=1.0)
+        mesh = sh.surface(top, 1.0)
+        stages = ("despike", "fill_holes", "faults", "exterior_boundary", "surface")
+        for name in stages:
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, "of Mesh, expected a Horizon"):
+                getattr(sh, name)(mesh)
+        for name in ("boundary_simplification", "rough_simplification", "elaborate_simplification", "triangulation", "decimation"):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, "a mesh of %d triangles, " % len(mesh)):
+                getattr(sh, name)(mesh)
+        empty = dataclasses.replace(top, columns=top.columns[:0], z=top.z[:0], filled=top.filled[:0])
+        calls = {name: (lambda function=getattr(sh, name): function(empty)) for name in stages}
+        calls.update({"layers": lambda: sh.layers({"A": top, "B": empty}), "crossings": lambda: sh.crossings({"A": empty}),
+                      "thickness": lambda: sh.thickness(top, empty)})
+        for name, call in calls.items():
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, "without points, expected some"):
+                call()
+        with self.assertRaisesRegex(ValueError, "0 points and no triangles, expected"):
+            sh.distance(empty, mesh)
+
+    def test_progress(self):
+        """It grows, within what is a fraction."""
+        told = []
+        sh.surface(sh.horizon(dome(200, 300)), 1.0, progress=told.append)
+        self.assertEqual(told, sorted(told))
+        self.assertTrue(0.0 <= told[0] < 0.5 < told[-1] <= 1.0, told)
+
+
+class FilesTest(unittest.TestCase):
+    def test_names(self):
+        """Horizons are read by the names that are asked for; a file of one, which has none, gives it its own."""
+        self.assertEqual(list(sh.read(DATA / "blobs.vsm")), ["Horizon 1", "Horizon 2", "Horizon 3"])
+        self.assertEqual(list(sh.read(str(DATA / "blobs.vsm"), horizons=["Horizon 3", "Horizon 1"])), ["Horizon 3", "Horizon 1"])
+        one = sh.read(DATA / "blobs.vsm")["Horizon 1"]
+        sh.write(one, FOLDER / "picks.dat", name="Top")
+        self.assertEqual(list(sh.read(FOLDER / "picks.dat", vertical_unit="m")), ["picks"])
+        sh.write(one, FOLDER / "map.irap")
+        self.assertEqual(list(sh.read(FOLDER / "map.irap")), ["map"])
+        with silent():
+            sh.write(sh.surface(one, 2.0), FOLDER / "named.ts", name="Top")
+        self.assertEqual(list(sh.read_mesh(FOLDER / "named.ts")), ["Top"])
+
+    def test_grids_of_meshes(self):
+        """A grid of a mesh has the columns under it, each within the error; that of points has the points."""
+        z = dome()
+        z[10:20, 15:30] = np.nan
+        top = sh.horizon(z, spacing=(25, 25))
+        with silent():
+            mesh = sh.surface(top, 1.0)
+        for form in GRIDS:
+            for name, data in (("mesh", mesh), ("points", top)):
+                path = FOLDER / ("%s.%s" % (name, form))
+                sh.write(data, path)
+                (back,) = sh.read(path, direction="down").values()
+                self.assertEqual(len(back), mesh.ledger.covered if data is mesh else len(top), path)
+                columns = np.rint(np.column_stack((back.x, back.y)) / 25.0).astype(int)
+                off = np.abs(back.z - z[columns[:, 1], columns[:, 0]])
+                self.assertLessEqual(np.nanmax(off), 1e-3 + (mesh.largest_error if data is mesh else 0.0), path)
+        sh.write(mesh, FOLDER / "top.ts")
+        (back,) = sh.read_mesh(FOLDER / "top.ts").values()
+        self.assertEqual((back.name, len(back)), ("horizon", len(mesh)))
+
+    def test_layers(self):
+        """Cells are written for others by the extension, or not at all."""
+        made = sh.layers({"A": sh.horizon(np.zeros((3, 4))), "B": sh.horizon(np.ones((3, 4)))}, 0.75)
+        for form in ("vtu", "msh", "inp", "disv"):
+            made.write(FOLDER / ("few." + form))
+            self.assertGreater((FOLDER / ("few." + form)).stat().st_size, 300)
+        with self.assertRaisesRegex(ValueError, "expected"):
+            made.write(FOLDER / "few.stl")
+        self.assertFalse((FOLDER / "few.stl").exists())
+        with self.assertRaises(FileNotFoundError):
+            made.write(FOLDER / "none" / "few.vtu")
+
+
+class ErrorsTest(unittest.TestCase):
+    def test_first_errors(self):
+        top = sh.horizon(dome(), vertical_unit="ms")
+        cube = sh.Cube(np.zeros((3, 4, 5), np.float32), sh.Lattice((3, 4), indices=5))
+        for kind, words, call in (
+                (ValueError, r"heights of shape \(3,\), expected \(rows, columns\); horizon\(x, y, z\)", lambda: sh.horizon(np.zeros(3))),
+                (ValueError, r"points of shape \(3, 2\), expected \(n, 3\)", lambda: sh.horizon(points=np.zeros((3, 2)))),
+                (ValueError, "heights without a single value", lambda: sh.horizon(grid=np.full((3, 3), np.nan))),
+                (ValueError, "0 picks, expected at least 1", lambda: sh.horizon(points=np.full((3, 3), np.nan))),
+                (TypeError, r"ndarray, expected a Horizon.*horizon\(data\) makes one", lambda: sh.surface(dome())),
+                (ValueError, "largest_error '2 m', a length, for a horizon with z in ms", lambda: sh.surface(top, "2 m")),
+                (ValueError, "largest_error 'two', expected a number", lambda: sh.surface(top, "two")),
+                (ValueError, "smallest_angle|smallest angle 70", lambda: sh.surface(top, smallest_angle=70.0)),
+                (ValueError, "effort", lambda: sh.surface(top, effort="most")),
+                (TypeError, "larget", lambda: sh.surface(top, larget=1.0)),
+                (TypeError, "extraction from str, expected a Cube: read_cube", lambda: sh.extract("cube.sgy")),
+                (ValueError, r"guide Top of shape \(4, 2\), expected \(n, 3\)", lambda: sh.extract(cube, {"Top": np.zeros((4, 2))})),
+                (ValueError, "expected", lambda: sh.extract(cube, {"Top": np.zeros((0, 3))})),
+                (FileNotFoundError, "nothing.dat: no such file", lambda: sh.read("nothing.dat")),
+                (FileNotFoundError, "nothing.sgy: no such file", lambda: sh.read_cube("nothing.sgy")),
+                (OSError, "a directory, expected a file|no such file", lambda: sh.read(FOLDER)),
+                (ValueError, "set columns", lambda: sh.read(__file__)),
+                (ValueError, "no horizon 9, expected one of Horizon 1", lambda: sh.read(DATA / "blobs.vsm", horizons=["9"])),
+                (ValueError, "x.foo: a horizon, expected one of the extensions .vtp", lambda: sh.write(top, "x.foo")),
+                (TypeError, "writing ndarray, expected a Mesh or a Horizon", lambda: sh.write(dome(), "x.dat")),
+                (FileNotFoundError, "no folder /no/such/folder", lambda: sh.write(top, "/no/such/folder/x.dat"))):
+            with self.subTest(words=words), self.assertRaisesRegex(kind, words):
+                call()
+
+    def test_old_names(self):
+        """They are told, and go with the next version."""
+        for old, new in (("horizon_from_points", "horizon"), ("horizon_from_image", "horizon"), ("hole_filling", "fill_holes"),
+                         ("despiking", "despike")):
+            with self.assertWarnsRegex(DeprecationWarning, "seismichorizons.%s is now seismichorizons.%s$" % (old, new)):
+                self.assertIs(getattr(sh, old), getattr(sh, new))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertFalse([name for name in ("nothing", "vtkNothing") if hasattr(sh, name)])
+
+    def test_classes(self):
+        """Classes of VTK are in a module of their own, and where there is none it is an ImportError as of any other."""
+        folder = pathlib.Path(sh.__file__).parent
+        if not (folder / "vtk.py").exists():
+            with self.assertRaises(ImportError):
+                from seismichorizons import vtk
+            with self.assertRaisesRegex(AttributeError, "python3-seismichorizons"):
+                sh.vtkHorizonSurface
+        elif importlib.util.find_spec("vtkmodules"):
+            from seismichorizons import vtk
+
+            with self.assertWarnsRegex(DeprecationWarning, "is now seismichorizons.vtk.vtkHorizonSurface"):
+                self.assertIs(sh.vtkHorizonSurface, vtk.vtkHorizonSurface)
+
+
+class TextsTest(unittest.TestCase):
+    def test_parameters(self):
+        """Each function says what it takes: all its parameters, and no other."""
+        for name in sh.__all__:
+            function = getattr(sh, name)
+            if not inspect.isfunction(function):
+                continue
+            text = inspect.cleandoc(function.__doc__)
+            with self.subTest(name=name):
+                self.assertIn("Parameters\n", text)
+                section = text.partition("Parameters\n----------\n")[2].partition("\n\n")[0]
+                said = [word.strip() for line in section.splitlines() if not line.startswith(" ")
+                        for word in line.partition(" : ")[0].replace("*", "").split(",")]
+                self.assertEqual(sorted(said), sorted(inspect.signature(function).parameters))
+
+
+if __name__ == "__main__":
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1])
