@@ -348,8 +348,10 @@ nb::dict ReadLines(const std::string& path, const std::string& direction, const 
     { return MakeFaultLines(ReadFaultLines(*Open(path), monitor), framing.Direction); }));
 }
 
-std::string FindFormat(const std::string& path)
+/// Names may be any bytes, as those of files in a folder.
+std::string FindFormat(const nb::bytes& name)
 {
+  const std::string path(name.c_str(), name.size());
   const auto isRecognised = [&path](auto&& isOne) { return IsRecognised(path.c_str(), isOne); };
   const auto isTSurf = [](std::istream& stream)
   {

@@ -87,7 +87,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     nulls = nodata if isinstance(nodata, str) else " ".join(map(repr, map(float, np.ravel([] if nodata is None else nodata))))
     with _of_file(path):
-        kind = _core.find_format(name)
+        kind = _core.find_format(os.fsencode(path))
         if kind == "tsurf":
             _core.read_tsurfs(name, progress)  # which says what other files of GOCAD are
             raise ValueError("a mesh in the format of GOCAD, expected picks or a grid: read_mesh(path) reads it")

@@ -78,8 +78,9 @@ class Lines:
                                       crs=self.coordinate_system or None)
 
 
-def lines_of(given: Any) -> Lines:
-    """Lines from Lines, several of these, or arrays. Raises TypeError and ValueError."""
+def lines_of(given: Any, fault: str = "") -> Lines:
+    """Lines from Lines, several of these, or arrays; these are sticks of a fault, given by name, or each a fault. Raises TypeError
+    and ValueError."""
     if isinstance(given, Lines):
         return given
     lines: list[Lines]
@@ -94,7 +95,8 @@ def lines_of(given: Any) -> Lines:
     for number, array in enumerate(arrays):
         if array.ndim != 2 or array.shape[1] not in (2, 3):
             raise ValueError("line %d of shape %s, expected (points, 3), or 2 for traces on the map" % (number, array.shape))
-    return Lines(["%d 1" % (number + 1) for number in range(len(arrays))],
+    names = ["%s %d" % (fault, number + 1) if fault else "%d 1" % (number + 1) for number in range(len(arrays))]
+    return Lines(names,
                  [np.column_stack((array, np.zeros((len(array), 3 - array.shape[1])))) for array in arrays])
 
 

@@ -116,7 +116,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     lines : Lines, list of Lines, or list of arrays of shape (n, 3), optional
         Traces, polygons or sticks of faults in the coordinates of the horizon: `read_faults` reads some.
     are_sticks : bool
-        The lines are sticks, from section to section, and not traces on the map.
+        The lines are sticks, from section to section, and not traces on the map. Arrays are sticks of one fault.
     extend_sticks : bool
         Continues surfaces of sticks by half an interval on both sides.
     polygons : "blank", "cut" or "leave"
@@ -138,7 +138,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     (1, 60, 30.0)
     """
     require_horizon(horizon, "fault detection")
-    given = None if lines is None else lines_of(lines)._data()
+    given = None if lines is None else lines_of(lines, "Fault" if are_sticks else "")._data()
     options = {"smallest_extent": int(smallest_extent), "smallest_branch": int(smallest_branch), "largest_gap": int(largest_gap),
                "largest_ramp": int(largest_ramp), "join_through_holes": bool(join_through_holes), "are_sticks": bool(are_sticks and lines is not None),
                "extend_sticks": bool(extend_sticks), "polygons": polygons, "detect": lines is None if detect is None else bool(detect),

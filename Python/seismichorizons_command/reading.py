@@ -8,7 +8,6 @@
 
 import os
 import pathlib
-import tempfile
 import time
 
 import numpy as np
@@ -48,17 +47,7 @@ def find_format(path):
         return "geotiff"
     if beginning.upper().startswith(b"GOCAD PLINE"):
         return None  # it begins like a surface
-    if not _is_text(path):
-        return _find_format_by_link(path)
-    return _core.find_format(str(path)) or None
-
-
-def _find_format_by_link(path):
-    """Returns the format of a file whose name is not UTF-8, which the core does not accept as a name."""
-    with tempfile.TemporaryDirectory() as folder:
-        link = os.path.join(folder, "file" + "".join(suffix for suffix in path.suffixes[-2:] if suffix.isascii()))
-        os.symlink(os.path.abspath(path), link)
-        return _core.find_format(link) or None
+    return _core.find_format(os.fsencode(path)) or None
 
 
 def _is_text(path):

@@ -64,7 +64,8 @@ def main():
             continue
         path = FOLDER / (name + extension)
         translate(FOLDER / "ours.zmap", path, name)
-        horizons, _ = reading.read(path)
+        # Grids of this format are elevations, unless we are told that ours are depths.
+        horizons, _ = reading.read(path, **({"VerticalDirection": "Down"} if name == "AAIGrid" else {}))
         found = places(horizons[0][1])
         assert found.shape == expected.shape, "%s: %d points, expected %d" % (name, len(found), len(expected))
         difference = abs(found - expected).max(axis=0)

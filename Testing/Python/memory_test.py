@@ -260,6 +260,15 @@ class BatchTest(unittest.TestCase):
         self.assertIn("growth by distance with a radius of 2 columns", messages[0])
         self.assertTrue(messages[0].startswith("warning: ") and messages[0].endswith(" is left out"), messages[0])
         self.assertEqual(messages[1], "error: one.vsm: all horizons were left out")
+        # Of a horizon that is cut, and left out, nothing is known; the summary of its file is that of the others.
+        sizes = self.sizes(self.three)
+        messages, printed, files = self.run_batch(self.three, sorted(sizes)[1] + 1, leave_out_invalid=True, surface=(
+            pipeline.surface_properties(largest_error=1.0, Radius=2, GrowthStrategy="Distance")))
+        self.assertEqual((len(messages), len(files)), (1, 2))
+        self.assertRegex(messages[0], "^warning: three.vsm: Horizon %d: a seam and growth by distance .* is left out$" % (
+            1 + sizes.index(max(sizes))))
+        self.assertIn(" vertical indices, growing down", printed)
+        self.assertNotIn("inf", printed)
 
     def test_other_formats(self):
         """These are read whole; a horizon that is too large then is refused."""

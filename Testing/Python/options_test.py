@@ -162,8 +162,8 @@ class OptionsTest(unittest.TestCase):
             path.read_text(encoding="utf-8") for path in BINDINGS.glob("*.cxx"))))
         own = {"line_type", "distance_unit", "order"}  # the command makes others of them
         words = ("--despike", "2", "--cut-faults", "3 ms", "--fill-holes", "9", "--measure-error", "--distance-unit", "World",
-                 "--samples-per-point", "3", "--close-faults", "--minimum-patch-size", "9", "--growth-strategy", "Distance", "--radius", "2",
-                 "--outline-tolerance", "1", "--distance-threshold", "1", "--smallest-hole-size", "9")
+                 "--samples-per-point", "3", "--close-faults", "--minimum-patch-size", "9", "--growth-strategy", "Distance",
+                 "--radius", "2", "--outline-tolerance", "1", "--distance-threshold", "1", "--smallest-hole-size", "9")
         of_stages = ("--stages", "--hole-boundaries", "--bound-deviation", "--fewest-outline-points", "--cell-size", "4", "--elaborate",
                      "--elaborate-cell-size", "5", "--flatness-threshold", "1", "--representative", "NearestPoint")
         of_surface = ("--largest-error", "2 ms", "--layers", "--crossings", "Mean", "--order", "AsGiven", "--missing", "Void")

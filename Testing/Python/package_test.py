@@ -10,8 +10,12 @@ import contextlib
 import dataclasses
 import importlib.util
 import inspect
+import os
 import pathlib
+import signal
 import sys
+import threading
+import time
 import types
 import unittest
 import warnings
@@ -21,6 +25,7 @@ import seismichorizons as sh
 
 DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 ROWS, COLUMNS = 40, 60
+SECONDS_UNTIL_INTERRUPT = 0.3
 GRIDS = ("irap", "gri", "zmap")
 
 
@@ -29,9 +34,11 @@ class PlainArray:
 
     def __init__(self, values, dims, coords=None, attrs=None):
         self.values, self.dims, self.attrs = np.asarray(values), tuple(dims), attrs or {}
-        self.coords = {name: own if isinstance(own, PlainArray) else PlainArray(*((own[1], own[0]) if isinstance(own, tuple) else (own, (name,))))
-                       for name, own in (coords or {}).items()}
         self.sizes, self.dtype = dict(zip(self.dims, self.values.shape)), self.values.dtype
+        self.coords = {}
+        for name, own in (coords or {}).items():
+            along, numbers = own if isinstance(own, tuple) else ((name,), own)
+            self.coords[name] = numbers if isinstance(numbers, PlainArray) else PlainArray(numbers, along)
 
     def __getitem__(self, name):
         return self.coords[name]
@@ -148,8 +155,9 @@ class PlacesTest(unittest.TestCase):
             for null in (np.nan, np.inf):
                 xyz = places_of(np.full((10, 12), 9.0))
                 xyz[5:25, column] = null
-                top = sh.horizon(points=xyz)
-                self.assertEqual((len(top), top.left_out), (100, {reason: 20}))
+                with self.subTest(null=null, reason=reason):
+                    top = sh.horizon(points=xyz)
+                    self.assertEqual((len(top), top.left_out), (100, {reason: 20}))
         with self.assertRaisesRegex(ValueError, "expected"):
             sh.horizon(points=places_of(np.full((10, 12), -999.0)), nodata=-999.0)
 
@@ -194,11 +202,19 @@ class ObjectsTest(unittest.TestCase):
         np.testing.assert_allclose(top.z, 1000.0 + top.x, atol=1e-9)
         np.testing.assert_allclose(top["Amp"], top.x + top.y, atol=1e-9)
         self.assertEqual(list(top), ["Amp"])
-        self.assertEqual(sh.horizon({"Elevation": 1000.0 + x, "Y": y, "X": x}).direction, "up")
-        two = sh.horizon({"Horizon": ["Base"] * 30 + ["Top"] * 30, "X": np.tile(x, 2), "Y": np.tile(y, 2), "Z": np.repeat((90.0, 50.0), 30)})
+        two = sh.horizon({"Horizon": ["Base"] * 30 + ["Top"] * 30, "X": np.tile(x, 2), "Y": np.tile(y, 2),
+                          "Z": np.repeat((90.0, 50.0), 30)})
         self.assertEqual({name: (len(one), set(one.z)) for name, one in two.items()}, {"Base": (30, {90.0}), "Top": (30, {50.0})})
         with self.assertRaisesRegex(ValueError, "the columns a, b, expected X, Y and Z"):
             sh.horizon({"a": x, "b": y})
+
+    def test_elevations(self):
+        """z of that name increases upwards, as in files."""
+        x, y, _ = places_of(np.zeros((5, 6)), (25.0, 40.0)).T
+        rows = ("%g %g %g\n" % row for row in zip(x, y, x + 1000.0))
+        (FOLDER / "elevations.txt").write_text("X Y Elevation\n" + "".join(rows), encoding="ascii")
+        for top in (sh.read(FOLDER / "elevations.txt")["elevations"], sh.horizon({"Elevation": 1000.0 + x, "Y": y, "X": x})):
+            self.assertEqual(top.direction, "up", top.taken)
 
     def test_dimensions(self):
         """An array of xarray is read by the names of its dimensions, in any order."""
@@ -257,7 +273,8 @@ class StagesTest(unittest.TestCase):
 
     def test_units_of_layers(self):
         """A unit of one height leaves others as they are."""
-        stack = {"Top": sh.horizon(dome(), vertical_unit="m"), "Base": sh.horizon(dome() + 5.0 * np.sin(np.arange(COLUMNS) / 3.0), vertical_unit="m")}
+        away = 5.0 * np.sin(np.arange(COLUMNS) / 3.0)
+        stack = {name: sh.horizon(dome() + own, vertical_unit="m") for name, own in (("Top", 0.0), ("Base", away))}
         with silent():
             plain = sh.layers(stack, 0.75, minimum_thickness=1.0, order="as_given").figures
             for error, thin in (("0.75 m", 1.0), (0.75, "1 m"), ("0.75 m", "1 m")):
@@ -358,6 +375,28 @@ class StagesTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "0 points and no triangles, expected"):
             sh.distance(empty, mesh)
 
+    def test_thread(self):
+        """Stages run in any thread."""
+        made = []
+        thread = threading.Thread(target=lambda: made.append(sh.surface(sh.horizon(dome()), 1.0)))
+        thread.start()
+        thread.join()
+        np.testing.assert_array_equal(made[0].points, sh.surface(sh.horizon(dome()), 1.0).points)
+
+    @unittest.skipIf(sys.platform == "win32", "no process can send itself Ctrl-C there")
+    def test_after_an_interrupt(self):
+        """Ctrl-C is handled as before, and the same work can be done."""
+        before = signal.getsignal(signal.SIGINT)
+        rough = sh.horizon(np.random.default_rng(1).random((700, 700)) * 100.0)
+        timer = threading.Timer(SECONDS_UNTIL_INTERRUPT, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with silent(), self.assertRaises(KeyboardInterrupt):
+            sh.surface(rough, 0.01)
+            time.sleep(5.0)  # where the work took less time than that
+        timer.join()
+        self.assertIs(signal.getsignal(signal.SIGINT), before)
+        self.assertGreater(len(sh.surface(sh.horizon(dome()), 1.0)), 0)
+
     def test_progress(self):
         """It grows, within what is a fraction."""
         told = []
@@ -405,7 +444,7 @@ class FilesTest(unittest.TestCase):
         made = sh.layers({"A": sh.horizon(np.zeros((3, 4))), "B": sh.horizon(np.ones((3, 4)))}, 0.75)
         for form in ("vtu", "msh", "inp", "disv"):
             made.write(FOLDER / ("few." + form))
-            self.assertGreater((FOLDER / ("few." + form)).stat().st_size, 300)
+            self.assertGreater((FOLDER / ("few." + form)).stat().st_size, 100)
         with self.assertRaisesRegex(ValueError, "expected"):
             made.write(FOLDER / "few.stl")
         self.assertFalse((FOLDER / "few.stl").exists())

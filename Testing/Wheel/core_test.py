@@ -208,6 +208,13 @@ class MeshTest(unittest.TestCase):
         self.assertEqual((spiked.left_out["spikes"], len(spiked)), (1, 599))
         self.assertTrue(np.isnan(spiked.grid()[5, 7]))
 
+    def test_sticks_as_arrays(self):
+        """They are those of one fault, whose surface cuts the horizon along a line."""
+        top = sh.horizon(np.where(np.arange(80) < 40, 1000.0, 1030.0) + np.zeros((60, 1)), spacing=(25, 25))
+        sticks = [np.array([[987.5, 25.0 * j, -900.0], [987.5, 25.0 * j, -1100.0]]) for j in range(-2, 70, 6)]
+        found = sh.faults(top, lines=sticks, are_sticks=True)
+        self.assertEqual((len(found), len(found.links)), (1, 60))
+
     def test_faults_stay_open(self):
         """No triangle crosses the cut of a fault through the whole horizon."""
         j, i = np.mgrid[0:80, 0:100]
