@@ -86,7 +86,7 @@ nb::tuple GiveHorizons(SurveyHorizons survey, const std::vector<std::string>& na
 
 // ---- Points of others -----------------------------------------------------------------------------------------------
 
-const std::vector<std::string> Policies = { "strongest", "topmost", "lowest", "mean", "sheets" };
+const std::vector<std::string> Policies = { "strongest", "topmost", "lowest", "sheets", "mean" };
 
 PlacementOptions MakePlacement(const nb::dict& given, bool isUp)
 {
@@ -384,6 +384,8 @@ void BindReading(nb::module_& module)
   module.def("make_distinct", &MakeDistinct, "names"_a);
   module.def(
     "role_of", [](const std::string& name) { return std::string(RoleWord(RoleOfName(name))); }, "name"_a);
+  module.def(
+    "is_elevation", [](const std::string& name) { return IsElevation(name); }, "name"_a);
   module.def(
     "short_unit", [](const std::string& unit) { return ShortUnit(unit); }, "unit"_a);
   module.def("choose_z",

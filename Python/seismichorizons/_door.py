@@ -261,7 +261,7 @@ class _Given:
         arrays = {key: values for key, values in {"x": x, "y": y, **lines}.items() if values is not None}
         known = np.all([np.isfinite(values) for values in arrays.values()], axis=0)
         self.attributes = {key: np.ascontiguousarray(self._attribute(key, values, z.size)[known]) for key, values in self._attributes.items()}
-        z = self._drop(z)
+        z = self._drop(np.where(np.isfinite(z), z, np.nan))
         self.dropped = int((~known).sum())
         return {key: np.ascontiguousarray(values[known]) for key, values in {**arrays, "z": z}.items()}
 
@@ -339,6 +339,8 @@ class _Given:
         if "z" not in roles or not ({"x", "y"} <= roles.keys() or {"inline", "crossline"} <= roles.keys()):
             raise ValueError("%s with the columns %s, expected X, Y and Z, or Inline, Crossline and Z: columns={\"z\": ...} says what they are" % (
                 what, ", ".join(columns)))
+        if _core.is_elevation(roles["z"]):
+            self.direction, self.reason = "up", "%s is an elevation" % roles["z"]
         ignored = []
         for name in columns:
             if name in roles.values():

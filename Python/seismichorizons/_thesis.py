@@ -15,7 +15,7 @@ from . import _core
 from ._data import Progress, call, take_attributes
 from ._horizon import Horizon
 from ._mesh import Mesh, mesh_of
-from ._stages import Faults, given_options, links_of
+from ._stages import Faults, given_options, links_of, require_horizon
 from ._units import height
 
 
@@ -55,6 +55,7 @@ def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: st
     >>> len(sh.exterior_boundary(sh.horizon(np.full((20, 30), 1000.0))).outlines[0])
     96
     """
+    require_horizon(horizon, "an exterior boundary")
     options = given_options(radius=radius, growth=growth, kind=kind, hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size,
                             smallest_hole_area=smallest_hole_area, minimum_patch_size=minimum_patch_size)
     return _run(_core.boundary, horizon, horizon._data(links_of(faults)), options, progress)
