@@ -38,8 +38,8 @@ def _of_file(path: pathlib.Path) -> Iterator[None]:
 
 def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = None, *, columns: str | Sequence[str] = "",
          nodata: str | float | Sequence[float] | None = None, header_lines: int = 0, duplicates: str = "strongest", gridding: str = "",
-         leave_out_strays: bool = False, vertical_step: float | None = None, direction: str = "", vertical_unit: str = "",
-         vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "",
+         leave_out_strays: bool = False, rows: tuple[int, int] | None = None, vertical_step: float | None = None, direction: str = "",
+         vertical_unit: str = "", vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "",
          progress: Progress | None = None) -> dict[str, Horizon]:
     """Reads the horizons of a text file of picks or of a grid, by content.
 
@@ -62,6 +62,9 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
         Makes a grid of points that are on no lattice.
     leave_out_strays : bool
         Leaves out up to a tenth of the picks, off the lattice or far from the others.
+    rows : (first, last), optional
+        Reads these rows of sparse voxels alone, for a horizon larger than memory: `surface(part, seam_rows=)` meshes a part, and
+        `join` joins the meshes.
     vertical_step : float, optional
         z between vertical indices; by default it suits the heights.
     direction : "down" or "up", optional
@@ -93,10 +96,13 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
             raise ValueError("a mesh in the format of GOCAD, expected picks or a grid: read_mesh(path) reads it")
         if kind == "cube":
             raise ValueError("a seismic cube, expected picks or a grid: extract(read_cube(path)) finds horizons")
+        if rows is not None and (kind != "sparse" or duplicates == "sheets"):
+            raise ValueError("rows of %s, expected none" % (
+                "sheets" if kind == "sparse" else "a file without sparse voxels"))
         if kind == "sparse":
             if vertical_step is not None:
                 raise ValueError("vertical_step for sparse voxels, which have their own, expected none")
-            form, found = "sparse voxels", _read_sparse(name, placement(duplicates)["duplicates"], *where[1:], progress)
+            form, found = "sparse voxels", _read_sparse(name, placement(duplicates)["duplicates"], rows, *where[1:], progress)
         elif kind == "grid":
             form, found = _core.read_grid(name, nulls, *where, progress)
         else:
@@ -107,14 +113,14 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     return _choose(path, made, horizons)
 
 
-def _read_sparse(path: str, duplicates: str, direction: str, survey: Any, progress: Progress | None) -> tuple[Any, str, list[str]]:
+def _read_sparse(path: str, duplicates: str, rows: tuple[int, int] | None, direction: str, survey: Any, progress: Progress | None) -> tuple[Any, str, list[str]]:
     """Horizons with the real z of the file or, if it has none, vertical indices; a description; and warnings."""
-    file = _core.SparseFile(path, False)
-    file.list({"duplicates": duplicates}, progress)
+    file = _core.SparseFile(path, rows is not None)
+    file.list({"duplicates": duplicates, **({} if rows is None else {"rows": list(rows)})}, progress)
     found = file.take(list(range(len(file.names))), {"use_real_z": file.has_real_z}, direction, survey, progress)
-    columns, rows, _ = found[0][1]["field_data"]["LatticeDimensions"].ravel().tolist() if found else (0, 0, 0)
+    size = found[0][1]["field_data"]["LatticeDimensions"].ravel().tolist() if found else (0, 0, 0)
     return found, "%d x %d columns, places are their numbers\nz is %s, and increases %s" % (
-        columns, rows, "real z of the file" if file.has_real_z else "the vertical index", "upwards" if direction == "up" else "downwards"), []
+        *size[:2], "real z of the file" if file.has_real_z else "the vertical index", "upwards" if direction == "up" else "downwards"), []
 
 
 def _choose(path: pathlib.Path, made: dict[str, Any], names: str | Sequence[str] | None) -> dict[str, Any]:

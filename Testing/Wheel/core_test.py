@@ -272,6 +272,18 @@ class FilesTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no horizon Horizon 3, expected one of Horizon 1, Horizon 2"):
             sh.read(DATA / "sample.vsm", horizons="Horizon 3")
 
+    def test_parts_of_rows(self):
+        """The meshes of parts that share a row join to one that covers all points, within the error."""
+        whole = sh.read(DATA / "sample.vsm")["Horizon 1"]
+        parts = [sh.read(DATA / "sample.vsm", "Horizon 1", rows=rows)["Horizon 1"] for rows in ((0, 70), (70, 149))]
+        self.assertEqual(sum(map(len, parts)), len(whole) + np.count_nonzero(whole.columns[:, 1] == 70))
+        meshes = [sh.surface(part, 4.0, radius=1, seam_rows=rows) for part, rows in zip(parts, ((-1, 70), (70, -1)))]
+        joined = sh.join(meshes)
+        self.assertLessEqual(joined.largest_error, 4.0 + 1e-9)
+        self.assertEqual(joined.counts.sum(), len(whole))
+        with self.assertRaisesRegex(ValueError, "rows of sheets"):
+            sh.read(DATA / "sample.vsm", rows=(0, 70), duplicates="sheets")
+
     def test_grids_come_back(self):
         horizon = rough(7, origin=(461000.0, 6801000.0), spacing=(25.0, 12.5), name="Top")
         for ending in ("irap", "gri", "zmap", "dat"):
