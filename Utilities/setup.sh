@@ -119,12 +119,12 @@ install_packages() {
 
 # Binds the methods for Python. Debian 12 has no package of it; PyPI has.
 fetch_nanobind() {
-  [ ! -d "$build_folder/nanobind/nanobind" ] || return 0
+  [ ! -d "$source_folder/build/nanobind/nanobind" ] || return 0
   ! "$python" -m nanobind --cmake_dir >/dev/null 2>&1 || return 0
-  echo "setup: fetching nanobind from PyPI into build/release"
-  if ! quietly "fetching nanobind" "$python" -m pip install --no-deps --target "$build_folder/nanobind" "nanobind>=2.4"; then
+  echo "setup: fetching nanobind from PyPI into build/nanobind"
+  if ! quietly "fetching nanobind" "$python" -m pip install --no-deps --target "$source_folder/build/nanobind" "nanobind>=2.4"; then
     cat "$log" >&2
-    rm -rf "$build_folder/nanobind"
+    rm -rf "$source_folder/build/nanobind"
     fail "no nanobind from PyPI, expected it for the Python package: is the network there?"
   fi
 }

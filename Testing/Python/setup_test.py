@@ -66,7 +66,7 @@ class Setup(unittest.TestCase):
     def test_builds(self):
         """A demo takes no tests; these are configured when they are asked for, and stay."""
         built = "cmake --build %s/build/release -- --quiet" % self.project
-        fetched = "pip -m pip install --no-deps --target %s/build/release/nanobind nanobind>=2.4" % self.project
+        fetched = "pip -m pip install --no-deps --target %s/build/nanobind nanobind>=2.4" % self.project
         configured = ("cmake -S %s -B %s/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON "
                       "-DBUILD_TESTING=%s")
         for number, (options, testing) in enumerate(((["--without-tests"], "OFF"), (["--without-tests"], ""), ([], "ON"), ([], ""),

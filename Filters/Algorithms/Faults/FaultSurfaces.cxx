@@ -15,9 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace SeismicHorizons
@@ -192,6 +192,15 @@ void SortAlongFault(std::vector<LevelStick>& sticks)
   {
     order = asGiven;
   }
+  const auto place = [&](std::size_t n)
+  {
+    const SpacePoint& at = sticks[n].Given.front();
+    return std::make_tuple(at.X, at.Y, at.Z);
+  };
+  if (place(order.front()) < place(order.back())) // Both ways are as long; that of the file does not matter.
+  {
+    std::reverse(order.begin(), order.end());
+  }
   std::vector<LevelStick> sorted;
   for (const std::size_t n : order)
   {
@@ -319,6 +328,7 @@ void Prepare(std::vector<LevelStick>& sticks)
   const LevelStick* longest = nullptr;
   for (LevelStick& stick : sticks)
   {
+    stick.Places.clear();
     for (const SpacePoint& place : stick.Given)
     {
       stick.Places.push_back(Place(place.X, place.Y, place.Z) * scale - origin * scale);
@@ -334,14 +344,16 @@ void Prepare(std::vector<LevelStick>& sticks)
   }
   const double length = direction.norm();
   direction = length > 0.0 ? Place(direction / length) : Place::UnitZ();
+  // Downwards in the world, so that the ends at which sticks were begun do not matter.
+  direction = direction.z() > 0.0 ? Place(-direction) : direction;
   for (LevelStick& stick : sticks)
   {
     stick.Measure(direction);
   }
 }
 
-/// Sticks without a name belong to different faults if their distance exceeds the median by a factor.
-std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks, bool areNamed)
+/// Splits where neighbours are farther apart than the median by a factor.
+std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks)
 {
   constexpr double largestWay = 5.0;
   std::vector<double> ways;
@@ -350,7 +362,7 @@ std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks
     ways.push_back(Distance(sticks[n], sticks[n + 1]));
   }
   std::vector<double> reordered = ways;
-  const double largest = areNamed ? std::numeric_limits<double>::infinity() : largestWay * UpperMedian(reordered);
+  const double largest = largestWay * UpperMedian(reordered);
   std::vector<std::vector<LevelStick>> parts(1);
   for (std::size_t n = 0; n < sticks.size(); ++n)
   {
@@ -361,6 +373,24 @@ std::vector<std::vector<LevelStick>> SplitAtJumps(std::vector<LevelStick> sticks
     parts.back().push_back(std::move(sticks[n]));
   }
   return parts;
+}
+
+double LengthAsGiven(const std::vector<LevelStick>& sticks)
+{
+  StickOrder order(sticks.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  return LengthOf(sticks, order);
+}
+
+/// Sticks without a name may be of several faults. Files list them fault by fault, so that their order counts unless
+/// another one is far shorter; a tour of all sticks would cross from fault to fault in many places.
+std::vector<std::vector<LevelStick>> SplitIntoFaults(std::vector<LevelStick> sticks)
+{
+  constexpr double farShorter = 0.5;
+  std::vector<LevelStick> sorted = sticks;
+  SortAlongFault(sorted);
+  const bool isSorted = LengthAsGiven(sorted) < farShorter * LengthAsGiven(sticks);
+  return SplitAtJumps(std::move(isSorted ? sorted : sticks));
 }
 
 // ---- Traces ---------------------------------------------------------------------------------------------------------
@@ -534,11 +564,21 @@ std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, b
       continue;
     }
     Prepare(ofFault);
-    SortAlongFault(ofFault);
-    for (const std::vector<LevelStick>& part : SplitAtJumps(std::move(ofFault), !name.empty()))
+    std::vector<std::vector<LevelStick>> parts;
+    if (name.empty())
+    {
+      parts = SplitIntoFaults(std::move(ofFault));
+    }
+    else
+    {
+      parts.push_back(std::move(ofFault));
+    }
+    for (std::vector<LevelStick>& part : parts)
     {
       if (part.size() > 1)
       {
+        Prepare(part);
+        SortAlongFault(part);
         sheets.push_back(BuildSheet(name, part, extend));
       }
     }
