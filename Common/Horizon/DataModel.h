@@ -54,6 +54,7 @@ constexpr const char* Error = "Error";
 constexpr const char* Part = "Part";
 constexpr const char* FaultLine = "FaultLine";
 constexpr const char* FaultName = "FaultName";
+constexpr const char* FaultStick = "FaultStick";
 constexpr const char* Fault = "Fault";
 constexpr const char* Layer = "Layer";
 constexpr const char* Triangle = "Triangle";

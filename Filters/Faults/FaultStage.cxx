@@ -33,12 +33,18 @@ constexpr std::size_t SurfacesPort = 2;
 void AppendCells(
   const Horizon& lines, const Cells& cells, bool arePolygons, std::int64_t first, std::vector<FaultStick>& polylines)
 {
-  const DataArray* const array = lines.CellData.Find(CellArray::FaultName);
-  const DataArray* const names = array && array->IsText() ? array : nullptr;
-  if (names)
+  const auto find = [&lines](const char* name)
   {
-    RequireTuples(*names, lines.NumberOfCells(), "cells");
-  }
+    const DataArray* const array = lines.CellData.Find(name);
+    const DataArray* const texts = array && array->IsText() ? array : nullptr;
+    if (texts)
+    {
+      RequireTuples(*texts, lines.NumberOfCells(), "cells");
+    }
+    return texts;
+  };
+  const DataArray* const names = find(CellArray::FaultName);
+  const bool haveSticks = find(CellArray::FaultStick) != nullptr;
   for (std::int64_t cell = 0; cell < cells.Size(); ++cell)
   {
     FaultStick polyline;
@@ -60,7 +66,7 @@ void AppendCells(
     if (names)
     {
       const std::string& name = names->Texts()[std::size_t(first + cell)];
-      polyline.Fault = name.substr(0, name.rfind(' ')); // without the last word
+      polyline.Fault = haveSticks ? name : name.substr(0, name.rfind(' ')); // without the last word
     }
     polylines.push_back(polyline);
   }

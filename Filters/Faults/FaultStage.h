@@ -31,7 +31,7 @@ struct FaultStageOptions : FaultDetectionOptions
 };
 
 /// Lines and polygons, which become closed, in world coordinates. Sticks of a fault have the same FaultName in the cell
-/// data, apart from its last word, the number of the stick.
+/// data; without FaultStick, apart from its last word, the number of the stick.
 std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
 
 /// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and the surfaces of sticks.

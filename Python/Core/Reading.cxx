@@ -340,12 +340,18 @@ nb::tuple ReadTSurfs(const std::string& path, const nb::object& progress)
   return nb::make_tuple(GiveNamed(meshes), sense);
 }
 
-nb::dict ReadLines(const std::string& path, const std::string& direction, const nb::object& progress)
+/// Lines of all files; returns data, and what each file was taken for, in lines.
+nb::tuple ReadLines(const std::vector<std::string>& paths, const nb::dict& chosen, const std::string& direction,
+  const nb::object& progress)
 {
   const Framing framing(0.0, direction, {});
-  return GiveData(Run(progress,
-    [&](const Monitor& monitor)
-    { return MakeFaultLines(ReadFaultLines(*Open(path), monitor), framing.Direction); }));
+  FaultTextOptions options;
+  Take(chosen, "columns", options.Columns);
+  Take(chosen, "nulls", options.NullValues);
+  Take(chosen, "header_lines", options.HeaderLines);
+  const FaultLineData data = Run(
+    progress, [&](const Monitor& monitor) { return LoadFaultLines(paths, options, framing.Direction, monitor); });
+  return nb::make_tuple(GiveData(data.Lines), data.Description);
 }
 
 /// Names may be any bytes, as those of files in a folder.
@@ -395,7 +401,7 @@ void BindReading(nb::module_& module)
   module.def("read_text", &ReadText, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "options"_a, "vertical_step"_a,
     "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_tsurfs", &ReadTSurfs, "path"_a, "progress"_a.none());
-  module.def("read_fault_lines", &ReadLines, "path"_a, "direction"_a, "progress"_a.none());
+  module.def("read_fault_lines", &ReadLines, "paths"_a, "options"_a, "direction"_a, "progress"_a.none());
   module.def("place_points", &PlacePoints, "arrays"_a, "attributes"_a, "names"_a, "options"_a, "vertical_step"_a,
     "direction"_a, "survey"_a, "progress"_a.none());
 }

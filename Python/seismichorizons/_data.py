@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -113,6 +113,11 @@ def in_keywords(message: str) -> str:
 
 def snake(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
+
+
+def nulls_of(nodata: str | float | Sequence[float] | None) -> str:
+    """Numbers that mean no value, as text."""
+    return nodata if isinstance(nodata, str) else " ".join(map(repr, map(float, np.ravel([] if nodata is None else nodata))))
 
 
 def require_file(path: pathlib.Path) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _core, _xml
-from ._data import Progress, in_keywords, require_file, warn_all
+from ._data import Progress, in_keywords, nulls_of, require_file, warn_all
 from ._horizon import Horizon
 from ._made import framing, placement
 from ._made import horizons as make_horizons
@@ -88,7 +88,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     require_file(path)
     name = str(path)
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
-    nulls = nodata if isinstance(nodata, str) else " ".join(map(repr, map(float, np.ravel([] if nodata is None else nodata))))
+    nulls = nulls_of(nodata)
     with _of_file(path):
         kind = _core.find_format(os.fsencode(path))
         if kind == "tsurf":

@@ -21,18 +21,19 @@ bool IsOfGOCAD(std::string_view firstLine)
   return ToLower(firstLine.substr(0, 5)) == "gocad";
 }
 
-std::unique_ptr<FaultLineParser> MakeParser(std::string_view firstLine)
-{
-  const std::string_view text = Trim(firstLine);
-  return IsOfGOCAD(text) ? MakePLineParser() : StartsWith(text, "@") ? MakeZmapLineParser() : MakePlainLineParser();
-}
-
 /// Creates the parser at the first line that is neither empty nor a comment.
 class LineDealer
 {
 public:
   std::unique_ptr<FaultLineParser> Parser;
   std::int64_t Lines = 0;
+
+  /// The beginning of the file says what the columns are.
+  LineDealer(std::string_view beginning, const FaultTextOptions& options)
+    : Beginning(beginning)
+    , Options(options)
+  {
+  }
 
   void Deal(std::string_view text)
   {
@@ -43,7 +44,7 @@ public:
       const NumberedLine line = { text.substr(0, end), ++this->Lines };
       if (!this->Parser && !IsSkipped(line.Text))
       {
-        this->Parser = MakeParser(line.Text);
+        this->Parser = this->MakeParser(Trim(line.Text));
       }
       if (this->Parser)
       {
@@ -52,6 +53,40 @@ public:
       text.remove_prefix(std::min(end + 1, text.size()));
     }
   }
+
+private:
+  std::unique_ptr<FaultLineParser> MakeParser(std::string_view firstLine) const
+  {
+    if (IsOfGOCAD(firstLine))
+    {
+      return MakePLineParser();
+    }
+    if (StartsWith(firstLine, "@"))
+    {
+      return MakeZmapLineParser();
+    }
+    if (StartsWith(firstLine, "PROFILE"))
+    {
+      return MakeIesxLineParser();
+    }
+    const TextLines lines = SplitLines(WithoutByteOrderMark(this->Beginning));
+    return MakePlainLineParser(FindFaultColumns(lines, this->Options), NullValues(this->Options.NullValues));
+  }
+
+  static TextLines SplitLines(std::string_view text)
+  {
+    TextLines lines;
+    while (!text.empty())
+    {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      lines.push_back(text.substr(0, end));
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+  }
+
+  const std::string_view Beginning;
+  const FaultTextOptions& Options;
 };
 
 std::string_view FirstLine(std::string_view text)
@@ -85,6 +120,10 @@ bool HasMark(std::string_view text)
   if (IsOfGOCAD(first))
   {
     return ToLower(Trim(first.substr(5))).substr(0, 5) == "pline";
+  }
+  if (StartsWith(first, "PROFILE"))
+  {
+    return first.find("TYPE 1") == std::string_view::npos; // Horizons are of that type.
   }
   if (StartsWith(first, "@") || StartsWith(first, "->") || StartsWith(first, "FFASCI") ||
     StartsWith(first, "INLINE-") || StartsWith(first, "CROSSLINE-"))
@@ -127,7 +166,7 @@ bool BeginsAsFaultLines(std::istream& stream)
   {
     return false;
   }
-  LineDealer dealer;
+  LineDealer dealer(text, {});
   dealer.Deal(text);
   if (IsOfGOCAD(Trim(FirstLine(text))))
   {
@@ -135,20 +174,21 @@ bool BeginsAsFaultLines(std::istream& stream)
   }
   const FaultLineFile file = dealer.Parser->Finish();
   // ZMAP+ files of points without segments are no fault lines.
-  return !file.Ends.empty() && (!StartsWith(Trim(FirstLine(text)), "@") || !file.Names.front().empty());
+  return !file.Ends.empty() && (!StartsWith(Trim(FirstLine(text)), "@") || !file.Sticks.front().empty());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultLineFile ReadFaultLines(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
+FaultLineFile ReadFaultLines(
+  std::istream& stream, const FaultTextOptions& options, const Monitor& monitor, std::size_t bufferSize)
 {
-  constexpr std::size_t lookedAt = 8192;
-  const std::string beginning = PeekText(stream, lookedAt);
+  constexpr std::size_t lookedAt = 256 * 1024;
+  const std::string beginning = PeekLines(stream, lookedAt);
   if (!StartsWith(beginning, "GOCAD")) // GOCAD files may begin with other objects.
   {
     RefuseOtherFormats(beginning, "fault lines as text");
   }
   LineBuffer lines(stream, bufferSize);
-  LineDealer dealer;
+  LineDealer dealer(beginning, options);
   while (!lines.AtEnd())
   {
     if (!lines.Read())

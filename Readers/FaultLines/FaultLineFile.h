@@ -10,6 +10,8 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Types.h"
+#include "Common/Survey/SurveyDescription.h"
+#include "FaultColumns.h"
 
 #include <cstddef>
 #include <istream>
@@ -23,13 +25,16 @@ class FaultLineFile
 public:
   std::vector<SpacePoint> Places;
   std::vector<std::size_t> Ends; // The index in Places after the last point of each polyline.
-  std::vector<std::string> Names;
-  bool IsUpright = false; // The format states that z increases upwards, or states its direction and z was converted.
+  std::vector<std::string> Names; // of the fault of each polyline; empty if unknown
+  std::vector<std::string> Sticks; // the number of each polyline in its fault; empty if unknown
+  std::string Columns; // of a table
+  SurveyDescription Survey;
+  bool IsUpright = false; // The file says that z increases upwards, or says its direction and z was converted.
 
   void Append(const SpacePoint& place) { this->Places.push_back(place); }
 
   /// A polyline of a single point is dropped.
-  void Close(const std::string& name)
+  void Close(const std::string& name, const std::string& stick = std::string())
   {
     const std::size_t start = this->Ends.empty() ? 0 : this->Ends.back();
     if (this->Places.size() - start < 2)
@@ -39,14 +44,16 @@ public:
     }
     this->Ends.push_back(this->Places.size());
     this->Names.push_back(name);
+    this->Sticks.push_back(stick);
   }
 };
 
 /// Requires marks of a format in the beginning of the file, and a polyline.
 bool BeginsAsFaultLines(std::istream& stream);
 
-FaultLineFile ReadFaultLines(
-  std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = 1024 * 1024);
+/// Options are of tables.
+FaultLineFile ReadFaultLines(std::istream& stream, const FaultTextOptions& options = {},
+  const Monitor& monitor = Monitor(), std::size_t bufferSize = 1024 * 1024);
 }
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
+#include "FaultColumns.h"
 #include "FaultLineFile.h"
 
 #include <cstdint>
@@ -38,7 +39,9 @@ public:
 
 std::unique_ptr<FaultLineParser> MakePLineParser();
 std::unique_ptr<FaultLineParser> MakeZmapLineParser();
-std::unique_ptr<FaultLineParser> MakePlainLineParser();
+/// Points whose z is among the nulls are left out.
+std::unique_ptr<FaultLineParser> MakePlainLineParser(const FaultColumns& columns, const NullValues& nulls);
+std::unique_ptr<FaultLineParser> MakeIesxLineParser();
 }
 
 #endif

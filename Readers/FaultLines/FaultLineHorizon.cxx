@@ -4,12 +4,16 @@
 #include "FaultLineHorizon.h"
 
 #include "Common/Horizon/DataModel.h"
+#include "Common/Text/FileErrors.h"
+#include "Common/Text/InputFile.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <locale>
+#include <memory>
 #include <numeric>
-#include <string>
-#include <vector>
+#include <set>
+#include <sstream>
 
 namespace SeismicHorizons
 {
@@ -19,6 +23,49 @@ bool AreNegative(const std::vector<SpacePoint>& places)
 {
   return std::none_of(places.begin(), places.end(), [](const SpacePoint& place) { return place.Z > 0.0; }) &&
     std::any_of(places.begin(), places.end(), [](const SpacePoint& place) { return place.Z < 0.0; });
+}
+
+std::string Describe(const FaultLineFile& file, bool isUp)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(7);
+  std::set<std::string> faults(file.Names.begin(), file.Names.end());
+  faults.erase("");
+  text << file.Columns << (file.Columns.empty() ? "" : ": ");
+  if (!faults.empty())
+  {
+    text << faults.size() << (faults.size() == 1 ? " fault, " : " faults, ");
+  }
+  const auto [least, most] = std::minmax_element(
+    file.Places.begin(), file.Places.end(), [](const SpacePoint& a, const SpacePoint& b) { return a.Z < b.Z; });
+  text << file.Ends.size() << (file.Ends.size() == 1 ? " line, z " : " lines, z ") << least->Z << " to " << most->Z
+       << (isUp ? " up" : " down");
+  return text.str();
+}
+
+/// Numbers lines without one, where there are names.
+void NameLines(const std::string& fault, FaultLineFile& file)
+{
+  for (std::size_t line = 0; line < file.Ends.size(); ++line)
+  {
+    file.Names[line] = file.Names[line].empty() ? fault : file.Names[line];
+    file.Sticks[line] = file.Sticks[line].empty() ? std::to_string(line + 1) : file.Sticks[line];
+  }
+}
+
+/// Adds the lines of another file, with z upwards.
+void Append(const FaultLineFile& file, bool isUp, FaultLineFile& all)
+{
+  const std::size_t first = all.Places.size();
+  for (const SpacePoint& place : file.Places)
+  {
+    all.Places.push_back({ place.X, place.Y, isUp ? place.Z : -place.Z });
+  }
+  std::transform(file.Ends.begin(), file.Ends.end(), std::back_inserter(all.Ends),
+    [first](std::size_t end) { return first + end; });
+  all.Names.insert(all.Names.end(), file.Names.begin(), file.Names.end());
+  all.Sticks.insert(all.Sticks.end(), file.Sticks.begin(), file.Sticks.end());
 }
 
 /// Lines have their points one after the other.
@@ -33,13 +80,9 @@ Cells MakeFaultCells(const FaultLineFile& file)
   std::iota(points, points + file.Places.size(), std::int64_t(0));
   return cells;
 }
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-Horizon MakeFaultLines(const FaultLineFile& file, std::optional<VerticalDirection> direction)
+Horizon MakeLines(const FaultLineFile& file)
 {
-  const bool isUp = direction ? *direction == VerticalDirection::Up : AreNegative(file.Places);
-  const double upwards = isUp || file.IsUpright ? 1.0 : -1.0;
   Horizon lines;
   lines.Places = NewArray<double>("Points", std::int64_t(file.Places.size()), 3);
   auto* coordinate = lines.Places.As<double>();
@@ -47,13 +90,47 @@ Horizon MakeFaultLines(const FaultLineFile& file, std::optional<VerticalDirectio
   {
     *coordinate++ = place.X;
     *coordinate++ = place.Y;
-    *coordinate++ = upwards * place.Z;
+    *coordinate++ = place.Z;
   }
   lines.Lines = MakeFaultCells(file);
-  if (std::any_of(file.Names.begin(), file.Names.end(), [](const std::string& name) { return !name.empty(); }))
+  const auto areSaid = [](const std::vector<std::string>& texts)
+  { return std::any_of(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); }); };
+  if (areSaid(file.Names) || areSaid(file.Sticks))
   {
     lines.CellData.Add({ CellArray::FaultName, file.Names });
+    lines.CellData.Add({ CellArray::FaultStick, file.Sticks });
   }
   return lines;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultLineData LoadFaultLines(const std::vector<std::string>& paths, const FaultTextOptions& options,
+  std::optional<VerticalDirection> direction, const Monitor& monitor)
+{
+  FaultLineData data;
+  FaultLineFile all;
+  const bool areSeveral = paths.size() > 1;
+  for (std::size_t n = 0; n < paths.size(); ++n)
+  {
+    const std::string& path = paths[n];
+    FaultLineFile file = PrefixFileErrors(path.c_str(),
+      [&]()
+      {
+        MakeFileStamp(path); // Refuses folders and devices.
+        return ReadFaultLines(
+          *OpenInputFile(path), options, monitor.Step(double(n) / double(paths.size()), double(n + 1) / double(paths.size())));
+      });
+    const bool isUp =
+      file.IsUpright || (direction ? *direction == VerticalDirection::Up : AreNegative(file.Places));
+    data.Description += (n > 0 ? "\n" : "") + (areSeveral ? StemOf(path) + ": " : std::string()) + Describe(file, isUp);
+    if (areSeveral)
+    {
+      NameLines(StemOf(path), file);
+    }
+    Append(file, isUp, all);
+  }
+  data.Lines = MakeLines(all);
+  return data;
 }
 }

@@ -1,44 +1,61 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lines of x y z. A polyline ends at an empty line, at 999.0 three times (IRAP, RMS), at a line ->name (CPS-3), or
-// where the fields after z change. Charisma sticks have words before and after the coordinates.
+// Tables of points, with a line between fault lines or columns that tell them apart: CPS-3, IRAP and RMS, Kingdom,
+// OpendTect, DUG, spreadsheets; and sticks of Charisma.
 
 #include "FaultLineFormats.h"
 
-#include <array>
-#include <cstddef>
+#include "Common/Text/TextFields.h"
+#include "FaultColumns.h"
+#include "Readers/HorizonText/PickBlock.h"
+
+#include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-std::vector<std::string_view> ListLineFields(std::string_view line)
-{
-  const FieldSeparator separator = line.find(',') != std::string_view::npos ? FieldSeparator::Comma
-    : line.find(';') != std::string_view::npos                              ? FieldSeparator::Semicolon
-                                                                            : FieldSeparator::Blanks;
-  return SplitFields(line, separator);
-}
-
 class PlainLineParser : public FaultLineParser
 {
 public:
+  PlainLineParser(FaultColumns columns, NullValues nulls)
+    : Columns(std::move(columns))
+    , Nulls(std::move(nulls))
+  {
+    this->File.IsUpright = this->Columns.IsUpright;
+    this->File.Columns = this->Columns.Describe();
+    this->File.Survey = this->Columns.Survey;
+    for (std::size_t axis = 0; axis < this->Place.size(); ++axis)
+    {
+      this->Place[axis] = std::size_t(this->Columns.Find(FaultRole(std::size_t(FaultRole::X) + axis)));
+    }
+    this->Fault = this->Columns.Find(FaultRole::Fault);
+    this->Stick = this->Columns.Find(FaultRole::Stick);
+    this->Node = this->Columns.Find(FaultRole::Node);
+  }
+
   void Take(const NumberedLine& line) override
   {
     const std::string_view text = Trim(line.Text);
-    if (text.empty() || IsEndMark(text))
-    {
-      this->EndLine();
-    }
-    else if (StartsWith(text, "->"))
+    if (StartsWith(text, "->"))
     {
       this->EndLine();
       this->Name = std::string(Trim(text.substr(2)));
     }
+    else if (line.Number <= this->Columns.HeaderLines || StartsWith(text, "FFA"))
+    {
+      return;
+    }
+    else if (SeparatesFaultLines(text))
+    {
+      this->EndLine();
+    }
     else if (!IsSkipped(text))
     {
-      this->TakeFields(ListLineFields(text), line.Number);
+      const std::string converted = this->Columns.HasDecimalCommas ? WithDecimalPoints(text) : std::string();
+      this->TakeFields(
+        SplitFields(converted.empty() ? text : std::string_view(converted), this->Columns.Separator), line.Number);
     }
   }
 
@@ -51,7 +68,7 @@ public:
 private:
   void EndLine()
   {
-    this->File.Close(this->Name.empty() ? this->Key : this->Name);
+    this->File.Close(this->Name.empty() ? this->Key.first : this->Name, this->Key.second);
     this->HasPlace = false;
   }
 
@@ -60,12 +77,25 @@ private:
     if (StartsWith(fields.front(), "INLINE") || StartsWith(fields.front(), "CROSSLINE"))
     {
       this->TakeStick(fields, line);
+      return;
     }
-    else if (this->HasPlace || this->File.Places.size() > 0 || IsNumber(fields.front()))
+    const std::size_t needed = std::max({ this->Place[0], this->Place[1], this->Place[2] }) + 1;
+    if (fields.size() < std::max(needed, this->Columns.EndInName ? 0 : std::size_t(std::max(this->Fault, this->Stick) + 1)))
     {
-      this->TakePlace(fields, 0, 3, line);
+      throw ErrorAt(line, std::to_string(fields.size()) + " fields, expected the columns " + this->Columns.Describe());
     }
-    // Other lines before the first point are headings.
+    const auto field = [&fields](int column)
+    { return column < 0 ? std::string() : std::string(Trim(fields[std::size_t(column)])); };
+    double node = 0.0;
+    const bool hasNode = this->Node >= 0 && std::size_t(this->Node) < fields.size() &&
+      ReadNumber(fields[std::size_t(this->Node)], node) == NumberKind::Finite;
+    if (hasNode && this->Stick < 0 && this->HasPlace && node <= this->LastNode)
+    {
+      this->EndLine();
+    }
+    this->LastNode = node;
+    this->TakePlace(fields, this->Place, this->Columns.EndInName ? NameOf(fields, needed) : Keys(field(this->Fault), field(this->Stick)),
+      line);
   }
 
   /// The fields are: INLINE- inline crossline x y z name stick. Names may contain blanks.
@@ -79,28 +109,35 @@ private:
           " fields of a fault stick, expected 8: INLINE-, inline, crossline, x, y, z, "
           "name and number");
     }
-    this->TakePlace(fields, 3, 6, line);
+    this->TakePlace(fields, { 3, 4, 5 }, NameOf(fields, 6), line);
   }
 
-  /// The coordinates start at field `first`. The fields from `rest` on identify the polyline.
-  void TakePlace(const std::vector<std::string_view>& fields, std::size_t first, std::size_t rest, std::int64_t line)
+  using Keys = std::pair<std::string, std::string>; // fault and stick
+
+  /// Fields from `first` on are a name; the last one is the stick if it is a number.
+  static Keys NameOf(const std::vector<std::string_view>& fields, std::size_t first)
   {
-    if (fields.size() < rest)
+    const bool hasStick = fields.size() > first && IsNumber(fields.back());
+    std::string name;
+    for (std::size_t n = first; n < fields.size() - (hasStick ? 1 : 0); ++n)
     {
-      throw ErrorAt(line, std::to_string(fields.size()) + " fields, expected x, y and z");
+      name += (n > first ? " " : "") + std::string(fields[n]);
     }
-    const SpacePoint place = { ReadFinite(fields[first], line, "x"), ReadFinite(fields[first + 1], line, "y"),
-      ReadFinite(fields[first + 2], line, "z") };
-    if (place.X == EndOfPart && place.Y == EndOfPart && place.Z == EndOfPart)
+    return { name, hasStick ? std::string(fields.back()) : std::string() };
+  }
+
+  void TakePlace(const std::vector<std::string_view>& fields, const std::array<std::size_t, 3>& at, const Keys& key,
+    std::int64_t line)
+  {
+    double z = 0.0;
+    const bool isNull = this->Nulls.IsNullText(fields[at[2]]) ||
+      (ReadNumber(fields[at[2]], z) == NumberKind::Finite && this->Nulls.IsNullNumber(z));
+    if (isNull)
     {
-      this->EndLine();
       return;
     }
-    std::string key;
-    for (std::size_t n = rest; n < fields.size(); ++n)
-    {
-      key += (n > rest ? " " : "") + std::string(fields[n]);
-    }
+    const SpacePoint place = { ReadFinite(fields[at[0]], line, "x"), ReadFinite(fields[at[1]], line, "y"),
+      ReadFinite(fields[at[2]], line, "z") };
     if (this->HasPlace && key != this->Key)
     {
       this->EndLine();
@@ -111,15 +148,22 @@ private:
   }
 
   FaultLineFile File;
+  const FaultColumns Columns;
+  const NullValues Nulls; // of z
+  std::array<std::size_t, 3> Place = {};
+  int Fault = -1;
+  int Stick = -1;
+  int Node = -1;
+  double LastNode = 0.0;
   std::string Name;
-  std::string Key;
+  Keys Key;
   bool HasPlace = false;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::unique_ptr<FaultLineParser> MakePlainLineParser()
+std::unique_ptr<FaultLineParser> MakePlainLineParser(const FaultColumns& columns, const NullValues& nulls)
 {
-  return std::make_unique<PlainLineParser>();
+  return std::make_unique<PlainLineParser>(columns, nulls);
 }
 }

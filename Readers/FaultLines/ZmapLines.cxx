@@ -91,7 +91,7 @@ public:
 
   FaultLineFile Finish() override
   {
-    this->File.Close(this->Segment);
+    this->File.Close("", this->Segment);
     return std::move(this->File);
   }
 
@@ -102,7 +102,7 @@ private:
     const std::string_view own = fields.Segment ? Cut(line.Text, *fields.Segment) : std::string_view();
     if (own != this->Segment)
     {
-      this->File.Close(this->Segment);
+      this->File.Close("", this->Segment);
       this->Segment = std::string(own);
     }
     this->File.Append({ ReadFinite(Cut(line.Text, *fields.X), line.Number, "x"),

@@ -31,7 +31,11 @@ vtkFaultLinesReader::vtkFaultLinesReader()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-vtkFaultLinesReader::~vtkFaultLinesReader() = default;
+vtkFaultLinesReader::~vtkFaultLinesReader()
+{
+  this->SetColumns(nullptr);
+  this->SetNullValues(nullptr);
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 int vtkFaultLinesReader::CanReadFile(const char* fileName)
@@ -42,36 +46,29 @@ int vtkFaultLinesReader::CanReadFile(const char* fileName)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int vtkFaultLinesReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
-{
-  this->Files.Announce(outputVector->GetInformationObject(0));
-  return 1;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 int vtkFaultLinesReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-  vtkInformation* const info = outputVector->GetInformationObject(0);
-  this->Files.Choose(info);
+  this->Description.clear();
   return RunRequest(
-    this, { output }, FilePrefix(this->Files.GetCurrent()) + "more data than memory, expected a smaller file",
+    this, { output }, FilePrefix(this->Files.GetName(0)) + "more data than memory, expected a smaller file",
     [&](std::string&, const Monitor& monitor)
     {
-      RequireFileName(this->Files.GetCurrent());
-      PrefixFileErrors(this->Files.GetCurrent(),
-        [&]()
-        {
-          MakeFileStamp(this->Files.GetCurrent());
-          const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-          const FaultLineFile file = ReadFaultLines(*stream, monitor);
-          using Direction = SeismicHorizons::VerticalDirection;
-          const auto direction = this->VerticalDirection == Automatic
-            ? std::nullopt
-            : std::optional<Direction>(this->VerticalDirection == Up ? Direction::Up : Direction::Down);
-          ToVTK(MakeFaultLines(file, direction), output);
-        });
-      this->Files.Mark(info);
+      RequireFileName(this->Files.GetName(0));
+      std::vector<std::string> paths;
+      for (int n = 0; n < this->Files.GetSize(); ++n)
+      {
+        paths.emplace_back(this->Files.GetName(n));
+      }
+      const FaultTextOptions options = { this->Columns ? this->Columns : "", this->NullValues ? this->NullValues : "",
+        this->HeaderLines };
+      using Direction = SeismicHorizons::VerticalDirection;
+      const auto direction = this->VerticalDirection == Automatic
+        ? std::nullopt
+        : std::optional<Direction>(this->VerticalDirection == Up ? Direction::Up : Direction::Down);
+      const FaultLineData data = LoadFaultLines(paths, options, direction, monitor);
+      ToVTK(data.Lines, output);
+      this->Description = data.Description;
     },
     Ranks(), &this->ErrorCode);
 }

@@ -4,12 +4,13 @@
  * @class   vtkFaultLinesReader
  * @brief   reads fault traces, polygons and sticks from text files of other programs
  *
- * Reads GOCAD PLine (.pl), ZMAP+ points and polygons, CPS-3 lines (.flt), IRAP and RMS polygons (.pol), Charisma
- * sticks, and lines of x y z, recognised by content (Documentation/FaultLinesReader.md).
+ * Reads tables of points, as those of OpendTect, Kingdom, DUG and spreadsheets, GOCAD PLine (.pl), ZMAP+ points and
+ * polygons, CPS-3 lines (.flt), IRAP and RMS polygons (.pol), sticks of Charisma and sticks and boundaries of IESX,
+ * recognised by content (Documentation/FaultLinesReader.md).
  *
- * The output is a vtkPolyData with a polyline per line of the file, in double precision. z is that of the file, negated
- * for GOCAD objects whose z increases downwards. Cell data: FaultName (text), the name or number of the line in the
- * file, if any. Lines of a single point are left out.
+ * The output is a vtkPolyData with a polyline per line of the files, in double precision. World z is that of the file,
+ * negated if it increases downwards. Cell data, if the file has them: FaultName (text), the name of the fault, and
+ * FaultStick (text), the number of the line. Lines of a single point are left out.
  *
  * A missing or invalid file gives one error that starts with its name and has the number of the line; the output is
  * then empty, and GetErrorCode() gives its kind, as that of vtkHorizonSource.
@@ -25,6 +26,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSeismicHorizonsModule.h"
 
+#include <string>
+
 class VTKSEISMICHORIZONS_EXPORT vtkFaultLinesReader : public vtkPolyDataAlgorithm
 {
 public:
@@ -39,8 +42,8 @@ public:
 
   ///@{
   /**
-   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
-   * path in UTF-8. Default: none.
+   * The files, plain or compressed by gzip. The lines of all are read; those without a name of a fault get the name of
+   * their file if there are several. Range: paths in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
@@ -51,11 +54,36 @@ public:
    */
   vtkHorizonChoice3Macro(VerticalDirection, VerticalSense, Down, Up, Automatic);
 
+  /**
+   * What the columns of a table hold: X, Y, Z, Fault, Stick, Node, or a minus sign to skip one. Empty: found from the
+   * header or the values. See "Columns" in FaultLinesReader.md. Range: names, separated by commas, or by blanks if there
+   * is no comma. Default: empty.
+   */
+  vtkHorizonTextMacro(Columns);
+
+  /**
+   * Numbers and words that mean no z; such points are left out. Range: numbers and words, separated by blanks or
+   * commas. Default: empty.
+   */
+  vtkHorizonTextMacro(NullValues);
+
+  ///@{
+  /**
+   * The lines to skip at the beginning of the file; a recognised header may follow. 0: found automatically. Range: at
+   * least 0. Default: 0.
+   */
+  vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
+  vtkGetMacro(HeaderLines, int);
+  ///@}
+
+  /// What each file was taken for: columns, numbers of faults and lines, z and where it increases to. Valid after an
+  /// update.
+  const char* GetDescription() { return this->Description.c_str(); }
+
 protected:
   vtkFaultLinesReader();
   ~vtkFaultLinesReader() override;
 
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -64,6 +92,10 @@ private:
 
   SeismicHorizons::FileSeries Files;
   int VerticalDirection = Automatic;
+  char* Columns = nullptr;
+  char* NullValues = nullptr;
+  int HeaderLines = 0;
+  std::string Description;
 };
 
 #endif

@@ -8,6 +8,7 @@
 #include "TextLayout.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,12 @@ bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t c
 
 /// Counts the fields of the first line, and one more that is empty there if other lines have it.
 std::size_t CountFields(const TextLines& sample, FieldSeparator separator);
+
+/// The first separator that splits all lines into the same number of fields, at least three, else blanks.
+FieldSeparator FindSeparator(const TextLines& sample);
+
+/// Throws InputError if the commas may separate thousands.
+bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine);
 
 struct ColumnValues
 {

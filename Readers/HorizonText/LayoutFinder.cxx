@@ -41,62 +41,6 @@ TextLines SampleLines(const TextLines& lines, std::int64_t first)
   return sample;
 }
 
-/// The first separator that splits all lines into the same number of fields, at least three, else blanks.
-FieldSeparator FindSeparator(const TextLines& sample)
-{
-  for (const FieldSeparator separator : { FieldSeparator::Comma, FieldSeparator::Semicolon, FieldSeparator::Tab })
-  {
-    const std::size_t fields = CountFields(sample, separator);
-    if (fields >= 3 && HaveFields(sample, separator, fields))
-    {
-      return separator;
-    }
-  }
-  return FieldSeparator::Blanks;
-}
-
-bool IsWithComma(std::string_view field)
-{
-  const std::size_t comma = field.find(',');
-  return comma != std::string_view::npos && comma > 0 && field.find(',', comma + 1) == std::string_view::npos &&
-    comma + 1 < field.size() && IsDigit(field[comma - 1]) &&
-    std::all_of(field.begin() + std::ptrdiff_t(comma) + 1, field.end(), IsDigit) && IsNumber(field.substr(0, comma));
-}
-
-/// The comma in "1,522" may separate thousands.
-bool MayBeThousands(std::string_view field)
-{
-  const std::size_t comma = field.find(',');
-  return !IsWithComma(field) || (comma <= 4 && field.size() - comma == 4);
-}
-
-/// Throws InputError if the commas may separate thousands.
-bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
-{
-  for (const FieldSeparator separator : { FieldSeparator::Semicolon, FieldSeparator::Tab, FieldSeparator::Blanks })
-  {
-    constexpr std::size_t fewestFields = 3;
-    bool mayBeThousands = true;
-    if (std::all_of(sample.begin(), sample.end(),
-          [&](std::string_view line)
-          {
-            const Fields fields = SplitFields(line, separator);
-            mayBeThousands = mayBeThousands && std::all_of(fields.begin(), fields.end(), MayBeThousands);
-            return line.find('.') == std::string_view::npos && fields.size() >= fewestFields &&
-              std::any_of(fields.begin(), fields.end(), IsWithComma);
-          }))
-    {
-      if (mayBeThousands)
-      {
-        throw ErrorAt(firstLine,
-          "numbers such as 1,522 with decimal commas or thousands separators, expected decimal points: replace them");
-      }
-      return true;
-    }
-  }
-  return false;
-}
-
 [[noreturn]] void RefuseCount(const TextLayout& layout, std::size_t fields)
 {
   throw ErrorAt(layout.HeaderLines + 1,

@@ -34,7 +34,7 @@ std::string ToText(const FaultLineFile& file)
 FaultLineFile ReadFile(const std::string& text, std::size_t bufferSize = 1024)
 {
   std::istringstream stream(text);
-  return ReadFaultLines(stream, Monitor(), bufferSize);
+  return ReadFaultLines(stream, {}, Monitor(), bufferSize);
 }
 
 /// What is read does not depend on how much is read at a time.

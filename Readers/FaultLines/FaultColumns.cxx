@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaultColumns.h"
+
+#include "Common/Base/Errors.h"
+#include "Common/Survey/VerticalSense.h"
+#include "Common/Text/LineErrors.h"
+#include "Common/Text/TextFields.h"
+#include "FaultLineFormats.h"
+#include "Readers/HorizonText/FieldGuess.h"
+#include "Readers/HorizonText/PickBlock.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr std::array<const char*, 7> RoleNames = { "-", "X", "Y", "Z", "Fault", "Stick", "Node" };
+constexpr std::size_t MostSampleLines = 2000;
+
+std::string Letters(std::string_view name)
+{
+  std::string letters = ToLower(name.substr(0, name.find_first_of("([{", 1)));
+  letters.erase(
+    std::remove_if(letters.begin(), letters.end(), [](char c) { return c < 'a' || c > 'z'; }), letters.end());
+  return letters;
+}
+
+FaultRole RoleOfFaultColumn(std::string_view name)
+{
+  const std::string letters = Letters(name);
+  const auto has = [&letters](const char* word) { return letters.find(word) != std::string::npos; };
+  if (has("node") || has("knot") || has("vertex"))
+  {
+    return FaultRole::Node;
+  }
+  if (has("stick") || has("segment") || letters == "seg" || letters == "segid" || has("polyline") || letters == "part")
+  {
+    return FaultRole::Stick;
+  }
+  switch (RoleOfName(name))
+  {
+    case FieldRole::X:
+      return FaultRole::X;
+    case FieldRole::Y:
+      return FaultRole::Y;
+    case FieldRole::Z:
+      return FaultRole::Z;
+    case FieldRole::HorizonName:
+      return FaultRole::Fault;
+    default:
+      return has("fault") || letters == "flt" || has("feature") ? FaultRole::Fault : FaultRole::Ignored;
+  }
+}
+
+bool HasPlace(const std::vector<FaultRole>& roles)
+{
+  const auto has = [&roles](FaultRole role) { return std::find(roles.begin(), roles.end(), role) != roles.end(); };
+  return has(FaultRole::X) && has(FaultRole::Y) && has(FaultRole::Z);
+}
+
+/// The first column of each role keeps it.
+std::vector<FaultRole> KeepFirst(std::vector<FaultRole> roles)
+{
+  for (auto role = roles.begin(); role != roles.end(); ++role)
+  {
+    if (*role != FaultRole::Ignored && std::find(roles.begin(), role, *role) != role)
+    {
+      *role = FaultRole::Ignored;
+    }
+  }
+  return roles;
+}
+
+// ---- Values ---------------------------------------------------------------------------------------------------------
+
+/// The values of a column.
+struct Seen
+{
+  bool AreText = false; // at least one is no number
+  bool AreWhole = true;
+  bool Count = true; // from 0 or 1 to the end of the file
+  bool GrowInRuns = true; // by 1, from 0 or 1 on again and again
+  bool AreRuns = false; // equal over lines
+};
+
+Seen LookAtValues(const std::vector<Fields>& rows, std::size_t column)
+{
+  Seen seen;
+  double last = 0.0;
+  std::size_t equal = 0;
+  for (std::size_t n = 0; n < rows.size(); ++n)
+  {
+    double value = 0.0;
+    if (ReadNumber(rows[n][column], value) != NumberKind::Finite)
+    {
+      seen.AreText = true;
+      return seen;
+    }
+    const bool isStart = value == 0.0 || value == 1.0;
+    seen.AreWhole = seen.AreWhole && value == std::round(value);
+    seen.Count = seen.Count && (n == 0 ? isStart : value == last + 1.0);
+    seen.GrowInRuns = seen.GrowInRuns && (n == 0 ? isStart : value == last + 1.0 || (isStart && last > 0.0));
+    equal += n > 0 && value == last ? 1 : 0;
+    last = value;
+  }
+  seen.AreRuns = seen.AreWhole && 2 * equal >= rows.size() - 1 && rows.size() > 1;
+  return seen;
+}
+
+/// Text is the name of the fault. Numbers are an index of lines, x, y, z, and whole ones that tell lines apart, which
+/// may also stand before x, or before z.
+std::vector<FaultRole> GuessRoles(const std::vector<Fields>& rows)
+{
+  const std::size_t size = rows.front().size();
+  std::vector<FaultRole> roles(size, FaultRole::Ignored);
+  std::vector<Seen> seen;
+  std::vector<std::size_t> numbers;
+  for (std::size_t column = 0; column < size; ++column)
+  {
+    seen.push_back(LookAtValues(rows, column));
+    if (seen.back().AreText)
+    {
+      roles[column] = FaultRole::Fault;
+    }
+    else
+    {
+      numbers.push_back(column);
+    }
+  }
+  const auto tells = [&](std::size_t n) { return seen[numbers[n]].AreRuns || seen[numbers[n]].GrowInRuns; };
+  std::size_t first = numbers.size() > 3 && seen[numbers[0]].Count && rows.size() > 2 ? 1 : 0;
+  const bool tellsAtEnd = !numbers.empty() && tells(numbers.size() - 1);
+  while (first + 3 < numbers.size() && !tellsAtEnd && tells(first))
+  {
+    roles[numbers[first]] = seen[numbers[first]].AreRuns ? FaultRole::Stick : FaultRole::Node;
+    ++first;
+  }
+  if (first + 3 > numbers.size())
+  {
+    return {};
+  }
+  std::vector<std::size_t> rest(numbers.begin() + std::ptrdiff_t(first), numbers.end());
+  roles[rest[0]] = FaultRole::X;
+  roles[rest[1]] = FaultRole::Y;
+  const bool isSegmentFirst = rest.size() > 3 && seen[rest[2]].AreRuns && !seen[rest[3]].AreRuns;
+  roles[rest[isSegmentFirst ? 3 : 2]] = FaultRole::Z;
+  for (std::size_t n = isSegmentFirst ? 2 : 3; n < rest.size(); ++n)
+  {
+    FaultRole& role = roles[rest[n]];
+    if (role == FaultRole::Ignored && seen[rest[n]].AreWhole)
+    {
+      const bool hasStick = std::find(roles.begin(), roles.end(), FaultRole::Stick) != roles.end();
+      role = hasStick || (seen[rest[n]].GrowInRuns && !seen[rest[n]].AreRuns) ? FaultRole::Node : FaultRole::Stick;
+    }
+  }
+  return KeepFirst(roles);
+}
+
+// ---- Lines ----------------------------------------------------------------------------------------------------------
+
+TextLines SampleOf(const TextLines& lines, std::int64_t first)
+{
+  TextLines sample;
+  for (auto n = std::size_t(first); n < lines.size() && sample.size() < MostSampleLines; ++n)
+  {
+    if (!IsSkipped(lines[n]) && !SeparatesFaultLines(lines[n]))
+    {
+      sample.push_back(lines[n]);
+    }
+  }
+  return sample;
+}
+
+std::vector<FaultRole> ParseRoles(const std::string& list)
+{
+  const bool hasCommas = list.find(',') != std::string::npos;
+  std::vector<FaultRole> roles;
+  for (const std::string_view name : SplitFields(list, hasCommas ? FieldSeparator::Comma : FieldSeparator::Blanks))
+  {
+    roles.push_back(RoleOfFaultColumn(Trim(name)));
+  }
+  if (!HasPlace(roles) || KeepFirst(roles) != roles)
+  {
+    throw InputError("columns " + list + " of fault lines, expected X, Y and Z, and perhaps Fault, Stick and Node, each once");
+  }
+  return roles;
+}
+
+/// Names above the numbers, if these say where the points are.
+std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, std::size_t fields)
+{
+  if (header.Columns.size() != fields)
+  {
+    return std::nullopt;
+  }
+  std::vector<FaultRole> roles;
+  for (const TextColumn& column : header.Columns)
+  {
+    roles.push_back(RoleOfFaultColumn(column.Name));
+  }
+  roles = KeepFirst(roles);
+  return HasPlace(roles) ? std::make_optional(roles) : std::nullopt;
+}
+
+bool IsElevationAt(const TextLayout& header, int column)
+{
+  return column >= 0 && std::size_t(column) < header.Columns.size() && IsElevation(header.Columns[std::size_t(column)].Name);
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int FaultColumns::Find(FaultRole role) const
+{
+  const auto found = std::find(this->Roles.begin(), this->Roles.end(), role);
+  return found == this->Roles.end() ? -1 : int(found - this->Roles.begin());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string FaultColumns::Describe() const
+{
+  std::string text;
+  for (const FaultRole role : this->Roles)
+  {
+    text += (text.empty() ? "" : ", ") + std::string(RoleNames[std::size_t(role)]);
+  }
+  return text + (this->EndInName ? ", Fault and Stick" : "");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool SeparatesFaultLines(std::string_view line)
+{
+  const std::string_view text = Trim(line);
+  if (text.empty() || text.front() == '>' || StartsWith(text, "->") || IsEndMark(text))
+  {
+    return true;
+  }
+  const Fields fields = SplitFields(text, FieldSeparator::Blanks);
+  const auto isEnd = [](std::string_view field)
+  {
+    double value = 0.0;
+    return ReadNumber(field, value) == NumberKind::Finite && value == EndOfPart;
+  };
+  return fields.size() == 3 && std::all_of(fields.begin(), fields.end(), isEnd);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& options)
+{
+  const std::size_t leftOut = std::min(lines.size(), std::size_t(options.HeaderLines));
+  const TextLayout header = ReadTextHeader(TextLines(lines.begin() + std::ptrdiff_t(leftOut), lines.end()));
+  FaultColumns columns;
+  columns.Survey = header.Survey;
+  columns.HeaderLines = header.HeaderLines + options.HeaderLines;
+  const TextLines sample = SampleOf(lines, columns.HeaderLines);
+  if (sample.empty())
+  {
+    throw CutOffAt(std::max<std::int64_t>(1, std::int64_t(lines.size())), "end of file, expected fault lines");
+  }
+  if (HaveDecimalCommas(sample, columns.HeaderLines + 1))
+  {
+    std::vector<std::string> converted;
+    std::transform(lines.begin(), lines.end(), std::back_inserter(converted), WithDecimalPoints);
+    columns = FindFaultColumns(TextLines(converted.begin(), converted.end()), options);
+    columns.HasDecimalCommas = true;
+    return columns;
+  }
+  columns.Separator = FindSeparator(sample);
+  std::vector<Fields> rows;
+  for (const std::string_view line : sample)
+  {
+    rows.push_back(SplitFields(line, columns.Separator));
+  }
+  const std::size_t fields = rows.front().size();
+  const bool areEqual =
+    std::all_of(rows.begin(), rows.end(), [fields](const Fields& row) { return row.size() == fields; });
+  if (!options.Columns.empty())
+  {
+    columns.Roles = ParseRoles(options.Columns);
+  }
+  else if (const auto named = RolesOfNames(header, fields))
+  {
+    columns.Roles = *named;
+    columns.IsUpright = IsElevationAt(header, columns.Find(FaultRole::Z));
+  }
+  else if (areEqual && fields >= 3)
+  {
+    columns.Roles = GuessRoles(rows);
+  }
+  if (columns.Roles.empty())
+  {
+    columns.Roles = { FaultRole::X, FaultRole::Y, FaultRole::Z };
+    columns.EndInName = true;
+  }
+  return columns;
+}
+}
