@@ -5,6 +5,7 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
+#include "FaultWarnings.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonPoints.h"
@@ -250,7 +251,7 @@ std::vector<FaultStick> ReadFaultSticks(const Horizon& lines)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
+FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
   std::vector<Horizon>& outputs, const Monitor& monitor)
 {
   CheckOptions(options);
@@ -259,16 +260,26 @@ bool RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, Fau
   Horizon& output = outputs[HorizonPort];
   std::vector<FaultPolyline> polylines;
   bool cuts = false;
+  FaultWarnings warnings(points);
   if (options.AreSticks)
   {
     std::vector<FaultSheet> sheets = MakeFaultSheets(given, options.ExtendSticks);
     WriteFaultSheets(sheets, outputs[SurfacesPort]);
     ToLattice(sheets, points.Lattice);
-    polylines = FindTraces(ColumnHeights(points.Column, points.Height), sheets);
+    const ColumnHeights heights(points.Column, points.Height);
+    std::vector<std::size_t> traces;
+    for (const FaultSheet& sheet : sheets)
+    {
+      const std::vector<FaultPolyline> ofSheet = FindTraces(heights, { sheet });
+      traces.push_back(ofSheet.size());
+      polylines.insert(polylines.end(), ofSheet.begin(), ofSheet.end());
+    }
+    warnings.AddSticks(given, sheets, traces, options.ExtendSticks);
   }
   else if (!given.empty())
   {
     polylines = ToMap(given, points.Lattice);
+    warnings.AddLines(given, polylines);
     cuts = UsePolygons(options.Polygons, polylines, points, output);
   }
   const double indices = IndicesPerUnit(options.ThrowUnit, points.Column, points.Height, points.Lattice);
@@ -292,6 +303,14 @@ bool RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, Fau
   WriteCuts(lines, output.FieldData);
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
-  return cuts;
+  return { cuts, warnings.Texts, warnings.Cause };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string WarnOfIdleLines(std::size_t lines, const std::string& cause)
+{
+  return "none of " + std::to_string(lines) +
+    " fault polylines passes between columns of a horizon, expected lines in the coordinates of its points" +
+    (cause.empty() ? "" : ": " + cause);
 }
 }

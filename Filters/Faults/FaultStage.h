@@ -10,6 +10,8 @@
 #include "Filters/Algorithms/Faults/FaultLines.h"
 #include "Filters/Common/HeightUnit.h"
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace SeismicHorizons
@@ -34,10 +36,19 @@ struct FaultStageOptions : FaultDetectionOptions
 /// data; without FaultStick, apart from its last word, the number of the stick.
 std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
 
+struct FaultOutcome
+{
+  bool Cuts = false; // A given line cuts or blanks points.
+  std::vector<std::string> Warnings; // of lines without an effect
+  std::string Cause; // likely one, if no line cuts; empty if unknown
+};
+
 /// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and the surfaces of sticks.
-/// Returns whether a given line cuts or blanks points.
-bool RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
+FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
   std::vector<Horizon>& outputs, const Monitor& monitor);
+
+/// The warning if none of some lines cuts any horizon.
+std::string WarnOfIdleLines(std::size_t lines, const std::string& cause);
 }
 
 #endif

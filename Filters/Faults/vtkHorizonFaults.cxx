@@ -76,12 +76,11 @@ int vtkHorizonFaults::RequestData(
   this->NumberOfFaultedLinks = 0;
   this->NumberOfGivenLines = 0;
   this->DoesGivenLineCut = false;
+  this->IdleCause.clear();
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   if (this->NumberOfGivenLines > 0 && !this->DoesGivenLineCut)
   {
-    vtkWarningMacro("none of " << this->NumberOfGivenLines
-                               << " fault polylines passes between columns of a horizon, expected lines in the "
-                                  "coordinates of its points");
+    vtkWarningMacro(<< WarnOfIdleLines(std::size_t(this->NumberOfGivenLines), this->IdleCause));
   }
   return result;
 }
@@ -105,7 +104,11 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   options.Polygons = static_cast<PolygonUse>(this->Polygons);
   const std::vector<FaultStick> given = ReadGiven(lines);
   const bool isFirst = this->NumberOfGivenLines == 0;
-  const bool cuts = RunFaults(horizon, given, options, outputs, monitor);
+  const FaultOutcome outcome = RunFaults(horizon, given, options, outputs, monitor);
+  if (outcome.Cuts)
+  {
+    this->Warn(outcome.Warnings);
+  }
   if (!isFirst) // All horizons have the same fault surfaces.
   {
     Horizon& surfaces = outputs.back();
@@ -114,7 +117,8 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
     surfaces.FieldData = figures;
   }
   this->NumberOfGivenLines = vtkIdType(given.size());
-  this->DoesGivenLineCut = this->DoesGivenLineCut || cuts;
+  this->DoesGivenLineCut = this->DoesGivenLineCut || outcome.Cuts;
+  this->IdleCause = outcome.Cause;
   const ArrayTable& figures = outputs.front().FieldData;
   if (this->Detect)
   {

@@ -47,6 +47,8 @@
 #include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <string>
+
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonFaults : public vtkHorizonAlgorithm
 {
 public:
@@ -174,6 +176,7 @@ private:
   vtkIdType NumberOfFaultedLinks = 0;
   vtkIdType NumberOfGivenLines = 0; // number for the last horizon
   bool DoesGivenLineCut = false; // True if a given line cuts a link of any horizon.
+  std::string IdleCause; // why the lines of the last horizon do not cut
 };
 
 #endif

@@ -261,11 +261,8 @@ nb::tuple FindFaults(
   return Call(given, 3, false, progress,
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
     {
-      const bool cuts = RunFaults(horizon, sticks, options, outputs, monitor);
-      return cuts || sticks.empty()
-        ? Warnings()
-        : Warnings{ "none of " + std::to_string(sticks.size()) +
-            " fault polylines passes between columns of a horizon, expected lines in the coordinates of its points" };
+      const FaultOutcome outcome = RunFaults(horizon, sticks, options, outputs, monitor);
+      return outcome.Cuts || sticks.empty() ? outcome.Warnings : Warnings{ WarnOfIdleLines(sticks.size(), outcome.Cause) };
     });
 }
 

@@ -36,7 +36,7 @@ class Found:
         if not self._surveys:
             return what
         reason = next((line for line in origin["description"] if line.startswith(DIRECTION)), "")
-        return [*what, *self._lattice(), self._heights(origin["format"], settings, reason), *self._left_out()]
+        return [*what, *self._lattice(), self._heights(origin["format"], settings, reason), *self._left_out(), *settings.fault_files]
 
     def _lattice(self):
         survey = self._surveys[0]

@@ -123,10 +123,11 @@ def add_preparation_options(group):
     group.add_argument("--cut-faults", type=Height, default=NOT_GIVEN, metavar="T", help="find faults with a throw of at "
                        "least T; 0 derives T from the noise (default: none)")
     lines = group.add_mutually_exclusive_group()
-    lines.add_argument("--fault-lines", type=path, default=NOT_GIVEN, metavar="FILE", help="cut along the fault "
-                       "traces of this file, and remove points inside its fault polygons")
-    lines.add_argument("--fault-sticks", type=path, default=NOT_GIVEN, metavar="FILE", help="cut along surfaces "
-                       "through the fault sticks of this file, and write these surfaces")
+    lines.add_argument("--fault-lines", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="cut along the fault "
+                       "traces of these files, and remove points inside their fault polygons")
+    lines.add_argument("--fault-sticks", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="cut along surfaces "
+                       "through the fault sticks of these files, and write these surfaces; lines without the name of a fault "
+                       "have that of their file if there are several")
     group.add_argument("--close-faults", action="store_true", help="close the mesh at these faults with triangles, which have "
                        "1 in the array Fault")
     group.add_argument("--fill-holes", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="fill holes of at "

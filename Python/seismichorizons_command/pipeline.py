@@ -54,6 +54,7 @@ class Settings:
     despiked: Optional[dict] = None
     torn: Optional[dict] = None
     fault_lines: Optional[dict] = None
+    fault_files: tuple = ()  # what each was taken for
     filled: Optional[dict] = None
     boundary: dict = field(default_factory=dict)
     simplified: dict = field(default_factory=dict)
@@ -175,18 +176,20 @@ class Result:
 
 
 def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=None):
-    """Returns Settings.torn and Settings.fault_lines for a smallest throw to detect, and a file of traces and polygons or
-    of sticks. Raises HorizonError."""
+    """Returns Settings.torn, Settings.fault_lines and Settings.fault_files for a smallest throw to detect, and files of traces and
+    polygons or of sticks. Raises HorizonError."""
     if throw is None and traces is None and sticks is None:
-        return None, None
+        return None, None, ()
     torn = {"Detect": False} if throw is None else {"SmallestThrow": throw, "ThrowUnit": unit}
-    path = traces if sticks is None else sticks
-    if path is None:
-        return torn, None
+    files = traces if sticks is None else sticks
+    if files is None:
+        return torn, None, ()
     torn["LineType"] = "Traces" if sticks is None else "Sticks"
     direction = core.snake(vertical_direction or "")
-    with core.errors("%s: " % path):
-        return torn, core.run(_core.read_fault_lines, str(path), direction, work=file_work(path))
+    with core.errors():
+        lines, found = core.run(_core.read_fault_lines, list(map(str, files)), {}, "" if direction == "automatic" else direction,
+                                work=file_work(files[0]))
+    return torn, lines, tuple("%s: %s" % ("fault lines" if sticks is None else "fault sticks", line) for line in found.splitlines())
 
 
 def _require_same_direction(result, points, settings):

@@ -72,13 +72,13 @@ def make_settings(options):
     settings.formats = options.formats
     settings.memory = options.memory
     settings.jobs = options.jobs
-    settings.other_files = [*getattr(options, "limits", []), *given(
-        options, picks="picks", traces="fault_lines", sticks="fault_sticks").values()]
+    settings.other_files = [*getattr(options, "limits", []), *getattr(options, "fault_lines", []), *getattr(options, "fault_sticks", []),
+                            *given(options, picks="picks").values()]
     settings.reader = _reader(options)
     if hasattr(options, "despike"):
         settings.despiked = {"Threshold": options.despike, "ThresholdUnit": _unit(options.despike)}
     throw = getattr(options, "cut_faults", None)
-    settings.torn, settings.fault_lines = fault_settings(
+    settings.torn, settings.fault_lines, settings.fault_files = fault_settings(
         None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "HoleBoundaries")

@@ -10,6 +10,9 @@
 #include "FaultColumns.h"
 #include "Readers/HorizonText/PickBlock.h"
 
+#include <algorithm>
+#include <array>
+#include <set>
 #include <utility>
 
 namespace SeismicHorizons
@@ -62,6 +65,7 @@ public:
   FaultLineFile Finish() override
   {
     this->EndLine();
+    this->SplitNames();
     return std::move(this->File);
   }
 
@@ -70,6 +74,28 @@ private:
   {
     this->File.Close(this->Name.empty() ? this->Key.first : this->Name, this->Key.second);
     this->HasPlace = false;
+  }
+
+  /// Names that end in a number, and are all different, are of sticks: "A 0", "A 1".
+  void SplitNames()
+  {
+    const auto hasNumber = [](const std::string& name)
+    {
+      const std::size_t blank = name.rfind(' ');
+      return blank != std::string::npos && blank > 0 && IsNumber(std::string_view(name).substr(blank + 1));
+    };
+    std::vector<std::string>& names = this->File.Names;
+    const std::set<std::string> different(names.begin(), names.end());
+    if (this->Stick >= 0 || different.size() < names.size() || !std::all_of(names.begin(), names.end(), hasNumber))
+    {
+      return;
+    }
+    for (std::size_t line = 0; line < names.size(); ++line)
+    {
+      const std::size_t blank = names[line].rfind(' ');
+      this->File.Sticks[line] = names[line].substr(blank + 1);
+      names[line].resize(blank);
+    }
   }
 
   void TakeFields(const std::vector<std::string_view>& fields, std::int64_t line)
