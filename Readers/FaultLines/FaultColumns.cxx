@@ -98,10 +98,16 @@ Seen LookAtValues(const std::vector<Fields>& rows, std::size_t column)
   for (std::size_t n = 0; n < rows.size(); ++n)
   {
     double value = 0.0;
-    if (ReadNumber(rows[n][column], value) != NumberKind::Finite)
+    const NumberKind kind = ReadNumber(rows[n][column], value);
+    if (kind == NumberKind::NotANumber)
     {
       seen.AreText = true;
       return seen;
+    }
+    if (kind == NumberKind::NotFinite)
+    {
+      seen.AreWhole = seen.Count = seen.GrowInRuns = false; // as z of points to leave out
+      continue;
     }
     const bool isStart = value == 0.0 || value == 1.0;
     seen.AreWhole = seen.AreWhole && value == std::round(value);

@@ -69,7 +69,11 @@ private:
     {
       return MakeIesxLineParser();
     }
-    const TextLines lines = SplitLines(WithoutByteOrderMark(this->Beginning));
+    TextLines lines = SplitLines(WithoutByteOrderMark(this->Beginning));
+    if (std::all_of(lines.begin(), lines.end(), IsSkipped))
+    {
+      lines = { firstLine }; // Comments are longer than the beginning.
+    }
     return MakePlainLineParser(FindFaultColumns(lines, this->Options), NullValues(this->Options.NullValues));
   }
 
@@ -86,7 +90,7 @@ private:
   }
 
   const std::string_view Beginning;
-  const FaultTextOptions& Options;
+  const FaultTextOptions Options;
 };
 
 std::string_view FirstLine(std::string_view text)

@@ -28,6 +28,8 @@ public:
   std::vector<std::string> Names; // of the fault of each polyline; empty if unknown
   std::vector<std::string> Sticks; // the number of each polyline in its fault; empty if unknown
   std::string Columns; // of a table
+  std::size_t WithoutZ = 0; // points of a table that were left out
+  std::size_t SinglePoints = 0; // lines of one point, which were left out
   SurveyDescription Survey;
   bool IsUpright = false; // The file says that z increases upwards, or says its direction and z was converted.
 
@@ -39,6 +41,7 @@ public:
     const std::size_t start = this->Ends.empty() ? 0 : this->Ends.back();
     if (this->Places.size() - start < 2)
     {
+      this->SinglePoints += this->Places.size() - start;
       this->Places.resize(start);
       return;
     }

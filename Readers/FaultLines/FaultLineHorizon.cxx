@@ -41,6 +41,15 @@ std::string Describe(const FaultLineFile& file, bool isUp)
     file.Places.begin(), file.Places.end(), [](const SpacePoint& a, const SpacePoint& b) { return a.Z < b.Z; });
   text << file.Ends.size() << (file.Ends.size() == 1 ? " line, z " : " lines, z ") << least->Z << " to " << most->Z
        << (isUp ? " up" : " down");
+  const auto addLeftOut = [&text](std::size_t number, const char* one, const char* many)
+  {
+    if (number > 0)
+    {
+      text << ", " << number << (number == 1 ? one : many) << " left out";
+    }
+  };
+  addLeftOut(file.WithoutZ, " point without z", " points without z");
+  addLeftOut(file.SinglePoints, " line of a single point", " lines of a single point");
   return text.str();
 }
 

@@ -160,6 +160,7 @@ private:
       (ReadNumber(fields[at[2]], z) == NumberKind::Finite && this->Nulls.IsNullNumber(z));
     if (isNull)
     {
+      ++this->File.WithoutZ;
       return;
     }
     const SpacePoint place = { ReadFinite(fields[at[0]], line, "x"), ReadFinite(fields[at[1]], line, "y"),

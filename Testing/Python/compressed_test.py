@@ -73,7 +73,7 @@ def load_for_command(path, class_name):
     """The same as the command reads it."""
     if class_name == "vtkFaultLinesReader":
         with core.errors("%s: " % path):
-            return ["faults"], [core.run(_core.read_fault_lines, str(path), "")["places"].tolist()]
+            return ["faults"], [core.run(_core.read_fault_lines, [str(path)], {}, "")[0]["places"].tolist()]
     found, _ = reading.read(path)
     return [name for name, _ in found], [points["places"].tolist() for _, points in found]
 

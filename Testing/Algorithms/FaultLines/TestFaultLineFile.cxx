@@ -15,14 +15,14 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// "name: x,y,z x,y,z; name: ..."
+/// "name/stick: x,y,z x,y,z; name: ..."
 std::string ToText(const FaultLineFile& file)
 {
   std::ostringstream text;
   std::size_t start = 0;
   for (std::size_t line = 0; line < file.Ends.size(); ++line)
   {
-    text << (line > 0 ? "; " : "") << file.Names[line] << ":";
+    text << (line > 0 ? "; " : "") << file.Names[line] << (file.Sticks[line].empty() ? "" : "/") << file.Sticks[line] << ":";
     for (; start < file.Ends[line]; ++start)
     {
       text << ' ' << file.Places[start].X << ',' << file.Places[start].Y << ',' << file.Places[start].Z;
@@ -55,7 +55,7 @@ void PlainLines()
     ": 1,2,3 4,5,6; : 7,8,9 1,1,1"); // IRAP; a true z of 999 stays
   CHECK_EQUAL(Read("1 2 999.0\n4 5 6\n"), ": 1,2,999 4,5,6");
   CHECK_EQUAL(Read("x,y,z,fault\n1,2,3,A\n4,5,6,A\n7,8,9,B\n1,1,1,B\n"), "A: 1,2,3 4,5,6; B: 7,8,9 1,1,1");
-  CHECK_EQUAL(Read("1 2 3 F1 1\n4 5 6 F1 1\n7 8 9 F1 2\n1 1 1 F1 2\n"), "F1 1: 1,2,3 4,5,6; F1 2: 7,8,9 1,1,1");
+  CHECK_EQUAL(Read("1 2 3 F1 1\n4 5 6 F1 1\n7 8 9 F1 2\n1 1 1 F1 2\n"), "F1/1: 1,2,3 4,5,6; F1/2: 7,8,9 1,1,1");
   // A line of one point is left out.
   CHECK_EQUAL(Read("1 2 3\n\n4 5 6\n7 8 9\n"), ": 4,5,6 7,8,9");
 }
@@ -66,7 +66,7 @@ void NamedLines()
     "North fault: 1,2,3 4,5,6; South: 7,8,9 1,1,1");
   CHECK_EQUAL(Read("INLINE- 10 20 1 2 3 Big fault 1\nINLINE- 10 20 4 5 6 Big fault 1\n"
                    "CROSSLINE- 10 20 7 8 9 Big fault 2\nCROSSLINE- 10 20 1 1 1 Big fault 2\n"),
-    "Big fault 1: 1,2,3 4,5,6; Big fault 2: 7,8,9 1,1,1");
+    "Big fault/1: 1,2,3 4,5,6; Big fault/2: 7,8,9 1,1,1");
 }
 
 const std::string ZmapHeader = "!\n! made up\n@FREE POINT        , DATA, 80, 1\n"
@@ -83,7 +83,7 @@ void ZmapLines()
                 "   457359.  6782676.      17.5     0\n"
                 "        1.        2.        3.     1\n"
                 "        4.        5.        6.     1\n"),
-    "0: 123456,1.23457e+06,-10.5 457359,6.78268e+06,17.5; 1: 1,2,3 4,5,6");
+    "/0: 123456,1.23457e+06,-10.5 457359,6.78268e+06,17.5; /1: 1,2,3 4,5,6");
 }
 
 void PLines()
@@ -161,10 +161,10 @@ void WrongFiles()
   CHECK_THROWS_WITH(Read(""), "line 1: end of file, expected fault lines");
   CHECK_THROWS_WITH(Read("# nothing\n\n"), "line 2: end of file, expected fault lines");
   CHECK_THROWS_WITH(Read("1 2 3\n\n4 5 6\n"), "line 3: end of file, expected a fault line of two points at least");
-  CHECK_THROWS_WITH(Read("some text\nof a letter\n"), "line 2: end of file, expected a fault line of two points");
+  CHECK_THROWS_WITH(Read("some text\nof a letter\n"), "line 1: 2 fields, expected the columns X, Y, Z");
   CHECK_THROWS_WITH(Read("1 2 3\n4 five 6\n"), "line 2: \"five\", expected a finite number, y");
-  CHECK_THROWS_WITH(Read("1 2 3\n4 5 nan\n"), "line 2: \"nan\", expected a finite number, z");
-  CHECK_THROWS_WITH(Read("1 2\n"), "line 1: 2 fields, expected x, y and z");
+  CHECK_THROWS_WITH(Read("1 2 3\n4 nan 6\n"), "line 2: \"nan\", expected a finite number, y");
+  CHECK_THROWS_WITH(Read("1 2\n"), "line 1: 2 fields, expected the columns X, Y, Z");
   CHECK_THROWS_WITH(Read("INLINE- 10 20 1 2 3\n"), "line 1: 6 fields of a fault stick, expected 8");
   CHECK_THROWS_WITH(Read("@FREE POINT\nX, 1, 1\n@\n"), "line 2: \"X, 1, 1\", expected a field of ZMAP+");
   CHECK_THROWS_WITH(Read("@FREE POINT\nX , 1, 1, 1, 1, 20,,\n@\n1 2\n"),
