@@ -303,14 +303,16 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
   WriteCuts(lines, output.FieldData);
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
-  return { cuts, warnings.Texts, warnings.Cause };
+  return { cuts, warnings.Warnings, warnings.Cause };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string WarnOfIdleLines(std::size_t lines, const std::string& cause)
+std::vector<std::string> WarnOfIdleLines(std::size_t lines, const std::string& cause)
 {
-  return "none of " + std::to_string(lines) +
+  std::vector<std::string> warnings;
+  warnings.push_back("none of " + std::to_string(lines) +
     " fault polylines passes between columns of a horizon, expected lines in the coordinates of its points" +
-    (cause.empty() ? "" : ": " + cause);
+    (cause.empty() ? "" : ": " + cause));
+  return warnings;
 }
 }

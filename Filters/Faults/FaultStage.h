@@ -47,8 +47,8 @@ struct FaultOutcome
 FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
   std::vector<Horizon>& outputs, const Monitor& monitor);
 
-/// The warning if none of some lines cuts any horizon.
-std::string WarnOfIdleLines(std::size_t lines, const std::string& cause);
+/// If none of some lines cuts any horizon. The cause may be empty.
+std::vector<std::string> WarnOfIdleLines(std::size_t lines, const std::string& cause);
 }
 
 #endif

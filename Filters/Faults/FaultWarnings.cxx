@@ -121,13 +121,13 @@ void FaultWarnings::AddSticks(const std::vector<FaultStick>& sticks, const std::
   if (left > 0)
   {
     const std::string of = names.empty() ? "" : " (" + List(names) + ")";
-    this->Texts.push_back(std::to_string(left) + " of " + std::to_string(sticks.size()) + " fault sticks" + of +
+    this->Warnings.push_back(std::to_string(left) + " of " + std::to_string(sticks.size()) + " fault sticks" + of +
       " join no surface, expected two sticks of two points for each fault, beside each other");
     this->Cause = this->Cause.empty() ? "sticks that join no surface" : this->Cause;
   }
   if (!idle.empty())
   {
-    this->Texts.push_back(std::to_string(idle.size()) + " of " + std::to_string(sheets.size()) + " faults (" + List(idle) +
+    this->Warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(sheets.size()) + " faults (" + List(idle) +
       ") cut nothing: " + this->Cause);
   }
 }
@@ -148,7 +148,7 @@ void FaultWarnings::AddLines(const std::vector<FaultStick>& lines, const std::ve
   if (!names.empty())
   {
     this->Cause = "x and y beside the horizon: are they exchanged, or of another coordinate system?";
-    this->Texts.push_back(std::to_string(names.size()) + " of " + std::to_string(lines.size()) + " fault lines (" +
+    this->Warnings.push_back(std::to_string(names.size()) + " of " + std::to_string(lines.size()) + " fault lines (" +
       List(names) + ") are at least half beside the horizon");
   }
 }

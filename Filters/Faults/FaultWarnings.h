@@ -29,7 +29,7 @@ public:
   /// Names lines of which at least half is beside the horizon, on the map.
   void AddLines(const std::vector<FaultStick>& lines, const std::vector<FaultPolyline>& onMap);
 
-  std::vector<std::string> Texts;
+  std::vector<std::string> Warnings;
   /// Why nothing is cut, where nothing is; empty if unknown.
   std::string Cause;
 

@@ -80,7 +80,7 @@ int vtkHorizonFaults::RequestData(
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   if (this->NumberOfGivenLines > 0 && !this->DoesGivenLineCut)
   {
-    vtkWarningMacro(<< WarnOfIdleLines(std::size_t(this->NumberOfGivenLines), this->IdleCause));
+    this->Warn(WarnOfIdleLines(std::size_t(this->NumberOfGivenLines), this->IdleCause));
   }
   return result;
 }

@@ -62,6 +62,11 @@ class Lines:
         faults = len(set(self.names) - {""}) if self.sticks else 0
         return "Lines: %s%d, of %d points" % ("%d faults, " % faults if faults else "", len(self), sum(map(len, self.lines)))
 
+    def _names_and_sticks(self) -> list[tuple[str, str]]:
+        if self.sticks:
+            return list(zip(self.names, self.sticks))
+        return [(name[:blank], name[blank + 1:]) if blank > 0 else (name, "") for name in self.names for blank in [name.rfind(" ")]]
+
     def _data(self) -> Data:
         numbers = np.cumsum([0, *map(len, self.lines)])
         return {"places": np.ascontiguousarray(np.concatenate([np.zeros((0, 3)), *self.lines]), np.float64),
@@ -101,8 +106,9 @@ def lines_of(given: Any, fault: str = "") -> Lines:
         return read_faults(list(given))
     if given and all(isinstance(one, Lines) for one in given):
         lines = list(given)
-        return dataclasses.replace(lines[0], names=[name for one in lines for name in one.names], lines=[line for one in lines for line in one],
-                                   sticks=[stick for one in lines for stick in one.sticks])
+        faults, sticks = zip(*(pair for one in lines for pair in one._names_and_sticks()))
+        return dataclasses.replace(lines[0], names=list(faults), lines=[line for one in lines for line in one], sticks=list(sticks),
+                                   taken=tuple(text for one in lines for text in one.taken))
     arrays = [np.asarray(one, np.float64) for one in given]
     for number, array in enumerate(arrays):
         if array.ndim != 2 or array.shape[1] not in (2, 3):

@@ -277,7 +277,8 @@ FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& op
     columns.HasDecimalCommas = true;
     return columns;
   }
-  columns.Separator = FindSeparator(sample);
+  // The last line may be cut off.
+  columns.Separator = FindSeparator(sample.size() > 2 ? TextLines(sample.begin(), sample.end() - 1) : sample);
   std::vector<Fields> rows;
   for (const std::string_view line : sample)
   {

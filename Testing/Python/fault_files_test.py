@@ -1,0 +1,220 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The same fault sticks, written as programs write them, are read as the same lines, and cut a horizon at the same links. What has
+no effect is named with its cause.
+
+Argument: a folder for files.
+"""
+
+import gzip
+import io
+import pathlib
+import sys
+import unittest
+import warnings
+
+import numpy as np
+import seismichorizons as sh
+
+FOLDER = pathlib.Path(sys.argv[1]).resolve()
+ORIGIN, STEP, ANGLE = np.array([620073.56, 6070345.86]), 12.5, np.radians(23.0)
+ROWS, COLUMNS = 60, 80
+NAMES = ("North fault", "F-2", "Splay")
+
+
+def on_map(i, j):
+    return ORIGIN + STEP * np.array([i * np.cos(ANGLE) - j * np.sin(ANGLE), i * np.sin(ANGLE) + j * np.cos(ANGLE)])
+
+
+def make_sticks():
+    """(fault, number, points of x, y, z downwards) of three dipping faults across the horizon, of sticks of unequal length."""
+    random = np.random.default_rng(53)
+    sticks = []
+    for fault, at in zip(NAMES, (17.0, 38.0, 59.0)):
+        for number, j in enumerate(np.linspace(3.0, ROWS - 4.0, 7)):
+            z = np.round(np.sort(random.uniform(1400.0, 1600.0, 3 + number % 3)), 2)
+            z[0], z[-1] = 1390.25 + number, 1612.5 + number
+            points = [np.append(np.round(on_map(at + (depth - 1500.0) / 40.0, j + 0.3 * np.sin(depth)), 2), depth) for depth in z]
+            sticks.append((fault, number, points))
+    return sticks
+
+
+STICKS = make_sticks()
+FAULT_NUMBERS = {name: number + 1 for number, name in enumerate(NAMES)}
+LINE_NUMBERS = {(fault, number): n for n, (fault, number, _) in enumerate(STICKS)}
+
+
+def table(row, header="", between=""):
+    """A line for each point, of x, y, z, and what else is known of it."""
+    text, count = io.StringIO(), 0
+    text.write(header)
+    for n, (fault, stick, points) in enumerate(STICKS):
+        text.write(between if n else "")
+        for node, (x, y, z) in enumerate(points):
+            text.write(row.format(x=x, y=y, z=z, fault=fault, number=FAULT_NUMBERS[fault], stick=stick, line=LINE_NUMBERS[fault, stick],
+                                  node=node, count=count) + "\n")
+            count += 1
+    return text.getvalue()
+
+
+def plines():
+    text = ""
+    for name in NAMES:
+        text += "GOCAD PLine 1\nHEADER {\nname: %s\n}\nZPOSITIVE Depth\n" % name
+        count = 0
+        for points in (points for fault, _, points in STICKS if fault == name):
+            text += "ILINE\n" + "".join("VRTX %d %.2f %.2f %.2f\n" % (count + n + 1, *point) for n, point in enumerate(points))
+            text += "".join("SEG %d %d\n" % (count + n + 1, count + n + 2) for n in range(len(points) - 1))
+            count += len(points)
+        text += "END\n"
+    return text
+
+
+def iesx():
+    text = "#GeoFrame fault sticks\n"
+    for name in NAMES:
+        text += "PROFILE %-20sTYPE 5  1 ms\nSNAPPING PARAMETERS 5 1\n" % name
+        for stick, points in ((stick, points) for fault, stick, points in STICKS if fault == name):
+            text += "".join("%.2f %.2f %d %.2f\n" % (x, y, stick, z) for x, y, z in points)
+        text += "EOD\n"
+    return text
+
+
+def cps():
+    return "FFASCI 0 C\nFFATTR 1 2\n" + "".join("->%s %d\n" % (fault, stick) + "".join("%.2f %.2f %.2f\n" % tuple(p) for p in points)
+                                              for fault, stick, points in STICKS)
+
+
+PLAIN = "{x:.2f} {y:.2f} {z:.2f}"
+TABS = PLAIN.replace(" ", "\t")
+COMMAS = PLAIN.replace(" ", ",")
+NAMED, NUMBERED, UNNAMED = "named", "numbered", "unnamed"  # what a file says of faults
+# A file, its content, what it says of faults, and options.
+FILES = (
+    ("header.csv", table("{fault},{stick},%s" % COMMAS, "Fault name,Stick,X,Y,Z\n"), NAMED, {}),
+    ("behind.csv", table(COMMAS + ",{fault},{stick}", "X,Y,Z,Fault,Stick\n"), NAMED, {}),
+    ("northing.csv", table("{y:.2f},{x:.2f},{z:.2f},{fault},{stick}", "Northing,Easting,TWT,Fault,Stick\n"), NAMED, {}),
+    ("pandas.csv", table("{count},%s,{fault},{stick}" % COMMAS, ",X,Y,Z,fault,stick\n"), NAMED, {}),
+    ("index.csv", table("{count},%s,{fault},{stick}" % COMMAS), NAMED, {}),
+    ("loop.csv", table(COMMAS + ",{fault},{stick}", "X,Y,Z,feature_name,polyline_id\n"), NAMED, {}),
+    ("commas.csv", table("{fault};{stick};{x:.2f};{y:.2f};{z:.2f}", "Fault;Stick;X;Y;Z\n").replace(".", ","), NAMED, {}),
+    ("quoted.csv", table('"{fault}",{stick},%s' % COMMAS, '"Fault","Stick","X","Y","Z"\n'), NAMED, {}),
+    ("windows.csv", "\ufeff" + table("{fault},{stick},%s" % COMMAS, "Fault,Stick,X,Y,Z\n").replace("\n", "\r\n"), NAMED, {}),
+    ("packed.csv.gz", table("{fault},{stick},%s" % COMMAS, "Fault,Stick,X,Y,Z\n"), NAMED, {}),
+    ("kingdom.txt", table(PLAIN + " {fault} {stick}"), NAMED, {}),
+    ("columns.txt", table("{stick} {z:.2f} {fault} 7 {y:.2f} {x:.2f}").replace("North fault", "North_fault"), NAMED,
+     {"columns": "Stick Z Fault - Y X"}),
+    ("charisma.txt", table("INLINE-   10   20 " + PLAIN + " {fault} {stick}"), NAMED, {}),
+    ("iesx.dat", iesx(), NAMED, {}),
+    ("cps.flt", cps(), NAMED, {}),
+    ("gocad.pl", plines(), NAMED, {}),
+    ("faults.txt", table(PLAIN + " {number} {line} {node}", "# X Y Z Fault Stick Node\n"), NUMBERED, {}),
+    ("opendtect.txt", table(TABS + "\t{line}\t{node}"), UNNAMED, {}),
+    ("opendtect_stick.txt", table(TABS + "\t{line}"), UNNAMED, {}),
+    ("opendtect_node.txt", table(TABS + "\t{node}"), UNNAMED, {}),
+    ("geoframe.txt", table("{x:.2f} {y:.2f} {line} {z:.2f}"), UNNAMED, {}),
+    ("before.txt", table("{line} " + PLAIN), UNNAMED, {}),
+    ("rms.pol", table(PLAIN, between="999.0 999.0 999.0\n") + "999.0 999.0 999.0\n", UNNAMED, {}),
+    ("gmt.txt", table(PLAIN, "> first\n", "> next\n"), UNNAMED, {}),
+    ("dug.dufault", table(PLAIN, between="\n"), UNNAMED, {}),
+    ("upward.csv", table("{fault},{stick},{x:.2f},{y:.2f},-{z:.2f}", "Fault,Stick,X,Y,Z\n"), NAMED, {}),
+    ("nodata.csv", table("{fault},{stick},%s" % COMMAS, "Fault,Stick,X,Y,Z\nF-2,0,1,2,-999.25\n"), NAMED, {"nodata": -999.25}),
+)
+
+
+def write(name, content):
+    path = FOLDER / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(gzip.compress(content.encode()) if path.suffix == ".gz" else content.encode())
+    return path
+
+
+def horizon():
+    """Heights near 1500, with a throw of 40 at each fault."""
+    j, i = np.mgrid[0:ROWS, 0:COLUMNS]
+    throws = sum(40.0 * (i > at) for at in (17, 38, 59))
+    x = ORIGIN[0] + STEP * (i * np.cos(ANGLE) - j * np.sin(ANGLE))
+    y = ORIGIN[1] + STEP * (i * np.sin(ANGLE) + j * np.cos(ANGLE))
+    return sh.horizon(points=np.column_stack((x.ravel(), y.ravel(), (1440.0 + throws).ravel())), direction="down")
+
+
+def cut(lines, **options):
+    """The faulted links, and the warnings."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        links = sh.faults(HORIZON, lines=lines, are_sticks=True, **options).links
+    return sorted(map(tuple, np.sort(np.reshape(links, (-1, 2)), axis=1).tolist())), [str(one.message) for one in told]
+
+
+class FaultFiles(unittest.TestCase):
+    def test_formats(self):
+        expected, told = cut(sh.read_faults(write("reference.csv", FILES[0][1])))
+        self.assertGreater(len(expected), 3 * (ROWS - 12))
+        self.assertEqual(told, [])
+        for name, content, kind, options in FILES:
+            with self.subTest(name):
+                lines = sh.read_faults(write(name, content), **options)
+                self.assertEqual(len(lines), len(STICKS))
+                for line, (_, _, points) in zip(lines, STICKS):
+                    np.testing.assert_array_equal(line, np.array(points) * (1.0, 1.0, -1.0))
+                names = [fault for fault, _, _ in STICKS]
+                if name == "columns.txt":
+                    names = [fault.replace(" ", "_") for fault in names]
+                numbers = [str(FAULT_NUMBERS[fault]) for fault, _, _ in STICKS]
+                self.assertEqual(lines.names, {NAMED: names, NUMBERED: numbers, UNNAMED: [""] * len(STICKS)}[kind])
+                if kind == NAMED and name != "gocad.pl":
+                    self.assertEqual(lines.sticks, [str(stick) for _, stick, _ in STICKS])
+                self.assertIn("%d lines, z 1390.25 to 1618.5 " % len(STICKS) if name not in ("upward.csv", "gocad.pl") else "z -1618.5 to -1390.25 up", lines.taken[0])
+                self.assertEqual("1 point without z left out" in lines.taken[0], name == "nodata.csv")
+                self.assertEqual(cut(lines), (expected, []))
+
+    def test_several_files(self):
+        """Each is a fault of the name of its file; lines of the command, of Python and of both in one list are the same."""
+        expected, _ = cut(sh.read_faults(write("reference.csv", FILES[0][1])))
+        paths = []
+        for name in NAMES:
+            own = "\n".join("".join("%.2f %.2f %.2f\n" % tuple(point) for point in points) for fault, _, points in STICKS if fault == name)
+            paths.append(write("several/%s.dat" % name, own))
+        lines = sh.read_faults(paths)
+        self.assertEqual(lines.names, [fault for fault, _, _ in STICKS])
+        self.assertEqual([text.split(":")[0] for text in lines.taken], list(NAMES))
+        for given in (lines, paths, [sh.read_faults(paths[:1]), sh.read_faults(paths[1:])]):
+            with self.subTest(type(given).__name__):
+                self.assertEqual(cut(given)[0], expected)
+
+    def test_no_effect(self):
+        """Sticks alone, faults that cut nothing and lines beside the horizon are named with the likely cause."""
+        alone = "Lonely,0,%.2f,%.2f,1400\nLonely,0,%.2f,%.2f,1600\n" % (*on_map(30, 30), *on_map(31, 30))
+        shallow = "".join("Shallow,%d,%.2f,%.2f,%d\n" % (n, *on_map(50, 20 + 9 * n), z) for n in range(3) for z in (100, 200))
+        far = "".join("Far,%d,%.2f,%.2f,%d\n" % (n, *on_map(5000, 20 + 9 * n), z) for n in range(3) for z in (1400, 1600))
+        for added, words in ((alone, ("1 of 22 fault sticks (Lonely) join no surface",)),
+                             (shallow, ("1 of 4 faults (Shallow) cut nothing", "of another unit or direction")),
+                             (far, ("1 of 4 faults (Far) cut nothing", "of another coordinate system"))):
+            with self.subTest(words[0]):
+                _, told = cut(sh.read_faults(write("added.csv", FILES[0][1] + added)))
+                self.assertEqual(len(told), 1)
+                for word in words:
+                    self.assertIn(word, told[0])
+        exchanged = table("{fault},{stick},{y:.2f},{x:.2f},{z:.2f}", "Fault,Stick,X,Y,Z\n")
+        links, told = cut(sh.read_faults(write("exchanged.csv", exchanged)))
+        self.assertEqual(links, [])
+        self.assertRegex(told[0], "none of 21 fault polylines .*: x and y beside the horizon: are they exchanged")
+
+    def test_refused(self):
+        """What is missing is an error that says where, and which columns were expected."""
+        whole = table("{fault},{stick},%s" % COMMAS, "Fault,Stick,X,Y,Z\n")
+        for content, options, words in ((whole + "Cut off,1,620", {}, "line %d: 3 fields, expected the columns Fault, Stick, X, Y, Z" % (whole.count("\n") + 1)),
+                                        (whole + "A,1,x,2,3\n", {}, 'line %d: "x", expected a finite number, x' % (whole.count("\n") + 1)),
+                                        (whole, {"columns": "X Y"}, "expected X, Y and Z"),
+                                        (whole, {"columns": "X X Y Z Stick"}, "each once"),
+                                        (iesx()[:-4], {}, "expected EOD"),
+                                        ("", {}, "expected fault lines")):
+            with self.subTest(words):
+                with self.assertRaises(ValueError) as caught:
+                    sh.read_faults(write("refused.csv", content), **options)
+                self.assertIn(words, str(caught.exception))
+
+
+FOLDER.mkdir(parents=True, exist_ok=True)
+HORIZON = horizon()
+unittest.main(argv=sys.argv[:1], verbosity=0)
