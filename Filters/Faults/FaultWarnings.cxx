@@ -127,8 +127,8 @@ void FaultWarnings::AddSticks(const std::vector<FaultStick>& sticks, const std::
   }
   if (!idle.empty())
   {
-    this->Warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(sheets.size()) + " faults (" + List(idle) +
-      ") cut nothing: " + this->Cause);
+    this->Warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(sheets.size()) + " faults (" +
+      List(idle) + ") cut nothing: " + this->Cause);
   }
 }
 
@@ -138,8 +138,8 @@ void FaultWarnings::AddLines(const std::vector<FaultStick>& lines, const std::ve
   std::vector<std::string> names;
   for (std::size_t n = 0; n < onMap.size(); ++n)
   {
-    const auto beside = std::count_if(onMap[n].begin(), onMap[n].end(),
-      [this](const MapPlace& place) { return this->IsBeside(place.X, place.Y); });
+    const auto beside = std::count_if(
+      onMap[n].begin(), onMap[n].end(), [this](const MapPlace& place) { return this->IsBeside(place.X, place.Y); });
     if (2 * std::size_t(beside) >= onMap[n].size() && !onMap[n].empty())
     {
       names.push_back(NameOr(lines[n].Fault, "line ", n));

@@ -308,8 +308,8 @@ public:
         frame.Sampling.Indices = indices;
         for (const int place : places)
         {
-          horizons.push_back({ names[std::size_t(place)],
-            MakeHorizonPoints(std::move(matrix.Horizons[std::size_t(place)]), frame) });
+          horizons.push_back(
+            { names[std::size_t(place)], MakeHorizonPoints(std::move(matrix.Horizons[std::size_t(place)]), frame) });
         }
       });
     return GiveNamed(horizons);
@@ -349,8 +349,8 @@ nb::tuple ReadLines(const std::vector<std::string>& paths, const nb::dict& chose
   Take(chosen, "columns", options.Columns);
   Take(chosen, "nulls", options.NullValues);
   Take(chosen, "header_lines", options.HeaderLines);
-  const FaultLineData data = Run(
-    progress, [&](const Monitor& monitor) { return LoadFaultLines(paths, options, framing.Direction, monitor); });
+  const FaultLineData data =
+    Run(progress, [&](const Monitor& monitor) { return LoadFaultLines(paths, options, framing.Direction, monitor); });
   return nb::make_tuple(GiveData(data.Lines), data.Description);
 }
 

@@ -194,7 +194,8 @@ std::vector<FaultRole> ParseRoles(const std::string& list)
   }
   if (!HasPlace(roles) || KeepFirst(roles) != roles)
   {
-    throw InputError("columns " + list + " of fault lines, expected X, Y and Z, and perhaps Fault, Stick and Node, each once");
+    throw InputError(
+      "columns " + list + " of fault lines, expected X, Y and Z, and perhaps Fault, Stick and Node, each once");
   }
   return roles;
 }
@@ -217,7 +218,8 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, std
 
 bool IsElevationAt(const TextLayout& header, int column)
 {
-  return column >= 0 && std::size_t(column) < header.Columns.size() && IsElevation(header.Columns[std::size_t(column)].Name);
+  return column >= 0 && std::size_t(column) < header.Columns.size() &&
+    IsElevation(header.Columns[std::size_t(column)].Name);
 }
 }
 

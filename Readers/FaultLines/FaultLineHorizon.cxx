@@ -71,8 +71,8 @@ void Append(const FaultLineFile& file, bool isUp, FaultLineFile& all)
   {
     all.Places.push_back({ place.X, place.Y, isUp ? place.Z : -place.Z });
   }
-  std::transform(file.Ends.begin(), file.Ends.end(), std::back_inserter(all.Ends),
-    [first](std::size_t end) { return first + end; });
+  std::transform(
+    file.Ends.begin(), file.Ends.end(), std::back_inserter(all.Ends), [first](std::size_t end) { return first + end; });
   all.Names.insert(all.Names.end(), file.Names.begin(), file.Names.end());
   all.Sticks.insert(all.Sticks.end(), file.Sticks.begin(), file.Sticks.end());
 }
@@ -127,11 +127,10 @@ FaultLineData LoadFaultLines(const std::vector<std::string>& paths, const FaultT
       [&]()
       {
         MakeFileStamp(path); // Refuses folders and devices.
-        return ReadFaultLines(
-          *OpenInputFile(path), options, monitor.Step(double(n) / double(paths.size()), double(n + 1) / double(paths.size())));
+        return ReadFaultLines(*OpenInputFile(path), options,
+          monitor.Step(double(n) / double(paths.size()), double(n + 1) / double(paths.size())));
       });
-    const bool isUp =
-      file.IsUpright || (direction ? *direction == VerticalDirection::Up : AreNegative(file.Places));
+    const bool isUp = file.IsUpright || (direction ? *direction == VerticalDirection::Up : AreNegative(file.Places));
     data.Description += (n > 0 ? "\n" : "") + (areSeveral ? StemOf(path) + ": " : std::string()) + Describe(file, isUp);
     if (areSeveral)
     {

@@ -68,7 +68,8 @@ private:
     {
       std::string_view stick = line.Text.substr(32, 6);
       stick = Trim(stick).find(' ') == std::string_view::npos ? stick : stick.substr(0, 3);
-      fields = { Trim(line.Text.substr(0, 16)), Trim(line.Text.substr(16, 16)), Trim(stick), Trim(line.Text.substr(38, 9)) };
+      fields = { Trim(line.Text.substr(0, 16)), Trim(line.Text.substr(16, 16)), Trim(stick),
+        Trim(line.Text.substr(38, 9)) };
     }
     else if (fields.size() < 4)
     {

@@ -106,7 +106,8 @@ private:
       return;
     }
     const std::size_t needed = std::max({ this->Place[0], this->Place[1], this->Place[2] }) + 1;
-    if (fields.size() < std::max(needed, this->Columns.EndInName ? 0 : std::size_t(std::max(this->Fault, this->Stick) + 1)))
+    if (fields.size() <
+      std::max(needed, this->Columns.EndInName ? 0 : std::size_t(std::max(this->Fault, this->Stick) + 1)))
     {
       throw ErrorAt(line, std::to_string(fields.size()) + " fields, expected the columns " + this->Columns.Describe());
     }
@@ -120,8 +121,8 @@ private:
       this->EndLine();
     }
     this->LastNode = node;
-    this->TakePlace(fields, this->Place, this->Columns.EndInName ? NameOf(fields, needed) : Keys(field(this->Fault), field(this->Stick)),
-      line);
+    this->TakePlace(fields, this->Place,
+      this->Columns.EndInName ? NameOf(fields, needed) : Keys(field(this->Fault), field(this->Stick)), line);
   }
 
   /// The fields are: INLINE- inline crossline x y z name stick. Names may contain blanks.

@@ -22,7 +22,8 @@ std::string ToText(const FaultLineFile& file)
   std::size_t start = 0;
   for (std::size_t line = 0; line < file.Ends.size(); ++line)
   {
-    text << (line > 0 ? "; " : "") << file.Names[line] << (file.Sticks[line].empty() ? "" : "/") << file.Sticks[line] << ":";
+    text << (line > 0 ? "; " : "") << file.Names[line] << (file.Sticks[line].empty() ? "" : "/") << file.Sticks[line]
+         << ":";
     for (; start < file.Ends[line]; ++start)
     {
       text << ' ' << file.Places[start].X << ',' << file.Places[start].Y << ',' << file.Places[start].Z;
