@@ -4,6 +4,8 @@
 #include "FaultWarnings.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <locale>
 #include <map>
@@ -54,6 +56,34 @@ bool FaultWarnings::IsBeside(double x, double y) const
 {
   return !(x >= double(this->Least.X) - 1.0 && x <= double(this->Most.X) + 1.0 && y >= double(this->Least.Y) - 1.0 &&
     y <= double(this->Most.Y) + 1.0);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double FaultWarnings::PartInside(const FaultPolyline& line) const
+{
+  double all = 0.0;
+  double inside = 0.0;
+  for (std::size_t n = 1; n < line.size(); ++n)
+  {
+    const std::array<double, 2> start = { line[n - 1].X, line[n - 1].Y };
+    const std::array<double, 2> step = { line[n].X - line[n - 1].X, line[n].Y - line[n - 1].Y };
+    const std::array<double, 2> least = { double(this->Least.X) - 1.0, double(this->Least.Y) - 1.0 };
+    const std::array<double, 2> most = { double(this->Most.X) + 1.0, double(this->Most.Y) + 1.0 };
+    double enters = 0.0; // parts of the way
+    double leaves = 1.0;
+    for (std::size_t axis = 0; axis < start.size(); ++axis)
+    {
+      const double a = (least[axis] - start[axis]) / step[axis];
+      const double b = (most[axis] - start[axis]) / step[axis];
+      const bool isIn = start[axis] >= least[axis] && start[axis] <= most[axis];
+      enters = step[axis] == 0.0 ? (isIn ? enters : 1.0) : std::max(enters, std::min(a, b));
+      leaves = step[axis] == 0.0 ? leaves : std::min(leaves, std::max(a, b));
+    }
+    const double length = std::hypot(step[0], step[1]);
+    all += length;
+    inside += length * std::max(0.0, leaves - enters);
+  }
+  return all > 0.0 ? inside / all : this->IsBeside(line[0].X, line[0].Y) ? 0.0 : 1.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -138,9 +168,7 @@ void FaultWarnings::AddLines(const std::vector<FaultStick>& lines, const std::ve
   std::vector<std::string> names;
   for (std::size_t n = 0; n < onMap.size(); ++n)
   {
-    const auto beside = std::count_if(
-      onMap[n].begin(), onMap[n].end(), [this](const MapPlace& place) { return this->IsBeside(place.X, place.Y); });
-    if (2 * std::size_t(beside) >= onMap[n].size() && !onMap[n].empty())
+    if (!onMap[n].empty() && this->PartInside(onMap[n]) <= 0.5)
     {
       names.push_back(NameOr(lines[n].Fault, "line ", n));
     }

@@ -35,6 +35,8 @@ public:
 
 private:
   bool IsBeside(double x, double y) const;
+  /// Of the length of a line, seen from above.
+  double PartInside(const FaultPolyline& line) const;
   std::string CauseOf(const FaultSheet& sheet) const;
 
   const LatticePoints& Points;

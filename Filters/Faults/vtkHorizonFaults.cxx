@@ -24,6 +24,19 @@ namespace
 {
 constexpr int GivenPort = 1;
 
+/// The warnings that have the same beginning in another list; their causes may differ.
+std::vector<std::string> KeepCommon(std::vector<std::string> warnings, const std::vector<std::string>& others)
+{
+  const auto isAlone = [&others](const std::string& warning)
+  {
+    return std::none_of(others.begin(), others.end(),
+      [&warning](const std::string& other)
+      { return other.substr(0, other.find(": ")) == warning.substr(0, warning.find(": ")); });
+  };
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(), isAlone), warnings.end());
+  return warnings;
+}
+
 std::vector<FaultStick> SticksOf(vtkDataObject* object)
 {
   auto* const data = vtkPolyData::SafeDownCast(object);
@@ -77,10 +90,15 @@ int vtkHorizonFaults::RequestData(
   this->NumberOfGivenLines = 0;
   this->DoesGivenLineCut = false;
   this->IdleCause.clear();
+  this->IdleWarnings.clear();
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   if (this->NumberOfGivenLines > 0 && !this->DoesGivenLineCut)
   {
     this->Warn(WarnOfIdleLines(std::size_t(this->NumberOfGivenLines), this->IdleCause));
+  }
+  else
+  {
+    this->Warn(this->IdleWarnings);
   }
   return result;
 }
@@ -105,10 +123,7 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   const std::vector<FaultStick> given = ReadGiven(lines);
   const bool isFirst = this->NumberOfGivenLines == 0;
   const FaultOutcome outcome = RunFaults(horizon, given, options, outputs, monitor);
-  if (outcome.Cuts)
-  {
-    this->Warn(outcome.Warnings);
-  }
+  this->IdleWarnings = isFirst ? outcome.Warnings : KeepCommon(this->IdleWarnings, outcome.Warnings);
   if (!isFirst) // All horizons have the same fault surfaces.
   {
     Horizon& surfaces = outputs.back();

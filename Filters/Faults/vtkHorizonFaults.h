@@ -48,6 +48,7 @@
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
 #include <string>
+#include <vector>
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonFaults : public vtkHorizonAlgorithm
 {
@@ -177,6 +178,7 @@ private:
   vtkIdType NumberOfGivenLines = 0; // number for the last horizon
   bool DoesGivenLineCut = false; // True if a given line cuts a link of any horizon.
   std::string IdleCause; // why the lines of the last horizon do not cut
+  std::vector<std::string> IdleWarnings; // of lines without an effect on each horizon so far
 };
 
 #endif

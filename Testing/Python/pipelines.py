@@ -8,7 +8,7 @@ FIELD_ARRAYS = ("LatticeDimensions", "LatticeToWorld", "VerticalDirection", "Dro
 STAGES = ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
           "HorizonTriangulation")
 CHOSEN = ["Horizon 1", "Horizon 3"]
-FAULT = "1455.0 1922.5 0\n-3090.0 20102.5 0\n999.0 999.0 999.0\n"  # between columns 20 and 21 of all_stages
+FAULT = "1455.0 1922.5 0\n1205.0 2922.5 0\n999.0 999.0 999.0\n"  # between columns 20 and 21 of all_stages
 
 
 def with_classes(path):

@@ -7,6 +7,7 @@
 #include "SEGYCube/SEGYSample.h"
 #include "Tools/Check.h"
 
+#include "vtkCellData.h"
 #include "vtkFaultLinesReader.h"
 #include "vtkGOCADTSurfReader.h"
 #include "vtkHorizonGridReader.h"
@@ -16,8 +17,10 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSEGYCubeReader.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkVerneySparseMatrixReader.h"
 
 #include <algorithm>
@@ -226,11 +229,25 @@ std::string Surface(const std::string& z)
     "\nTRGL 1 2 3\nEND\n";
 }
 
+/// Fault lines of all files are read at once.
+void JoinsFaultFiles()
+{
+  vtkNew<vtkFaultLinesReader> reader;
+  reader->AddFileName(Write("1.txt", "0 0 1\n1 0 1\n").c_str());
+  reader->AddFileName(Write("2.txt", "0 0 2 A\n1 0 2 A\n").c_str());
+  reader->Update();
+  CHECK(TimesOf(reader).empty());
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfLines(), 2);
+  auto* const names = vtkStringArray::SafeDownCast(reader->GetOutput()->GetCellData()->GetAbstractArray("FaultName"));
+  CHECK(names && names->GetValue(0) == "1" && names->GetValue(1) == "A");
+  CHECK_EQUAL(std::string(reader->GetDescription()),
+    "1: X, Y, Z: 1 line, z 1 to 1 down\n2: X, Y, Z, Fault: 1 fault, 1 line, z 2 to 2 down");
+}
+
 void OtherReadersTakeSeries()
 {
   TakesSeries<vtkHorizonGridReader>(Write("1.irap", Grid("1")), Write("2.irap", Grid("2")));
   TakesSeries<vtkGOCADTSurfReader>(Write("1.ts", Surface("-1")), Write("2.ts", Surface("-2")));
-  TakesSeries<vtkFaultLinesReader>(Write("1.txt", "0 0 1 A\n1 0 1 A\n"), Write("2.txt", "0 0 2 A\n1 0 2 A\n"));
   TakesSeries<vtkVerneySparseMatrixReader>(Write("1.vsm", "1 1 4\n1 7 1 1 0\n"), Write("2.vsm", "1 1 4\n2 7 1 1 0\n"));
 }
 }
@@ -245,6 +262,7 @@ int TestFileSeries(int argc, char* argv[])
   ExtentsFollowTime();
   VolumesFollowTime();
   OtherReadersTakeSeries();
+  JoinsFaultFiles();
   std::filesystem::remove_all(Folder);
   return Check::Result();
 }
