@@ -37,6 +37,7 @@ FileStamp MakeFileStamp(const std::string& name)
 //----------------------------------------------------------------------------------------------------------------------
 std::unique_ptr<std::istream> OpenInputFile(const std::string& name)
 {
+  MakeFileStamp(name); // Refuses folders and devices.
   auto stream = std::make_unique<std::ifstream>(std::filesystem::u8path(name), std::ios::binary);
   if (!*stream)
   {

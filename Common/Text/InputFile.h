@@ -30,7 +30,7 @@ struct FileStamp
 /// Throws InputError unless the file is regular.
 FileStamp MakeFileStamp(const std::string& name);
 
-/// Decodes gzip (GzipStream.h). Throws InputError on failure.
+/// Decodes gzip (GzipStream.h). Throws InputError on failure, and unless the file is regular.
 std::unique_ptr<std::istream> OpenInputFile(const std::string& name);
 
 /// Returns "a" for "b/a.vsm" and "b/a.vsm.gz".
@@ -55,9 +55,7 @@ bool IsRecognised(const char* name, Recognise&& recognise)
 {
   try
   {
-    const std::string text = name ? name : "";
-    MakeFileStamp(text); // Refuses folders and devices.
-    return recognise(*OpenInputFile(text));
+    return recognise(*OpenInputFile(name ? name : ""));
   }
   catch (const std::exception&)
   {

@@ -7,7 +7,6 @@
 #include "Data.h"
 
 #include "Common/Survey/Units.h"
-#include "Common/Text/InputFile.h"
 #include "Readers/SEGYCube/SEGYImage.h"
 #include "Sources/Reflections/ReflectionStage.h"
 
@@ -79,7 +78,6 @@ public:
     Run(progress,
       [&](const Monitor& monitor)
       {
-        MakeFileStamp(path); // Refuses folders and devices.
         this->Cube = ReadSEGYCube(path, options, monitor);
         this->Extent = FindExtent(this->Cube, ranges);
       });
@@ -104,8 +102,8 @@ public:
         SurveyDescription description = this->Cube.Survey;
         OverrideSurvey(description, survey[0].c_str(), survey[1].c_str(), survey[2].c_str(), survey[3].c_str());
         // The lattice has the places; the image is not drawn.
-        view = MakeCubeView(this->Cube, description, direction == "up" ? VerticalDirection::Up : VerticalDirection::Down,
-          std::numeric_limits<double>::infinity());
+        view = MakeCubeView(this->Cube, description,
+          direction == "up" ? VerticalDirection::Up : VerticalDirection::Down, std::numeric_limits<double>::infinity());
         read = ReadCubeImage(this->Cube, view, this->Extent, monitor);
       });
     std::vector<std::string> warnings;

@@ -174,12 +174,6 @@ nb::tuple PlacePoints(const nb::dict& arrays, const nb::dict& attributes, const 
 
 // ---- Files ----------------------------------------------------------------------------------------------------------
 
-std::unique_ptr<std::istream> Open(const std::string& path)
-{
-  MakeFileStamp(path); // Refuses folders and devices.
-  return OpenInputFile(path);
-}
-
 nb::tuple ReadGrid(const std::string& path, const std::string& nulls, double verticalStep, const std::string& direction,
   const std::array<std::string, 4>& survey, const nb::object& progress)
 {
@@ -190,7 +184,7 @@ nb::tuple ReadGrid(const std::string& path, const std::string& nulls, double ver
     [&](const Monitor& monitor)
     {
       const NullValues numbers(nulls);
-      HorizonGrid grid = ReadHorizonGrid(*Open(path), monitor);
+      HorizonGrid grid = ReadHorizonGrid(*OpenInputFile(path), monitor);
       name = grid.Name;
       format = grid.Format;
       return PlaceGrid(std::move(grid), numbers);
@@ -208,7 +202,7 @@ nb::tuple ReadText(const std::string& path, const std::string& columns, const st
   SurveyHorizons placed = Run(progress,
     [&](const Monitor& monitor)
     {
-      const auto stream = Open(path);
+      const auto stream = OpenInputFile(path);
       const TextLayout layout = ReadTextLayout(*stream, { columns, nulls, headerLines });
       format = layout.Describe();
       PickTable picks = ReadPicks(*stream, layout, monitor.Step(0.0, 0.6));
@@ -328,9 +322,9 @@ nb::tuple ReadTSurfs(const std::string& path, const nb::object& progress)
   Run(progress,
     [&](const Monitor& monitor)
     {
-      const std::vector<std::string> names = NamesOf(ListTSurfs(*Open(path), monitor.Step(0.0, 0.3)));
+      const std::vector<std::string> names = NamesOf(ListTSurfs(*OpenInputFile(path), monitor.Step(0.0, 0.3)));
       std::vector<TSurf> surfaces = LoadTSurfs(
-        *Open(path), [](std::size_t) { return true; }, monitor.Step(0.3, 1.0));
+        *OpenInputFile(path), [](std::size_t) { return true; }, monitor.Step(0.3, 1.0));
       sense = DescribeSense(surfaces);
       for (std::size_t n = 0; n < surfaces.size(); ++n)
       {

@@ -242,30 +242,35 @@ std::string FaultColumns::Describe() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool IsEndOfPart(std::string_view line)
+{
+  FieldCursor cursor(line, FieldSeparator::Blanks);
+  std::string_view field;
+  int fields = 0;
+  for (double value = 0.0; cursor.Next(field); ++fields)
+  {
+    if (ReadNumber(field, value) != NumberKind::Finite || value != EndOfPart)
+    {
+      return false;
+    }
+  }
+  return fields == 3;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 bool SeparatesFaultLines(std::string_view line)
 {
   const std::string_view text = Trim(line);
-  if (text.empty() || text.front() == '>' || StartsWith(text, "->") || IsEndMark(text))
-  {
-    return true;
-  }
-  const Fields fields = SplitFields(text, FieldSeparator::Blanks);
-  const auto isEnd = [](std::string_view field)
-  {
-    double value = 0.0;
-    return ReadNumber(field, value) == NumberKind::Finite && value == EndOfPart;
-  };
-  return fields.size() == 3 && std::all_of(fields.begin(), fields.end(), isEnd);
+  return text.empty() || text.front() == '>' || StartsWith(text, "->") || IsEndMark(text) || IsEndOfPart(text);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& options)
 {
-  const std::size_t leftOut = std::min(lines.size(), std::size_t(options.HeaderLines));
-  const TextLayout header = ReadTextHeader(TextLines(lines.begin() + std::ptrdiff_t(leftOut), lines.end()));
+  const TextLayout header = ReadTextHeader(lines, options.HeaderLines);
   FaultColumns columns;
   columns.Survey = header.Survey;
-  columns.HeaderLines = header.HeaderLines + options.HeaderLines;
+  columns.HeaderLines = header.HeaderLines;
   const TextLines sample = SampleOf(lines, columns.HeaderLines);
   if (sample.empty())
   {

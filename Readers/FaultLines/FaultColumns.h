@@ -53,6 +53,9 @@ struct FaultColumns
 /// missing, or a list of columns does not fit.
 FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& options);
 
+/// The mark of IRAP: three times 999.
+bool IsEndOfPart(std::string_view line);
+
 /// True for lines between fault lines: empty ones, ends of parts of IRAP, "->name" and ">".
 bool SeparatesFaultLines(std::string_view line);
 }

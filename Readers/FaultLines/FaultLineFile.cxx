@@ -77,18 +77,6 @@ private:
     return MakePlainLineParser(FindFaultColumns(lines, this->Options), NullValues(this->Options.NullValues));
   }
 
-  static TextLines SplitLines(std::string_view text)
-  {
-    TextLines lines;
-    while (!text.empty())
-    {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      lines.push_back(text.substr(0, end));
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-  }
-
   const std::string_view Beginning;
   const FaultTextOptions Options;
 };
@@ -100,21 +88,6 @@ std::string_view FirstLine(std::string_view text)
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   }
   return text.substr(0, text.find('\n'));
-}
-
-bool IsEndOfPart(std::string_view line)
-{
-  FieldCursor cursor(line, FieldSeparator::Blanks);
-  std::string_view field;
-  int fields = 0;
-  for (double value = 0.0; cursor.Next(field); ++fields)
-  {
-    if (ReadNumber(field, value) != NumberKind::Finite || value != EndOfPart)
-    {
-      return false;
-    }
-  }
-  return fields == 3;
 }
 
 /// Looks for marks that only files of fault lines have; lines of x y z alone may be picks.

@@ -126,7 +126,6 @@ FaultLineData LoadFaultLines(const std::vector<std::string>& paths, const FaultT
     FaultLineFile file = PrefixFileErrors(path.c_str(),
       [&]()
       {
-        MakeFileStamp(path); // Refuses folders and devices.
         return ReadFaultLines(*OpenInputFile(path), options,
           monitor.Step(double(n) / double(paths.size()), double(n + 1) / double(paths.size())));
       });

@@ -322,18 +322,6 @@ std::string ReadBeginning(std::istream& stream)
   text.resize(text.rfind('\n') + 1);
   return text;
 }
-
-TextLines SplitLines(std::string_view text)
-{
-  TextLines lines;
-  while (!text.empty())
-  {
-    const std::size_t end = text.find('\n');
-    lines.push_back(text.substr(0, end));
-    text.remove_prefix(end + 1);
-  }
-  return lines;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -245,9 +245,7 @@ void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions&
 //----------------------------------------------------------------------------------------------------------------------
 TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
 {
-  const std::size_t leftOut = std::min(lines.size(), std::size_t(options.HeaderLines));
-  TextLayout layout = ReadTextHeader(TextLines(lines.begin() + std::ptrdiff_t(leftOut), lines.end()));
-  layout.HeaderLines += options.HeaderLines;
+  TextLayout layout = ReadTextHeader(lines, options.HeaderLines);
   layout.AreNullsUsual = options.NullValues == DefaultNulls;
   if (!layout.AreNullsUsual || (layout.Kind != TextKind::OpendTect && layout.Nulls.IsEmpty()))
   {

@@ -264,8 +264,25 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-TextLayout ReadTextHeader(const TextLines& lines)
+TextLines SplitLines(std::string_view text)
 {
-  return HeaderReader(lines).Read();
+  TextLines lines;
+  while (!text.empty())
+  {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TextLayout ReadTextHeader(const TextLines& lines, int skippedLines)
+{
+  const std::size_t skipped = std::min(lines.size(), std::size_t(skippedLines));
+  const TextLines rest(lines.begin() + std::ptrdiff_t(skipped), lines.end());
+  TextLayout layout = HeaderReader(rest).Read();
+  layout.HeaderLines += skippedLines;
+  return layout;
 }
 }

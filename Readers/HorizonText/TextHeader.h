@@ -16,8 +16,12 @@ namespace SeismicHorizons
 {
 using TextLines = std::vector<std::string_view>;
 
-/// Columns is empty without names. HeaderLines is the index of the first line after the header.
-TextLayout ReadTextHeader(const TextLines& lines);
+/// The last line may lack its end.
+TextLines SplitLines(std::string_view text);
+
+/// Columns is empty without names. HeaderLines is the index of the first line after the header, which begins after the
+/// lines to skip.
+TextLayout ReadTextHeader(const TextLines& lines, int skippedLines);
 
 // ---- Line of names -----------------------------------------------------------------------------------------------
 /// Finds the names of fields among titles, units and dashes above the picks. Adds to the layout where picks begin, which header lines may be repeated, and the unit of z.
