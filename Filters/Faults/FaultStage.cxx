@@ -5,7 +5,6 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
-#include "FaultWarnings.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonPoints.h"
@@ -259,14 +258,23 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
   WriteDeviation(points, outputs);
   Horizon& output = outputs[HorizonPort];
   std::vector<FaultPolyline> polylines;
-  bool cuts = false;
-  FaultWarnings warnings(points);
+  FaultOutcome outcome;
+  if (!options.AreSticks && !given.empty())
+  {
+    polylines = ToMap(given, points.Lattice);
+    outcome.Idle = FindIdleLines(given, polylines, points);
+    outcome.Cuts = UsePolygons(options.Polygons, polylines, points, output);
+  }
+  const double indices = IndicesPerUnit(options.ThrowUnit, points.Column, points.Height, points.Lattice);
+  options.Noise *= indices;
+  options.SmallestThrow = options.SmallestThrow > 0.0 ? options.SmallestThrow * indices
+                                                      : ThrowAboveNoise(points.Column, points.Height, options.Noise);
+  const ColumnHeights heights(points.Column, points.Height);
   if (options.AreSticks)
   {
     std::vector<FaultSheet> sheets = MakeFaultSheets(given, options.ExtendSticks);
     WriteFaultSheets(sheets, outputs[SurfacesPort]);
     ToLattice(sheets, points.Lattice);
-    const ColumnHeights heights(points.Column, points.Height);
     std::vector<std::size_t> traces;
     for (const FaultSheet& sheet : sheets)
     {
@@ -274,22 +282,11 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
       traces.push_back(ofSheet.size());
       polylines.insert(polylines.end(), ofSheet.begin(), ofSheet.end());
     }
-    warnings.AddSticks(given, sheets, traces, options.ExtendSticks);
+    outcome.Idle = FindIdleSticks(given, sheets, traces, options.ExtendSticks, points);
   }
-  else if (!given.empty())
-  {
-    polylines = ToMap(given, points.Lattice);
-    warnings.AddLines(given, polylines);
-    cuts = UsePolygons(options.Polygons, polylines, points, output);
-  }
-  const double indices = IndicesPerUnit(options.ThrowUnit, points.Column, points.Height, points.Lattice);
-  options.Noise *= indices;
-  options.SmallestThrow = options.SmallestThrow > 0.0 ? options.SmallestThrow * indices
-                                                      : ThrowAboveNoise(points.Column, points.Height, options.Noise);
-  const ColumnHeights heights(points.Column, points.Height);
   monitor.Progress(0.2);
   FaultLines lines = CutAlong(heights, polylines);
-  cuts = cuts || lines.Size() > 0;
+  outcome.Cuts = outcome.Cuts || lines.Size() > 0;
   const ArrayTable figures = output.FieldData;
   output = points.Horizon;
   output.FieldData = figures;
@@ -303,7 +300,7 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
   WriteCuts(lines, output.FieldData);
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
-  return { cuts, warnings.Warnings, warnings.Cause };
+  return outcome;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Horizon.h"
+#include "FaultWarnings.h"
 #include "Filters/Algorithms/Faults/FaultDetection.h"
 #include "Filters/Algorithms/Faults/FaultLines.h"
 #include "Filters/Common/HeightUnit.h"
@@ -39,8 +40,7 @@ std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
 struct FaultOutcome
 {
   bool Cuts = false; // A given line cuts or blanks points.
-  std::vector<std::string> Warnings; // of lines without an effect
-  std::string Cause; // likely one, if no line cuts; empty if unknown
+  IdleLines Idle;
 };
 
 /// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and the surfaces of sticks.

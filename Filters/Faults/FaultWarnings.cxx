@@ -3,6 +3,8 @@
 
 #include "FaultWarnings.h"
 
+#include "Common/Horizon/PlaneGeometry.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +18,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::size_t MostNamed = 5;
+constexpr const char* BesideCause = "x and y beside the horizon: are they exchanged, or of another coordinate system?";
 
 /// "F1, F2 and 3 more"; lines without a name are numbered.
 std::string List(const std::vector<std::string>& names)
@@ -32,43 +35,25 @@ std::string NameOr(const std::string& name, const char* otherwise, std::size_t n
 {
   return name.empty() ? otherwise + std::to_string(number + 1) : name;
 }
+
+/// Up to a column beyond the horizon is not beside.
+bool IsBeside(const PlaneBox& box, double x, double y)
+{
+  return !(x >= double(box.Least.X) - 1.0 && x <= double(box.Greatest.X) + 1.0 && y >= double(box.Least.Y) - 1.0 &&
+    y <= double(box.Greatest.Y) + 1.0);
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-FaultWarnings::FaultWarnings(const LatticePoints& points)
-  : Points(points)
-  , Least(points.Column[0])
-  , Most(points.Column[0])
+/// Of the length of a line, seen from above.
+double PartInside(const PlaneBox& box, const FaultPolyline& line)
 {
-  for (std::size_t n = 0; n < points.Column.size(); ++n)
-  {
-    const PlanePoint column = points.Column[n];
-    this->Least = { std::min(this->Least.X, column.X), std::min(this->Least.Y, column.Y) };
-    this->Most = { std::max(this->Most.X, column.X), std::max(this->Most.Y, column.Y) };
-  }
-  const auto [lowest, highest] = std::minmax_element(points.Height.begin(), points.Height.end());
-  this->Lowest = *lowest;
-  this->Highest = *highest;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool FaultWarnings::IsBeside(double x, double y) const
-{
-  return !(x >= double(this->Least.X) - 1.0 && x <= double(this->Most.X) + 1.0 && y >= double(this->Least.Y) - 1.0 &&
-    y <= double(this->Most.Y) + 1.0);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double FaultWarnings::PartInside(const FaultPolyline& line) const
-{
+  const std::array<double, 2> least = { double(box.Least.X) - 1.0, double(box.Least.Y) - 1.0 };
+  const std::array<double, 2> most = { double(box.Greatest.X) + 1.0, double(box.Greatest.Y) + 1.0 };
   double all = 0.0;
   double inside = 0.0;
   for (std::size_t n = 1; n < line.size(); ++n)
   {
     const std::array<double, 2> start = { line[n - 1].X, line[n - 1].Y };
     const std::array<double, 2> step = { line[n].X - line[n - 1].X, line[n].Y - line[n - 1].Y };
-    const std::array<double, 2> least = { double(this->Least.X) - 1.0, double(this->Least.Y) - 1.0 };
-    const std::array<double, 2> most = { double(this->Most.X) + 1.0, double(this->Most.Y) + 1.0 };
     double enters = 0.0; // parts of the way
     double leaves = 1.0;
     for (std::size_t axis = 0; axis < start.size(); ++axis)
@@ -83,12 +68,13 @@ double FaultWarnings::PartInside(const FaultPolyline& line) const
     all += length;
     inside += length * std::max(0.0, leaves - enters);
   }
-  return all > 0.0 ? inside / all : this->IsBeside(line[0].X, line[0].Y) ? 0.0 : 1.0;
+  return all > 0.0 ? inside / all : IsBeside(box, line[0].X, line[0].Y) ? 0.0 : 1.0;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-std::string FaultWarnings::CauseOf(const FaultSheet& sheet) const
+/// Why a sheet cuts nothing.
+std::string CauseOf(const FaultSheet& sheet, const LatticePoints& points)
 {
+  const PlaneBox box(points.Column);
   bool isBeside = true;
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -96,33 +82,36 @@ std::string FaultWarnings::CauseOf(const FaultSheet& sheet) const
   {
     if (place)
     {
-      isBeside = isBeside && this->IsBeside(place->X, place->Y);
+      isBeside = isBeside && IsBeside(box, place->X, place->Y);
       least = std::min(least, place->Z);
       most = std::max(most, place->Z);
     }
   }
   if (isBeside)
   {
-    return "x and y beside the horizon: are they exchanged, or of another coordinate system?";
+    return BesideCause;
   }
-  if (most < this->Lowest || least > this->Highest)
+  const auto [lowest, highest] = std::minmax_element(points.Height.begin(), points.Height.end());
+  if (most < *lowest || least > *highest)
   {
-    const Lattice& lattice = this->Points.Lattice;
+    const Lattice& lattice = points.Lattice;
     const double step = (lattice.ToWorld(Eigen::Vector3d::UnitZ()) - lattice.ToWorld(Eigen::Vector3d::Zero())).norm();
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text.precision(4);
-    text << "z " << step * (most < this->Lowest ? this->Lowest - most : least - this->Highest)
+    text << "z " << step * (most < *lowest ? *lowest - most : least - *highest)
          << " away from that of the horizon: is it of another unit or direction?";
     return text.str();
   }
   return "sticks that end before the horizon";
 }
+}
 
 //----------------------------------------------------------------------------------------------------------------------
-void FaultWarnings::AddSticks(const std::vector<FaultStick>& sticks, const std::vector<FaultSheet>& sheets,
-  const std::vector<std::size_t>& traces, bool areExtended)
+IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vector<FaultSheet>& sheets,
+  const std::vector<std::size_t>& traces, bool areExtended, const LatticePoints& points)
 {
+  IdleLines found;
   std::map<std::string, std::int64_t> alone; // numbers of sticks in no sheet
   for (const FaultStick& stick : sticks)
   {
@@ -135,7 +124,7 @@ void FaultWarnings::AddSticks(const std::vector<FaultStick>& sticks, const std::
     if (traces[n] == 0)
     {
       idle.push_back(NameOr(sheets[n].Fault, "fault ", n));
-      this->Cause = this->Cause.empty() ? this->CauseOf(sheets[n]) : this->Cause;
+      found.Cause = found.Cause.empty() ? CauseOf(sheets[n], points) : found.Cause;
     }
   }
   std::int64_t left = 0;
@@ -151,33 +140,38 @@ void FaultWarnings::AddSticks(const std::vector<FaultStick>& sticks, const std::
   if (left > 0)
   {
     const std::string of = names.empty() ? "" : " (" + List(names) + ")";
-    this->Warnings.push_back(std::to_string(left) + " of " + std::to_string(sticks.size()) + " fault sticks" + of +
+    found.Warnings.push_back(std::to_string(left) + " of " + std::to_string(sticks.size()) + " fault sticks" + of +
       " join no surface, expected two sticks of two points for each fault, beside each other");
-    this->Cause = this->Cause.empty() ? "sticks that join no surface" : this->Cause;
+    found.Cause = found.Cause.empty() ? "sticks that join no surface" : found.Cause;
   }
   if (!idle.empty())
   {
-    this->Warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(sheets.size()) + " faults (" +
-      List(idle) + ") cut nothing: " + this->Cause);
+    found.Warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(sheets.size()) + " faults (" +
+      List(idle) + ") cut nothing: " + found.Cause);
   }
+  return found;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FaultWarnings::AddLines(const std::vector<FaultStick>& lines, const std::vector<FaultPolyline>& onMap)
+IdleLines FindIdleLines(
+  const std::vector<FaultStick>& lines, const std::vector<FaultPolyline>& onMap, const LatticePoints& points)
 {
+  IdleLines found;
+  const PlaneBox box(points.Column);
   std::vector<std::string> names;
   for (std::size_t n = 0; n < onMap.size(); ++n)
   {
-    if (!onMap[n].empty() && this->PartInside(onMap[n]) <= 0.5)
+    if (!onMap[n].empty() && PartInside(box, onMap[n]) <= 0.5)
     {
       names.push_back(NameOr(lines[n].Fault, "line ", n));
     }
   }
   if (!names.empty())
   {
-    this->Cause = "x and y beside the horizon: are they exchanged, or of another coordinate system?";
-    this->Warnings.push_back(std::to_string(names.size()) + " of " + std::to_string(lines.size()) + " fault lines (" +
+    found.Cause = BesideCause;
+    found.Warnings.push_back(std::to_string(names.size()) + " of " + std::to_string(lines.size()) + " fault lines (" +
       List(names) + ") are at least half beside the horizon");
   }
+  return found;
 }
 }

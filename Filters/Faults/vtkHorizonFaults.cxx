@@ -123,7 +123,7 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   const std::vector<FaultStick> given = ReadGiven(lines);
   const bool isFirst = this->NumberOfGivenLines == 0;
   const FaultOutcome outcome = RunFaults(horizon, given, options, outputs, monitor);
-  this->IdleWarnings = isFirst ? outcome.Warnings : KeepCommon(this->IdleWarnings, outcome.Warnings);
+  this->IdleWarnings = isFirst ? outcome.Idle.Warnings : KeepCommon(this->IdleWarnings, outcome.Idle.Warnings);
   if (!isFirst) // All horizons have the same fault surfaces.
   {
     Horizon& surfaces = outputs.back();
@@ -133,7 +133,7 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   }
   this->NumberOfGivenLines = vtkIdType(given.size());
   this->DoesGivenLineCut = this->DoesGivenLineCut || outcome.Cuts;
-  this->IdleCause = outcome.Cause;
+  this->IdleCause = outcome.Idle.Cause;
   const ArrayTable& figures = outputs.front().FieldData;
   if (this->Detect)
   {

@@ -262,7 +262,8 @@ nb::tuple FindFaults(
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
     {
       const FaultOutcome outcome = RunFaults(horizon, sticks, options, outputs, monitor);
-      return outcome.Cuts || sticks.empty() ? outcome.Warnings : WarnOfIdleLines(sticks.size(), outcome.Cause);
+      return outcome.Cuts || sticks.empty() ? outcome.Idle.Warnings
+                                            : WarnOfIdleLines(sticks.size(), outcome.Idle.Cause);
     });
 }
 
