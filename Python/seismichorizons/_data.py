@@ -76,15 +76,17 @@ def text(fields: Data, name: str) -> str:
     return fields[name][0] if name in fields else ""
 
 
+# Field data of units and the coordinate system.
+SURVEY = ("VerticalUnit", "VerticalDomain", "HorizontalUnit", "CoordinateSystem")
+
+
 def survey(fields: Data) -> dict[str, str]:
     """Units and coordinate system, as keywords of horizons and meshes."""
-    return {"vertical_unit": text(fields, "VerticalUnit"), "vertical_domain": text(fields, "VerticalDomain"),
-            "horizontal_unit": text(fields, "HorizontalUnit"), "coordinate_system": text(fields, "CoordinateSystem")}
+    return {snake(name): text(fields, name) for name in SURVEY}
 
 
 def give_survey(of: Any) -> Data:
-    texts = {"VerticalUnit": of.vertical_unit, "VerticalDomain": of.vertical_domain, "HorizontalUnit": of.horizontal_unit,
-             "CoordinateSystem": of.coordinate_system}
+    texts = {name: getattr(of, snake(name)) for name in SURVEY}
     return {"VerticalDirection": np.array([1 if of.direction == "up" else -1], np.int32),
             **{name: [value] for name, value in texts.items() if value}}
 

@@ -325,13 +325,21 @@ def require_vtk() -> None:
 
 def fill_vtk(data: Any, points: Floats, offsets: NDArray[Any], corners: NDArray[Any]) -> Any:
     """Gives a vtkPointSet its points; returns a vtkCellArray."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkCellArray
 
-    places, cells = vtkPoints(), vtkCellArray()
+    places = vtkPoints()
     places.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
     data.SetPoints(places)
+    return vtk_cells(offsets, corners)
+
+
+def vtk_cells(offsets: NDArray[Any], corners: NDArray[Any]) -> Any:
+    """A vtkCellArray."""
+    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+    cells = vtkCellArray()
     cells.SetData(numpy_to_vtkIdTypeArray(offsets.astype(np.int64), deep=True), numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=True))
     return cells
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._data import Data, Progress, give_lines, in_keywords, loops, nulls_of, require_file, survey
+from ._data import SURVEY, Data, Progress, give_lines, in_keywords, loops, nulls_of, require_file, snake, survey
 from ._horizon import Floats, Horizon
 
 
@@ -49,7 +49,7 @@ class Lines:
         """Lines from data of the core, of a horizon or with a survey of their own."""
         lines = [data["places"][line] for line in loops(data["lines"], False)]
         own = survey(data["field_data"]) if horizon is None else {
-            name: getattr(horizon, name) for name in ("vertical_unit", "vertical_domain", "horizontal_unit", "coordinate_system")}
+            name: getattr(horizon, name) for name in map(snake, SURVEY)}
         return Lines(names, lines, **own, **more)
 
     def __len__(self) -> int:

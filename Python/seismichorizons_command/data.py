@@ -4,6 +4,7 @@
 and polygons are offsets and points; arrays are `point_data`, `cell_data` (of lines, then polygons) and `field_data`."""
 
 import numpy as np
+from seismichorizons._data import loops
 
 
 def empty():
@@ -26,8 +27,7 @@ def count_polygons(data):
 
 def lines(data):
     """Returns the points of each line."""
-    offsets, points = data["lines"]
-    return np.split(points, offsets[1:-1].astype(int)) if count_lines(data) else []
+    return loops(data["lines"], is_closed=False) if "lines" in data else []
 
 
 def bounds(data):
@@ -65,7 +65,7 @@ def vertical_direction(data):
 
 def to_vtk(data):
     """Returns a vtkPolyData; needs VTK."""
-    from seismichorizons._horizon import add_arrays, fill_vtk
+    from seismichorizons._horizon import add_arrays, fill_vtk, vtk_cells
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
     made = vtkPolyData()
@@ -75,7 +75,7 @@ def to_vtk(data):
         made.SetVerts(vertices)
     for set_cells, name, number in ((made.SetLines, "lines", count_lines(data)), (made.SetPolys, "polygons", count_polygons(data))):
         if number:
-            set_cells(cells_of(*data[name]))
+            set_cells(vtk_cells(*data[name]))
     add_arrays(made.GetPointData(), {name: array for name, array in data["point_data"].items() if not isinstance(array, list)})
     if not made.GetNumberOfVerts():
         add_arrays(made.GetCellData(), {name: array for name, array in data["cell_data"].items() if not isinstance(array, list)})
@@ -97,13 +97,3 @@ def from_vtk(given):
     places = vtk_to_numpy(given.GetPoints().GetData()) if given.GetNumberOfPoints() else np.zeros((0, 3))
     return {"places": places, "has_vertices": given.GetNumberOfVerts() > 0, "lines": cells(given.GetLines()), "polygons": cells(given.GetPolys()),
             "point_data": arrays(given.GetPointData()), "cell_data": arrays(given.GetCellData()), "field_data": arrays(given.GetFieldData())}
-
-
-def cells_of(offsets, points):
-    """Returns a vtkCellArray."""
-    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
-    from vtkmodules.vtkCommonDataModel import vtkCellArray
-
-    cells = vtkCellArray()
-    cells.SetData(numpy_to_vtkIdTypeArray(offsets.astype(np.int64), deep=True), numpy_to_vtkIdTypeArray(points.astype(np.int64), deep=True))
-    return cells

@@ -12,6 +12,7 @@ import time
 
 import numpy as np
 from seismichorizons import _core
+from seismichorizons._data import SURVEY
 
 from . import core, cubes, geotiff, tsurf
 from .core import HorizonError, snake
@@ -20,7 +21,7 @@ from .progress import file_work
 SPARSE = "sparse voxels"
 KINDS = {"sparse": SPARSE, "grid": "grid", "cube": "seismic cube", "geotiff": "GeoTIFF", "tsurf": "triangles of GOCAD", "text": "text"}
 # Properties by the formats that have them.
-FRAMING = ("VerticalStep", "VerticalDirection", "VerticalUnit", "VerticalDomain", "HorizontalUnit", "CoordinateSystem")
+FRAMING = ("VerticalStep", "VerticalDirection", *SURVEY)
 CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
 PLACEMENT = ("DuplicatePolicy", "StrayPicks", "LatticeTolerance", "LatticeSource", "Origin", "ColumnStep", "RowStep", *CORNERS,
              "Gridding", "GriddingRadius", "GriddingSmoothing")
@@ -187,7 +188,7 @@ def _duplicates(properties):
 
 
 def _survey(properties):
-    return tuple(properties.get(name) or "" for name in ("VerticalUnit", "VerticalDomain", "HorizontalUnit", "CoordinateSystem"))
+    return tuple(properties.get(name) or "" for name in SURVEY)
 
 
 def _framing(properties):

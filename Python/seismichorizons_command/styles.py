@@ -5,6 +5,7 @@
 import math
 
 import numpy as np
+from seismichorizons._horizon import vtk_cells
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -77,7 +78,7 @@ def _part(horizon, verts=None, lines=None, polys=None):
     part.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(horizon["places"]), deep=True))
     for set_cells, cells in ((part.SetVerts, verts), (part.SetLines, lines), (part.SetPolys, polys)):
         if cells is not None:
-            set_cells(data.cells_of(*cells))
+            set_cells(vtk_cells(*cells))
     return part
 
 

@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 from seismichorizons import _core
+from seismichorizons._data import SURVEY
 
 from . import core, data, heights, overlay, triangles
 from .core import HorizonError
@@ -48,7 +49,7 @@ def sample_file(path, horizons, left_out, properties):
     first = next(iter(found.values()))
     own = {"Origin": (first["x"][0], first["y"][0]), "ColumnStep": steps[:, 0], "RowStep": steps[:, 1],
            "VerticalDirection": "Up" if sign > 0.0 else "Down"}
-    texts = {name: data.text(meshes[0][1], name) for name in ("VerticalUnit", "VerticalDomain", "HorizontalUnit", "CoordinateSystem")}
+    texts = {name: data.text(meshes[0][1], name) for name in SURVEY}
     own.update({name: text for name, text in texts.items() if text and name not in properties})
     return found, {name: mesh for name, mesh in meshes if name in found}, sense, own
 
