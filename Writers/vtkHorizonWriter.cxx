@@ -71,6 +71,15 @@ std::vector<NamedHorizon> vtkHorizonWriter::ToPlain(const std::vector<WrittenHor
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonWriter::WriteFiles(
+  const std::string& path, const std::vector<WrittenHorizon>& horizons, const Monitor& monitor, std::string& subject)
+{
+  const auto print = [this](const std::vector<WrittenHorizon>& some, std::ostream& stream, const Monitor& step)
+  { this->PrintHorizons(some, stream, step); };
+  WriteHorizonFiles(path, horizons, this->WritesFileForEach(), print, monitor, subject);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void vtkHorizonWriter::WriteData()
 {
   const std::string file = this->FileName ? this->FileName : "";
@@ -114,9 +123,7 @@ void vtkHorizonWriter::WriteData()
       {
         PrefixErrors(horizon.Name, [&]() { CheckArraySizes(horizon.Data); });
       }
-      const auto print = [this](const std::vector<WrittenHorizon>& some, std::ostream& stream, const Monitor& step)
-      { this->PrintHorizons(some, stream, step); };
-      WriteHorizonFiles(file, horizons, this->WritesFileForEach(), print, monitor, subject);
+      this->WriteFiles(file, horizons, monitor, subject);
     }
   };
   RunRequest(

@@ -75,10 +75,13 @@ protected:
   /// characters.
   virtual bool WritesFileForEach() const { return false; }
 
-  /// There is at least one horizon, and all have points. Throws SeismicHorizons::InputError if the format cannot hold
-  /// them.
-  virtual void PrintHorizons(
-    const std::vector<WrittenHorizon>& horizons, std::ostream& stream, const SeismicHorizons::Monitor& monitor) = 0;
+  /// All horizons have points. Throws SeismicHorizons::InputError if the format cannot hold them.
+  virtual void PrintHorizons(const std::vector<WrittenHorizon>&, std::ostream&, const SeismicHorizons::Monitor&) {}
+
+  /// By default calls PrintHorizons with all horizons or, if WritesFileForEach, with each. `subject` becomes the file at
+  /// work.
+  virtual void WriteFiles(const std::string& path, const std::vector<WrittenHorizon>& horizons,
+    const SeismicHorizons::Monitor& monitor, std::string& subject);
 
   static std::vector<SeismicHorizons::NamedHorizon> ToPlain(const std::vector<WrittenHorizon>& horizons);
 

@@ -119,6 +119,7 @@ constexpr const char* NumberOfSpurPoints = "NumberOfSpurPoints";
 constexpr const char* FaultedLinks = "FaultedLinks";
 constexpr const char* FaultThrow = "FaultThrow";
 constexpr const char* FaultLine = "FaultLine";
+constexpr const char* FaultNames = "FaultNames";
 constexpr const char* OldFaultedLinks = "CutLinks"; // Files of version 0.2 have these names.
 constexpr const char* OldFaultThrow = "CutThrow";
 constexpr const char* OldFaultLine = "CutLine";

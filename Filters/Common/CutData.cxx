@@ -50,7 +50,7 @@ const DataArray* FindFaultedLinks(const ArrayTable& data)
 void RemoveFaultedLinks(ArrayTable& data)
 {
   for (const char* const name : { FieldArray::FaultedLinks, FieldArray::FaultThrow, FieldArray::FaultLine,
-         FieldArray::OldFaultedLinks, FieldArray::OldFaultThrow, FieldArray::OldFaultLine })
+         FieldArray::FaultNames, FieldArray::OldFaultedLinks, FieldArray::OldFaultThrow, FieldArray::OldFaultLine })
   {
     data.Remove(name);
   }
@@ -96,6 +96,17 @@ std::shared_ptr<const LinkCuts> ShareCuts(const Horizon& horizon, const PlaneBox
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> NamesOf(const FaultLines& lines)
+{
+  std::vector<std::string> names;
+  for (std::size_t line = 0; line < lines.Size(); ++line)
+  {
+    names.push_back(lines.Fault(line).empty() ? "fault " + std::to_string(line + 1) : lines.Fault(line));
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void WriteCuts(const FaultLines& lines, ArrayTable& data)
 {
   RemoveFaultedLinks(data);
@@ -111,5 +122,6 @@ void WriteCuts(const FaultLines& lines, ArrayTable& data)
   AddArray<double>(
     data, FieldArray::FaultThrow, sorted, [&lines](const LinkOfLine& item) { return lines[item.Link].Throw; });
   AddArray<int>(data, FieldArray::FaultLine, sorted, [](const LinkOfLine& item) { return int(item.Line); });
+  data.Add({ FieldArray::FaultNames, NamesOf(lines) });
 }
 }

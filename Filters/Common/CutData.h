@@ -29,7 +29,10 @@ std::optional<LinkCuts> FindCuts(const Horizon& horizon, const PlaneBox& columns
 
 std::shared_ptr<const LinkCuts> ShareCuts(const Horizon& horizon, const PlaneBox& columns);
 
-/// Replaces FaultedLinks, FaultThrow and FaultLine. A link on several lines belongs to the first.
+/// The names of faults by line, or "fault 1" and so on if unknown.
+std::vector<std::string> NamesOf(const FaultLines& lines);
+
+/// Replaces FaultedLinks, FaultThrow, FaultLine and FaultNames. A link on several lines belongs to the first.
 void WriteCuts(const FaultLines& lines, ArrayTable& data);
 }
 

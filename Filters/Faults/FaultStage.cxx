@@ -14,6 +14,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -26,6 +27,7 @@ namespace
 constexpr std::size_t HorizonPort = 0;
 constexpr std::size_t LinesPort = 1;
 constexpr std::size_t SurfacesPort = 2;
+constexpr std::size_t CutoffsPort = 3;
 
 // ---- Given lines ----------------------------------------------------------------------------------------------------
 
@@ -106,14 +108,20 @@ void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& lattice)
 
 // ---- Output ---------------------------------------------------------------------------------------------------------
 
+std::string NameOf(const std::vector<FaultSheet>& sheets, std::size_t n)
+{
+  return sheets[n].Fault.empty() ? "sticks " + std::to_string(n + 1) : sheets[n].Fault;
+}
+
 void WriteFaultSheets(const std::vector<FaultSheet>& sheets, Horizon& output)
 {
   HeapArray<double> places;
   HeapArray<std::int64_t> corners;
   HeapArray<std::int64_t> offsets = { 0 };
   std::vector<std::string> names;
-  for (const FaultSheet& sheet : sheets)
+  for (std::size_t n = 0; n < sheets.size(); ++n)
   {
+    const FaultSheet& sheet = sheets[n];
     std::vector<std::int64_t> ids(sheet.Places.size(), -1);
     for (const std::array<std::size_t, 3>& triangle : sheet.ListTriangles())
     {
@@ -128,7 +136,7 @@ void WriteFaultSheets(const std::vector<FaultSheet>& sheets, Horizon& output)
         corners.push_back(ids[place]);
       }
       offsets.push_back(std::int64_t(corners.size()));
-      names.push_back(sheet.Fault);
+      names.push_back(NameOf(sheets, n));
     }
   }
   output.Places = DataArray::Take(places, 3);
@@ -209,6 +217,57 @@ void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double hei
   AddArray<double>(output.PointData, PointArray::Throw, throws);
   output.PointData.SetActiveScalars(PointArray::Throw);
   AddArray<int>(output.CellData, CellArray::FaultLine, numbers);
+  output.CellData.Add({ CellArray::FaultName, NamesOf(lines) });
+}
+
+/// The columns on the left and the right of each line, with a point; a line of a side needs two. The left is the higher
+/// side on average.
+void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const Lattice& lattice, Horizon& output)
+{
+  HeapArray<double> places;
+  HeapArray<std::int64_t> points;
+  HeapArray<std::int64_t> offsets = { 0 };
+  std::vector<int> numbers;
+  std::vector<std::string> names;
+  std::vector<std::string> sides;
+  const LinkGrid& grid = heights.Grid();
+  for (std::size_t line = 0; line < lines.Size(); ++line)
+  {
+    for (const bool isLeft : { true, false })
+    {
+      std::vector<PlanePoint> columns;
+      for (std::size_t n = lines.Start(line); n < lines.End(line); ++n)
+      {
+        const LatticeLink& link = lines[n].Place;
+        const bool isBeyond = IsLeftBeyond(link.Side, lines[n].IsForward) == isLeft;
+        const PlanePoint column = isBeyond ? link.Beyond() : link.Column;
+        if (!std::isnan(heights[grid.ColumnOf(column)]) && (columns.empty() || columns.back() != column))
+        {
+          columns.push_back(column);
+        }
+      }
+      if (columns.size() < 2)
+      {
+        continue;
+      }
+      for (const PlanePoint& column : columns)
+      {
+        const Eigen::Vector3d place =
+          lattice.ToWorld(Eigen::Vector3d(column.X, column.Y, heights[grid.ColumnOf(column)]));
+        places.append(place.data(), place.data() + 3);
+        points.push_back(std::int64_t(points.size()));
+      }
+      offsets.push_back(std::int64_t(points.size()));
+      numbers.push_back(int(line));
+      names.push_back(NamesOf(lines)[line]);
+      sides.emplace_back(isLeft ? "upthrown" : "downthrown");
+    }
+  }
+  output.Places = DataArray::Take(places, 3);
+  output.Lines = { DataArray::Take(offsets), DataArray::Take(points) };
+  AddArray<int>(output.CellData, CellArray::FaultLine, numbers);
+  output.CellData.Add({ CellArray::FaultName, std::move(names) });
+  output.CellData.Add({ CellArray::FaultStick, std::move(sides) });
 }
 
 /// Returns true if points were blanked.
@@ -216,7 +275,10 @@ bool UsePolygons(PolygonUse use, std::vector<FaultPolyline>& polylines, LatticeP
 {
   if (use == PolygonUse::Leave)
   {
-    polylines.erase(std::remove_if(polylines.begin(), polylines.end(), IsClosed), polylines.end());
+    for (FaultPolyline& polyline : polylines)
+    {
+      polyline = IsClosed(polyline) ? FaultPolyline() : polyline;
+    }
   }
   if (use != PolygonUse::Blank)
   {
@@ -258,10 +320,13 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
   WriteDeviation(points, outputs);
   Horizon& output = outputs[HorizonPort];
   std::vector<FaultPolyline> polylines;
+  std::vector<std::string> faults; // of each polyline
   FaultOutcome outcome;
   if (!options.AreSticks && !given.empty())
   {
     polylines = ToMap(given, points.Lattice);
+    std::transform(
+      given.begin(), given.end(), std::back_inserter(faults), [](const FaultStick& line) { return line.Fault; });
     outcome.Idle = FindIdleLines(given, polylines, points);
     outcome.Cuts = UsePolygons(options.Polygons, polylines, points, output);
   }
@@ -276,16 +341,17 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
     WriteFaultSheets(sheets, outputs[SurfacesPort]);
     ToLattice(sheets, points.Lattice);
     std::vector<std::size_t> traces;
-    for (const FaultSheet& sheet : sheets)
+    for (std::size_t n = 0; n < sheets.size(); ++n)
     {
-      const std::vector<FaultPolyline> ofSheet = FindTraces(heights, { sheet });
+      const std::vector<FaultPolyline> ofSheet = FindTraces(heights, { sheets[n] });
       traces.push_back(ofSheet.size());
       polylines.insert(polylines.end(), ofSheet.begin(), ofSheet.end());
+      faults.resize(polylines.size(), NameOf(sheets, n));
     }
     outcome.Idle = FindIdleSticks(given, sheets, traces, options.ExtendSticks, points);
   }
   monitor.Progress(0.2);
-  FaultLines lines = CutAlong(heights, polylines);
+  FaultLines lines = CutAlong(heights, polylines, faults);
   outcome.Cuts = outcome.Cuts || lines.Size() > 0;
   const ArrayTable figures = output.FieldData;
   output = points.Horizon;
@@ -300,6 +366,7 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
   WriteCuts(lines, output.FieldData);
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
+  WriteCutoffs(lines, heights, points.Lattice, outputs[CutoffsPort]);
   return outcome;
 }
 

@@ -123,7 +123,7 @@ IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vecto
     alone[sheets[n].Fault] -= std::int64_t(sheets[n].Sticks) - (areExtended ? 2 : 0);
     if (traces[n] == 0)
     {
-      idle.push_back(NameOr(sheets[n].Fault, "fault ", n));
+      idle.push_back(NameOr(sheets[n].Fault, "sticks ", n));
       found.Cause = found.Cause.empty() ? CauseOf(sheets[n], points) : found.Cause;
     }
   }

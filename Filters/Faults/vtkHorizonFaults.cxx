@@ -48,7 +48,7 @@ std::vector<FaultStick> SticksOf(vtkDataObject* object)
   return ReadFaultSticks(FromVTK(data));
 }
 
-/// Sticks in different datasets belong to different faults. Throws InputError on other datasets than polygonal ones.
+/// Sticks without a name in different datasets belong to different faults. Throws InputError on other datasets than polygonal ones.
 std::vector<FaultStick> ReadGiven(vtkDataObject* lines)
 {
   auto* const composite = vtkCompositeDataSet::SafeDownCast(lines);
@@ -63,7 +63,7 @@ std::vector<FaultStick> ReadGiven(vtkDataObject* lines)
     const std::string number = std::to_string(leaves->GetCurrentFlatIndex());
     for (FaultStick& polyline : SticksOf(leaves->GetCurrentDataObject()))
     {
-      polyline.Fault += ' ' + number;
+      polyline.Fault = polyline.Fault.empty() ? "fault " + number : polyline.Fault;
       polylines.push_back(std::move(polyline));
     }
   }
@@ -77,7 +77,7 @@ vtkStandardNewMacro(vtkHorizonFaults);
 vtkHorizonFaults::vtkHorizonFaults()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +126,7 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   this->IdleWarnings = isFirst ? outcome.Idle.Warnings : KeepCommon(this->IdleWarnings, outcome.Idle.Warnings);
   if (!isFirst) // All horizons have the same fault surfaces.
   {
-    Horizon& surfaces = outputs.back();
+    Horizon& surfaces = outputs[2];
     const ArrayTable figures = surfaces.FieldData;
     surfaces = Horizon();
     surfaces.FieldData = figures;

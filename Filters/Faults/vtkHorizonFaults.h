@@ -15,15 +15,19 @@
  *  - FaultThrow (double): throw, whole ramps included: vertical index beyond the link minus that before it; nan if
  *    unknown;
  *  - FaultLine (int): the fault line of the link;
+ *  - FaultNames (text): the name of each line; "fault 1" and so on if it has none;
  *  - FaultNoise (double): standard deviation of height differences due to noise alone, in vertical indices;
  *  - SmallestFaultThrow (double): the throw that a fault must reach somewhere, in vertical indices;
  *  - BlankedPoints (vtkIdType): points inside polygons that were left out, if lines are given.
  *
  * Output 1: the fault lines as polylines. Point data: Throw (double), the vertical index to the left of the line less
- * that to its right, mostly positive. Cell data: FaultLine (int).
+ * that to its right, mostly positive. Cell data: FaultLine (int), FaultName (text).
  *
  * Output 2: with Sticks the surfaces of faults, triangles between neighbouring sticks; empty for all horizons but the
- * first. Cell data: FaultName (string).
+ * first. Cell data: FaultName (text); "sticks 1" and so on if they have none.
+ *
+ * Output 3: cutoffs, two polylines through the columns beside each fault line, at their heights. Cell data: FaultLine,
+ * FaultName, FaultStick (text), upthrown or downthrown, by the mean throw of the line.
  *
  * Detect finds links whose height difference, less the median within three columns, is large compared with the noise
  * and SmallestThrow. Groups of such links are kept if they are long enough, as trees without short branches. Missing

@@ -258,7 +258,7 @@ nb::tuple FindFaults(
   Take(chosen, "extend_sticks", options.ExtendSticks);
   TakeChoice(chosen, "polygons", { "blank", "cut", "leave" }, options.Polygons);
   const std::vector<FaultStick> sticks = lines ? ReadFaultSticks(TakeData(*lines)) : std::vector<FaultStick>();
-  return Call(given, 3, false, progress,
+  return Call(given, 4, false, progress,
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
     {
       const FaultOutcome outcome = RunFaults(horizon, sticks, options, outputs, monitor);

@@ -3,6 +3,7 @@
 
 #include "Data.h"
 
+#include "Writers/FaultLines/FaultLinesFile.h"
 #include "Writers/GOCADTSurf/HorizonTSurf.h"
 #include "Writers/HorizonDXF/HorizonDXF.h"
 #include "Writers/HorizonFiles.h"
@@ -105,6 +106,22 @@ std::vector<std::string> Write(const std::string& path, const std::string& forma
   return warnings;
 }
 
+/// Writes lines of faults in the format of the extension.
+void WriteFaults(const std::string& path, const nb::list& given, const std::string& sense, const nb::object& progress)
+{
+  const std::vector<NamedHorizon> lines = TakeNamed(given);
+  WrittenSense written = WrittenSense::AsRead;
+  nb::dict chosen;
+  chosen["sense"] = sense;
+  TakeChoice(chosen, "sense", Senses, written);
+  Run(progress,
+    [&](const Monitor& monitor)
+    {
+      std::string subject;
+      WriteFaultLines(path, lines, written, monitor, subject);
+    });
+}
+
 /// Writes pairs of a name and bytes: one into the path, several into files with the name added to that of the path.
 void WriteContents(const std::string& path, const nb::list& given)
 {
@@ -160,6 +177,7 @@ void BindWriting(nb::module_& module)
     },
     "path"_a, "volumes"_a, "progress"_a.none());
   module.def("write_contents", &WriteContents, "path"_a, "contents"_a);
+  module.def("write_faults", &WriteFaults, "path"_a, "lines"_a, "sense"_a, "progress"_a.none());
   module.def("sample", &Sample, "mesh"_a, "sign"_a, "progress"_a.none());
   module.def("write", &Write, "path"_a, "format"_a, "horizons"_a, "options"_a, "progress"_a.none());
 }

@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from . import _core, _xml
+from . import _core, _vectors, _xml
 from ._data import Progress, in_keywords, nulls_of, require_file, warn_all
 from ._horizon import Horizon
+from ._lines import Lines
 from ._made import framing, placement
 from ._made import horizons as make_horizons
 from ._mesh import Mesh, mesh_of
@@ -163,16 +164,31 @@ def read_mesh(path: str | os.PathLike[str], horizons: str | Sequence[str] | None
     return _choose(path, made, horizons)
 
 
+# Formats of fault lines.
+LINE_FORMATS = (".dat", ".txt", ".csv", ".pl", ".pol", _vectors.WRITTEN)
+
+
+def _write_lines(lines: Lines, path: pathlib.Path, direction: str, progress: Progress | None) -> None:
+    if path.suffix.lower() not in LINE_FORMATS:
+        raise ValueError("%s: lines, expected one of the extensions %s" % (path, ", ".join(LINE_FORMATS)))
+    with _of_file(path):
+        if path.suffix.lower() == _vectors.WRITTEN:
+            _core.write_contents(str(path), [("", _vectors.content(lines, path, direction))])
+        else:
+            _core.write_faults(str(path), [(path.stem, lines._data())], direction, progress)
+
+
 def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, with_borders: bool = False,
           with_attributes: bool = True, direction: str = "", progress: Progress | None = None) -> None:
     """Writes meshes or horizons in the format of the extension.
 
     Parameters
     ----------
-    data : Mesh, Horizon, or a list or dict of these
+    data : Mesh, Horizon, or a list or dict of these; or Lines
         Either for .vtp (VTK, with all arrays); meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary)
         and .zmap, and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
-        and .vsm; otherwise each has a file of its own, with its name added to that of `path`. `to_dataframe().to_csv` writes .csv.
+        and .vsm; otherwise each has a file of its own, with its name added to that of `path`. `to_dataframe().to_csv` writes .csv. Lines of faults for .dat, .txt and .csv
+        (tables), .pl (GOCAD), .pol (IRAP, a file for each fault) and, with GDAL, .gpkg (GeoPackage).
     path : str or path
         A file of this name is replaced once the new one is complete. Grids say neither the unit nor the direction of z, and
         .gri is of single precision.
@@ -196,10 +212,13 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     path = pathlib.Path(path)
     if direction not in ("", "down", "up"):
         raise ValueError("direction '%s', expected down or up" % direction)
+    if isinstance(data, Lines):
+        _write_lines(data, path, direction or data.direction, progress)
+        return
     many = dict(data) if isinstance(data, Mapping) else {n: one for n, one in enumerate(data)} if isinstance(data, (list, tuple)) else {0: data}
     for one in many.values():
         if not isinstance(one, (Mesh, Horizon)):
-            raise TypeError("writing %s, expected a Mesh or a Horizon, or a list or dict of these" % type(one).__name__)
+            raise TypeError("writing %s, expected a Mesh or a Horizon, or a list or dict of these, or Lines" % type(one).__name__)
     form, holds = FORMATS.get(path.suffix.lower(), ("", ""))
     for one in many.values():
         what = "mesh" if isinstance(one, Mesh) else "horizon"

@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from . import _core
-from ._data import SURVEY, Data, Progress, give_lines, in_keywords, loops, nulls_of, require_file, snake, survey
+from . import _core, _vectors
+from ._data import SURVEY, Data, Progress, give_lines, give_survey, in_keywords, loops, nulls_of, require_file, snake, survey
 from ._horizon import Floats, Horizon
+from ._vectors import FAULT_NAMES
 
 
 @dataclasses.dataclass(eq=False, repr=False)
@@ -28,9 +29,11 @@ class Lines:
     lines : list of float64 arrays of shape (n, 3)
         x, y and z of the world, z upwards; closed where the last point is the first.
     sticks : list of str
-        The number of each line in its fault. Without any, the last word of a name is the number.
+        The number of each line in its fault; empty where unknown. Of cutoffs the side, "upthrown" or "downthrown".
     taken : tuple of str
         What each file was taken for.
+    direction : "down" or "up"
+        Where z of the files increases to.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
         Empty where unknown.
     """
@@ -39,18 +42,23 @@ class Lines:
     lines: list[Floats]
     sticks: list[str] = dataclasses.field(default_factory=list)
     taken: tuple[str, ...] = ()
+    direction: str = "down"
     vertical_unit: str = ""
     vertical_domain: str = ""
     horizontal_unit: str = ""
     coordinate_system: str = ""
 
+    def __post_init__(self) -> None:
+        self.sticks = list(self.sticks) or [""] * len(self.names)
+
     @staticmethod
-    def of(names: list[str], data: Data, horizon: Horizon | None = None, **more: Any) -> Lines:
+    def of(data: Data, horizon: Horizon | None = None, names: list[str] | None = None, **more: Any) -> Lines:
         """Lines from data of the core, of a horizon or with a survey of their own."""
         lines = [data["places"][line] for line in loops(data["lines"], False)]
         own = survey(data["field_data"]) if horizon is None else {
-            name: getattr(horizon, name) for name in map(snake, SURVEY)}
-        return Lines(names, lines, **own, **more)
+            name: getattr(horizon, name) for name in ("direction", *map(snake, SURVEY))}
+        cells = data["cell_data"]
+        return Lines(names or cells.get("FaultName", [""] * len(lines)), lines, cells.get("FaultStick", []), **own, **more)
 
     def __len__(self) -> int:
         return len(self.lines)
@@ -59,34 +67,30 @@ class Lines:
         return iter(self.lines)
 
     def __repr__(self) -> str:
-        faults = len(set(self.names) - {""}) if self.sticks else 0
-        return "Lines: %s%d, of %d points" % ("%d faults, " % faults if faults else "", len(self), sum(map(len, self.lines)))
-
-    def _names_and_sticks(self) -> list[tuple[str, str]]:
-        if self.sticks:
-            return list(zip(self.names, self.sticks))
-        return [(name[:blank], name[blank + 1:]) if blank > 0 else (name, "") for name in self.names for blank in [name.rfind(" ")]]
+        faults = len(set(self.names) - {""})
+        return "Lines: %s%d, of %d points" % ("%d fault%s, " % (faults, "s" * (faults > 1)) if faults else "", len(self), sum(map(len, self.lines)))
 
     def _data(self) -> Data:
         numbers = np.cumsum([0, *map(len, self.lines)])
         return {"places": np.ascontiguousarray(np.concatenate([np.zeros((0, 3)), *self.lines]), np.float64),
                 "lines": give_lines([np.arange(first, last) for first, last in zip(numbers, numbers[1:])]),
-                "cell_data": {"FaultName": list(self.names), **({"FaultStick": list(self.sticks)} if self.sticks else {})}}
+                "cell_data": {"FaultName": list(self.names), "FaultStick": list(self.sticks)}, "field_data": give_survey(self)}
 
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame with Name, Line, X, Y, Z; z is upwards."""
+        """A pandas DataFrame with Fault, Stick, Line, X, Y, Z; z is upwards."""
         import pandas
 
         sizes = list(map(len, self.lines))
         x, y, z = np.concatenate([np.zeros((0, 3)), *self.lines]).T
-        return pandas.DataFrame({"Name": np.repeat(self.names, sizes), "Line": np.repeat(np.arange(len(self)), sizes), "X": x, "Y": y, "Z": z})
+        return pandas.DataFrame({"Fault": np.repeat(self.names, sizes), "Stick": np.repeat(self.sticks, sizes),
+                                 "Line": np.repeat(np.arange(len(self)), sizes), "X": x, "Y": y, "Z": z})
 
     def to_geodataframe(self) -> Any:
         """A geopandas GeoDataFrame of lines; z is upwards."""
         import geopandas
         import shapely
 
-        return geopandas.GeoDataFrame({"name": self.names}, geometry=[shapely.LineString(line) for line in self.lines],
+        return geopandas.GeoDataFrame({"Fault": self.names, "Stick": self.sticks}, geometry=[shapely.LineString(line) for line in self.lines],
                                       crs=self.coordinate_system or None)
 
 
@@ -98,24 +102,38 @@ def lines_of(given: Any, fault: str = "") -> Lines:
     if isinstance(given, (str, os.PathLike)):
         return read_faults(given)
     lines: list[Lines]
-    if hasattr(given, "geometry") and hasattr(given, "iterrows"):  # geopandas
-        given = [np.asarray(part.coords, float) for shape in given.geometry for part in getattr(shape, "geoms", [shape])]
+    if hasattr(given, "geometry") and hasattr(given, "iterrows"):
+        return _of_geopandas(given)
     if not isinstance(given, Sequence) or isinstance(given, str):
         raise TypeError("lines of %s, expected Lines, or a list of these or of arrays: read_faults(path) reads some" % type(given).__name__)
     if given and all(isinstance(one, (str, os.PathLike)) for one in given):
         return read_faults(list(given))
     if given and all(isinstance(one, Lines) for one in given):
         lines = list(given)
-        faults, sticks = zip(*(pair for one in lines for pair in one._names_and_sticks()))
-        return dataclasses.replace(lines[0], names=list(faults), lines=[line for one in lines for line in one], sticks=list(sticks),
+        return dataclasses.replace(lines[0], names=[name for one in lines for name in one.names], lines=[line for one in lines for line in one],
+                                   sticks=[stick for one in lines for stick in one.sticks],
                                    taken=tuple(text for one in lines for text in one.taken))
     arrays = [np.asarray(one, np.float64) for one in given]
     for number, array in enumerate(arrays):
         if array.ndim != 2 or array.shape[1] not in (2, 3):
             raise ValueError("line %d of shape %s, expected (points, 3), or 2 for traces on the map" % (number, array.shape))
-    names = ["%s %d" % (fault, number + 1) if fault else "%d 1" % (number + 1) for number in range(len(arrays))]
-    return Lines(names,
-                 [np.column_stack((array, np.zeros((len(array), 3 - array.shape[1])))) for array in arrays])
+    numbers = [str(number + 1) for number in range(len(arrays))]
+    return Lines([fault or number for number in numbers],
+                 [np.column_stack((array, np.zeros((len(array), 3 - array.shape[1])))) for array in arrays], numbers)
+
+
+def _of_geopandas(frame: Any) -> Lines:
+    """Lines of a GeoDataFrame, with the names of its column Fault or name."""
+    columns = {str(column).lower(): column for column in frame.columns}
+    name, stick = (next((columns[word] for word in words if word in columns), None) for words in (FAULT_NAMES, ("stick",)))
+    names, sticks, lines = [], [], []
+    for _, row in frame.iterrows():
+        for part in getattr(row.geometry, "geoms", [row.geometry]):
+            points = np.asarray(getattr(part, "exterior", part).coords, float)
+            names.append(str(row[name]) if name is not None else "")
+            sticks.append(str(row[stick]) if stick is not None else "")
+            lines.append(np.column_stack((points, np.zeros((len(points), 3 - points.shape[1])))))
+    return Lines(names, lines, sticks, direction="up", coordinate_system=str(frame.crs or ""))
 
 
 def read_faults(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, columns: str | Sequence[str] = "",
@@ -127,7 +145,8 @@ def read_faults(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     ----------
     path : str or path, or a list of these
         Tables of points with columns of faults and sticks, GOCAD PLines, ZMAP and CPS-3 lines, polygons of IRAP, sticks of Charisma
-        and IESX; by content. Lines without a name get that of their file if there are several.
+        and IESX; by content. Lines without a name get that of their file if there are several. GeoPackage, shapefiles and GeoJSON by
+        GDAL, by name.
     columns : str or list of str, optional
         What the columns of a table are, as "X Y Z Fault Stick Node", where they are not found.
     nodata : number, list of numbers, or str, optional
@@ -149,14 +168,20 @@ def read_faults(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
         With the file and the line, if a file violates its format.
     FileNotFoundError
     """
-    paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+    paths = [pathlib.Path(one) for one in ([path] if isinstance(path, (str, os.PathLike)) else path)]
     for one in paths:
-        require_file(pathlib.Path(one))
+        require_file(one)
+    maps = [one for one in paths if one.suffix.lower() in _vectors.READ]
+    if maps and len(paths) > 1:
+        return lines_of([read_faults(one, columns=columns, nodata=nodata, header_lines=header_lines, direction=direction, progress=progress)
+                         for one in paths])
+    if maps:
+        found = Lines(**_vectors.read(maps[0], direction))
+        z = -np.concatenate(found.lines)[:, 2] if found.direction == "down" else np.concatenate(found.lines)[:, 2]
+        return dataclasses.replace(found, taken=("%s: %d lines, z %.7g to %.7g %s" % (maps[0].name, len(found), z.min(), z.max(), found.direction),))
     options = {"columns": columns if isinstance(columns, str) else " ".join(columns), "nulls": nulls_of(nodata), "header_lines": int(header_lines)}
     try:
         data, description = _core.read_fault_lines(list(map(str, paths)), options, direction, progress)
     except ValueError as error:
         raise ValueError(in_keywords(str(error))) from None
-    none = [""] * (len(data["lines"][0]) - 1)
-    return Lines.of(data["cell_data"].get("FaultName", none), data, sticks=data["cell_data"].get("FaultStick", []),
-                    taken=tuple(description.splitlines()))
+    return Lines.of(data, direction="up" if data["field_data"]["VerticalDirection"][0] > 0 else "down", taken=tuple(description.splitlines()))

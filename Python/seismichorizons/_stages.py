@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._data import Progress, call, take_attributes, warn
+from ._data import Data, Progress, call, give_triangles, take_attributes, warn
 from ._horizon import Horizon, horizon_of
 from ._lines import Lines, lines_of
 from ._mesh import Mesh, mesh_of
@@ -49,6 +49,8 @@ class Faults:
         Column, row and side (0 east, 1 north) of each link between neighbours that a fault cuts.
     lines : int32 array of n
         Number of the line of each link.
+    names : list of str
+        The fault of each line, "fault 1" and so on where it has no name.
     throws : float64 array of n
         z beyond each link, to the east or north, minus z before it; nan without a point nearby.
     noise : float
@@ -56,21 +58,25 @@ class Faults:
     smallest_throw : float
         That a fault reaches somewhere, in the unit of z.
     traces : Lines
-        The lines on the horizon, half way between columns.
-    surfaces : Mesh or None
-        Surfaces of sticks, where these were given.
+        The lines on the horizon, half way between columns, with the names of given faults.
+    cutoffs : Lines
+        The columns beside each line, on either side, at their heights; sticks are "upthrown" and "downthrown".
+    surfaces : dict of Mesh
+        The surface of each fault, by name, where sticks were given.
     horizon : Horizon
         Without the points inside given polygons.
     """
 
     links: NDArray[np.int32]
     lines: NDArray[np.int32]
+    names: list[str]
     throws: NDArray[np.float64]
     noise: float
     smallest_throw: float
     traces: Lines
+    cutoffs: Lines
     horizon: Horizon
-    surfaces: Mesh | None = None
+    surfaces: dict[str, Mesh] = dataclasses.field(default_factory=dict)
     vertical_unit: str = ""
 
     def __len__(self) -> int:
@@ -146,13 +152,23 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     for name, value in (("smallest_throw", smallest_throw), ("noise", noise)):
         if value is not None:
             options[name] = height(name, value, horizon.vertical_unit)
-    cut, traces, surfaces = call(horizon.name, _core.faults, horizon._data(), given, options, progress)
+    cut, traces, surfaces, cutoffs = call(horizon.name, _core.faults, horizon._data(), given, options, progress)
     step, fields = abs(horizon.lattice.vertical_step), cut["field_data"]
     noise_found, least = (float(fields[name][0]) * step if name in fields else np.nan for name in ("FaultNoise", "SmallestFaultThrow"))
-    names = ["%s, fault %d" % (horizon.name, number + 1) for number in range(len(traces["cell_data"]["FaultLine"]))]
-    return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,
-                  Lines.of(names, traces, horizon), _changed(horizon, cut),
-                  mesh_of("faults", surfaces, {}, surfaces["field_data"], None) if len(surfaces["places"]) else None, horizon.vertical_unit)
+    return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultNames"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,
+                  Lines.of(traces, horizon), Lines.of(cutoffs, horizon), _changed(horizon, cut),
+                  _by_fault(surfaces), horizon.vertical_unit)
+
+
+def _by_fault(surfaces: Data) -> dict[str, Mesh]:
+    """A mesh for each fault."""
+    corners = np.asarray(surfaces["polygons"][1]).reshape(-1, 3)
+    names, meshes = np.array(surfaces["cell_data"].get("FaultName", []), object), {}
+    for name in dict.fromkeys(names):
+        points, own = np.unique(corners[names == name], return_inverse=True)
+        meshes[name] = mesh_of(name, {**surfaces, "places": surfaces["places"][points], "polygons": give_triangles(own.reshape(-1, 3)),
+                                      "point_data": {}, "cell_data": {}}, {}, surfaces["field_data"], None)
+    return meshes
 
 
 @overload

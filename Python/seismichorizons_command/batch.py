@@ -308,6 +308,8 @@ def _write_mesh(result, names, folder, record):
     for name in names.meshes[result.name]:
         for warning in writing.write(result, folder / name):
             record.warn("%s: %s" % (name, warning))
+    for name in names.lines.get(result.name, ()):
+        writing.write_fault_lines(result, folder / name)
 
 
 def _write(results, names, folder):

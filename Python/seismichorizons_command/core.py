@@ -79,7 +79,7 @@ def errors(prefix=""):
     """Within the block errors are HorizonError, and begin with the prefix."""
     try:
         yield
-    except (ValueError, OSError) as error:
+    except (ValueError, OSError, ImportError) as error:
         raise HorizonError("%s%s" % (prefix, error)) from None
     except MemoryError:
         raise HorizonError("%s%s" % (prefix, NO_MEMORY)) from None

@@ -97,6 +97,7 @@ def horizon(result):
         "angles": angles(mesh),
         "seconds": {**result.seconds, "total": sum(result.seconds.values())},
         "chosen": chosen_parameters(mesh),
+        "faults": faults(result.data.get("torn")),
         "prepared": {name: prepared_number(mesh, name) for name in PREPARATIONS if name in result.seconds},
         "vertical_error": None if vertical["largest"] is None else vertical,
         "automatic_error": {"noise": noise.get("noise"), "rounding": noise.get("rounding")},
@@ -106,6 +107,23 @@ def horizon(result):
                                                       for row, unit in enumerate(UNITS)},
         "distances": distances(result),
         "results": [], "warnings": list(result.warnings)}
+
+
+def faults(torn):
+    """Returns a row for each fault that cuts a horizon: its name, its links, and the mean and the largest throw, without sign,
+    in vertical indices, None if unknown."""
+    fields = torn["field_data"] if torn else {}
+    if not len(fields.get("FaultLine", ())):
+        return []
+    names, throws = np.array(fields["FaultNames"])[fields["FaultLine"]], np.abs(fields["FaultThrow"])
+    rows = []
+    for name in dict.fromkeys(fields["FaultNames"]):
+        own = throws[names == name]
+        known = own[np.isfinite(own)]
+        if len(own):
+            rows.append({"name": name, "links": len(own), "throw_mean": float(known.mean()) if len(known) else None,
+                         "throw_largest": float(known.max()) if len(known) else None})
+    return rows
 
 
 def _vertical_step(mesh):

@@ -116,13 +116,15 @@ class Names:
         has_surfaces = settings.torn is not None and settings.torn.get("LineType") == "Sticks"
         self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
                        if form in writing.MESH_FORMATS] if has_surfaces else []
+        self.lines = {name: ["%s_%s.%s" % (mesh_stem, kind, form) for kind in writing.FAULT_LINES for form in settings.fault_formats]
+                      for name, mesh_stem in zip(names, _mesh_stems(stem, names))} if settings.torn is not None else {}
 
     def body(self, number, form):
         """Returns the file name of the body of a layer."""
         return "%s_layer_%d.%s" % (self._stem, number + 1, form)
 
     def all(self):
-        return [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *self.layers, *self.bodies]
+        return [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *sum(self.lines.values(), []), *self.layers, *self.bodies]
 
 
 def _mesh_stems(stem, names):

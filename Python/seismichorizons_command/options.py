@@ -11,6 +11,7 @@ REPRESENTATIVES, GROWTH_STRATEGIES = ("Barycentre", "NearestPoint"), ("Distance"
 DISTANCE_UNITS = ("Lattice", "World")
 LAYER_FORMATS = ("msh", "inp", "disv")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", *LAYER_FORMATS)
+FAULT_FORMATS = ("dat", "csv", "pl", "gpkg")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Mean", "Sheets")
 JOININGS, POLARITIES = ("BestFirst", "Components"), ("Both", "Positive", "Negative")
 STRAY_PICKS, GRIDDING = ("Stop", "LeaveOut"), ("Plate", "Nearest")
@@ -128,6 +129,8 @@ def add_preparation_options(group):
     lines.add_argument("--fault-sticks", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="cut along surfaces "
                        "through the fault sticks of these files, and write these surfaces; lines without the name of a fault "
                        "have that of their file if there are several")
+    group.add_argument("--fault-formats", action=AddToList, values=FAULT_FORMATS, default=[], metavar="LIST", help="also write "
+                       "the fault lines and the cutoffs of each horizon: tables (dat, csv), GOCAD (pl) and GeoPackage (gpkg)")
     group.add_argument("--close-faults", action="store_true", help="close the mesh at these faults with triangles, which have "
                        "1 in the array Fault")
     group.add_argument("--fill-holes", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="fill holes of at "

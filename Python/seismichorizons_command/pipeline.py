@@ -11,7 +11,7 @@ import time
 from dataclasses import dataclass, field, replace
 from typing import Optional
 
-from seismichorizons import _core
+from seismichorizons import _core, read_faults
 
 from . import core, data, heights, ledger, parts, tsurf, writing
 from .core import HorizonError
@@ -68,6 +68,7 @@ class Settings:
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
     formats: tuple = ("vtp",)
+    fault_formats: tuple = ()  # of lines and cutoffs
     other_files: tuple = ()
     memory: Optional[int] = None
     jobs: int = 1
@@ -186,10 +187,9 @@ def fault_settings(unit, vertical_direction, throw=None, traces=None, sticks=Non
         return torn, None, ()
     torn["LineType"] = "Traces" if sticks is None else "Sticks"
     direction = core.snake(vertical_direction or "")
-    with core.errors():
-        lines, found = core.run(_core.read_fault_lines, list(map(str, files)), {}, "" if direction == "automatic" else direction,
-                                work=file_work(files[0]))
-    return torn, lines, tuple("%s: %s" % ("fault lines" if sticks is None else "fault sticks", line) for line in found.splitlines())
+    lines = core.run(lambda progress: read_faults(files, direction="" if direction == "automatic" else direction, progress=progress),
+                     work=file_work(files[0]))
+    return torn, lines._data(), tuple("%s: %s" % ("fault lines" if sticks is None else "fault sticks", line) for line in lines.taken)
 
 
 def _require_same_direction(result, points, settings):
@@ -242,7 +242,7 @@ def _run_stages(result, settings):
                 _require_same_direction(result, last, settings)
             properties["are_sticks"] = given.get("LineType") == "Sticks"
             outputs = result.run_stage(stage, function, last, settings.fault_lines, properties)
-            result.data["faults"], result.data["fault surfaces"] = outputs[1:]
+            result.data["faults"], result.data["fault surfaces"], result.data["cutoffs"] = outputs[1:]
         else:
             outputs = result.run_stage(stage, function, last, properties)
             if stage == "mesh" and settings.surface is not None:

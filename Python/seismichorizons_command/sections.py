@@ -322,11 +322,25 @@ def _horizon_facts(horizon, survey):
             "" if before is None else " of {:,}".format(before))),
         (FAULT_COLUMN[0], "{:,}".format(horizon["fault_triangles"]) if horizon["fault_triangles"] else None),
         *((PREPARED[name].capitalize(), "{:,}".format(number)) for name, number in horizon["prepared"].items()),
+        ("Faults", _fault_texts(horizon)),
         ("Columns (area)", _ledger_text(horizon["ledger"])),
         ("Vertical error", horizon["vertical_error"] and _vertical_text(horizon, survey)),
         ("Automatic error", _automatic_text(horizon)),
         ("Chosen", chosen), ("Extent", bounds and "x %.10g to %.10g, y %.10g to %.10g, z %.10g to %.10g" % tuple(bounds)),
         ("Time", seconds), ("Files", ", ".join(horizon["results"]))])
+
+
+def _fault_texts(horizon):
+    """Returns a line for each fault, the one with the most links first."""
+    def text(fault):
+        if fault["throw_mean"] is None:
+            return count(fault["links"], "link")
+        mean, largest = (_in_unit(horizon, fault[name]) for name in ("throw_mean", "throw_largest"))
+        return "%s, throw %.3g on average, at most %s" % (
+            count(fault["links"], "link"), mean, _with_unit("%.3g" % largest, largest) if largest.unit else "%.3g vertical indices" % largest)
+
+    found = sorted(horizon["faults"], key=lambda fault: -fault["links"])
+    return found and join((fill("value", name=fault["name"], value=text(fault)) for fault in found), "\n")
 
 
 def _ledger_text(own):

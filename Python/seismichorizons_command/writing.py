@@ -9,15 +9,16 @@ fails, an existing file is unchanged.
 import csv
 import io
 
-from seismichorizons import _core, _xml
+from seismichorizons import Lines, _core, _files, _xml
 
-from . import core, geotiff
+from . import core, data, geotiff
 from .core import HorizonError
 
 MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
 # Grids of the columns that meshes cover; GeoTIFF is written by GDAL.
 GRID_FORMATS = ("irap", "gri", "zmap", "tif")
 POINT_FORMATS = {"dat": "text", "vsm": "vsm"}
+FAULT_LINES = {"fault_lines": "faults", "cutoffs": "cutoffs"}  # ends of names, and their stages
 LAYER_FORMATS = ("msh", "inp", "disv")  # for cells of layers, in addition to .vtu
 FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r")  # first characters of formulas in spreadsheets
 
@@ -45,6 +46,15 @@ def write_data(given, path, name):
         write_file(_xml.poly_data(given), path)
         return []
     return _run(path, _core.write, POINT_FORMATS.get(form, form), [(name, given)], {"arrays": "picks"})
+
+
+def write_fault_lines(result, path):
+    """Writes the fault lines or the cutoffs of a result, by the end of the name. Raises HorizonError."""
+    given = result.data[next(stage for kind, stage in FAULT_LINES.items() if path.stem.endswith("_" + kind))]
+    if not data.count_lines(given):
+        return
+    direction = "up" if data.vertical_direction(given) > 0 else "down"
+    _run(path, lambda place, lines, progress: _files.write(lines, place, progress=progress), Lines.of(given, direction=direction))
 
 
 def write_cells(grid, path):

@@ -31,7 +31,8 @@ public:
   std::size_t WithoutZ = 0; // points of a table that were left out
   std::size_t SinglePoints = 0; // lines of one point, which were left out
   SurveyDescription Survey;
-  bool IsUpright = false; // The file says that z increases upwards, or says its direction and z was converted.
+  bool IsUpright = false; // The file says that z increases upwards.
+  bool SaysDirection = false; // z increases downwards for certain unless it IsUpright.
 
   void Append(const SpacePoint& place) { this->Places.push_back(place); }
 

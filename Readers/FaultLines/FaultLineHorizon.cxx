@@ -4,6 +4,7 @@
 #include "FaultLineHorizon.h"
 
 #include "Common/Horizon/DataModel.h"
+#include "Common/Survey/SurveyFields.h"
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/InputFile.h"
 
@@ -129,15 +130,24 @@ FaultLineData LoadFaultLines(const std::vector<std::string>& paths, const FaultT
         return ReadFaultLines(*OpenInputFile(path), options,
           monitor.Step(double(n) / double(paths.size()), double(n + 1) / double(paths.size())));
       });
-    const bool isUp = file.IsUpright || (direction ? *direction == VerticalDirection::Up : AreNegative(file.Places));
+    const bool isUp = file.IsUpright ||
+      (!file.SaysDirection && (direction ? *direction == VerticalDirection::Up : AreNegative(file.Places)));
     data.Description += (n > 0 ? "\n" : "") + (areSeveral ? StemOf(path) + ": " : std::string()) + Describe(file, isUp);
     if (areSeveral)
     {
       NameLines(StemOf(path), file);
     }
+    if (n == 0)
+    {
+      all.Survey = file.Survey;
+      all.IsUpright = isUp;
+    }
     Append(file, isUp, all);
   }
   data.Lines = MakeLines(all);
+  AddValue<int>(data.Lines.FieldData, FieldArray::VerticalDirection,
+    int(all.IsUpright ? VerticalDirection::Up : VerticalDirection::Down));
+  AddSurveyFields(all.Survey, data.Lines.FieldData);
   return data;
 }
 }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <charconv>
+#include <optional>
 
 namespace SeismicHorizons
 {
@@ -19,8 +20,6 @@ namespace
 class PLineParser : public FaultLineParser
 {
 public:
-  PLineParser() { this->File.IsUpright = true; }
-
   void Take(const NumberedLine& line) override
   {
     const std::vector<std::string_view> words = SplitFields(line.Text, FieldSeparator::Blanks);
@@ -55,6 +54,8 @@ public:
     {
       throw CutOffAt(this->Line, "end of file, expected END of the GOCAD object");
     }
+    this->File.IsUpright = !this->IsDown.value_or(false);
+    this->File.SaysDirection = true;
     return std::move(this->File);
   }
 
@@ -130,8 +131,9 @@ private:
       throw ErrorAt(this->Line, std::to_string(words.size()) + " words, expected a vertex: id, x, y and z");
     }
     const double z = ReadFinite(words[4], this->Line, "z");
-    this->Vertices.push_back(
-      { ReadFinite(words[2], this->Line, "x"), ReadFinite(words[3], this->Line, "y"), this->IsDepth ? -z : z });
+    this->IsDown = this->IsDown.value_or(this->IsDepth);
+    this->Vertices.push_back({ ReadFinite(words[2], this->Line, "x"), ReadFinite(words[3], this->Line, "y"),
+      this->IsDepth == *this->IsDown ? z : -z });
     if (!this->Ids.Add(this->ReadId(words[1])))
     {
       throw ErrorAt(this->Line, "vertex id " + Excerpt(words[1]) + " repeated, expected unique ids");
@@ -188,7 +190,8 @@ private:
   std::string Keyword;
   bool IsPLine = false;
   bool IsInBlock = false; // between braces
-  bool IsDepth = false; // z increases downwards.
+  bool IsDepth = false; // z of the object increases downwards.
+  std::optional<bool> IsDown; // z of the first object, and of all lines, increases downwards.
   std::string Name;
   VertexIds Ids;
   std::vector<SpacePoint> Vertices;

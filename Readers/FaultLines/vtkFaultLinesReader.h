@@ -10,7 +10,8 @@
  *
  * The output is a vtkPolyData with a polyline per line of the files, in double precision. World z is that of the file,
  * negated if it increases downwards. Cell data, if the file has them: FaultName (text), the name of the fault, and
- * FaultStick (text), the number of the line. Lines of a single point are left out.
+ * FaultStick (text), the number of the line. Lines of a single point are left out. Field data: VerticalDirection, -1 if
+ * z of the first file increases downwards, else 1, and VerticalUnit and HorizontalUnit if its header says them.
  *
  * A missing or invalid file gives one error that starts with its name and has the number of the line; the output is
  * then empty, and GetErrorCode() gives its kind, as that of vtkHorizonSource.

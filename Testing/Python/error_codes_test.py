@@ -54,7 +54,7 @@ READERS = {
     "vtkFaultLinesReader": (".pl", FAULT, FAULT.replace(b"VRTX 1 0", b"VRTX 1 x"), FAULT[:-4]),
 }
 WRITERS = ("vtkVerneySparseMatrixWriter", "vtkHorizonTextWriter", "vtkHorizonGridWriter", "vtkGOCADTSurfWriter",
-           "vtkHorizonDXFWriter")
+           "vtkHorizonDXFWriter", "vtkFaultLinesWriter")
 
 
 def quiet(algorithm):

@@ -3,12 +3,16 @@
 """The same fault sticks, written as programs write them, are read as the same lines, and cut a horizon at the same links. What has
 no effect is named with its cause.
 
-Argument: a folder for files.
+Arguments: the program horizon-mesh, and a folder for files.
 """
 
 import gzip
+import importlib.util
 import io
+import json
 import pathlib
+import shutil
+import subprocess
 import sys
 import unittest
 import warnings
@@ -16,7 +20,8 @@ import warnings
 import numpy as np
 import seismichorizons as sh
 
-FOLDER = pathlib.Path(sys.argv[1]).resolve()
+PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+MAPS = (".gpkg",) if importlib.util.find_spec("osgeo") else ()
 ORIGIN, STEP, ANGLE = np.array([620073.56, 6070345.86]), 12.5, np.radians(23.0)
 ROWS, COLUMNS = 60, 80
 NAMES = ("North fault", "F-2", "Splay")
@@ -164,7 +169,7 @@ class FaultFiles(unittest.TestCase):
                 self.assertEqual(lines.names, {NAMED: names, NUMBERED: numbers, UNNAMED: [""] * len(STICKS)}[kind])
                 if kind == NAMED and name != "gocad.pl":
                     self.assertEqual(lines.sticks, [str(stick) for _, stick, _ in STICKS])
-                self.assertIn("%d lines, z 1390.25 to 1618.5 " % len(STICKS) if name not in ("upward.csv", "gocad.pl") else "z -1618.5 to -1390.25 up", lines.taken[0])
+                self.assertIn("%d lines, z 1390.25 to 1618.5 " % len(STICKS) if name != "upward.csv" else "z -1618.5 to -1390.25 up", lines.taken[0])
                 self.assertEqual("1 point without z left out" in lines.taken[0], name == "nodata.csv")
                 self.assertEqual(cut(lines), (expected, []))
 
@@ -213,6 +218,76 @@ class FaultFiles(unittest.TestCase):
                 with self.assertRaises(ValueError) as caught:
                     sh.read_faults(write("refused.csv", content), **options)
                 self.assertIn(words, str(caught.exception))
+
+
+class FaultsOut(unittest.TestCase):
+    """What is written cuts the same links when it is read again, and faults keep their names."""
+
+    def again(self, lines, ending):
+        folder = FOLDER / ("out" + ending)
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        sh.write(lines, folder / ("lines" + ending))
+        return sh.read_faults(sorted(folder.iterdir()))
+
+    def test_round_trips(self):
+        for source, content, _, options in (FILES[0], FILES[17]):
+            given = sh.read_faults(write(source, content), **options)
+            found = sh.faults(HORIZON, lines=given, are_sticks=True)
+            for ending in (".dat", ".txt", ".csv", ".pl", ".pol", *MAPS):
+                with self.subTest(source=source, ending=ending):
+                    sticks, traces = self.again(given, ending), self.again(found.traces, ending)
+                    self.assertEqual((sticks.direction, traces.direction), ("down", "down"))
+                    self.assertEqual(cut(sticks)[0], cut(given)[0])
+                    np.testing.assert_array_equal(sh.faults(HORIZON, lines=traces).links, found.links)
+                    if ending != ".pol":
+                        self.assertEqual(sorted(sticks.names), sorted(given.names))
+                        self.assertEqual(sorted(traces.names), sorted(found.traces.names))
+
+    def test_names(self):
+        """In links, lines, cutoffs and surfaces, and in files of the command."""
+        path = write("names.csv", FILES[0][1])
+        found = sh.faults(HORIZON, lines=path, are_sticks=True)
+        self.assertEqual(set(found.traces.names), set(NAMES))
+        self.assertEqual(list(found.surfaces), list(NAMES))
+        self.assertEqual([found.names[n] for n in np.unique(found.lines)], found.traces.names)
+        self.assertEqual(list(zip(found.cutoffs.names, found.cutoffs.sticks)),
+                         [(name, side) for name in found.traces.names for side in ("upthrown", "downthrown")])
+        sh.write(found.surfaces, FOLDER / "surfaces.ts")
+        self.assertEqual(list(sh.read_mesh(FOLDER / "surfaces.ts")), list(NAMES))
+        self.assertEqual(sh.faults(HORIZON, 10.0).traces.names[0], "fault 1")
+        sh.write(HORIZON, FOLDER / "horizon.dat")
+        out = FOLDER / "command"
+        done = subprocess.run([sys.executable, PROGRAM, FOLDER / "horizon.dat", "--fault-sticks", path, "--fault-formats", "csv,pl", "--formats", "ts", "--json",
+                               "-o", out, "--no-pictures"], stdout=subprocess.PIPE, check=True)
+        (horizon,) = json.loads(done.stdout)["files"][0]["horizons"]
+        self.assertEqual([fault["name"] for fault in horizon["faults"]], list(NAMES))
+        self.assertEqual(sum(fault["links"] for fault in horizon["faults"]), len(found.links))
+        for ending in ("csv", "pl"):
+            lines = sh.read_faults(out / ("horizon_fault_lines.%s" % ending))
+            np.testing.assert_array_equal(sh.faults(HORIZON, lines=lines).links, found.links)
+            self.assertEqual(set(sh.read_faults(out / ("horizon_cutoffs.%s" % ending)).names), set(NAMES))
+        self.assertEqual(list(sh.read_mesh(out / "horizon_faults.ts")), list(NAMES))
+
+    def test_cutoffs(self):
+        """Pass through the columns beside each cut link, on the higher side and on the lower one."""
+        found = sh.faults(HORIZON, lines=sh.read_faults(write("cutoffs.csv", FILES[0][1])), are_sticks=True)
+        points = {tuple(np.round(point[:2], 3)): point[2] for point in zip(HORIZON.x, HORIZON.y, -HORIZON.z)}
+        for name in NAMES:
+            heights = {}
+            for line, fault, side in zip(found.cutoffs.lines, found.cutoffs.names, found.cutoffs.sticks):
+                if fault == name:
+                    self.assertEqual([points[tuple(np.round(point[:2], 3))] for point in line], line[:, 2].tolist())
+                    heights.setdefault(side, []).extend(line[:, 2])
+            self.assertGreaterEqual(np.mean(heights["upthrown"]), np.mean(heights["downthrown"]))
+
+    def test_refused(self):
+        lines = sh.read_faults(write("reference.csv", FILES[0][1]))
+        for ending, words in ((".ts", "expected one of the extensions .dat"), (".irap", "expected one of the extensions .dat")):
+            with self.assertRaisesRegex(ValueError, words):
+                sh.write(lines, FOLDER / ("refused" + ending))
+        with self.assertRaisesRegex(ValueError, "no fault lines, expected polylines or polygons"):
+            sh.write(sh.Lines([], []), FOLDER / "none.csv")
 
 
 FOLDER.mkdir(parents=True, exist_ok=True)

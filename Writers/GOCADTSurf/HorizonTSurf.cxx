@@ -7,6 +7,7 @@
 #include "Common/Horizon/DataModel.h"
 #include "Common/Survey/SurveyFields.h"
 #include "TSurfPrinter.h"
+#include "Writers/FaultParts.h"
 #include "Writers/HorizonSampling.h"
 
 #include <cstdint>
@@ -18,7 +19,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr const char* NoUnit = "none"; // GOCAD's word for properties without unit.
 constexpr const char* ExpectedTriangles = ", expected triangles: apply Triangulate first";
 
 std::vector<std::array<double, 3>> ReadVertices(const Horizon& horizon, double upwards)
@@ -107,9 +107,9 @@ TSurfProperty ReadProperty(const DataArray& array)
   return property;
 }
 
-std::string FirstGiven(const std::string& option, const std::string& field, const std::string& otherwise)
+std::string FirstGiven(const std::string& option, const std::string& field)
 {
-  return !option.empty() ? option : field.empty() ? otherwise : field;
+  return option.empty() ? field : option;
 }
 }
 
@@ -149,8 +149,9 @@ std::vector<TSurfProperty> ReadProperties(const Horizon& horizon, bool withOwn)
 
 //----------------------------------------------------------------------------------------------------------------------
 void PrintTSurfs(
-  const std::vector<NamedHorizon>& horizons, const TSurfOptions& options, std::ostream& stream, const Monitor& monitor)
+  const std::vector<NamedHorizon>& given, const TSurfOptions& options, std::ostream& stream, const Monitor& monitor)
 {
+  const std::vector<NamedHorizon> horizons = SplitByFault(given);
   const std::vector<std::string> names = MakeDistinct(NamesOf(horizons));
   const auto size = double(horizons.size());
   for (std::size_t n = 0; n < horizons.size(); ++n)
@@ -165,9 +166,9 @@ void PrintTSurfs(
           surface.Properties = ReadProperties(horizon, options.Arrays == WrittenArrays::All);
         }
         SurveyDescription& survey = surface.Survey;
-        survey.VerticalUnit = FirstGiven(options.Survey.VerticalUnit, survey.VerticalUnit, NoUnit);
-        survey.HorizontalUnit = FirstGiven(options.Survey.HorizontalUnit, survey.HorizontalUnit, NoUnit);
-        survey.CoordinateSystem = FirstGiven(options.Survey.CoordinateSystem, survey.CoordinateSystem, "Default");
+        survey.VerticalUnit = FirstGiven(options.Survey.VerticalUnit, survey.VerticalUnit);
+        survey.HorizontalUnit = FirstGiven(options.Survey.HorizontalUnit, survey.HorizontalUnit);
+        survey.CoordinateSystem = FirstGiven(options.Survey.CoordinateSystem, survey.CoordinateSystem);
         PrintTSurf(surface, options.WithBorders, stream, monitor.Step(double(n) / size, double(n + 1) / size));
       });
   }

@@ -19,15 +19,6 @@ namespace
 {
 constexpr std::size_t LinesBetweenReports = 1 << 16;
 
-std::string_view RequireLine(const char* what, std::string_view text)
-{
-  if (std::any_of(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }))
-  {
-    throw InputError(std::string(what) + ' ' + Quote(text) + ", expected one line of text");
-  }
-  return text;
-}
-
 std::string ToWord(const char* what, const std::string& text)
 {
   RequireLine(what, text);
@@ -87,20 +78,9 @@ public:
     this->Out.Print("\n}\n");
   }
 
-  void PrintCoordinateSystem()
+  void PrintSurvey()
   {
-    const SurveyDescription& survey = this->Surface.Survey;
-    const std::string& system = survey.CoordinateSystem;
-    this->Out.Print("GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME ",
-      RequireLine("coordinate system", system.empty() ? "Default" : system),
-      "\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT");
-    for (const std::string* const unit : { &survey.HorizontalUnit, &survey.HorizontalUnit, &survey.VerticalUnit })
-    {
-      ToWord("unit", *unit); // Refuses quotes within the unit.
-      this->Out.Print(" \"", *unit, '"');
-    }
-    this->Out.Print("\nZPOSITIVE ", this->Surface.Positive == VerticalPositive::Depth ? "Depth" : "Elevation",
-      "\nEND_ORIGINAL_COORDINATE_SYSTEM\n");
+    PrintCoordinateSystem(this->Surface.Survey, this->Surface.Positive == VerticalPositive::Depth, this->Out);
   }
 
   void PrintProperties()
@@ -241,11 +221,35 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string_view RequireLine(const char* what, std::string_view text)
+{
+  if (std::any_of(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }))
+  {
+    throw InputError(std::string(what) + ' ' + Quote(text) + ", expected one line of text");
+  }
+  return text;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PrintCoordinateSystem(const SurveyDescription& survey, bool isDepth, TextPrinter& out)
+{
+  const std::string& system = survey.CoordinateSystem;
+  out.Print("GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME ",
+    RequireLine("coordinate system", system.empty() ? "Default" : system), "\nAXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT");
+  for (const std::string* const unit : { &survey.HorizontalUnit, &survey.HorizontalUnit, &survey.VerticalUnit })
+  {
+    ToWord("unit", *unit); // Refuses quotes within the unit.
+    out.Print(" \"", unit->empty() ? "none" : *unit, '"');
+  }
+  out.Print("\nZPOSITIVE ", isDepth ? "Depth" : "Elevation", "\nEND_ORIGINAL_COORDINATE_SYSTEM\n");
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void PrintTSurf(const TSurf& surface, bool withBorders, std::ostream& stream, const Monitor& monitor)
 {
   SurfacePrinter printer(surface, stream);
   printer.PrintHeader();
-  printer.PrintCoordinateSystem();
+  printer.PrintSurvey();
   printer.PrintProperties();
   printer.PrintParts(monitor);
   if (withBorders)

@@ -9,10 +9,12 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Survey/TSurf.h"
+#include "Common/Text/TextPrinter.h"
 
 #include <array>
 #include <cstddef>
 #include <ostream>
+#include <string_view>
 #include <vector>
 
 namespace SeismicHorizons
@@ -20,6 +22,12 @@ namespace SeismicHorizons
 /// Omits vertices without triangles. `withBorders` adds FindBorders instead of the surface's own borders. Throws
 /// InputError for invalid coordinates, names and units, and if writing fails.
 void PrintTSurf(const TSurf& surface, bool withBorders, std::ostream& stream, const Monitor& monitor = Monitor());
+
+/// For objects of GOCAD of any type. Throws InputError for names and units that are not a line, or have quotes.
+void PrintCoordinateSystem(const SurveyDescription& survey, bool isDepth, TextPrinter& out);
+
+/// Returns the text. Throws InputError with `what` unless it is one line.
+std::string_view RequireLine(const char* what, std::string_view text);
 
 // ---- Order of the file -------------------------------------------------------------------------------------------
 /// The vertices and triangles of a TSurf in the order of the file, part by part. Vertices of triangles come by

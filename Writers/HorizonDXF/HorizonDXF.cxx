@@ -5,6 +5,7 @@
 
 #include "Common/Base/Errors.h"
 #include "DXFPrinter.h"
+#include "Writers/FaultParts.h"
 #include "Writers/GOCADTSurf/HorizonTSurf.h"
 
 #include <cstddef>
@@ -13,8 +14,9 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-void PrintDXF(const std::vector<NamedHorizon>& horizons, std::ostream& stream, const Monitor& monitor)
+void PrintDXF(const std::vector<NamedHorizon>& given, std::ostream& stream, const Monitor& monitor)
 {
+  const std::vector<NamedHorizon> horizons = SplitByFault(given);
   const std::vector<std::string> names = NamesOf(horizons);
   const std::vector<std::string> layers = MakeLayerNames(names);
   TextPrinter out(stream);

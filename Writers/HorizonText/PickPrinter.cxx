@@ -5,7 +5,7 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Text/TextPrinter.h"
-#include "Readers/HorizonText/TextLayout.h"
+#include "Writers/ColumnNames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,6 @@ namespace
 {
 // Larger numbers are read as null.
 constexpr double LeastNullNumber = 0.999999e30;
-
-std::string Quoted(std::string text)
-{
-  std::replace(text.begin(), text.end(), '"', '\'');
-  std::replace_if(
-    text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  return '"' + text + '"';
-}
 
 void PrintNumber(TextPrinter& printer, double number, const std::string& name)
 {
@@ -117,11 +109,7 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 void PrintPickHeader(std::ostream& stream, const PrintedColumns& columns)
 {
-  const SurveyDescription& survey = columns.Survey;
-  const auto name = [](const std::string& text, const std::string& unit)
-  { return UnitOfName(text + " (" + unit + ")").empty() ? text : text + " (" + unit + ")"; };
-  std::vector<std::string> names = { name("X", survey.HorizontalUnit), name("Y", survey.HorizontalUnit),
-    name(survey.IsUpright ? "Elevation" : "Z", survey.VerticalUnit) };
+  std::vector<std::string> names = PlaceNames(columns.Survey);
   if (columns.HasLines)
   {
     names.insert(names.begin(), { "Inline", "Crossline" });

@@ -10,7 +10,9 @@
  *
  * Horizons without triangles have their point arrays of real numbers as attributes; meshes have none.
  *
- * @sa vtkHorizonTextReader vtkHorizonGridWriter
+ * Lines of faults are written as a table of fault, x, y, z, stick and node, as by vtkFaultLinesWriter.
+ *
+ * @sa vtkHorizonTextReader vtkHorizonGridWriter vtkFaultLinesWriter
  */
 
 #ifndef vtkHorizonTextWriter_h
@@ -39,6 +41,9 @@ protected:
 
   void PrintHorizons(const std::vector<WrittenHorizon>& horizons, std::ostream& stream,
     const SeismicHorizons::Monitor& monitor) override;
+
+  void WriteFiles(const std::string& path, const std::vector<WrittenHorizon>& horizons,
+    const SeismicHorizons::Monitor& monitor, std::string& subject) override;
 
 private:
   vtkHorizonTextWriter(const vtkHorizonTextWriter&) = delete;

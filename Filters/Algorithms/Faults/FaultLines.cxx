@@ -296,9 +296,10 @@ FaultedLink MeasureCut(const ColumnHeights& heights, std::int64_t link, bool isF
 void FaultLines::Append(const FaultLines& other)
 {
   assert(this->Links.size() == (this->Ends.empty() ? 0 : this->Ends.back()));
-  for (const std::size_t end : other.Ends)
+  for (std::size_t line = 0; line < other.Size(); ++line)
   {
-    this->Ends.push_back(this->Links.size() + end);
+    this->Ends.push_back(this->Links.size() + other.Ends[line]);
+    this->NameNew(other.Fault(line));
   }
   this->Links.insert(this->Links.end(), other.Links.begin(), other.Links.end());
 }
@@ -420,8 +421,10 @@ std::vector<MapPlace> FindPassages(const ColumnHeights& heights, const std::vect
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines)
+FaultLines CutAlong(
+  const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines, const std::vector<std::string>& faults)
 {
+  assert(faults.empty() || faults.size() == polylines.size());
   for (std::size_t line = 0; line < polylines.size(); ++line)
   {
     for (const MapPlace& place : polylines[line])
@@ -430,14 +433,16 @@ FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolylin
     }
   }
   FaultLines lines;
-  for (const FaultPolyline& polyline : polylines)
+  for (std::size_t number = 0; number < polylines.size(); ++number)
   {
+    const FaultPolyline& polyline = polylines[number];
     for (std::size_t n = 1; n < polyline.size(); ++n)
     {
       CheckNumber(lines, heights.Grid());
       CutSegment(heights, polyline[n - 1], polyline[n], lines);
     }
     lines.Close();
+    lines.NameNew(faults.empty() ? std::string() : faults[number]);
   }
   return lines;
 }

@@ -52,9 +52,14 @@ public:
   /// Ends the line and turns it so that its left is the higher side on average. Empty lines are ignored.
   void Close();
 
+  /// Names the lines since the last call.
+  void NameNew(const std::string& fault) { this->Faults.resize(this->Ends.size(), fault); }
+  std::string Fault(std::size_t line) const { return line < this->Faults.size() ? this->Faults[line] : std::string(); }
+
 private:
   std::vector<FaultedLink> Links;
   std::vector<std::size_t> Ends;
+  std::vector<std::string> Faults;
 };
 
 /// Links are sorted by j, i and side; the first line with a link wins.
@@ -79,7 +84,9 @@ using FaultPolyline = std::vector<MapPlace>;
 
 /// Returns a line for each section of a polyline inside the bounding box. A polyline exactly through a column passes on
 /// the side of lesser coordinates. Throws InputError for places that are not finite, and far more cuts than links.
-FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines);
+/// `faults` are the names of their faults, or empty.
+FaultLines CutAlong(const ColumnHeights& heights, const std::vector<FaultPolyline>& polylines,
+  const std::vector<std::string>& faults = {});
 
 /// Fault polygons are closed lines around the area that a fault leaves empty in a horizon. Mapping programs fill their
 /// inside with values that are not data. A closed line ends where it began and has an inside.

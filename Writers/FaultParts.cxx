@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaultParts.h"
+
+#include "Common/Horizon/DataModel.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace SeismicHorizons
+{
+namespace
+{
+Cells Take(const Cells& cells, std::int64_t before, const std::vector<std::int64_t>& chosen)
+{
+  HeapArray<std::int64_t> offsets = { 0 };
+  HeapArray<std::int64_t> points;
+  for (const std::int64_t number : chosen)
+  {
+    const std::int64_t cell = number - before;
+    for (std::int64_t n = 0; cell >= 0 && cell < cells.Size() && n < cells.Length(cell); ++n)
+    {
+      points.push_back(cells.At(cell, n));
+    }
+    if (cell >= 0 && cell < cells.Size())
+    {
+      offsets.push_back(std::int64_t(points.size()));
+    }
+  }
+  return { DataArray::Take(offsets), DataArray::Take(points) };
+}
+
+Horizon TakeCells(const Horizon& all, const std::vector<std::int64_t>& chosen)
+{
+  Horizon part = all;
+  part.Vertices = Cells();
+  part.Lines = Take(all.Lines, all.Vertices.Size(), chosen);
+  part.Polygons = Take(all.Polygons, all.Vertices.Size() + all.Lines.Size(), chosen);
+  part.CellData = ArrayTable();
+  for (const char* const name : { CellArray::FaultName, CellArray::FaultStick })
+  {
+    std::vector<std::string> texts;
+    for (const std::int64_t cell : chosen)
+    {
+      texts.push_back(TextOfCell(all, name, cell));
+    }
+    part.CellData.Add({ name, std::move(texts) });
+  }
+  return part;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string TextOfCell(const Horizon& lines, const char* array, std::int64_t cell)
+{
+  const DataArray* const texts = lines.CellData.Find(array);
+  return texts && texts->IsText() ? texts->Texts()[std::size_t(cell)] : std::string();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<NamedHorizon> SplitByFault(const std::vector<NamedHorizon>& all)
+{
+  std::vector<NamedHorizon> parts;
+  for (const NamedHorizon& whole : all)
+  {
+    const DataArray* const names = whole.Data.CellData.Find(CellArray::FaultName);
+    if (!names || !names->IsText())
+    {
+      parts.push_back(whole);
+      continue;
+    }
+    std::vector<std::string> faults; // in the order of their first cells
+    std::map<std::string, std::vector<std::int64_t>> cells;
+    for (std::int64_t cell = whole.Data.Vertices.Size(); cell < whole.Data.NumberOfCells(); ++cell)
+    {
+      const std::string& fault = names->Texts()[std::size_t(cell)];
+      std::vector<std::int64_t>& own = cells[fault];
+      if (own.empty())
+      {
+        faults.push_back(fault);
+      }
+      own.push_back(cell);
+    }
+    for (const std::string& fault : faults)
+    {
+      parts.push_back({ fault.empty() ? whole.Name : fault, TakeCells(whole.Data, cells[fault]) });
+    }
+  }
+  return parts;
+}
+}
