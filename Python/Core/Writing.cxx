@@ -78,9 +78,7 @@ Printer ChooseSinglePrinter(const std::string& format, const nb::dict& chosen, s
   }
   WrittenSense sense = WrittenSense::AsRead;
   TakeChoice(chosen, "sense", Senses, sense);
-  const GridFileKind kind = format == "irap" ? GridFileKind::IrapText
-    : format == "gri"                        ? GridFileKind::IrapBinary
-                                             : GridFileKind::Zmap;
+  const GridFileKind kind = ChooseFormat(GridFileKind::ByExtension, "grid." + format);
   return [kind, sense, &warnings](const auto& horizons, std::ostream& stream, const Monitor& monitor)
   {
     WrittenGrid written = MakeWrittenGrid(horizons.front(), kind, sense, monitor);

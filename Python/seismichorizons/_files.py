@@ -22,7 +22,8 @@ from ._mesh import Mesh, mesh_of
 
 # Formats by extension, and what they hold.
 FORMATS = {".vtp": ("vtp", "any"), ".ts": ("ts", "mesh"), ".dxf": ("dxf", "mesh"), ".stl": ("stl", "mesh"), ".ply": ("ply", "mesh"), ".obj": ("obj", "mesh"),
-           ".irap": ("irap", "any"), ".gri": ("gri", "any"), ".zmap": ("zmap", "any"), ".dat": ("text", "any"), ".txt": ("text", "any"),
+           ".irap": ("irap", "any"), ".gri": ("gri", "any"), ".zmap": ("zmap", "any"), ".cps3": ("cps3", "any"), ".grd": ("grd", "any"),
+           ".asc": ("asc", "any"), ".dat": ("text", "any"), ".txt": ("text", "any"),
            ".vsm": ("vsm", "horizon")}
 
 
@@ -185,8 +186,8 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     Parameters
     ----------
     data : Mesh, Horizon, or a list or dict of these; or Lines
-        Either for .vtp (VTK, with all arrays); meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary)
-        and .zmap, and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
+        Either for .vtp (VTK, with all arrays); meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary),
+        .zmap, .cps3, .grd (Surfer) and .asc (Esri, elevations), and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
         and .vsm; otherwise each has a file of its own, with its name added to that of `path`. `to_dataframe().to_csv` writes .csv. Lines of faults for .dat, .txt and .csv
         (tables), .pl (GOCAD), .pol (IRAP, a file for each fault) and, with GDAL, .gpkg (GeoPackage).
     path : str or path
@@ -230,7 +231,7 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
     way = direction or (next(iter(many.values())).direction if many else "down")
-    options = {"with_borders": bool(with_borders), "is_down": way == "down", "with_attributes": bool(with_attributes), "sense": way}
+    options = {"with_borders": bool(with_borders), "is_down": way == "down", "with_attributes": bool(with_attributes), "sense": direction or "as_read"}
     if form == "vtp":
         with _of_file(path):
             _core.write_contents(str(path), [(name or (key if isinstance(key, str) else one.name), _xml.poly_data(one._data_of_vtk()))

@@ -290,7 +290,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             record.warn("%s: %s is left out: no triangles between %d points, expected some that are not on one line" % (
                 label, name, result.number_of_points))
         elif data.count_points(result.data["mesh"]) or not settings.leave_out_invalid:
-            _write_mesh(result, names, folder, record)
+            _write_mesh(result, names, folder, record, settings.grids_of_meshes)
             record.add_horizon(result, supply, names.meshes[name])
             results.append(result)
         result.data.pop("measured", None)
@@ -304,9 +304,9 @@ def _run_stages(label, supply, settings, record, names, folder, found):
     return results
 
 
-def _write_mesh(result, names, folder, record):
+def _write_mesh(result, names, folder, record, grids_of_meshes):
     for name in names.meshes[result.name]:
-        for warning in writing.write(result, folder / name):
+        for warning in writing.write(result, folder / name, grids_of_meshes):
             record.warn("%s: %s" % (name, warning))
     for name in names.lines.get(result.name, ()):
         writing.write_fault_lines(result, folder / name)

@@ -10,7 +10,7 @@ Z_SOURCES, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
 REPRESENTATIVES, GROWTH_STRATEGIES = ("Barycentre", "NearestPoint"), ("Distance", "Clockwise")
 DISTANCE_UNITS = ("Lattice", "World")
 LAYER_FORMATS = ("msh", "inp", "disv")
-FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "tif", "dat", "vsm", *LAYER_FORMATS)
+FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "cps3", "grd", "asc", "tif", "dat", "vsm", *LAYER_FORMATS)
 FAULT_FORMATS = ("dat", "csv", "pl", "gpkg")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Mean", "Sheets")
 JOININGS, POLARITIES = ("BestFirst", "Components"), ("Both", "Positive", "Negative")
@@ -23,10 +23,12 @@ def add_result_options(group):
     group.add_argument("-o", "--output-folder", type=path, default=".", metavar="FOLDER", help="folder of "
                        "the results; created if missing")
     group.add_argument("--formats", action=AddToList, values=FORMATS, default=["vtp"], metavar="LIST", help="formats of the "
-                       "results: meshes for VTK (vtp), GOCAD (ts), stl, ply, obj and dxf; grids of the meshes as IRAP text "
-                       "(irap) and binary (gri), ZMAP+ (zmap) and GeoTIFF (tif); points of the horizons as picks (dat) and "
-                       "sparse voxels (vsm); with --layers, cells for Gmsh (msh), Abaqus (inp) and MODFLOW (disv) (default: "
+                       "results: meshes for VTK (vtp), GOCAD (ts), stl, ply, obj and dxf; points of the horizons as grids, IRAP "
+                       "text (irap) and binary (gri), ZMAP+ (zmap), CPS-3 (cps3), Surfer (grd), Esri ASCII (asc) and GeoTIFF "
+                       "(tif), as picks (dat) and sparse voxels (vsm); with --layers, cells for Gmsh (msh), Abaqus (inp) and MODFLOW (disv) (default: "
                        "vtp)")
+    group.add_argument("--grids-of-meshes", action="store_true", help="write grids with the heights of the meshes, in place of "
+                       "the points of the horizons")
 
 
 def add_report_options(group):

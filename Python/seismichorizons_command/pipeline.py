@@ -69,6 +69,7 @@ class Settings:
     leave_out_invalid: bool = False
     formats: tuple = ("vtp",)
     fault_formats: tuple = ()  # of lines and cutoffs
+    grids_of_meshes: bool = False  # not of points
     other_files: tuple = ()
     memory: Optional[int] = None
     jobs: int = 1
@@ -83,7 +84,8 @@ class Settings:
     def can_cut(self):
         """Whether a horizon larger than memory can be meshed in windows."""
         by_error = self.surface is not None and "MaximumNumberOfTriangles" not in self.surface
-        can_go_without = (self.error is None or self.error_if_whole) and not writing.POINT_FORMATS.keys() & set(self.formats)
+        can_go_without = (self.error is None or self.error_if_whole) and not any(
+            writing.is_of_points(form, self.grids_of_meshes) for form in self.formats)
         return by_error and can_go_without and all(
             getattr(self, name) is None for name in (*PREPARATIONS, "layers"))
 

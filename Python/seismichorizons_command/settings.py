@@ -71,6 +71,7 @@ def make_settings(options):
     settings = Settings(horizons=getattr(options, "horizons", None), leave_out_invalid=options.leave_out_invalid)
     settings.formats = options.formats
     settings.fault_formats = options.fault_formats
+    settings.grids_of_meshes = options.grids_of_meshes
     settings.memory = options.memory
     settings.jobs = options.jobs
     settings.other_files = [*getattr(options, "limits", []), *getattr(options, "fault_lines", []), *getattr(options, "fault_sticks", []),

@@ -15,18 +15,23 @@ from . import core, data, geotiff
 from .core import HorizonError
 
 MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
-# Grids of the columns that meshes cover; GeoTIFF is written by GDAL.
-GRID_FORMATS = ("irap", "gri", "zmap", "tif")
+GRID_FORMATS = ("irap", "gri", "zmap", "cps3", "grd", "asc", "tif")  # GeoTIFF is written by GDAL.
 POINT_FORMATS = {"dat": "text", "vsm": "vsm"}
 FAULT_LINES = {"fault_lines": "faults", "cutoffs": "cutoffs"}  # ends of names, and their stages
 LAYER_FORMATS = ("msh", "inp", "disv")  # for cells of layers, in addition to .vtu
 FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r")  # first characters of formulas in spreadsheets
 
 
-def write(result, path):
+def is_of_points(form, grids_of_meshes=False):
+    """Whether a format has the points of a horizon, and not its mesh."""
+    return form in POINT_FORMATS or form in GRID_FORMATS and not grids_of_meshes
+
+
+def write(result, path, grids_of_meshes=False):
     """Writes a result (pipeline.Result) in the format of the file extension: its mesh, or the points from which the mesh
     was made. Returns warnings. Raises HorizonError."""
-    return write_data(prepared(result) if path.suffix[1:] in POINT_FORMATS else result.data["mesh"], path, result.name)
+    is_mesh = not is_of_points(path.suffix[1:], grids_of_meshes)
+    return write_data(result.data["mesh"] if is_mesh else prepared(result), path, result.name)
 
 
 def prepared(result):

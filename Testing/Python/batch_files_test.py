@@ -215,7 +215,7 @@ class FilesTest(unittest.TestCase):
     def test_back_to_points(self):
         """Grids and picks of a mesh have the places of the picks, to the error; sparse files have their columns."""
         dome = self.write_turned()
-        self.run_program("--largest-error", "0.01ms", "--formats", "irap", "dat", "vsm", "--", dome)
+        self.run_program("--largest-error", "0.01ms", "--formats", "irap", "dat", "vsm", "--grids-of-meshes", "--", dome)
         (_, picks), = reading.read(dome)[0]
         expected = picks["places"]
         for name, most in (("dome.irap", 0.02), ("dome.dat", 1e-4)):
@@ -229,9 +229,9 @@ class FilesTest(unittest.TestCase):
     def test_formats_of_less(self):
         """Turned grids: what a format cannot hold is told once, under the name of the file, and the rest is as it was."""
         dome = self.write_turned()
-        code, messages, _ = self.run_program("--largest-error", "0.01ms", "--formats", "dxf", "gri", "zmap", "vtp", "--", dome)
+        code, messages, _ = self.run_program("--largest-error", "0.01ms", "--formats", "dxf", "gri", "zmap", "vtp", "--grids-of-meshes", "--", dome)
         self.assertEqual((code, len(messages)), (0, 1), messages)
-        self.assertRegex(messages[0], "^warning: dome.zmap: dome: ZMAP. has no rotation: resampled on a lattice along the axes")
+        self.assertRegex(messages[0], "^warning: dome.zmap: dome: the format has no rotation: resampled on a lattice along the axes")
         mesh = mesh_checks.read(self.output / "dome.vtp")
         drawing = (self.output / "dome.dxf").read_text(encoding="ascii")
         self.assertEqual(drawing.count("3DFACE\n8\ndome\n"), mesh.GetNumberOfPolys())

@@ -37,12 +37,13 @@ FILES_OF_VTK = {"vtp": vtkXMLPolyDataReader, "vtu": vtkXMLUnstructuredGridReader
 MESH_WRITER, GRID_WRITER = "vtkHorizonMeshWriter", "vtkHorizonGridWriter"
 WRITERS = {"vtp": MESH_WRITER, "stl": MESH_WRITER, "ply": MESH_WRITER, "obj": MESH_WRITER, "ts": "vtkGOCADTSurfWriter",
            "dxf": "vtkHorizonDXFWriter", "irap": GRID_WRITER, "gri": GRID_WRITER, "zmap": GRID_WRITER,
+           **dict.fromkeys(("cps3", "grd", "asc"), GRID_WRITER),
            "dat": "vtkHorizonTextWriter", "vsm": "vtkVerneySparseMatrixWriter",
            **dict.fromkeys(GRIDS_OF_CELLS, "vtkHorizonLayersWriter")}
 # GeoTIFF takes GDAL, which neither the functions nor the classes load.
 BY_COMMAND_ALONE = ("tif",)
 NEIGHBOURS = (*FORMATS, "vtu", "aux.xml", "tif.aux.xml", "part", "tmp", "csv", "png")
-SMALL = 600  # bytes of a file for which a full disk has room
+SMALL = 200  # bytes of a file for which a full disk has room
 PRECIOUS = b"precious"
 
 

@@ -71,7 +71,22 @@ def main():
         difference = abs(found - expected).max(axis=0)
         assert (difference <= [1e-6, 1e-6, precision]).all(), "%s: %s off" % (name, difference)
         print("%s: %d points, at most %g off" % (name, len(found), difference[2]))
+    check_ours(horizon, expected)
     check_geotiff()
+
+
+def check_ours(horizon, expected):
+    """GDAL finds what we write of a horizon at its nodes, and nothing else."""
+    for name, sign in (("ours.grd", -1.0), ("ours.asc", 1.0)):
+        assert writing.write_data(horizon, FOLDER / name, "ours") == []
+        done = subprocess.run(["gdal_translate", "-q", "-of", "XYZ", "-ot", "Float64", str(FOLDER / name), "/vsistdout/"],
+                              capture_output=True, text=True, timeout=60, check=True)
+        nodes = np.array([line.split() for line in done.stdout.splitlines()], float)
+        nodes = nodes[(abs(nodes[:, 2]) < 1e38) & (nodes[:, 2] != -9999.0)]
+        nodes = nodes[np.lexsort((nodes[:, 0], nodes[:, 1]))]
+        assert len(nodes) == len(expected), (name, len(nodes), len(expected))
+        assert np.allclose(nodes, expected * (1.0, 1.0, sign), rtol=0.0, atol=1e-3), name  # GDAL has single precision of text.
+        print("%s: %d nodes as they were" % (name, len(nodes)))
 
 
 def check_geotiff():
@@ -112,7 +127,7 @@ def check_elevations():
     for direction in (None, "Up"):
         settings = pipeline.Settings(reader={"VerticalDirection": direction} if direction else {})
         settings.torn, settings.fault_lines = pipeline.fault_settings(
-            "World", direction, sticks=FOLDER / "sticks.txt")
+            "World", direction, sticks=[FOLDER / "sticks.txt"])
         try:
             pipeline.run("terrain.tif", name, terrain, settings)
             assert direction == "Up"

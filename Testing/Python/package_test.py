@@ -24,7 +24,7 @@ import seismichorizons as sh
 DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 ROWS, COLUMNS = 40, 60
 SECONDS_UNTIL_INTERRUPT = 0.3
-GRIDS = ("irap", "gri", "zmap")
+GRIDS = ("irap", "gri", "zmap", "cps3", "grd", "asc")
 
 
 def dome(rows=ROWS, columns=COLUMNS):

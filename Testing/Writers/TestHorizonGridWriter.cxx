@@ -71,7 +71,7 @@ void TurnedLatticesAreResampledForZmap()
 {
   const auto picks = ReadPicks(MakePicks("Top", false));
   const auto found = WriteAndRead(picks->GetOutput(), "turned.zmap",
-    "turned.zmap: Top: ZMAP+ has no rotation: resampled on a lattice along the axes of 8 x 8 nodes; IRAP keeps the "
+    "turned.zmap: Top: the format has no rotation: resampled on a lattice along the axes of 8 x 8 nodes; IRAP keeps the "
     "lattice");
   CHECK(found->GetNumberOfPoints() > 10 && found->GetNumberOfPoints() < 35);
   for (vtkIdType point = 0; point < found->GetNumberOfPoints(); ++point)

@@ -28,6 +28,16 @@ double RoundingOf(const SurveyLattice& lattice);
 /// no value is near; values from 9.9e29 on are refused. The name loses commas and line ends; there is no unit.
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
 
+/// Columns from the west, each from the north, at least five to a line. Null values are 1e30; values from 9.9e29 on are
+/// refused.
+void WriteCps3(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
+
+/// Surfer 6 text: rows from the south. Null values are 1.70141e38; values from about it on are refused.
+void WriteSurfer(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
+
+/// Rows from the north. Null values are -9999 or a smaller number that no value is near.
+void WriteEsri(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor = Monitor());
+
 bool IsAlongAxes(const SurveyLattice& lattice);
 
 /// Resamples bilinearly from the south-western corner of the lattice, so that all its grids share nodes. Line numbers

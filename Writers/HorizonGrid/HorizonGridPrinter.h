@@ -20,7 +20,10 @@ enum class GridFileKind
   ByExtension,
   IrapText,
   Zmap,
-  IrapBinary
+  IrapBinary,
+  Cps3, // These have no rotation, as Zmap.
+  Surfer,
+  Esri // z increases upwards.
 };
 
 /// Returns the format itself, or that of the extension.

@@ -115,7 +115,7 @@ HorizonGrid MakeUpright(const HorizonGrid& grid, const Monitor& monitor)
   if (std::all_of(upright.Z.begin(), upright.Z.end(), [](double z) { return std::isnan(z); }))
   {
     throw InputError("none of " + std::to_string(columns) + " x " + std::to_string(rows) +
-      " nodes along the axes between columns with values, expected at least one for ZMAP+; use IRAP");
+      " nodes along the axes between columns with values, expected at least one; use IRAP");
   }
   return upright;
 }

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Common/Base/Errors.h"
+#include "GridAxes.h"
 #include "GridOutput.h"
 #include "GridWriters.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace SeismicHorizons
 {
@@ -21,61 +20,6 @@ constexpr std::array<double, 3> Nulls = { -99999.0, -999999.0, -9999999.0 };
 constexpr std::string_view LastNull = "1.0E+30";
 constexpr int ZmapValuesInLine = 5;
 constexpr std::size_t SmallestWidth = 15; // characters, as other programs write
-constexpr double LargestTilt = 0.01; // Fraction of a step by which nodes may move to be along the axes.
-
-struct Axis
-{
-  int Count = 0;
-  double First = 0.0;
-  double Last = 0.0;
-  std::int64_t FirstIndex = 0; // Index in HorizonGrid::Z.
-  std::int64_t IndexStep = 0;
-};
-
-/// `along` is the component of the step on the axis.
-Axis MakeAxis(int count, double origin, double along, std::int64_t indexStep)
-{
-  const double end = origin + (count - 1) * along;
-  const bool isBackwards = along < 0.0;
-  Axis axis;
-  axis.Count = count;
-  axis.First = isBackwards ? end : origin;
-  axis.Last = isBackwards ? origin : end;
-  axis.FirstIndex = isBackwards ? (count - 1) * indexStep : 0;
-  axis.IndexStep = isBackwards ? -indexStep : indexStep;
-  return axis;
-}
-
-/// Tests the farthest node of a step with components `along` and `beside` the axis.
-bool IsAlong(double along, double beside, int count, double otherStep)
-{
-  return std::fabs(beside) * (count - 1) <= LargestTilt * std::min(std::fabs(along), otherStep);
-}
-
-struct Axes
-{
-  Axis X;
-  Axis Y;
-};
-
-/// Either step may be along x.
-std::optional<Axes> FindAxes(const SurveyLattice& lattice)
-{
-  const Eigen::Vector2d& i = lattice.ColumnStep;
-  const Eigen::Vector2d& j = lattice.RowStep;
-  const std::int64_t rowIndex = lattice.Columns[0];
-  if (IsAlong(i.x(), i.y(), lattice.Columns[0], j.norm()) && IsAlong(j.y(), j.x(), lattice.Columns[1], i.norm()))
-  {
-    return Axes{ MakeAxis(lattice.Columns[0], lattice.Origin.x(), i.x(), 1),
-      MakeAxis(lattice.Columns[1], lattice.Origin.y(), j.y(), rowIndex) };
-  }
-  if (IsAlong(i.y(), i.x(), lattice.Columns[0], j.norm()) && IsAlong(j.x(), j.y(), lattice.Columns[1], i.norm()))
-  {
-    return Axes{ MakeAxis(lattice.Columns[1], lattice.Origin.x(), j.x(), rowIndex),
-      MakeAxis(lattice.Columns[0], lattice.Origin.y(), i.y(), 1) };
-  }
-  return {};
-}
 
 struct Layout
 {
@@ -121,38 +65,14 @@ void WriteHeader(GridOutput& output, std::string name, const Axes& axes, const L
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool IsAlongAxes(const SurveyLattice& lattice)
-{
-  return FindAxes(lattice).has_value();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void WriteZmap(std::ostream& stream, const HorizonGrid& grid, const Monitor& monitor)
 {
   RequireWritable(grid, FirstZmapNull, "ZMAP+");
-  const std::optional<Axes> found = FindAxes(grid.Lattice);
-  if (!found)
-  {
-    throw InputError("a rotated or sheared lattice, expected a lattice along the axes for ZMAP+; use IRAP");
-  }
-  const Axes& axes = *found;
+  const Axes axes = RequireAxes(grid.Lattice, "ZMAP+");
   const Layout layout = FindLayout(grid.Z);
   GridOutput output(stream, monitor, static_cast<std::int64_t>(grid.Z.size()));
   WriteHeader(output, grid.Name, axes, layout);
-  for (int column = 0; column < axes.X.Count; ++column)
-  {
-    const std::int64_t first = axes.X.FirstIndex + column * axes.X.IndexStep + axes.Y.FirstIndex;
-    for (int row = axes.Y.Count - 1; row >= 0; --row)
-    {
-      const double z = grid.Z[static_cast<std::size_t>(first + row * axes.Y.IndexStep)];
-      output.WriteValue(std::isnan(z) ? std::string_view(layout.Null) : DecimalText(z).View(), layout.Width);
-      const bool isLast = row == 0 || (axes.Y.Count - row) % ZmapValuesInLine == 0;
-      if (isLast)
-      {
-        output.EndLine();
-      }
-    }
-  }
+  PrintColumns(grid, axes, ZmapValuesInLine, layout.Width, layout.Null, output);
   output.Finish();
 }
 }

@@ -143,7 +143,7 @@ void WrittenGridsAreReadAgain()
 {
   for (const HorizonGrid& grid : { Sample(), Awkward() })
   {
-    for (const Writer write : { WriteIrapText, WriteZmap })
+    for (const Writer write : { WriteIrapText, WriteZmap, WriteCps3, WriteSurfer, WriteEsri })
     {
       const HorizonGrid again = Read(Write(write, grid));
       CHECK(again.Lattice.Columns == grid.Lattice.Columns);
@@ -171,8 +171,8 @@ void IrapTurnsAndMirrors()
   }
 }
 
-/// A lattice that runs from another corner, or the other way, is the same grid.
-void ZmapTakesAllWaysAlongTheAxes()
+/// A lattice that runs from another corner, or the other way, is the same grid; nulls are below all values.
+void AllWaysAlongTheAxes()
 {
   const HorizonGrid expected = Sample();
   HorizonGrid mirrored = expected;
@@ -180,14 +180,20 @@ void ZmapTakesAllWaysAlongTheAxes()
   mirrored.Lattice.ColumnStep = { -50, 0 };
   mirrored.Lattice.RowStep = { 0, -25 };
   std::reverse(mirrored.Z.begin(), mirrored.Z.end());
-  CHECK(IsTheSample(Read(ZmapOf(mirrored))));
   HorizonGrid turned = expected;
   turned.Lattice.Columns = { 2, 3 };
   turned.Lattice.Origin = { 1100, 5000 };
   turned.Lattice.ColumnStep = { 0, 25 };
   turned.Lattice.RowStep = { -50, 0 };
   turned.Z = { 3, 6, 2, None, 1, 4 };
-  CHECK(IsTheSample(Read(ZmapOf(turned))));
+  HorizonGrid low = expected;
+  low.Z[0] = -9999.0;
+  for (const Writer write : { WriteZmap, WriteCps3, WriteSurfer, WriteEsri })
+  {
+    CHECK(IsTheSample(Read(Write(write, mirrored))));
+    CHECK(IsTheSample(Read(Write(write, turned))));
+    CHECK(HasValues(Read(Write(write, low)), low.Z));
+  }
 }
 
 void LatticesThatDoNotFitAreRefused()
@@ -202,7 +208,7 @@ void LatticesThatDoNotFitAreRefused()
   grid.Lattice.RowStep = { -1, 24.95 };
   CHECK_THROWS_WITH(ZmapOf(grid), message);
   grid.Lattice.ColumnStep = { 0, 0 };
-  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap })
+  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap, WriteCps3, WriteSurfer, WriteEsri })
   {
     CHECK_THROWS_WITH(
       Write(write, grid), " with the steps (0, 0) and (-1, 24.95), expected finite numbers, and steps other than 0");
@@ -232,7 +238,7 @@ void ValuesThatDoNotFitAreRefused()
 
 void WriteErrorsAreTold()
 {
-  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap })
+  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap, WriteCps3, WriteSurfer, WriteEsri })
   {
     std::ostringstream stream;
     stream.setstate(std::ios::badbit);
@@ -245,7 +251,7 @@ void WritingStopsOnRequest()
   HorizonGrid grid;
   grid.Lattice.Columns = { 400, 900 };
   grid.Z.assign(400 * 900, 1234.5678);
-  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap })
+  for (const Writer write : { WriteIrapText, WriteIrapBinary, WriteZmap, WriteCps3, WriteSurfer, WriteEsri })
   {
     const auto work = [&](const Monitor& monitor)
     {
@@ -267,7 +273,7 @@ int TestGridWriters(int, char*[])
   ZmapLinesAreRegular();
   WrittenGridsAreReadAgain();
   IrapTurnsAndMirrors();
-  ZmapTakesAllWaysAlongTheAxes();
+  AllWaysAlongTheAxes();
   LatticesThatDoNotFitAreRefused();
   ValuesThatDoNotFitAreRefused();
   WriteErrorsAreTold();

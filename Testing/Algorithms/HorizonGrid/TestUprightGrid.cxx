@@ -117,7 +117,7 @@ void GridsWithoutNodesAreRefused()
   line.Lattice.Columns = { 40, 1 };
   line.Z.assign(40, None);
   CHECK_THROWS_WITH(
-    MakeUpright(line), "nodes along the axes between columns with values, expected at least one for ZMAP+; use IRAP");
+    MakeUpright(line), "nodes along the axes between columns with values, expected at least one; use IRAP");
   line.Lattice.Columns = { 1000000, 1 };
   line.Z.assign(1000000, 1.0);
   CHECK_THROWS_WITH(MakeUpright(line), " x 250000 nodes, expected at most 100000000 in all for 1000000 x 1 columns");
