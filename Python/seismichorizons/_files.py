@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _core, _vectors, _xml
+from . import _core, _gdal, _xml
 from ._data import Progress, in_keywords, nulls_of, require_file, warn_all
 from ._horizon import Horizon
 from ._lines import Lines
@@ -23,7 +23,7 @@ from ._mesh import Mesh, mesh_of
 # Formats by extension, and what they hold.
 FORMATS = {".vtp": ("vtp", "any"), ".ts": ("ts", "mesh"), ".dxf": ("dxf", "mesh"), ".stl": ("stl", "mesh"), ".ply": ("ply", "mesh"), ".obj": ("obj", "mesh"),
            ".irap": ("irap", "any"), ".gri": ("gri", "any"), ".zmap": ("zmap", "any"), ".cps3": ("cps3", "any"), ".grd": ("grd", "any"),
-           ".asc": ("asc", "any"), ".dat": ("text", "any"), ".txt": ("text", "any"),
+           ".asc": ("asc", "any"), ".tif": ("tif", "any"), ".dat": ("text", "any"), ".txt": ("text", "any"),
            ".vsm": ("vsm", "horizon")}
 
 
@@ -49,7 +49,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     ----------
     path : str or path
         Sparse voxels (.vsm); picks of Petrel, OpendTect, Kingdom, Charisma, IESX and plain tables; grids of IRAP (text and binary), ZMAP, CPS-3,
-        EarthVision, Surfer, GXF, ESRI and Storm; also compressed with gzip.
+        EarthVision, Surfer, GXF, ESRI and Storm; GeoTIFF with GDAL; also compressed with gzip.
     horizons : str or list of str, optional
         Names of the horizons to return; all by default.
     columns : str or list of str, optional
@@ -91,6 +91,8 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     name = str(path)
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     nulls = nulls_of(nodata)
+    if _is_tiff(path):
+        return _choose(path, _read_image(path, where, placement(duplicates, gridding, leave_out_strays), progress), horizons)
     with _of_file(path):
         kind = _core.find_format(os.fsencode(path))
         if kind == "tsurf":
@@ -113,6 +115,22 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
                                           *where, progress)
         made = make_horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
     return _choose(path, made, horizons)
+
+
+def _is_tiff(path: pathlib.Path) -> bool:
+    with open(path, "rb") as file:
+        return file.read(4) in _gdal.BEGINNINGS
+
+
+def _read_image(path: pathlib.Path, where: Any, placing: dict[str, Any], progress: Progress | None) -> dict[str, Any]:
+    """The horizon of a GeoTIFF."""
+    arrays, own = _gdal.read_image(path)
+    step, direction, (*units, system) = where
+    lattice = {name: own[name] for name in ("origin", "column_step", "row_step")}
+    with _of_file(path):
+        found = _core.place_points(arrays, {}, [path.stem], {**placing, **lattice}, step, direction or own["direction"],
+                                   (*units, system or own["coordinate_system"]), progress)
+    return make_horizons(found, path.stem, "GeoTIFF", path.name)
 
 
 def _read_sparse(path: str, duplicates: str, rows: tuple[int, int] | None, direction: str, survey: Any, progress: Progress | None) -> tuple[Any, str, list[str]]:
@@ -166,17 +184,28 @@ def read_mesh(path: str | os.PathLike[str], horizons: str | Sequence[str] | None
 
 
 # Formats of fault lines.
-LINE_FORMATS = (".dat", ".txt", ".csv", ".pl", ".pol", _vectors.WRITTEN)
+LINE_FORMATS = (".dat", ".txt", ".csv", ".pl", ".pol", _gdal.WRITTEN_LINES)
 
 
 def _write_lines(lines: Lines, path: pathlib.Path, direction: str, progress: Progress | None) -> None:
     if path.suffix.lower() not in LINE_FORMATS:
         raise ValueError("%s: lines, expected one of the extensions %s" % (path, ", ".join(LINE_FORMATS)))
     with _of_file(path):
-        if path.suffix.lower() == _vectors.WRITTEN:
-            _core.write_contents(str(path), [("", _vectors.content(lines, path, direction))])
+        if path.suffix.lower() == _gdal.WRITTEN_LINES:
+            _core.write_contents(str(path), [("", _gdal.map_of_lines(lines, path, direction))])
         else:
             _core.write_faults(str(path), [(path.stem, lines._data())], direction, progress)
+
+
+def _write_images(many: Mapping[Any, Any], path: pathlib.Path, name: str | None, direction: str, progress: Progress | None) -> None:
+    images = []
+    for key, one in many.items():
+        with _of_file(path):
+            content, messages = _gdal.image(one._data_of_file(), path, direction or one.direction, progress)
+        images.append((name or (key if isinstance(key, str) else one.name), content))
+        warn_all(path, messages)
+    with _of_file(path):
+        _core.write_contents(str(path), images)
 
 
 def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, with_borders: bool = False,
@@ -187,7 +216,7 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     ----------
     data : Mesh, Horizon, or a list or dict of these; or Lines
         Either for .vtp (VTK, with all arrays); meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary),
-        .zmap, .cps3, .grd (Surfer) and .asc (Esri, elevations), and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
+        .zmap, .cps3, .grd (Surfer), .asc (Esri, elevations) and, with GDAL, .tif (GeoTIFF), and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
         and .vsm; otherwise each has a file of its own, with its name added to that of `path`. `to_dataframe().to_csv` writes .csv. Lines of faults for .dat, .txt and .csv
         (tables), .pl (GOCAD), .pol (IRAP, a file for each fault) and, with GDAL, .gpkg (GeoPackage).
     path : str or path
@@ -236,6 +265,9 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
         with _of_file(path):
             _core.write_contents(str(path), [(name or (key if isinstance(key, str) else one.name), _xml.poly_data(one._data_of_vtk()))
                                              for key, one in many.items()])
+        return
+    if form == "tif":
+        _write_images(many, path, name, direction, progress)
         return
     named = [(name or (key if isinstance(key, str) else one.name), one._data_of_file()) for key, one in many.items()]
     with _of_file(path):

@@ -12,10 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from . import _core, _vectors
+from . import _core, _gdal
 from ._data import SURVEY, Data, Progress, give_lines, give_survey, in_keywords, loops, nulls_of, require_file, snake, survey
 from ._horizon import Floats, Horizon
-from ._vectors import FAULT_NAMES
 
 
 @dataclasses.dataclass(eq=False, repr=False)
@@ -125,7 +124,7 @@ def lines_of(given: Any, fault: str = "") -> Lines:
 def _of_geopandas(frame: Any) -> Lines:
     """Lines of a GeoDataFrame, with the names of its column Fault or name."""
     columns = {str(column).lower(): column for column in frame.columns}
-    name, stick = (next((columns[word] for word in words if word in columns), None) for words in (FAULT_NAMES, ("stick",)))
+    name, stick = (next((columns[word] for word in words if word in columns), None) for words in (_gdal.FAULT_NAMES, ("stick",)))
     names, sticks, lines = [], [], []
     for _, row in frame.iterrows():
         for part in getattr(row.geometry, "geoms", [row.geometry]):
@@ -171,12 +170,12 @@ def read_faults(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     paths = [pathlib.Path(one) for one in ([path] if isinstance(path, (str, os.PathLike)) else path)]
     for one in paths:
         require_file(one)
-    maps = [one for one in paths if one.suffix.lower() in _vectors.READ]
+    maps = [one for one in paths if one.suffix.lower() in _gdal.LINES]
     if maps and len(paths) > 1:
         return lines_of([read_faults(one, columns=columns, nodata=nodata, header_lines=header_lines, direction=direction, progress=progress)
                          for one in paths])
     if maps:
-        found = Lines(**_vectors.read(maps[0], direction))
+        found = Lines(**_gdal.read_lines(maps[0], direction))
         z = -np.concatenate(found.lines)[:, 2] if found.direction == "down" else np.concatenate(found.lines)[:, 2]
         return dataclasses.replace(found, taken=("%s: %d lines, z %.7g to %.7g %s" % (maps[0].name, len(found), z.min(), z.max(), found.direction),))
     options = {"columns": columns if isinstance(columns, str) else " ".join(columns), "nulls": nulls_of(nodata), "header_lines": int(header_lines)}

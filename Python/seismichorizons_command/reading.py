@@ -11,10 +11,10 @@ import pathlib
 import time
 
 import numpy as np
-from seismichorizons import _core
+from seismichorizons import _core, _gdal
 from seismichorizons._data import SURVEY
 
-from . import core, cubes, geotiff, tsurf
+from . import core, cubes, tsurf
 from .core import HorizonError, snake
 from .progress import file_work
 
@@ -44,7 +44,7 @@ def find_format(path):
     if not os.path.isfile(path):  # opening a pipe may block forever
         return None
     beginning = _beginning(path)
-    if beginning.startswith(geotiff.BEGINNINGS):
+    if beginning.startswith(_gdal.BEGINNINGS):
         return "geotiff"
     if beginning.upper().startswith(b"GOCAD PLINE"):
         return None  # it begins like a surface
@@ -155,8 +155,10 @@ def open_file(path, horizons=None, left_out=None, with_overview=False, **propert
         placed = {**properties, **own}
         return Source(path, form, lambda: _described_around(_place(found, placed, path), KINDS[form], sense.splitlines()), surfaces)
     if form == "geotiff":
-        arrays, own = geotiff.read(path)
-        placed = {**own, **properties}
+        with core.errors():
+            arrays, own = _gdal.read_image(path)
+        placed = {"Origin": own["origin"], "ColumnStep": own["column_step"], "RowStep": own["row_step"],
+                  "VerticalDirection": own["direction"].capitalize(), "CoordinateSystem": own["coordinate_system"], **properties}
         return Source(path, form, lambda: _described_first(_place({path.stem: arrays}, placed, path), KINDS[form]))
     properties = _with_lattice(properties)
     return Source(path, form, lambda: (_read_grid if form == "grid" else _read_text)(path, properties))

@@ -9,9 +9,9 @@ fails, an existing file is unchanged.
 import csv
 import io
 
-from seismichorizons import Lines, _core, _files, _xml
+from seismichorizons import Lines, _core, _files, _gdal, _xml
 
-from . import core, data, geotiff
+from . import core, data
 from .core import HorizonError
 
 MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
@@ -44,9 +44,11 @@ def write_data(given, path, name):
     HorizonError."""
     form = path.suffix[1:]
     if form == "tif":
-        content, warnings = geotiff.make_content(given, path)
+        direction = "down" if data.vertical_direction(given) < 0 else "up"
+        with core.errors():
+            content, warnings = core.run(lambda progress: _gdal.image(given, path, direction, progress), label="%s: writing" % path.name)
         write_file(content, path)
-        return warnings
+        return [warning.replace("CoordinateSystem", "--coordinate-system") for warning in warnings]
     if form == "vtp":
         write_file(_xml.poly_data(given), path)
         return []

@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import numpy as np
+import seismichorizons as sh
 from seismichorizons_command import core, data, pipeline, reading, writing
 
 FOLDER = pathlib.Path(sys.argv[1])
@@ -110,6 +111,10 @@ def check_geotiff():
     assert name == "turned"
     assert data.text(again, "CoordinateSystem") == "EPSG:23031"
     assert np.allclose(places(again), places(horizon), atol=1e-6, rtol=0.0)
+    one = sh.read(FOLDER / "turned.tif")["turned"]
+    sh.write(one, FOLDER / "again.tif")
+    (back,) = sh.read(FOLDER / "again.tif").values()
+    assert (back.z == one.z).all() and (back.columns == one.columns).all() and back.direction == "down" and back.coordinate_system == "EPSG:23031"
     print("GeoTIFF: %d points" % data.count_points(again))
     check_elevations()
 
@@ -126,7 +131,7 @@ def check_elevations():
     ((name, terrain),), _ = reading.read(FOLDER / "terrain.tif")
     for direction in (None, "Up"):
         settings = pipeline.Settings(reader={"VerticalDirection": direction} if direction else {})
-        settings.torn, settings.fault_lines = pipeline.fault_settings(
+        settings.torn, settings.fault_lines, _ = pipeline.fault_settings(
             "World", direction, sticks=[FOLDER / "sticks.txt"])
         try:
             pipeline.run("terrain.tif", name, terrain, settings)

@@ -233,10 +233,11 @@ class FilesTest(unittest.TestCase):
             for name, data in (("mesh", mesh), ("points", top)):
                 path = FOLDER / ("%s.%s" % (name, form))
                 sh.write(data, path)
-                (back,) = sh.read(path, direction="down").values()
+                (back,) = sh.read(path).values()
+                self.assertEqual(back.direction, "up" if form == "asc" else "down")
                 self.assertEqual(len(back), mesh.ledger.covered if data is mesh else len(top), path)
                 columns = np.rint(np.column_stack((back.x, back.y)) / 25.0).astype(int)
-                off = np.abs(back.z - z[columns[:, 1], columns[:, 0]])
+                off = np.abs((-back.z if form == "asc" else back.z) - z[columns[:, 1], columns[:, 0]])
                 self.assertLessEqual(np.nanmax(off), 1e-3 + (mesh.largest_error if data is mesh else 0.0), path)
         sh.write(mesh, FOLDER / "top.ts")
         (back,) = sh.read_mesh(FOLDER / "top.ts").values()
