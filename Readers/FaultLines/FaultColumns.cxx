@@ -302,6 +302,12 @@ FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& op
   {
     columns.Roles = *named;
     columns.IsUpright = IsElevationAt(header, columns.Find(FaultRole::Z));
+    columns.SaysFaults = std::any_of(header.Columns.begin(), header.Columns.end(),
+      [](const TextColumn& column)
+      {
+        const std::string letters = Letters(column.Name);
+        return letters.find("fault") != std::string::npos || letters.find("stick") != std::string::npos;
+      });
   }
   else if (areEqual && fields >= 3)
   {

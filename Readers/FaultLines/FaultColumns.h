@@ -42,6 +42,7 @@ struct FaultColumns
   bool EndInName = false;
   bool HasDecimalCommas = false;
   bool IsUpright = false; // z is an elevation by its name.
+  bool SaysFaults = false; // A name of a column has the word fault or stick.
   std::int64_t HeaderLines = 0; // lines before the first point
   SurveyDescription Survey;
 

@@ -90,6 +90,9 @@ std::string_view FirstLine(std::string_view text)
   return text.substr(0, text.find('\n'));
 }
 
+constexpr std::size_t MostFields = 6; // of points without names: fault, stick, node, x, y and z
+constexpr std::size_t LookedAt = 64 * 1024; // bytes, to recognise a file
+
 /// Looks for marks that only files of fault lines have; lines of x y z alone may be picks.
 bool HasMark(std::string_view text)
 {
@@ -137,8 +140,7 @@ double ReadFinite(std::string_view field, std::int64_t line, const char* what)
 //----------------------------------------------------------------------------------------------------------------------
 bool BeginsAsFaultLines(std::istream& stream)
 {
-  constexpr std::size_t lookedAt = 64 * 1024;
-  const std::string text = PeekLines(stream, lookedAt);
+  const std::string text = PeekLines(stream, LookedAt);
   if (text.find('\0') != std::string::npos || !HasMark(text))
   {
     return false;
@@ -152,6 +154,27 @@ bool BeginsAsFaultLines(std::istream& stream)
   const FaultLineFile file = dealer.Parser->Finish();
   // ZMAP+ files of points without segments are no fault lines.
   return !file.Ends.empty() && (!StartsWith(Trim(FirstLine(text)), "@") || !file.Sticks.front().empty());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsFaultTable(std::istream& stream)
+{
+  const std::string text = PeekLines(stream, LookedAt);
+  if (text.find('\0') != std::string::npos)
+  {
+    return false;
+  }
+  const TextLines lines = SplitLines(WithoutByteOrderMark(text));
+  try
+  {
+    const FaultColumns columns = FindFaultColumns(lines, {});
+    return columns.SaysFaults ||
+      (columns.HeaderLines == 0 && columns.Roles.size() <= MostFields && columns.Find(FaultRole::Stick) >= 0);
+  }
+  catch (const InputError&)
+  {
+    return false;
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

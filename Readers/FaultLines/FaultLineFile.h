@@ -55,6 +55,9 @@ public:
 /// Requires marks of a format in the beginning of the file, and a polyline.
 bool BeginsAsFaultLines(std::istream& stream);
 
+/// Whether a table has a column that tells lines apart, by its name or, without names, by its values. May be picks.
+bool IsFaultTable(std::istream& stream);
+
 /// Options are of tables.
 FaultLineFile ReadFaultLines(std::istream& stream, const FaultTextOptions& options = {},
   const Monitor& monitor = Monitor(), std::size_t bufferSize = 1024 * 1024);

@@ -9,6 +9,7 @@
 #include "Common/VTK/PipelineRequest.h"
 #include "FaultLineFile.h"
 #include "FaultLineHorizon.h"
+#include "Readers/HorizonText/HorizonTextParser.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -41,8 +42,10 @@ vtkFaultLinesReader::~vtkFaultLinesReader()
 int vtkFaultLinesReader::CanReadFile(const char* fileName)
 {
   const std::string extension = ExtensionOf(fileName ? fileName : "");
-  const bool isOwn = extension == "pl" || extension == "pol" || extension == "flt";
-  return IsRecognised(fileName, [isOwn](std::istream& stream) { return isOwn || BeginsAsFaultLines(stream); });
+  const bool isOwn = extension == "pl" || extension == "pol" || extension == "flt" || extension == "dufault";
+  return IsRecognised(fileName,
+    [isOwn, &extension](std::istream& stream)
+    { return isOwn || BeginsAsFaultLines(stream) || (IsFaultTable(stream) && !ArePicks(stream, extension)); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -36,9 +36,10 @@ public:
   vtkTypeMacro(vtkFaultLinesReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// 1 for names that end in .pl, .pol or .flt, and for files that have what only fault lines have: a GOCAD PLine,
+  /// 1 for names that end in .pl, .pol, .flt or .dufault, and for files that have what only fault lines have: a GOCAD PLine,
   /// segments of ZMAP+, names of CPS-3, sticks of Charisma, or ends of polylines of IRAP other than at the end of the
-  /// file; else 0.
+  /// file; also for tables with columns named after faults or sticks, or with numbers of sticks, that are no picks; else
+  /// 0.
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   ///@{

@@ -37,6 +37,14 @@ ZMAP = "@top HEADER , GRID, 5\n15, -99999.0, , 4, 1\n3, 2, 0.0, 100.0, 0.0, 200.
 ESRI = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2 3\n4 5 6\n"
 TSURF = "GOCAD TSurf 1\nHEADER {\nname:Top\n}\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n"
 PLINE = "GOCAD PLine 1\nHEADER {\nname:F1\n}\nILINE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nSEG 1 2\nEND\n"
+
+
+def sticks(names, line):
+    """Two sticks of four points: fault, x, y, z and node."""
+    rows = [line.format(stick, 100.5 + 71.3 * stick + 1.7 * node ** 2, 2000.25 + 3.1 * node ** 3, 1500 + 10.3 * node, node) for stick in range(2) for node in range(4)]
+    return "\n".join([names] * bool(names) + rows) + "\n"
+
+
 IRAP_LINES = "20.5 -9.0 0\n20.5 900.0 0\n999.0 999.0 999.0\n1 2 3\n4 5 6\n999.0 999.0 999.0\n"
 MATRIX = "3 2 9\n1 1 1 1 1\n2 1 1 2 2\n3 1 1 3 3\n4 1 1 4 4\n\n6 1 1 6 6\n"
 SCATTER = "".join("%d.%d %d.%d 3.5\n" % (n * n % 97, n * 7 % 10, n * n * n % 89, n * 3 % 10) for n in range(50))
@@ -60,7 +68,11 @@ FILES = (
     ("zmap.txt", ZMAP, GRID), ("zmap.dat", ZMAP, GRID), ("esri.txt", ESRI, GRID), ("esri.grd", ESRI, GRID),
     ("mesh.txt", TSURF, MESH), ("mesh", TSURF, MESH), ("mesh.dat", TSURF, MESH), ("mesh.ts", TSURF, MESH),
     ("faults.txt", PLINE, LINES), ("faults", PLINE, LINES), ("faults.dat", IRAP_LINES, LINES), ("faults.ts", PLINE, LINES),
-    ("faults.csv", IRAP_LINES, LINES), ("ended.dat", picks() + "999.0 999.0 999.0\n", TEXT),
+    ("faults.csv", IRAP_LINES, LINES), ("sticks.csv", sticks("Fault name,Stick,X,Y,Z", "F{0},{0},{1},{2},{3}"), LINES),
+    ("northing.csv", sticks("Northing,Easting,TWT,Fault", "{2},{1},{3},F{0}"), LINES),
+    ("sticks.txt", sticks("", "{1}\t{2}\t{3}\t{0}\t{4}"), LINES), ("numbers.txt", sticks("", "{1} {2} {3} {0}"), LINES),
+    ("named.txt", sticks("", "{1} {2} {3} F1 {0}"), LINES),
+    ("tops.csv", "Well,X,Y,Z,Surface\nW1,1.5,7,900,Top\nW1,1.5,7,950,Base\nW2,40,3.25,910,Top\n", TABLE), ("ended.dat", picks() + "999.0 999.0 999.0\n", TEXT),
     ("ended.txt", picks() + "999.0 999.0 999.0\n", TEXT),
     ("voxels.txt", MATRIX, VOXELS), ("voxels", MATRIX, VOXELS), ("voxels.csv", MATRIX, VOXELS), ("voxels.vsm", MATRIX, VOXELS),
     # What the reader refuses comes to it only where no other reader wants it: it says what to do.
