@@ -312,23 +312,25 @@ std::vector<FaultStick> ReadFaultSticks(const Horizon& lines)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
+void RunFaults(const Horizon& horizon, GivenFaults& faultsGiven, FaultStageOptions options,
   std::vector<Horizon>& outputs, const Monitor& monitor)
 {
+  const std::vector<FaultStick>& given = faultsGiven.Sticks;
   CheckOptions(options);
   LatticePoints points = ReadColumns(WithoutHiddenPoints(horizon));
   WriteDeviation(points, outputs);
   Horizon& output = outputs[HorizonPort];
   std::vector<FaultPolyline> polylines;
   std::vector<std::string> faults; // of each polyline
-  FaultOutcome outcome;
+  IdleLines idle;
+  bool doCut = false;
   if (!options.AreSticks && !given.empty())
   {
     polylines = ToMap(given, points.Lattice);
     std::transform(
       given.begin(), given.end(), std::back_inserter(faults), [](const FaultStick& line) { return line.Fault; });
-    outcome.Idle = FindIdleLines(given, polylines, points);
-    outcome.Cuts = UsePolygons(options.Polygons, polylines, points, output);
+    idle = FindIdleLines(given, polylines, points);
+    doCut = UsePolygons(options.Polygons, polylines, points, output);
   }
   const double indices = IndicesPerUnit(options.ThrowUnit, points.Column, points.Height, points.Lattice);
   options.Noise *= indices;
@@ -348,11 +350,11 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
       polylines.insert(polylines.end(), ofSheet.begin(), ofSheet.end());
       faults.resize(polylines.size(), NameOf(sheets, n));
     }
-    outcome.Idle = FindIdleSticks(given, sheets, traces, options.ExtendSticks, points);
+    idle = FindIdleSticks(given, sheets, traces, options.ExtendSticks, points);
   }
   monitor.Progress(0.2);
   FaultLines lines = CutAlong(heights, polylines, faults);
-  outcome.Cuts = outcome.Cuts || lines.Size() > 0;
+  faultsGiven.Add(idle, doCut || lines.Size() > 0);
   const ArrayTable figures = output.FieldData;
   output = points.Horizon;
   output.FieldData = figures;
@@ -367,16 +369,26 @@ FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& gi
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
   WriteCutoffs(lines, heights, points.Lattice, outputs[CutoffsPort]);
-  return outcome;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> WarnOfIdleLines(std::size_t lines, const std::string& cause)
+void GivenFaults::Add(const IdleLines& idle, bool cut)
 {
+  this->DoCut = this->DoCut || cut;
+  this->Idle ? this->Idle->KeepCommon(idle) : void(this->Idle = idle);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> GivenFaults::Warnings() const
+{
+  if (!this->Idle || this->Sticks.empty() || this->DoCut)
+  {
+    return this->Idle ? this->Idle->Warnings() : std::vector<std::string>();
+  }
   std::vector<std::string> warnings;
-  warnings.push_back("none of " + std::to_string(lines) +
+  warnings.push_back("none of " + std::to_string(this->Sticks.size()) +
     " fault polylines passes between columns of a horizon, expected lines in the coordinates of its points" +
-    (cause.empty() ? "" : ": " + cause));
+    (this->Idle->Cause.empty() ? "" : ": " + this->Idle->Cause));
   return warnings;
 }
 }

@@ -11,8 +11,9 @@
 #include "Filters/Algorithms/Faults/FaultLines.h"
 #include "Filters/Common/HeightUnit.h"
 
-#include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -37,18 +38,32 @@ struct FaultStageOptions : FaultDetectionOptions
 /// data; without FaultStick, apart from its last word, the number of the stick.
 std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
 
-struct FaultOutcome
+/// Given lines, and which of them have an effect on the horizons so far.
+class GivenFaults
 {
-  bool Cuts = false; // A given line cuts or blanks points.
-  IdleLines Idle;
+public:
+  explicit GivenFaults(std::vector<FaultStick> sticks = {})
+    : Sticks(std::move(sticks))
+  {
+  }
+
+  const std::vector<FaultStick> Sticks;
+
+  bool HaveHorizons() const { return this->Idle.has_value(); }
+  void Add(const IdleLines& idle, bool cut);
+
+  /// Of lines without an effect on any horizon.
+  std::vector<std::string> Warnings() const;
+
+private:
+  bool DoCut = false;
+  std::optional<IdleLines> Idle;
 };
 
-/// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and the surfaces of sticks.
-FaultOutcome RunFaults(const Horizon& horizon, const std::vector<FaultStick>& given, FaultStageOptions options,
-  std::vector<Horizon>& outputs, const Monitor& monitor);
-
-/// If none of some lines cuts any horizon. The cause may be empty.
-std::vector<std::string> WarnOfIdleLines(std::size_t lines, const std::string& cause);
+/// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, surfaces of sticks, and
+/// cutoffs.
+void RunFaults(const Horizon& horizon, GivenFaults& given, FaultStageOptions options, std::vector<Horizon>& outputs,
+  const Monitor& monitor);
 }
 
 #endif

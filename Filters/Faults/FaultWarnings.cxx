@@ -112,42 +112,33 @@ IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vecto
   const std::vector<std::size_t>& traces, bool areExtended, const LatticePoints& points)
 {
   IdleLines found;
+  found.Given = sticks.size();
+  found.Sheets = sheets.size();
   std::map<std::string, std::int64_t> alone; // numbers of sticks in no sheet
   for (const FaultStick& stick : sticks)
   {
     ++alone[stick.Fault];
   }
-  std::vector<std::string> idle;
   for (std::size_t n = 0; n < sheets.size(); ++n)
   {
     alone[sheets[n].Fault] -= std::int64_t(sheets[n].Sticks) - (areExtended ? 2 : 0);
     if (traces[n] == 0)
     {
-      idle.push_back(NameOr(sheets[n].Fault, "sticks ", n));
+      found.Uncut.push_back(NameOr(sheets[n].Fault, "sticks ", n));
       found.Cause = found.Cause.empty() ? CauseOf(sheets[n], points) : found.Cause;
     }
   }
-  std::int64_t left = 0;
-  std::vector<std::string> names;
   for (const auto& [name, number] : alone)
   {
-    left += number;
+    found.SticksAlone += std::size_t(number);
     if (number > 0 && !name.empty())
     {
-      names.push_back(name);
+      found.FaultsAlone.push_back(name);
     }
   }
-  if (left > 0)
+  if (found.SticksAlone > 0 && found.Cause.empty())
   {
-    const std::string of = names.empty() ? "" : " (" + List(names) + ")";
-    found.Warnings.push_back(std::to_string(left) + " of " + std::to_string(sticks.size()) + " fault sticks" + of +
-      " join no surface, expected two sticks of two points for each fault, beside each other");
-    found.Cause = found.Cause.empty() ? "sticks that join no surface" : found.Cause;
-  }
-  if (!idle.empty())
-  {
-    found.Warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(sheets.size()) + " faults (" +
-      List(idle) + ") cut nothing: " + found.Cause);
+    found.Cause = "sticks that join no surface";
   }
   return found;
 }
@@ -157,21 +148,53 @@ IdleLines FindIdleLines(
   const std::vector<FaultStick>& lines, const std::vector<FaultPolyline>& onMap, const LatticePoints& points)
 {
   IdleLines found;
+  found.Given = lines.size();
   const PlaneBox box(points.Column);
-  std::vector<std::string> names;
   for (std::size_t n = 0; n < onMap.size(); ++n)
   {
     if (!onMap[n].empty() && PartInside(box, onMap[n]) <= 0.5)
     {
-      names.push_back(NameOr(lines[n].Fault, "line ", n));
+      found.Beside.push_back(NameOr(lines[n].Fault, "line ", n));
+      found.Cause = BesideCause;
     }
   }
-  if (!names.empty())
-  {
-    found.Cause = BesideCause;
-    found.Warnings.push_back(std::to_string(names.size()) + " of " + std::to_string(lines.size()) + " fault lines (" +
-      List(names) + ") are at least half beside the horizon");
-  }
   return found;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void IdleLines::KeepCommon(const IdleLines& other)
+{
+  for (const auto names : { &IdleLines::Uncut, &IdleLines::Beside })
+  {
+    std::vector<std::string>& own = this->*names;
+    const std::vector<std::string>& others = other.*names;
+    own.erase(
+      std::remove_if(own.begin(), own.end(),
+        [&others](const std::string& name) { return std::find(others.begin(), others.end(), name) == others.end(); }),
+      own.end());
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> IdleLines::Warnings() const
+{
+  std::vector<std::string> warnings;
+  if (this->SticksAlone > 0)
+  {
+    const std::string of = this->FaultsAlone.empty() ? "" : " (" + List(this->FaultsAlone) + ")";
+    warnings.push_back(std::to_string(this->SticksAlone) + " of " + std::to_string(this->Given) + " fault sticks" + of +
+      " join no surface, expected two sticks of two points for each fault, beside each other");
+  }
+  if (!this->Uncut.empty())
+  {
+    warnings.push_back(std::to_string(this->Uncut.size()) + " of " + std::to_string(this->Sheets) + " faults (" +
+      List(this->Uncut) + ") cut nothing: " + this->Cause);
+  }
+  if (!this->Beside.empty())
+  {
+    warnings.push_back(std::to_string(this->Beside.size()) + " of " + std::to_string(this->Given) + " fault lines (" +
+      List(this->Beside) + ") are at least half beside the horizon");
+  }
+  return warnings;
 }
 }

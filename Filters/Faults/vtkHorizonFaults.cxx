@@ -24,19 +24,6 @@ namespace
 {
 constexpr int GivenPort = 1;
 
-/// The warnings that have the same beginning in another list; their causes may differ.
-std::vector<std::string> KeepCommon(std::vector<std::string> warnings, const std::vector<std::string>& others)
-{
-  const auto isAlone = [&others](const std::string& warning)
-  {
-    return std::none_of(others.begin(), others.end(),
-      [&warning](const std::string& other)
-      { return other.substr(0, other.find(": ")) == warning.substr(0, warning.find(": ")); });
-  };
-  warnings.erase(std::remove_if(warnings.begin(), warnings.end(), isAlone), warnings.end());
-  return warnings;
-}
-
 std::vector<FaultStick> SticksOf(vtkDataObject* object)
 {
   auto* const data = vtkPolyData::SafeDownCast(object);
@@ -87,18 +74,11 @@ int vtkHorizonFaults::RequestData(
   this->MeasuredNoise = 0.0;
   this->NumberOfFaultLines = 0;
   this->NumberOfFaultedLinks = 0;
-  this->NumberOfGivenLines = 0;
-  this->DoesGivenLineCut = false;
-  this->IdleCause.clear();
-  this->IdleWarnings.clear();
+  this->Given.reset();
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  if (this->NumberOfGivenLines > 0 && !this->DoesGivenLineCut)
+  if (this->Given)
   {
-    this->Warn(WarnOfIdleLines(std::size_t(this->NumberOfGivenLines), this->IdleCause));
-  }
-  else
-  {
-    this->Warn(this->IdleWarnings);
+    this->Warn(this->Given->Warnings());
   }
   return result;
 }
@@ -120,10 +100,12 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   options.AreSticks = lines && this->LineType == Sticks;
   options.ExtendSticks = this->ExtendSticks;
   options.Polygons = static_cast<PolygonUse>(this->Polygons);
-  const std::vector<FaultStick> given = ReadGiven(lines);
-  const bool isFirst = this->NumberOfGivenLines == 0;
-  const FaultOutcome outcome = RunFaults(horizon, given, options, outputs, monitor);
-  this->IdleWarnings = isFirst ? outcome.Idle.Warnings : KeepCommon(this->IdleWarnings, outcome.Idle.Warnings);
+  if (!this->Given)
+  {
+    this->Given = std::make_shared<GivenFaults>(ReadGiven(lines));
+  }
+  const bool isFirst = !this->Given->HaveHorizons();
+  RunFaults(horizon, *this->Given, options, outputs, monitor);
   if (!isFirst) // All horizons have the same fault surfaces.
   {
     Horizon& surfaces = outputs[2];
@@ -131,9 +113,6 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
     surfaces = Horizon();
     surfaces.FieldData = figures;
   }
-  this->NumberOfGivenLines = vtkIdType(given.size());
-  this->DoesGivenLineCut = this->DoesGivenLineCut || outcome.Cuts;
-  this->IdleCause = outcome.Idle.Cause;
   const ArrayTable& figures = outputs.front().FieldData;
   if (this->Detect)
   {

@@ -51,8 +51,12 @@
 #include "vtkHorizonProperty.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <string>
-#include <vector>
+#include <memory>
+
+namespace SeismicHorizons
+{
+class GivenFaults;
+}
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonFaults : public vtkHorizonAlgorithm
 {
@@ -179,10 +183,7 @@ private:
   double MeasuredNoise = 0.0;
   vtkIdType NumberOfFaultLines = 0;
   vtkIdType NumberOfFaultedLinks = 0;
-  vtkIdType NumberOfGivenLines = 0; // number for the last horizon
-  bool DoesGivenLineCut = false; // True if a given line cuts a link of any horizon.
-  std::string IdleCause; // why the lines of the last horizon do not cut
-  std::vector<std::string> IdleWarnings; // of lines without an effect on each horizon so far
+  std::shared_ptr<SeismicHorizons::GivenFaults> Given; // of this run
 };
 
 #endif

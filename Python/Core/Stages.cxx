@@ -240,8 +240,8 @@ nb::tuple Despike(const nb::dict& given, const nb::dict& chosen, const nb::objec
     { return RunDespiking(horizon, options, outputs, monitor); });
 }
 
-nb::tuple FindFaults(
-  const nb::dict& given, const std::optional<nb::dict>& lines, const nb::dict& chosen, const nb::object& progress)
+/// `lines` collects warnings.
+nb::tuple FindFaults(const nb::dict& given, GivenFaults* lines, const nb::dict& chosen, const nb::object& progress)
 {
   FaultStageOptions options;
   options.SmallestThrow = 0.0;
@@ -257,14 +257,10 @@ nb::tuple FindFaults(
   Take(chosen, "are_sticks", options.AreSticks);
   Take(chosen, "extend_sticks", options.ExtendSticks);
   TakeChoice(chosen, "polygons", { "blank", "cut", "leave" }, options.Polygons);
-  const std::vector<FaultStick> sticks = lines ? ReadFaultSticks(TakeData(*lines)) : std::vector<FaultStick>();
-  return Call(given, 4, false, progress,
+  GivenFaults none;
+  return CallSilent(given, 4, false, progress,
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
-    {
-      const FaultOutcome outcome = RunFaults(horizon, sticks, options, outputs, monitor);
-      return outcome.Cuts || sticks.empty() ? outcome.Idle.Warnings
-                                            : WarnOfIdleLines(sticks.size(), outcome.Idle.Cause);
-    });
+    { RunFaults(horizon, lines ? *lines : none, options, outputs, monitor); });
 }
 
 // ---- Two horizons ---------------------------------------------------------------------------------------------------
@@ -316,6 +312,12 @@ void BindStages(nb::module_& module)
     "choose_radius", [](const nb::dict& given) { return ChooseRadius(ReadGiven(given).Column); }, "horizon"_a);
   module.def("choose_error", &ChooseError, "horizon"_a);
   module.def("join", &JoinParts, "parts"_a, "minimum_patch_size"_a, "progress"_a.none());
+  nb::class_<GivenFaults>(module, "GivenFaults")
+    .def(
+      "__init__",
+      [](GivenFaults* self, const nb::dict& lines) { new (self) GivenFaults(ReadFaultSticks(TakeData(lines))); },
+      "lines"_a)
+    .def("warnings", &GivenFaults::Warnings);
   module.def("faults", &FindFaults, "horizon"_a, "lines"_a.none(), "options"_a, "progress"_a.none());
   module.def("thickness", &FindThickness, "horizon"_a, "base"_a, "progress"_a.none());
   module.def("distance", &MeasureDistance, "reference"_a, "mesh"_a, "options"_a, "progress"_a.none());

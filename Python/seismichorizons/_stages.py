@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._data import Data, Progress, call, give_triangles, take_attributes, warn
+from ._data import Data, Progress, call, give_triangles, take_attributes, warn, warn_all
 from ._horizon import Horizon, horizon_of
 from ._lines import Lines, lines_of
 from ._mesh import Mesh, mesh_of
@@ -144,7 +144,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     (1, 60, 30.0)
     """
     require_horizon(horizon, "fault detection")
-    given = None if lines is None else lines_of(lines, "Fault" if are_sticks else "")._data()
+    given = None if lines is None else _core.GivenFaults(lines_of(lines, "Fault" if are_sticks else "")._data())
     options = {"smallest_extent": int(smallest_extent), "smallest_branch": int(smallest_branch), "largest_gap": int(largest_gap),
                "largest_ramp": int(largest_ramp), "join_through_holes": bool(join_through_holes), "are_sticks": bool(are_sticks and lines is not None),
                "extend_sticks": bool(extend_sticks), "polygons": polygons, "detect": lines is None if detect is None else bool(detect),
@@ -153,6 +153,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
         if value is not None:
             options[name] = height(name, value, horizon.vertical_unit)
     cut, traces, surfaces, cutoffs = call(horizon.name, _core.faults, horizon._data(), given, options, progress)
+    warn_all(horizon.name, given.warnings() if given else [])
     step, fields = abs(horizon.lattice.vertical_step), cut["field_data"]
     noise_found, least = (float(fields[name][0]) * step if name in fields else np.nan for name in ("FaultNoise", "SmallestFaultThrow"))
     return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultNames"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,

@@ -274,6 +274,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
     """Returns the results of all horizons except those left out, and writes each at once. If not all horizons fit in
     memory, only their meshes are kept. `found` collects what was recognized in the file."""
     results = []
+    settings = pipeline.with_faults(settings)
     for name, points in supply:
         if isinstance(points, Windows):
             result = pipeline.run_windows(label, points, settings)
@@ -299,6 +300,8 @@ def _run_stages(label, supply, settings, record, names, folder, found):
                                "horizons (--horizons)" % label)
         if not supply.is_whole:
             result.release()
+    for warning in settings.given_faults.warnings() if settings.given_faults else ():
+        record.warn("%s: %s" % (label, warning))
     if not results:
         raise HorizonError("%s: all horizons were left out" % label)
     return results

@@ -54,6 +54,7 @@ class Settings:
     despiked: Optional[dict] = None
     torn: Optional[dict] = None
     fault_lines: Optional[dict] = None
+    given_faults: Optional[object] = None  # The core's, of a file; collects warnings of its horizons.
     fault_files: tuple = ()  # what each was taken for
     filled: Optional[dict] = None
     boundary: dict = field(default_factory=dict)
@@ -204,6 +205,11 @@ def _require_same_direction(result, points, settings):
                            "for both" % (result.source, result.name))
 
 
+def with_faults(settings):
+    """Returns the settings for the horizons of a file, whose `given_faults` has the warnings of lines without an effect."""
+    return settings if settings.fault_lines is None else replace(settings, given_faults=_core.GivenFaults(settings.fault_lines))
+
+
 def run(source, name, points, settings, surface=None):
     """Runs all stages on the points of a horizon. If it was sampled from the triangles of a surface, errors are measured
     from those triangles. Raises HorizonError."""
@@ -243,7 +249,7 @@ def _run_stages(result, settings):
             if settings.fault_lines is not None:
                 _require_same_direction(result, last, settings)
             properties["are_sticks"] = given.get("LineType") == "Sticks"
-            outputs = result.run_stage(stage, function, last, settings.fault_lines, properties)
+            outputs = result.run_stage(stage, function, last, settings.given_faults, properties)
             result.data["faults"], result.data["fault surfaces"], result.data["cutoffs"] = outputs[1:]
         else:
             outputs = result.run_stage(stage, function, last, properties)

@@ -6,6 +6,7 @@ no effect is named with its cause.
 Arguments: the program horizon-mesh, and a folder for files.
 """
 
+import dataclasses
 import gzip
 import importlib.util
 import io
@@ -268,6 +269,18 @@ class FaultsOut(unittest.TestCase):
             np.testing.assert_array_equal(sh.faults(HORIZON, lines=lines).links, found.links)
             self.assertEqual(set(sh.read_faults(out / ("horizon_cutoffs.%s" % ending)).names), set(NAMES))
         self.assertEqual(list(sh.read_mesh(out / "horizon_faults.ts")), list(NAMES))
+
+    def test_warnings_of_a_file(self):
+        """A fault that cuts one of two horizons is none without an effect; one that cuts neither is told once."""
+        shallow = "".join("Shallow,%d,%.2f,%.2f,%d\n" % (n, *on_map(50, 20 + 9 * n), z) for n in range(3) for z in (100, 200))
+        path = write("several.csv", FILES[0][1] + shallow)
+        low = dataclasses.replace(HORIZON, z=HORIZON.z + 5000.0, name="Low")
+        sh.write({"Top": HORIZON, "Low": low}, FOLDER / "two.dat")
+        done = subprocess.run([sys.executable, PROGRAM, FOLDER / "two.dat", "--fault-sticks", path, "-o", FOLDER / "two", "--no-pictures"],
+                              capture_output=True, check=True, text=True)
+        told = [line for line in done.stderr.splitlines() if "fault" in line]
+        self.assertEqual(len(told), 1, told)
+        self.assertIn("two.dat: 1 of 4 faults (Shallow) cut nothing: z ", told[0])
 
     def test_cutoffs(self):
         """Pass through the columns beside each cut link, on the higher side and on the lower one."""

@@ -134,7 +134,7 @@ def check_elevations():
         settings.torn, settings.fault_lines, _ = pipeline.fault_settings(
             "World", direction, sticks=[FOLDER / "sticks.txt"])
         try:
-            pipeline.run("terrain.tif", name, terrain, settings)
+            pipeline.run("terrain.tif", name, terrain, pipeline.with_faults(settings))
             assert direction == "Up"
         except core.HorizonError as error:
             assert direction is None and "expected --vertical-direction" in str(error), error

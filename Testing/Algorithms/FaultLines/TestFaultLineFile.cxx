@@ -95,13 +95,13 @@ void PLines()
     "F 1: 1,2,3 4,5,6 7,8,9 1,2,3; F 1: 1,1,1 2,2,2");
   CHECK_EQUAL(Read("gocad pline 1\nheader {\nName: F 1\n}\nzpositive depth\niline\nvrtx 1 1 2 3\npvrtx 2 4 5 6 0.5\n"
                    "seg 1 2\nend\n"),
-    "F 1: 1,2,-3 4,5,-6");
+    "F 1: 1,2,3 4,5,6");
   // Ids begin again in each object; depth turns z; other objects are passed over.
   CHECK_EQUAL(Read("GOCAD VSet 1\nHEADER {name:points}\nVRTX 1 9 9 9\nEND\nGOCAD PLine 1.0\nHEADER {name:a}\n"
                    "GOCAD_ORIGINAL_COORDINATE_SYSTEM\nZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\n"
                    "ILINE\nVRTX 1 1 2 3\nVRTX 2 4 5 6\nSEG 1 2\nEND\n"
                    "GOCAD PLine 1\nILINE\nVRTX 1 1 2 3\nVRTX 2 4 5 6\nSEG 1 2\nEND \r\n"),
-    "a: 1,2,-3 4,5,-6; : 1,2,3 4,5,6");
+    "a: 1,2,3 4,5,6; : 1,2,-3 4,5,-6");
 }
 
 /// Whether a file that was cut off gives an error, or the first places and lines of the whole one, but for what its
