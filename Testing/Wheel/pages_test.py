@@ -66,7 +66,25 @@ class PagesTest(unittest.TestCase):
                         warnings.simplefilter("ignore", UserWarning)  # of areas that are not known
                         exec(block, known)
                     pages += 1
+                    if "resqpy" in block:
+                        self.check_resqml(known["top"], known["mesh"])
         self.assertGreater(pages, 14)
+
+    def check_resqml(self, top, mesh):
+        """resqpy opens what the recipe wrote: the triangles, and the nodes as they were."""
+        import resqpy.model
+        import resqpy.surface
+
+        model = resqpy.model.Model("horizon.epc")
+        (surface,) = (resqpy.surface.Surface(model, uuid=one) for one in model.uuids(obj_type="TriangulatedSetRepresentation"))
+        triangles, points = surface.triangles_and_points()
+        np.testing.assert_array_equal(triangles, mesh.triangles)
+        np.testing.assert_array_equal(points, mesh.points * (1.0, 1.0, -1.0))
+        (grid,) = (resqpy.surface.Mesh(model, uuid=one) for one in model.uuids(obj_type="Grid2dRepresentation"))
+        nodes = grid.full_array_ref()
+        self.assertEqual(np.isfinite(nodes[..., 2]).sum(), len(top))
+        column, row = top.columns.T
+        np.testing.assert_allclose(nodes[row, column], np.column_stack((top.x, top.y, top.z)), rtol=0.0, atol=1e-6)
 
 
 if __name__ == "__main__":

@@ -96,7 +96,7 @@ void PLines()
   CHECK_EQUAL(Read("gocad pline 1\nheader {\nName: F 1\n}\nzpositive depth\niline\nvrtx 1 1 2 3\npvrtx 2 4 5 6 0.5\n"
                    "seg 1 2\nend\n"),
     "F 1: 1,2,3 4,5,6");
-  // Ids begin again in each object; depth turns z; other objects are passed over.
+  // Ids begin again in each object; z of all increases as that of the first; other objects are passed over.
   CHECK_EQUAL(Read("GOCAD VSet 1\nHEADER {name:points}\nVRTX 1 9 9 9\nEND\nGOCAD PLine 1.0\nHEADER {name:a}\n"
                    "GOCAD_ORIGINAL_COORDINATE_SYSTEM\nZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\n"
                    "ILINE\nVRTX 1 1 2 3\nVRTX 2 4 5 6\nSEG 1 2\nEND\n"
