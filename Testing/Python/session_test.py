@@ -139,6 +139,29 @@ def check_saved_data(points, surface, folder):
             check_opened(path, {kept: horizon}, "HorizonGridReader")
 
 
+def check_saved_faults(points, folder):
+    """Fault lines and cutoffs, saved in each format, are opened as lines; the lines cut the same links."""
+    fault = folder / "own.pol"
+    fault.write_text("20.5 -9.0 0\n20.5 900.0 0\n", encoding="ascii")
+    lines = simple.FaultLinesReader(FileName=[str(fault)])
+    cut = simple.HorizonFaults(Input=points, FaultLines=lines, Detect=False)
+    expected = {name: cut_links(horizon) for name, horizon in fetch(cut).items()}
+    assert any(expected.values()), expected
+    for extension in ("pl", "dat"):
+        path = folder / ("faults." + extension)
+        simple.SaveData(str(path), proxy=simple.OutputPort(cut, 1))
+        again = simple.HorizonFaults(Input=points, FaultLines=simple.FaultLinesReader(FileName=[str(path)]), Detect=False)
+        assert {name: cut_links(horizon) for name, horizon in fetch(again).items()} == expected, extension
+        simple.SaveData(str(folder / ("cutoffs." + extension)), proxy=simple.OutputPort(cut, 3))
+    simple.SaveData(str(folder / "polygons.pol"), proxy=lines)
+    assert sorted(path.name for path in folder.glob("polygons*")) == ["polygons.pol"]
+
+
+def cut_links(horizon):
+    links = horizon.GetFieldData().GetArray("FaultedLinks")
+    return [links.GetTuple(n) for n in range(links.GetNumberOfTuples())]
+
+
 def check_animation(sample, folder):
     """Frames with different errors have meshes with different numbers of triangles, in the extracts as by hand."""
     surface = simple.HorizonSurface(registrationName="animated", Input=simple.OpenDataFile(str(sample)))
@@ -194,6 +217,7 @@ def main():
     simple.ResetSession()
     points = simple.OpenDataFile(str(sample))
     check_saved_data(points, simple.HorizonSurface(Input=points), folder)
+    check_saved_faults(points, folder)
     simple.ResetSession()
     check_results(sample, folder)
     simple.ResetSession()
