@@ -38,6 +38,7 @@ public:
     , X(layout.Find(FieldRole::X))
     , Y(layout.Find(FieldRole::Y))
     , Z(layout.Find(FieldRole::Z))
+    , Used(layout.CountUsed())
   {
     this->Block.Values.resize(layout.Columns.size());
   }
@@ -81,6 +82,11 @@ private:
       this->Block.EndLine = this->Block.Lines;
       return;
     }
+    if (this->Layout.WhereColumn >= 0 && !this->Layout.IsChosen(line))
+    {
+      ++this->Block.OtherLines;
+      return;
+    }
     this->ParsePick(line);
   }
 
@@ -105,10 +111,13 @@ private:
       }
       ++column;
     }
-    if (column != this->Layout.Columns.size())
+    const bool mayHaveMore = this->Layout.Kind == TextKind::Charisma; // Some programs add flags.
+    if (column < this->Used || (column > this->Layout.Columns.size() && !mayHaveMore))
     {
-      this->Fail(
-        std::to_string(column) + " fields, expected one for each of the columns " + ListNames(this->Layout.Columns));
+      const bool mayBeSkipped = column > this->Layout.Columns.size() || column >= this->Layout.CountUsed(false);
+      this->Fail(std::to_string(column) + " fields, expected one for each of the columns " +
+        ListNames(this->Layout.Columns) +
+        (mayBeSkipped ? ": Columns skips, by - at its end, fields that some lines lack" : ""));
       return;
     }
     if (this->IsEndOfLine())
@@ -231,6 +240,7 @@ private:
 
   const TextLayout& Layout;
   const int X, Y, Z;
+  const std::size_t Used;
   PickBlock Block;
   std::size_t Picks = 0;
   std::int64_t Comment = -1;
