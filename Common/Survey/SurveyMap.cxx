@@ -50,23 +50,23 @@ PlaneMap GivenMap(const PlacementOptions& options)
 //----------------------------------------------------------------------------------------------------------------------
 void PlaceRows(PickTable& picks, const PlacementOptions& options)
 {
-  if (picks.AreRows && options.Source != LatticeSource::OriginAndSteps)
+  if (!std::exchange(picks.AreRows, false))
   {
-    throw InputError(
-      "a matrix of heights without their places, expected the place of the first number, and steps to the "
-      "next number and the next line: set LatticeSource OriginAndSteps");
+    return;
   }
-  for (std::size_t pick = 0; picks.AreRows && pick < picks.Size(); ++pick)
+  if (options.Source != LatticeSource::OriginAndSteps)
+  {
+    throw InputError("a matrix of heights without their places, expected the place of the first number, and steps to "
+                     "the next number and the next line: set LatticeSource OriginAndSteps");
+  }
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
   {
     const Eigen::Vector2d place =
       options.Origin + picks.Crossline[pick] * options.ColumnStep + picks.Inline[pick] * options.RowStep;
     picks.X.push_back(place.x());
     picks.Y.push_back(place.y());
   }
-  if (std::exchange(picks.AreRows, false))
-  {
-    picks.Crossline = picks.Inline = {};
-  }
+  picks.Crossline = picks.Inline = {};
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -93,7 +93,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     path = pathlib.Path(path)
     require_file(path)
     name = str(path)
-    lattice = {name: value for name, value in (("origin", origin), ("column_step", column_step), ("row_step", row_step)) if value is not None}
+    lattice: dict[str, Any] = {name: value for name, value in (("origin", origin), ("column_step", column_step), ("row_step", row_step)) if value is not None}
     frame = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     nulls = nulls_of(nodata)
     with _of_file(path):

@@ -168,7 +168,7 @@ double ReadGridValue(std::string_view word, const NullRule& isNull, const GridTe
   const NumberKind kind = ReadGridNumber(word, z);
   if (kind == NumberKind::NotANumber && !text.IsNull(word))
   {
-    throw text.Error("value " + Quote(word) + ", expected a number");
+    throw text.Error("value " + Quote(word) + ", expected a number; NullValues lists words for no value");
   }
   if (kind == NumberKind::NotANumber || isNull(z))
   {

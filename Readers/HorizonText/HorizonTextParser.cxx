@@ -100,9 +100,8 @@ public:
     {
       const bool isFirst =
         this->Picks == 0 && block.ErrorLine == block.FirstLine && block.Error.find(": ") == std::string::npos;
-      throw ErrorAt(this->Lines + block.ErrorLine + 1,
-        block.Error +
-          (isFirst ? "; HeaderLines skips lines above the picks, NullValues lists words for no value" : ""));
+      throw ErrorAt(
+        this->Lines + block.ErrorLine + 1, block.Error + (isFirst ? "; HeaderLines skips lines above the picks" : ""));
     }
     // If each pick has the name of its horizon, headers between horizons add nothing.
     const bool isBetween = !this->Layout.HasNames() && (this->Picks > 0 || block.CommentLine > block.FirstLine);

@@ -117,7 +117,7 @@ private:
       const bool mayBeSkipped = column > this->Layout.Columns.size() || column >= this->Layout.CountUsed(false);
       this->Fail(std::to_string(column) + " fields, expected one for each of the columns " +
         ListNames(this->Layout.Columns) +
-        (mayBeSkipped ? ": Columns skips, by - at its end, fields that some lines lack" : ""));
+        (mayBeSkipped ? ": if lines lack some at the end, Columns skips these by -" : ""));
       return;
     }
     if (this->IsEndOfLine())
@@ -173,6 +173,7 @@ private:
     {
       return this->ParseName(field);
     }
+    const bool mayBeNull = role == FieldRole::Z || role == FieldRole::Attribute;
     double value = NoValue;
     const bool isNumber = IsFinite(field, value);
     if (!isNumber && !this->Layout.Nulls.IsNullText(field))
@@ -180,10 +181,11 @@ private:
       const bool isDecimal = field.find(',') != std::string_view::npos &&
         std::all_of(field.begin(), field.end(), [](char c) { return IsDigit(c) || c == ',' || c == '-'; });
       this->Fail(Quote(field) + " as " + RoleWord(role) +
-        (isDecimal ? ", expected a decimal point: replace the commas" : ", expected a number"));
+        (isDecimal      ? ", expected a decimal point: replace the commas"
+            : mayBeNull ? ", expected a number; NullValues lists words for no value"
+                        : ", expected a number"));
       return false;
     }
-    const bool mayBeNull = role == FieldRole::Z || role == FieldRole::Attribute;
     if (!isNumber || (mayBeNull && this->Layout.Nulls.IsNullNumber(value)))
     {
       if (isNumber && role == FieldRole::Z && this->Layout.AreNullsUsual)
@@ -194,7 +196,9 @@ private:
     }
     if (!isNumber && !mayBeNull)
     {
-      this->Fail(Quote(field) + " as " + RoleWord(role) + ", expected a number: only Z and attributes may be missing");
+      this->Fail(Quote(field) + " as " + RoleWord(role) +
+        ", expected a number: only Z and attributes may be missing; "
+        "Where chooses lines of one kind");
       return false;
     }
     this->Block.Values[column].push_back(value);

@@ -242,7 +242,8 @@ std::string TextLayout::Describe(std::int64_t otherLines) const
   {
     text += std::string(", separated by ") + SeparatorNames[std::size_t(this->Separator)];
   }
-  text += ": " + ListNames(this->Columns);
+  text += ": " +
+    (this->Kind == TextKind::Matrix ? std::to_string(this->Columns.size()) + " columns" : ListNames(this->Columns));
   return text + (otherLines > 0 ? "\n" + std::to_string(otherLines) + " lines of other kinds left out" : "");
 }
 }

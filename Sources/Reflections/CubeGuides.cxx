@@ -28,9 +28,9 @@ bool HasLinesAsPlaces(const ArrayTable& fields)
 {
   const DataArray* const lines = FindNumbers(fields, FieldArray::LineNumbers);
   const DataArray* const map = FindNumbers(fields, FieldArray::LatticeToWorld);
-  return lines && map && lines->Size() == 4 && map->Size() == 16 && map->Value(3) == lines->Value(2) &&
-    map->Value(0) == lines->Value(3) && map->Value(1) == 0.0 && map->Value(7) == lines->Value(0) &&
-    map->Value(5) == lines->Value(1) && map->Value(4) == 0.0;
+  const auto is = [&](std::int64_t n, double value) { return map->Value(n) == value; };
+  return lines && map && lines->Size() == 4 && map->Size() == 16 && is(0, lines->Value(3)) && is(1, 0.0) &&
+    is(3, lines->Value(2)) && is(4, 0.0) && is(5, lines->Value(1)) && is(7, lines->Value(0));
 }
 
 /// Places are in columns and samples from the first trace and sample of the cube.

@@ -72,7 +72,8 @@ void WordsMeanNoValue()
       CHECK_EQUAL(std::count_if(grid.Z.begin(), grid.Z.end(), [](double z) { return std::isnan(z); }), 2);
     }
   }
-  CHECK_THROWS_WITH(Read(Replace(IrapText(), " 1 2", " -1g 2")), "line 5: value \"-1g\", expected a number");
+  CHECK_THROWS_WITH(
+    Read(Replace(IrapText(), " 1 2", " -1g 2")), "line 5: value \"-1g\", expected a number; NullValues lists");
   CHECK(HasValues(
     Read(Replace(EsriGrid(), "NODATA_value -9999\n4 -9999", "NODATA_value null\nnull 4")), { 1, 2, 3, None, 4, 6 }));
 }
