@@ -244,6 +244,6 @@ std::string TextLayout::Describe(std::int64_t otherLines) const
   }
   text += ": " +
     (this->Kind == TextKind::Matrix ? std::to_string(this->Columns.size()) + " columns" : ListNames(this->Columns));
-  return text + (otherLines > 0 ? "\n" + std::to_string(otherLines) + " lines of other kinds left out" : "");
+  return text + (otherLines > 0 ? "; " + std::to_string(otherLines) + " lines of other kinds left out" : "");
 }
 }

@@ -73,7 +73,7 @@ def check_lines(folder):
         "%s,top\nbad,,,fault\n" % line.replace(" ", ",") for line in PICKS.splitlines()))
     reader = simple.HorizonTextReader(Where="kind=top", FileName=[path])
     reader.UpdatePipeline()
-    assert "\n%d lines of other kinds left out\n" % len(PLACES) in reader.WhatWasFound, reader.WhatWasFound
+    assert "; %d lines of other kinds left out\n" % len(PLACES) in reader.WhatWasFound, reader.WhatWasFound
     assert list(mesh_checks.blocks(reader.GetClientSideObject().GetOutputDataObject(0))) == ["top"]
     matrix = "".join(" ".join(str(1500 + 5 * i + j) for i in range(16)) + "\n" for j in range(9))
     reader = simple.HorizonTextReader(FileName=[write(folder / "matrix.txt", matrix)],

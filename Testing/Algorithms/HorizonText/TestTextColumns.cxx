@@ -344,7 +344,7 @@ void TestWhere()
       XyzTable);
   }
   CHECK_EQUAL(Layout(text, where("feature_name=Top")).Describe(2),
-    std::string("plain text, separated by commas: X, Y, Z, Name, nx\n2 lines of other kinds left out"));
+    std::string("plain text, separated by commas: X, Y, Z, Name, nx; 2 lines of other kinds left out"));
   for (const std::string wrong : { "feature_name", "kind=Top", "=", "Top=feature_name" })
   {
     CHECK_THROWS_WITH(
