@@ -175,7 +175,7 @@ FieldRole RoleOfExactName(std::string_view name)
 //----------------------------------------------------------------------------------------------------------------------
 FieldRole RoleOfName(std::string_view name)
 {
-  if (name == "-")
+  if (name == "-" || name == "_")
   {
     return FieldRole::Ignored;
   }

@@ -25,7 +25,7 @@ enum class FieldRole
 
 const char* RoleWord(FieldRole role);
 
-/// Recognises names such as "Easting (m)" for X, "IL" for Inline, "Depth" for Z and "-" for Ignored, or words within
+/// Recognises names such as "Easting (m)" for X, "IL" for Inline, "Depth" for Z, "-" and "_" for Ignored, or words within
 /// names: "HORIZON_TWT" is Z, "POINT_X" X, "Formation" a name; "THICKNESS_TWT" and unknown names are attributes.
 FieldRole RoleOfName(std::string_view name);
 

@@ -341,6 +341,7 @@ void Free(Vectors&... vectors)
 SurveyHorizons PlacePicks(PickTable picks, const PlacementOptions& options, const Monitor& monitor)
 {
   CheckPlacement(options);
+  PlaceRows(picks, options);
   if (picks.Size() == 0 || picks.Size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
   {
     throw InputError(std::to_string(picks.Size()) + " picks, expected at least 1 and less than 2^31");

@@ -49,6 +49,8 @@ struct PickTable : PickPlaces
   std::vector<PickLine> Lines; // Sorted; empty unless the picks come from a text file.
   std::vector<std::size_t> Dropped; // Numbers of picks that were here, in order.
   std::vector<std::string> Warnings;
+  std::int64_t OtherLines = 0; // Left out by the choice of lines.
+  bool AreRows = false; // Line numbers are columns and rows of a matrix, which has no places.
   bool AreLinesGuessed = false; // Unnamed fields were guessed to be line numbers.
 
   std::size_t Size() const { return this->Z.size(); }

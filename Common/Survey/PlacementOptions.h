@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 
 namespace SeismicHorizons
 {
@@ -35,6 +36,7 @@ struct PlacementOptions
   Eigen::Vector2d Origin = Eigen::Vector2d::Zero(); // Position of the first crossline and inline.
   Eigen::Vector2d ColumnStep = Eigen::Vector2d::UnitX(); // to the next column along i
   Eigen::Vector2d RowStep = Eigen::Vector2d::UnitY();
+  std::optional<LineNumbering> Lines; // Of the lattice with OriginAndSteps, else found from the picks.
   double Tolerance = 0.1; // Largest distance of picks from their columns, in columns; above 0, below 0.5.
   // Drops up to a tenth of the picks, off the lattice or far from the rest; otherwise they are an error.
   bool LeaveOutStrays = false;

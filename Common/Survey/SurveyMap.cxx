@@ -10,6 +10,7 @@
 #include "LineLattice.h"
 
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -44,6 +45,28 @@ PlaneMap GivenMap(const PlacementOptions& options)
   map.Steps << options.ColumnStep, options.RowStep;
   return map;
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaceRows(PickTable& picks, const PlacementOptions& options)
+{
+  if (!std::exchange(picks.AreRows, false))
+  {
+    return;
+  }
+  if (options.Source != LatticeSource::OriginAndSteps)
+  {
+    throw InputError("a matrix of heights without their places, expected the place of the first number, and steps to "
+                     "the next number and the next line: set LatticeSource OriginAndSteps");
+  }
+  for (std::size_t pick = 0; pick < picks.Size(); ++pick)
+  {
+    const Eigen::Vector2d place =
+      options.Origin + picks.Crossline[pick] * options.ColumnStep + picks.Inline[pick] * options.RowStep;
+    picks.X.push_back(place.x());
+    picks.Y.push_back(place.y());
+  }
+  picks.Crossline = picks.Inline = {};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -88,7 +111,8 @@ SurveyLattice FindSurveyMap(const PickPlaces& picks, const PlacementOptions& opt
   PlaneMap map;
   if (picks.HasLines())
   {
-    lattice.Lines = FindLineNumbering(picks.Crossline, picks.Inline, monitor.Step(0.0, 0.5));
+    lattice.Lines =
+      options.Lines ? options.Lines : FindLineNumbering(picks.Crossline, picks.Inline, monitor.Step(0.0, 0.5));
   }
   else if (options.Source == LatticeSource::CornerPoints)
   {

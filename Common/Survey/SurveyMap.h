@@ -19,6 +19,9 @@ PlaneMap FitPlaces(const PickPlaces& picks, const LineNumbering& lines, const Mo
 /// Line numbers serve as coordinates.
 PlaneMap LinesAsPlaces(const LineNumbering& lines);
 
+/// Gives the numbers of a matrix their places. Throws InputError without an origin and steps.
+void PlaceRows(PickTable& picks, const PlacementOptions& options);
+
 SurveyLattice FindSurveyMap(const PickPlaces& picks, const PlacementOptions& options, const Monitor& monitor);
 }
 

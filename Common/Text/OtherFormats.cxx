@@ -54,7 +54,7 @@ constexpr std::array<Format, 23> Formats = { {
   { "<VTKFile"sv, "a VTK file", AsPoints },
   { "<?xml"sv, "an XML file", AsText },
   { "GOCAD TSurf"sv, "a surface of GOCAD", "open it by the reader of GOCAD TSurf" },
-  { "GOCAD VSet"sv, "points of GOCAD (VSet)", "keep x, y and z of its vertices, as with grep VRTX, as text" },
+  { "GOCAD VSet"sv, "points of GOCAD (VSet)", "open it by the reader of horizons as text, without Columns" },
   { "GOCAD PLine"sv, "lines of GOCAD", "read them as fault lines or fault sticks" },
   { "GOCAD"sv, "an object of GOCAD", "export it as TSurf, or x, y and z as text" },
 } };

@@ -24,6 +24,7 @@
 
 #include <nanobind/ndarray.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -103,6 +104,12 @@ PlacementOptions MakePlacement(const nb::dict& given, bool isUp)
       vector = Eigen::Vector2d(nb::cast<std::array<double, 2>>(given[name]).data());
     }
   };
+  std::vector<double> lines; // first inline and its step, then those of crosslines
+  Take(given, "lines", lines);
+  if (!lines.empty())
+  {
+    options.Lines = { lines.at(2), lines.at(3), lines.at(0), lines.at(1) };
+  }
   takeVector("origin", options.Origin);
   takeVector("column_step", options.ColumnStep);
   takeVector("row_step", options.RowStep);
@@ -128,6 +135,14 @@ SurveyHorizons Place(PickTable picks, const std::string& direction, const nb::di
   {
     const nb::gil_scoped_acquire lock;
     options.Placement = MakePlacement(given, direction == "" ? picks.Survey.IsUpright : direction == "up");
+    if (given.contains("lines") && !options.Placement.Lines && picks.HasLines())
+    {
+      if (!picks.HasPlaces())
+      {
+        throw InputError("line numbers alone for a cube that has none, expected x and y");
+      }
+      picks.Inline = picks.Crossline = {};
+    }
     Take(given, "gridding", gridding);
     Take(given, "gridding_radius", options.Radius);
     Take(given, "gridding_smoothing", options.Smoothing);
@@ -150,6 +165,8 @@ nb::tuple PlacePoints(const nb::dict& arrays, const nb::dict& attributes, const 
 {
   PickTable picks;
   picks.Names = names;
+  std::string nulls;
+  Take(options, "null_values", nulls);
   for (const auto& [name, target] : { std::make_pair("x", &picks.X), { "y", &picks.Y }, { "inline", &picks.Inline },
          { "crossline", &picks.Crossline }, { "z", &picks.Z } })
   {
@@ -158,6 +175,9 @@ nb::tuple PlacePoints(const nb::dict& arrays, const nb::dict& attributes, const 
       *target = Copy(nb::cast<Values<double>>(arrays[name]));
     }
   }
+  std::replace_if(
+    picks.Z.begin(), picks.Z.end(), [numbers = NullValues(nulls)](double z) { return numbers.IsNullNumber(z); },
+    NoValue);
   if (arrays.contains("horizon"))
   {
     picks.Horizon = Copy(nb::cast<Values<int>>(arrays["horizon"]));
@@ -184,7 +204,7 @@ nb::tuple ReadGrid(const std::string& path, const std::string& nulls, double ver
     [&](const Monitor& monitor)
     {
       const NullValues numbers(nulls);
-      HorizonGrid grid = ReadHorizonGrid(*OpenInputFile(path), monitor);
+      HorizonGrid grid = ReadHorizonGrid(*OpenInputFile(path), monitor, GridBufferSize, numbers);
       name = grid.Name;
       format = grid.Format;
       return PlaceGrid(std::move(grid), numbers);
@@ -193,8 +213,8 @@ nb::tuple ReadGrid(const std::string& path, const std::string& nulls, double ver
 }
 
 nb::tuple ReadText(const std::string& path, const std::string& columns, const std::string& nulls, int headerLines,
-  const nb::dict& options, double verticalStep, const std::string& direction, const std::array<std::string, 4>& survey,
-  const nb::object& progress)
+  const std::string& where, const nb::dict& options, double verticalStep, const std::string& direction,
+  const std::array<std::string, 4>& survey, const nb::object& progress)
 {
   const Framing framing(verticalStep, direction, survey);
   std::vector<std::string> names;
@@ -203,9 +223,9 @@ nb::tuple ReadText(const std::string& path, const std::string& columns, const st
     [&](const Monitor& monitor)
     {
       const auto stream = OpenInputFile(path);
-      const TextLayout layout = ReadTextLayout(*stream, { columns, nulls, headerLines });
-      format = layout.Describe();
+      const TextLayout layout = ReadTextLayout(*stream, { columns, nulls, headerLines, where });
       PickTable picks = ReadPicks(*stream, layout, monitor.Step(0.0, 0.6));
+      format = layout.Describe(picks.OtherLines);
       names = layout.HasNames() ? picks.Names : std::vector<std::string>{ layout.HorizonName };
       return Place(std::move(picks), direction, options, monitor.Step(0.6, 1.0));
     });
@@ -356,7 +376,7 @@ std::string FindFormat(const nb::bytes& name)
   const auto isTSurf = [](std::istream& stream)
   {
     const std::optional<std::string> type = FirstTypeOfGOCAD(stream);
-    return type && *type != "pline";
+    return type && *type != "pline" && *type != "vset";
   };
   return ExtensionOf(path) == "vsm" || isRecognised(BeginsAsSparseMatrix)                         ? "sparse"
     : isRecognised(IsGrid)                                                                        ? "grid"
@@ -392,8 +412,8 @@ void BindReading(nb::module_& module)
     [](const std::vector<std::string>& names, const std::string& remedy) { return ChooseZ(names, remedy.c_str()); });
   module.def(
     "read_grid", &ReadGrid, "path"_a, "nulls"_a, "vertical_step"_a, "direction"_a, "survey"_a, "progress"_a.none());
-  module.def("read_text", &ReadText, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "options"_a, "vertical_step"_a,
-    "direction"_a, "survey"_a, "progress"_a.none());
+  module.def("read_text", &ReadText, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "where"_a, "options"_a,
+    "vertical_step"_a, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_tsurfs", &ReadTSurfs, "path"_a, "progress"_a.none());
   module.def("read_fault_lines", &ReadLines, "paths"_a, "options"_a, "direction"_a, "progress"_a.none());
   module.def("place_points", &PlacePoints, "arrays"_a, "attributes"_a, "names"_a, "options"_a, "vertical_step"_a,

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._data import Data, Progress, call, give_survey, in_keywords, require_file, survey
+from ._files import read
 from ._horizon import Floats, Horizon, Lattice, horizon_of
-from ._made import framing
+from ._made import framing, horizons, placement
 from ._stages import given_options
 
 
@@ -180,8 +181,9 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
     Parameters
     ----------
     cube : Cube
-    guides : Horizon, dict of Horizon or arrays of shape (n, 3), or such an array, optional
-        Picks of each horizon to follow. Arrays are x, y and z, in the direction of the cube.
+    guides : path, Horizon, dict of Horizon or arrays of shape (n, 3), or such an array, optional
+        Picks of each horizon to follow. Files have line numbers, x and y, or both. Arrays are x, y and z, in the direction of
+        the cube.
     limits : list of Horizon, optional
         Extraction stays on one side of one horizon, or between two.
     limit_side : "below" or "above"
@@ -231,6 +233,8 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
         eight_neighbours=bool(eight_neighbours), largest_step=float(largest_step), smallest_correlation=float(smallest_correlation),
         smallest_contact=float(smallest_contact), smallest_size=int(smallest_size), largest_number=int(largest_number), order=order,
         guide_tolerance=float(guide_tolerance), growth_correlation=float(growth_correlation), growth_reach=int(growth_reach), keep_others=bool(keep_others))
+    if isinstance(guides, (str, os.PathLike)):
+        guides = _read_guides(pathlib.Path(guides), cube, progress)
     picks = None if guides is None else [(name, _picks(one, name, cube)) for name, one in (
         guides.items() if isinstance(guides, Mapping) else [(getattr(guides, "name", "guide"), guides)])]
     bounds = [(one.name, one._data()) for one in limits] or None
@@ -238,6 +242,19 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
     own = ("Column", "SurfaceId", "VerticalIndex", "RealZ")
     return {name: horizon_of(name, data, taken=tuple(in_keywords(description).splitlines()), attributes={
         key: values for key, values in data["point_data"].items() if key not in own}) for name, data in found}
+
+
+def _read_guides(path: pathlib.Path, cube: Cube, progress: Progress | None) -> dict[str, Horizon]:
+    """The horizons of a file; picks take the lattice of the cube, as a few do not define one."""
+    require_file(path)
+    if _core.find_format(os.fsencode(path)) not in ("text", ""):
+        return read(path, progress=progress)
+    lattice = cube.lattice
+    options = placement(leave_out_strays=True, tolerance=0.499, origin=lattice.origin, column_step=lattice.column_step, row_step=lattice.row_step,
+                        lines=lattice.lines or ())
+    found = call(str(path), lambda: (_core.read_text(str(path), "", _core.DEFAULT_NULLS, 0, "", options, 0.0, "up" if cube.sign > 0 else "",
+                                                     ("",) * 4, progress)[1], []))
+    return horizons(found, path.name.partition(".")[0], file_name=path.name)
 
 
 def _picks(given: Any, name: str, cube: Cube) -> Data:

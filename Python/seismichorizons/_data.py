@@ -95,7 +95,7 @@ def give_survey(of: Any) -> Data:
 WORDS = {"VerticalDirection": "direction", "StrayPicks LeaveOut": "leave_out_strays=True", "StrayPicks": "leave_out_strays",
          "LatticeSource OriginAndSteps": "origin=, column_step= and row_step=", "DuplicatePolicy": "duplicates",
          "LatticeTolerance": "tolerance", "NullValues": "nodata", "Gridding": "gridding=\"plate\"", "Columns": "columns",
-         "HeaderLines": "header_lines", "Topmost": "topmost", "Lowest": "lowest", "Sheets": "sheets", "Mean": "mean",
+         "HeaderLines": "header_lines", "Where ": "where ", "Topmost": "topmost", "Lowest": "lowest", "Sheets": "sheets", "Mean": "mean",
          "VerticalStep": "vertical_step", "ColumnStep": "column_step", "RowStep": "row_step", "Origin ": "origin ",
          "MinimumPatchSize": "minimum_patch_size", "UpperWins": "upper_wins", "LowerWins": "lower_wins",
          "Domain EachLayer": "domain=\"each_layer\"", "EachLayer": "each_layer", "Missing Interpolate": "missing=\"interpolate\"",

@@ -39,7 +39,8 @@ def _of_file(path: pathlib.Path) -> Iterator[None]:
 
 
 def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = None, *, columns: str | Sequence[str] = "",
-         nodata: str | float | Sequence[float] | None = None, header_lines: int = 0, duplicates: str = "strongest", gridding: str = "",
+         nodata: str | float | Sequence[float] | None = None, header_lines: int = 0, where: str = "", duplicates: str = "strongest", gridding: str = "",
+         origin: Sequence[float] | None = None, column_step: Sequence[float] | None = None, row_step: Sequence[float] | None = None,
          leave_out_strays: bool = False, rows: tuple[int, int] | None = None, vertical_step: float | None = None, direction: str = "",
          vertical_unit: str = "", vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "",
          progress: Progress | None = None) -> dict[str, Horizon]:
@@ -58,10 +59,15 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
         Values that mean no z, in addition to those of the format.
     header_lines : int
         Lines to skip at the beginning of a text file.
+    where : str, optional
+        The lines of a text file to read, as "feature_name=Top", by the name of a column; all by default.
     duplicates : "strongest", "topmost", "lowest", "mean" or "sheets"
         Which pick of several in a column is kept; "sheets" makes horizons of the others.
     gridding : "" or "plate" or "nearest"
         Makes a grid of points that are on no lattice.
+    origin, column_step, row_step : (x, y), optional
+        The lattice of a text file: the place of a column, or of the first number of a matrix of heights, and steps to the next
+        column and row, or number and line; found by default.
     leave_out_strays : bool
         Leaves out up to a tenth of the picks, off the lattice or far from the others.
     rows : (first, last), optional
@@ -89,7 +95,8 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     path = pathlib.Path(path)
     require_file(path)
     name = str(path)
-    where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
+    lattice: dict[str, Any] = {name: value for name, value in (("origin", origin), ("column_step", column_step), ("row_step", row_step)) if value is not None}
+    frame = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     nulls = nulls_of(nodata)
     if _is_tiff(path):
         return _choose(path, _read_image(path, where, placement(duplicates, gridding, leave_out_strays), progress), horizons)
@@ -103,16 +110,18 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
         if rows is not None and (kind != "sparse" or duplicates == "sheets"):
             raise ValueError("rows of %s, expected none" % (
                 "sheets" if kind == "sparse" else "a file without sparse voxels"))
+        if kind in ("sparse", "grid") and (where or lattice):
+            raise ValueError("where, origin, column_step or row_step for %s, expected none" % ("sparse voxels" if kind == "sparse" else "a grid"))
         if kind == "sparse":
             if vertical_step is not None:
                 raise ValueError("vertical_step for sparse voxels, which have their own, expected none")
-            form, found = "sparse voxels", _read_sparse(name, placement(duplicates)["duplicates"], rows, *where[1:], progress)
+            form, found = "sparse voxels", _read_sparse(name, placement(duplicates)["duplicates"], rows, *frame[1:], progress)
         elif kind == "grid":
-            form, found = _core.read_grid(name, nulls, *where, progress)
+            form, found = _core.read_grid(name, nulls, *frame, progress)
         else:
             text = columns if isinstance(columns, str) else " ".join(columns)
-            form, found = _core.read_text(name, text, nulls or _core.DEFAULT_NULLS, int(header_lines), placement(duplicates, gridding, leave_out_strays),
-                                          *where, progress)
+            form, found = _core.read_text(name, text, nulls or _core.DEFAULT_NULLS, int(header_lines), where,
+                                          placement(duplicates, gridding, leave_out_strays, **lattice), *frame, progress)
         made = make_horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
     return _choose(path, made, horizons)
 

@@ -104,7 +104,7 @@ def lattice_properties(cube):
     """Returns the properties that make a reader place picks on the columns of a cube; well picks and other surveys lie between
     columns. z has the direction of the cube; if that is downwards, negative z still lies above 0."""
     matrix = np.reshape(data.values(cube, "LatticeToWorld"), (4, 4))
-    return {"Origin": matrix[:2, 3].tolist(), "ColumnStep": matrix[:2, 0].tolist(), "RowStep": matrix[:2, 1].tolist(),
+    return {"LineNumbers": data.values(cube, "LineNumbers"), "Origin": matrix[:2, 3].tolist(), "ColumnStep": matrix[:2, 0].tolist(), "RowStep": matrix[:2, 1].tolist(),
             "LatticeTolerance": 0.499, "StrayPicks": "LeaveOut",
             "VerticalDirection": "Up" if data.vertical_direction(cube) > 0 else "Automatic"}
 

@@ -78,6 +78,8 @@ def add_reader_options(group):
                        'besides 1e30 and words such as nan (default: "-999.25 -99999 9999900")')
     group.add_argument("--header-lines", type=number_at_least(int, 0), default=NOT_GIVEN, metavar="N", help="lines to skip "
                        "at the beginning of a text file (default: 0)")
+    group.add_argument("--where", default=NOT_GIVEN, metavar="COLUMN=VALUE", help="read only the lines of a text file that have "
+                       "this value in this column (default: all)")
     group.add_argument("--stray-picks", choices=STRAY_PICKS, default=NOT_GIVEN, help="for picks off the lattice or far from "
                        "the others: refuse the file, or leave out up to a tenth of them with a warning (default: Stop)")
     group.add_argument("--lattice-tolerance", type=number_at_least(float, 0.0, more=True), default=NOT_GIVEN, metavar="T",

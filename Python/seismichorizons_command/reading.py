@@ -23,13 +23,13 @@ KINDS = {"sparse": SPARSE, "grid": "grid", "cube": "seismic cube", "geotiff": "G
 # Properties by the formats that have them.
 FRAMING = ("VerticalStep", "VerticalDirection", *SURVEY)
 CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
-PLACEMENT = ("DuplicatePolicy", "StrayPicks", "LatticeTolerance", "LatticeSource", "Origin", "ColumnStep", "RowStep", *CORNERS,
+PLACEMENT = ("DuplicatePolicy", "StrayPicks", "LatticeTolerance", "LatticeSource", "Origin", "ColumnStep", "RowStep", "LineNumbers", *CORNERS,
              "Gridding", "GriddingRadius", "GriddingSmoothing")
 PROPERTIES = {
     "sparse": ("DuplicatePolicy", "Origin", "ColumnStep", "RowStep", "VerticalStep", "ZFrom", "VerticalDirection", "VerticalUnit",
                "VerticalDomain"),
-    "grid": ("NullValues", *FRAMING), "geotiff": (*PLACEMENT, *FRAMING), "tsurf": (*PLACEMENT, *FRAMING),
-    "text": ("Columns", "NullValues", "HeaderLines", *PLACEMENT, *FRAMING)}
+    "grid": ("NullValues", *FRAMING), "geotiff": ("NullValues", *PLACEMENT, *FRAMING), "tsurf": (*PLACEMENT, *FRAMING),
+    "text": ("Columns", "NullValues", "HeaderLines", "Where", *PLACEMENT, *FRAMING)}
 
 NULLS = _core.DEFAULT_NULLS
 
@@ -201,13 +201,15 @@ def _framing(properties):
 
 def _placement(properties):
     """Returns the options of placing picks on a lattice."""
-    places = {name: [float(value) for value in properties[name]] for name in ("Origin", "ColumnStep", "RowStep", *CORNERS) if name in properties}
+    places = {name: [float(value) for value in properties[name]] for name in ("Origin", "ColumnStep", "RowStep", "LineNumbers", *CORNERS) if name in properties}
     corners = {"corners": [places.pop(name) for name in CORNERS]} if CORNERS[0] in places else {}
+    lines = {"lines": places.pop("LineNumbers")} if "LineNumbers" in places else {}
     gridding = snake(properties.get("Gridding", ""))
     numbers = {name: float(properties[key]) for name, key in (
         ("tolerance", "LatticeTolerance"), ("gridding_radius", "GriddingRadius"), ("gridding_smoothing", "GriddingSmoothing")) if key in properties}
     return {"duplicates": _duplicates(properties), "leave_out_strays": properties.get("StrayPicks") == "LeaveOut",
-            "gridding": "" if gridding == "no_gridding" else gridding, **numbers, **core.options(places), **corners}
+            "gridding": "" if gridding == "no_gridding" else gridding, "null_values": properties.get("NullValues", ""), **numbers,
+            **core.options(places), **lines, **corners}
 
 
 def _run(path, function, *arguments):
@@ -231,7 +233,7 @@ def _read_grid(path, properties):
 
 def _read_text(path, properties):
     form, found = _run(path, _core.read_text, str(path), properties.get("Columns", ""), properties.get("NullValues", NULLS),
-                       int(properties.get("HeaderLines", 0)), _placement(properties), *_framing(properties))
+                       int(properties.get("HeaderLines", 0)), properties.get("Where", ""), _placement(properties), *_framing(properties))
     return _named(path, found, form)
 
 

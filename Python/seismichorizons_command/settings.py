@@ -9,7 +9,7 @@ from .pipeline import Settings, fault_settings, surface_properties
 # Properties of readers that are options of the same name, and those of another one.
 SAME = (
     "VerticalDirection", "VerticalStep", "VerticalUnit", "CoordinateSystem", "ZFrom", "DuplicatePolicy", "Columns", "NullValues",
-    "HeaderLines", "StrayPicks", "LatticeTolerance", "Origin", "ColumnStep", "RowStep", "Polarity", "Joining",
+    "HeaderLines", "Where", "StrayPicks", "LatticeTolerance", "Origin", "ColumnStep", "RowStep", "Polarity", "Joining",
     "AmplitudePercentile", "Picks", "Limits", "LimitSide", "Gridding", "GriddingRadius", "GriddingSmoothing")
 RENAMED = {"LargestNumber": "surfaces", "SmallestSize": "smallest_surface", "InlineRange": "inlines", "CrosslineRange": "crosslines"}
 # What messages of classes name, in the words of the command.

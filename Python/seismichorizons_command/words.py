@@ -27,11 +27,11 @@ def arrange(parser, words):
             continue
         action, wanted = _find(parser, word)
         if isinstance(action, AddToList) and wanted:
-            values = _take_list(action, words)
+            values = _take_list(parser, action, words)
             last = (len(options) + len(values) - 1) if len(values) > 1 and not words else None
-            options += ["%s=%s" % (action.option_strings[-1], value) for value in values] or [word]
+            options += [_joined(action, value) for value in values] or [word]
         else:
-            options += [word, *_take(action, wanted, words)]
+            options += _with_values(action, word, _take(parser, action, wanted, words))
     if not files and last is not None:
         files.append(options.pop(last).partition("=")[2])
     return [*options, *(["--", *files] if files else [])]
@@ -39,6 +39,22 @@ def arrange(parser, words):
 
 def _is_option(word):
     return word.startswith("-") and word != "-" and not NUMBER.fullmatch(word)
+
+
+def _ends_values(parser, word):
+    """Whether a word in the place of a value is an option. Other values may begin with a minus, as -,X,Y,Z and -1e5 do."""
+    return _is_option(word) and (word.startswith("--") or _find_short(parser._option_string_actions, word)[0] is not None)
+
+
+def _joined(action, value):
+    return "%s=%s" % (action.option_strings[-1], value)
+
+
+def _with_values(action, word, values):
+    """The words of an option and its values, which argparse must not take for options."""
+    if len(values) == 1 and action.nargs is None and values[0].startswith("-"):
+        return [_joined(action, values[0])] if word.startswith("--") else [word + values[0]]
+    return [word, *(" " + value if value.startswith("-") else value for value in values)]
 
 
 def _find(parser, word):
@@ -61,10 +77,10 @@ def _find_short(known, word):
     return action, 0
 
 
-def _take(action, number, words):
+def _take(parser, action, number, words):
     """Removes the values of an option from the beginning of the words and returns them. A number and a unit are one value."""
     taken = []
-    while words and len(taken) < number and not _is_option(words[0]):
+    while words and len(taken) < number and not _ends_values(parser, words[0]):
         taken.append(words.pop(0))
     if (taken and action.type is Height and NUMBER.fullmatch(taken[-1]) and words and UNIT.fullmatch(words[0])
             and not os.path.exists(words[0])):
@@ -72,9 +88,9 @@ def _take(action, number, words):
     return taken
 
 
-def _take_list(action, words):
+def _take_list(parser, action, words):
     """Removes the values of a list from the beginning of the words and returns them."""
-    end = next((place for place, word in enumerate(words) if _is_option(word)), len(words))
+    end = next((place for place, word in enumerate(words) if _ends_values(parser, word)), len(words))
     if end == len(words) or words[end] != "--":
         if end and action.is_list(words[0]):
             end = 1

@@ -57,7 +57,7 @@ public:
   vtkHorizonChoice3Macro(VerticalDirection, VerticalSense, Down, Up, Automatic);
 
   /**
-   * What the columns of a table hold: X, Y, Z, Fault, Stick, Node, or a minus sign to skip one. Empty: found from the
+   * What the columns of a table hold: X, Y, Z, Fault, Stick, Node, or - or _ to skip one. Empty: found from the
    * header or the values. See "Columns" in FaultLinesReader.md. Range: names, separated by commas, or by blanks if there
    * is no comma. Default: empty.
    */

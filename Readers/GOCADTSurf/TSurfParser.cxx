@@ -81,8 +81,9 @@ public:
   std::vector<TSurf> Surfaces;
   TSurfList List;
 
-  explicit ObjectParser(TSurfChoice choice)
+  explicit ObjectParser(TSurfChoice choice, const char* type)
     : Choice(std::move(choice))
+    , Type(type)
   {
   }
 
@@ -182,7 +183,7 @@ private:
       throw ErrorAt(this->Line, Quote("GOCAD " + std::string(type)) + ", " + ExpectedEnd(this->ObjectLine));
     }
     this->ObjectLine = this->Line;
-    this->IsTSurf = ToLower(type) == "tsurf";
+    this->IsTSurf = ToLower(type) == this->Type;
     this->Header = TSurfHeader();
     if (this->IsTSurf && this->Choice(this->List.Names.size()))
     {
@@ -278,6 +279,7 @@ private:
   }
 
   const TSurfChoice Choice;
+  const char* const Type; // in lower case
   std::int64_t Line = 1;
   std::string Capitals;
   std::int64_t ObjectLine = 0; // first line of the object; 0 outside
@@ -320,16 +322,16 @@ std::optional<std::string> FirstTypeOfGOCAD(const std::string& head)
 }
 
 ObjectParser ParseObjects(
-  std::istream& stream, const TSurfChoice& choice, const Monitor& monitor, std::size_t bufferSize)
+  std::istream& stream, const TSurfChoice& choice, const Monitor& monitor, std::size_t bufferSize, const char* type)
 {
-  ObjectParser parser(choice);
+  ObjectParser parser(choice, type);
   const std::string head = PeekText(stream, HeadSize);
   if (!FirstTypeOfGOCAD(head))
   {
     // Files of other formats may have no newline; their first lines suffice for the error.
     const std::size_t newline = head.rfind('\n');
     const std::string text = head.substr(0, newline) + '\n';
-    ObjectParser(choice).ParseLines(text.data(), text.data() + text.size());
+    ObjectParser(choice, type).ParseLines(text.data(), text.data() + text.size());
   }
   SkipByteOrderMark(stream);
   LineBuffer lines(stream, bufferSize);
@@ -343,7 +345,7 @@ ObjectParser ParseObjects(
     monitor.Progress(lines.PartRead());
   }
   // The type may be truncated.
-  if (parser.List.Names.empty() && !StartsWith("tsurf", FirstTypeOfGOCAD(head).value_or("")))
+  if (parser.List.Names.empty() && !StartsWith(type, FirstTypeOfGOCAD(head).value_or("")))
   {
     RefuseOtherFormats(head, "a surface of GOCAD (TSurf)");
   }
@@ -362,14 +364,14 @@ std::optional<std::string> FirstTypeOfGOCAD(std::istream& stream)
 TSurfList ListTSurfs(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
 {
   return ParseObjects(
-    stream, [](std::size_t) { return false; }, monitor, bufferSize)
+    stream, [](std::size_t) { return false; }, monitor, bufferSize, "tsurf")
     .List;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<TSurf> LoadTSurfs(
-  std::istream& stream, const TSurfChoice& choice, const Monitor& monitor, std::size_t bufferSize)
+  std::istream& stream, const TSurfChoice& choice, const Monitor& monitor, std::size_t bufferSize, const char* type)
 {
-  return ParseObjects(stream, choice, monitor, bufferSize).Surfaces;
+  return ParseObjects(stream, choice, monitor, bufferSize, type).Surfaces;
 }
 }

@@ -43,8 +43,9 @@ TSurfList ListTSurfs(
 /// Selects TSurfs by their position in the file, from 0.
 using TSurfChoice = std::function<bool(std::size_t)>;
 
+/// Objects of another type, such as VSet, have what a TSurf has of them: vertices and properties.
 std::vector<TSurf> LoadTSurfs(std::istream& stream, const TSurfChoice& choice, const Monitor& monitor = Monitor(),
-  std::size_t bufferSize = TSurfBufferSize);
+  std::size_t bufferSize = TSurfBufferSize, const char* type = "tsurf");
 }
 
 #endif

@@ -51,7 +51,7 @@ int vtkGOCADTSurfReader::CanReadFile(const char* fileName)
     [isOwn](std::istream& stream)
     {
       const std::optional<std::string> type = FirstTypeOfGOCAD(stream);
-      return type && (isOwn || *type != "pline");
+      return type && (isOwn || (*type != "pline" && *type != "vset"));
     });
 }
 

@@ -19,7 +19,7 @@ bool IsSmallLetter(char c)
 class EsriHeader
 {
 public:
-  /// Stops at the first line of values, which may start with the word nan.
+  /// Stops at the first line of values, which may start with a word for no value.
   explicit EsriHeader(GridText& text)
     : Text(text)
   {
@@ -27,7 +27,7 @@ public:
     {
       std::vector<std::string> words = SplitAtBlanks(*text.PeekLine());
       const std::string key = ToLower(words[0]);
-      if (!key.empty() && (!IsSmallLetter(key.front()) || key == "nan"))
+      if (!key.empty() && (!IsSmallLetter(key.front()) || text.IsNull(key)))
       {
         break;
       }
@@ -51,7 +51,7 @@ public:
 
   double Step(const std::string& key) const { return this->Number(this->Has(key) ? key : "cellsize"); }
 
-  /// Some programs declare nan as the null value, by a word that is not a number.
+  /// Some programs declare a word such as nan as the null value.
   NullRule IsNull() const
   {
     const std::string key = "nodata_value";
@@ -59,7 +59,7 @@ public:
     {
       return NullAt(UsualNull);
     }
-    return IsSameWord(this->Line(key).Text(1, key), "nan") ? NullRule() : NullAt(this->Number(key));
+    return this->Text.IsNull(this->Line(key).Text(1, key)) ? NullRule() : NullAt(this->Number(key));
   }
 
 private:

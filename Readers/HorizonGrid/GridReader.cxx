@@ -8,6 +8,7 @@
 #include "GridParsers.h"
 #include "GridText.h"
 #include "HeaderFields.h"
+#include "Readers/HorizonText/FieldGuess.h"
 
 #include <algorithm>
 #include <array>
@@ -133,6 +134,17 @@ const GridFormat* Recognise(std::string_view firstBytes)
   return format ? format : RecogniseLabels(lines);
 }
 
+/// Throws InputError if the commas may separate thousands.
+bool BeginsWithDecimalCommas(std::string_view beginning)
+{
+  TextLines lines = SplitLines(beginning.substr(0, beginning.rfind('\n') + 1));
+  const auto isWithout = [](std::string_view line) { return line.find(',') == std::string_view::npos; };
+  const auto first = std::find_if_not(lines.begin(), lines.end(), isWithout) - lines.begin();
+  lines.erase(std::remove_if(lines.begin(), lines.end(), isWithout), lines.end());
+  return !lines.empty() && beginning.find('.') == std::string_view::npos &&
+    HaveDecimalCommas(lines, std::int64_t(first) + 1, 1);
+}
+
 const GridFormat& RequireFormat(const std::string& firstBytes)
 {
   if (firstBytes.empty())
@@ -155,13 +167,17 @@ bool IsGrid(std::istream& stream)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
+HorizonGrid ReadHorizonGrid(
+  std::istream& stream, const Monitor& monitor, std::size_t bufferSize, const NullValues& nulls)
 {
-  const GridFormat& format = RequireFormat(PeekBytes(stream));
+  const std::string beginning = PeekBytes(stream);
+  const GridFormat& format = RequireFormat(beginning);
   HorizonGrid grid;
   if (format.ReadText)
   {
-    GridText text(stream, monitor, bufferSize);
+    // Commas separate numbers in the other formats.
+    const bool mayHaveCommas = format.ReadText != ReadZmap && format.ReadText != ReadCps3 && format.ReadText != ReadGxf;
+    GridText text(stream, monitor, bufferSize, nulls, mayHaveCommas && BeginsWithDecimalCommas(beginning));
     grid = format.ReadText(text);
   }
   else

@@ -9,6 +9,7 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Survey/HorizonGrid.h"
+#include "Common/Survey/NullValues.h"
 
 #include <cstddef>
 #include <istream>
@@ -22,9 +23,9 @@ constexpr std::size_t GridBufferSize = 4 * 1024 * 1024;
 bool IsGrid(std::istream& stream);
 
 /// Reads a format of Documentation/HorizonGridFormats.md from a seekable stream. Throws InputError if the format is unknown or violated, with the position
-/// ("line 17: ..." or "byte 100: ..."), the text found and the text expected.
-HorizonGrid ReadHorizonGrid(
-  std::istream& stream, const Monitor& monitor = Monitor(), std::size_t bufferSize = GridBufferSize);
+/// ("line 17: ..." or "byte 100: ..."), the text found and the text expected. Words among `nulls` are no value.
+HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor = Monitor(),
+  std::size_t bufferSize = GridBufferSize, const NullValues& nulls = NullValues());
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/StreamProgress.h"
 #include "HeaderFields.h"
+#include "Readers/HorizonText/PickBlock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +15,13 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-GridText::GridText(std::istream& stream, const Monitor& monitor, std::size_t bufferSize)
+GridText::GridText(
+  std::istream& stream, const Monitor& monitor, std::size_t bufferSize, const NullValues& nulls, bool hasDecimalCommas)
   : BytesInStream(CountBytes(stream))
   , Lines(stream, bufferSize)
   , Work(monitor)
+  , Nulls(nulls)
+  , HasDecimalCommas(hasDecimalCommas)
 {
 }
 
@@ -34,6 +38,12 @@ bool GridText::Fill()
   }
   this->Text = this->Lines.First();
   this->Last = this->Lines.Last();
+  if (this->HasDecimalCommas)
+  {
+    this->Converted = WithDecimalPoints({ this->Text, static_cast<std::size_t>(this->Last - this->Text) });
+    this->Text = this->Converted.data();
+    this->Last = this->Text + this->Converted.size();
+  }
   if (this->IsFresh)
   {
     const std::string_view text(this->Text, static_cast<std::size_t>(this->Last - this->Text));
@@ -156,11 +166,11 @@ double ReadGridValue(std::string_view word, const NullRule& isNull, const GridTe
 {
   double z = 0.0;
   const NumberKind kind = ReadGridNumber(word, z);
-  if (kind == NumberKind::NotANumber)
+  if (kind == NumberKind::NotANumber && !text.IsNull(word))
   {
-    throw text.Error("value " + Quote(word) + ", expected a number");
+    throw text.Error("value " + Quote(word) + ", expected a number; NullValues lists words for no value");
   }
-  if (isNull(z))
+  if (kind == NumberKind::NotANumber || isNull(z))
   {
     return std::numeric_limits<double>::quiet_NaN();
   }

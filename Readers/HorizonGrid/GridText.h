@@ -5,6 +5,7 @@
 #define SeismicHorizonsGridText_h
 
 #include "Common/Base/Monitor.h"
+#include "Common/Survey/NullValues.h"
 #include "Common/Text/FileErrors.h"
 #include "Common/Text/LineBuffer.h"
 #include "Common/Text/TextNumbers.h"
@@ -23,7 +24,10 @@ namespace SeismicHorizons
 class GridText
 {
 public:
-  GridText(std::istream& stream, const Monitor& monitor, std::size_t bufferSize);
+  GridText(std::istream& stream, const Monitor& monitor, std::size_t bufferSize, const NullValues& nulls,
+    bool hasDecimalCommas);
+
+  bool IsNull(std::string_view word) const { return this->Nulls.IsNullText(word); }
 
   std::string Place() const { return "line " + std::to_string(this->LineNumber); }
   std::int64_t Line() const { return this->LineNumber; }
@@ -76,6 +80,9 @@ private:
   const double BytesInStream;
   LineBuffer Lines;
   const Monitor& Work;
+  const NullValues& Nulls;
+  const bool HasDecimalCommas;
+  std::string Converted; // the text in memory, with decimal points
   const char* Text = nullptr;
   const char* Last = nullptr; // The end of the complete lines in memory.
   std::int64_t LineNumber = 1;

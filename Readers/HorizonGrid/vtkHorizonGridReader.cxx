@@ -33,6 +33,7 @@ bool IsNameOf(const std::string& name, const std::string& fileName)
 struct vtkHorizonGridReader::FileContent
 {
   FileStamp Stamp;
+  std::string NullValues;
   std::string Name;
   std::string Format;
   std::optional<HorizonGrid> Grid;
@@ -64,15 +65,17 @@ std::vector<std::string> vtkHorizonGridReader::ListHorizons(const Monitor& monit
     [&]()
     {
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
-      if (this->Content && this->Content->Stamp == stamp)
+      const std::string nulls = this->NullValues ? this->NullValues : "";
+      if (this->Content && this->Content->Stamp == stamp && this->Content->NullValues == nulls)
       {
         return;
       }
       this->Content.reset();
       auto content = std::make_unique<FileContent>();
       content->Stamp = stamp;
+      content->NullValues = nulls;
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-      content->Grid = ReadHorizonGrid(*stream, monitor);
+      content->Grid = ReadHorizonGrid(*stream, monitor, GridBufferSize, SeismicHorizons::NullValues(nulls));
       const std::string& name = content->Grid->Name;
       content->Name =
         name.empty() || IsNameOf(name, this->Files.GetCurrent()) ? StemOf(this->Files.GetCurrent()) : name;
@@ -88,13 +91,13 @@ SurveyHorizons vtkHorizonGridReader::ReadSurvey(const Monitor& monitor)
   return PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
-      const SeismicHorizons::NullValues nulls(this->NullValues ? this->NullValues : "");
+      const SeismicHorizons::NullValues nulls(this->Content->NullValues);
       if (std::optional<HorizonGrid> grid = std::exchange(this->Content->Grid, std::nullopt))
       {
         return PlaceGrid(std::move(*grid), nulls);
       }
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-      return PlaceGrid(ReadHorizonGrid(*stream, monitor), nulls);
+      return PlaceGrid(ReadHorizonGrid(*stream, monitor, GridBufferSize, nulls), nulls);
     });
 }
 

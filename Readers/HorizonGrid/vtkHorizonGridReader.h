@@ -41,8 +41,8 @@ public:
   ///@}
 
   /**
-   * Numbers that mean no value, besides the null value of the format or file. Unit: that of z. Range: numbers,
-   * separated by blanks or commas. Default: empty.
+   * Numbers and words that mean no value, besides the usual words and the null value of the format or file. Unit: that
+   * of z. Range: numbers and words, separated by blanks or commas. Default: empty.
    */
   vtkHorizonTextMacro(NullValues);
 

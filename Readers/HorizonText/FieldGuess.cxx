@@ -24,7 +24,7 @@ namespace
 // Coordinates of surveys are larger.
 constexpr double LargestLineNumber = 99999.0;
 
-bool HasFields(std::string_view line, FieldSeparator separator, std::size_t count)
+bool HasFields(std::string_view line, FieldSeparator separator, std::size_t least, std::size_t most)
 {
   std::size_t fields = 0;
   FieldCursor cursor(line, separator);
@@ -32,7 +32,7 @@ bool HasFields(std::string_view line, FieldSeparator separator, std::size_t coun
   {
     ++fields;
   }
-  return fields == count || (fields + 1 == count && cursor.EndsInSeparator());
+  return fields <= most && fields + (cursor.EndsInSeparator() ? 1 : 0) >= least;
 }
 
 /// Dates and times have marks between digits: "2019-11-21", "12:30:01".
@@ -115,9 +115,9 @@ void RefuseLargeZ(const TextLines& sample, const TextLayout& layout, const std::
 bool IsWithComma(std::string_view field)
 {
   const std::size_t comma = field.find(',');
-  return comma != std::string_view::npos && comma > 0 && field.find(',', comma + 1) == std::string_view::npos &&
-    comma + 1 < field.size() && IsDigit(field[comma - 1]) &&
-    std::all_of(field.begin() + std::ptrdiff_t(comma) + 1, field.end(), IsDigit) && IsNumber(field.substr(0, comma));
+  const bool isBetweenDigits = comma != std::string_view::npos && comma > 0 && comma + 1 < field.size() &&
+    IsDigit(field[comma - 1]) && IsDigit(field[comma + 1]);
+  return isBetweenDigits && IsNumber(std::string(field).replace(comma, 1, "."));
 }
 
 /// The comma in "1,522" may separate thousands.
@@ -131,23 +131,26 @@ bool MayBeThousands(std::string_view field)
 //----------------------------------------------------------------------------------------------------------------------
 FieldSeparator FindSeparator(const TextLines& sample)
 {
-  for (const FieldSeparator separator : { FieldSeparator::Comma, FieldSeparator::Semicolon, FieldSeparator::Tab })
+  constexpr std::size_t fewest = 3;
+  for (const bool areEqual : { true, false })
   {
-    const std::size_t fields = CountFields(sample, separator);
-    if (fields >= 3 && HaveFields(sample, separator, fields))
+    for (const FieldSeparator separator : { FieldSeparator::Comma, FieldSeparator::Semicolon, FieldSeparator::Tab })
     {
-      return separator;
+      const std::size_t fields = CountFields(sample, separator);
+      if (fields >= fewest && HaveFields(sample, separator, areEqual ? fields : fewest, areEqual ? fields : SIZE_MAX))
+      {
+        return separator;
+      }
     }
   }
   return FieldSeparator::Blanks;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
+bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine, std::size_t fewestFields)
 {
   for (const FieldSeparator separator : { FieldSeparator::Semicolon, FieldSeparator::Tab, FieldSeparator::Blanks })
   {
-    constexpr std::size_t fewestFields = 3;
     bool mayBeThousands = true;
     if (std::all_of(sample.begin(), sample.end(),
           [&](std::string_view line)
@@ -170,20 +173,24 @@ bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t count)
+bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t least, std::size_t most)
 {
-  return std::all_of(sample.begin(), sample.end(),
-    [separator, count](std::string_view line) { return HasFields(line, separator, count); });
+  return std::all_of(
+    sample.begin(), sample.end(), [=](std::string_view line) { return HasFields(line, separator, least, most); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t CountFields(const TextLines& sample, FieldSeparator separator)
 {
-  const std::size_t fields = SplitFields(sample.front(), separator).size();
-  const bool hasMore = HasFields(sample.front(), separator, fields + 1) &&
-    std::any_of(sample.begin(), sample.end(),
-      [separator, fields](std::string_view line) { return SplitFields(line, separator).size() == fields + 1; });
-  return hasMore ? fields + 1 : fields;
+  std::size_t count = SplitFields(sample.front(), separator).size();
+  const bool endsInSeparator = HasFields(sample.front(), separator, count + 1, count);
+  for (const std::string_view line : sample)
+  {
+    const Fields fields = SplitFields(line, separator);
+    const bool mayBeMore = endsInSeparator || (count >= 3 && !IsNumber(fields.back()));
+    count = mayBeMore ? std::max(count, fields.size()) : count;
+  }
+  return count;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -194,6 +201,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
   bool areWhole = true;
   bool areUnits = true;
   bool areDates = true;
+  bool isEverywhere = true;
   std::size_t lines = 0;
   std::set<std::string_view> different;
   for (const std::string_view line : sample)
@@ -202,6 +210,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
     double value = 0.0;
     if (column >= fields.size())
     {
+      isEverywhere = false;
       continue; // Parsing the line reports the error.
     }
     const bool isNumber = ReadNumber(fields[column], value) != NumberKind::NotANumber;
@@ -217,7 +226,7 @@ ColumnValues LookAt(const TextLines& sample, const TextLayout& layout, std::size
   values.AreLines = lines >= MostOf(sample.size());
   values.AreText = values.AreText && !hasNumbers;
   constexpr std::size_t few = 20;
-  values.AreNames = !areUnits && !areDates && areWhole && (!hasNumbers || different.size() <= few);
+  values.AreNames = isEverywhere && !areUnits && !areDates && areWhole && (!hasNumbers || different.size() <= few);
   values.AreAllDifferent = sample.size() > few && different.size() == sample.size();
   return values;
 }
@@ -239,7 +248,7 @@ void NameByText(TextLayout& layout, const TextLines& sample)
     if (text.Role == FieldRole::Ignored && values.AreText && values.AreNames && !values.AreAllDifferent &&
       !IsNeverZ(text.Name))
     {
-      text = { FieldRole::HorizonName, "Name" };
+      text.Role = FieldRole::HorizonName;
     }
   }
 }

@@ -18,21 +18,22 @@ namespace SeismicHorizons
 using Fields = std::vector<std::string_view>;
 
 /// The last field may be empty after a trailing separator.
-bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t count);
+bool HaveFields(const TextLines& sample, FieldSeparator separator, std::size_t least, std::size_t most);
 
-/// Counts the fields of the first line, and one more that is empty there if other lines have it.
+/// Counts the fields of the first line, and further ones that are empty there, or end in a text, in other lines.
 std::size_t CountFields(const TextLines& sample, FieldSeparator separator);
 
-/// The first separator that splits all lines into the same number of fields, at least three, else blanks.
+/// The first separator that splits all lines into the same number of fields, at least three; else into at least three;
+/// else blanks.
 FieldSeparator FindSeparator(const TextLines& sample);
 
 /// Throws InputError if the commas may separate thousands.
-bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine);
+bool HaveDecimalCommas(const TextLines& sample, std::int64_t firstLine, std::size_t fewestFields = 3);
 
 struct ColumnValues
 {
   bool AreText = false; // No value is a number, and some are not null.
-  bool AreNames = false; // Texts other than units, or at most 20 different whole numbers.
+  bool AreNames = false; // In each line a text other than a unit, or at most 20 different whole numbers.
   bool AreAllDifferent = false; // Ids of picks are all different.
   bool AreLines = true; // Whole numbers small enough for line numbers.
 };
@@ -52,8 +53,8 @@ std::vector<TextColumn> GuessColumns(const TextLines& sample, const TextLayout& 
 // Fields without names are recognised by their values. Ambiguous fields are refused, since a wrong guess gives a wrong
 // horizon.
 
-/// Throws InputError for rows of a grid: too many and too similar unnamed fields.
-void RefuseMatrix(const TextLines& sample, const TextLayout& layout);
+/// Rows of a grid have many similar fields.
+bool IsMatrix(const TextLines& sample, const TextLayout& layout);
 
 /// Throws InputError, which says what to set, if guessed fields may be wrong: places in other fields, numbers that
 /// touch or have decimal commas, line numbers that may be places, or a z that is constant or counts lines.

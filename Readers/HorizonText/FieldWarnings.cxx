@@ -8,6 +8,8 @@
 #include "Common/Text/TextNumbers.h"
 #include "PairFit.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -55,31 +57,6 @@ bool IsCounter(const std::vector<double>& numbers)
   }
   return numbers.size() >= fewest;
 }
-
-struct NumberRange
-{
-  double Least = std::numeric_limits<double>::infinity();
-  double Largest = -Least;
-
-  void Add(double number)
-  {
-    this->Least = std::fmin(this->Least, number);
-    this->Largest = std::fmax(this->Largest, number);
-  }
-};
-
-struct NumberMean
-{
-  double Sum = 0.0;
-  double Count = 0.0;
-
-  void Add(double number)
-  {
-    this->Sum += std::isnan(number) ? 0.0 : number;
-    this->Count += std::isnan(number) ? 0.0 : 1.0;
-  }
-  double Value() const { return this->Count > 0.0 ? this->Sum / this->Count : 0.0; }
-};
 
 bool IsConstant(const std::vector<double>& numbers)
 {
@@ -240,56 +217,39 @@ void RefuseSmallPlaces(const TextLines& sample, const TextLayout& layout)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void RefuseMatrix(const TextLines& sample, const TextLayout& layout)
+bool IsMatrix(const TextLines& sample, const TextLayout& layout)
 {
   const std::size_t count = CountFields(sample, layout.Separator);
   if (count <= MostColumns)
   {
-    return;
+    return false;
   }
   constexpr double smooth = 0.25; // fraction of the range, from field to field
   constexpr double alike = 0.1; // fraction by which ranges of fields differ
-  std::vector<NumberRange> ranges(count);
-  std::vector<NumberMean> steps(count);
-  for (const std::string_view line : sample)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto columns = Eigen::Index(count);
+  Eigen::ArrayXXd rows = Eigen::ArrayXXd::Constant(Eigen::Index(sample.size()), columns, std::nan(""));
+  for (std::size_t row = 0; row < sample.size(); ++row)
   {
-    const Fields fields = SplitFields(line, layout.Separator);
-    double before = std::nan("");
+    const Fields fields = SplitFields(sample[row], layout.Separator);
     for (std::size_t column = 0; column < std::min(count, fields.size()); ++column)
     {
       double number = 0.0;
-      const bool isNumber = ReadNumber(fields[column], number) == NumberKind::Finite;
-      number = isNumber && !layout.Nulls.IsNullNumber(number) ? number : std::nan("");
-      ranges[column].Add(number);
-      steps[column].Add(std::abs(number - before));
-      before = number;
+      const bool isNumber =
+        ReadNumber(fields[column], number) == NumberKind::Finite && !layout.Nulls.IsNullNumber(number);
+      rows(Eigen::Index(row), Eigen::Index(column)) = isNumber ? number : std::nan("");
     }
   }
-  NumberRange all;
-  NumberRange common{ -all.Least, -all.Largest };
-  double longest = 0.0;
-  double narrowest = all.Least;
-  for (std::size_t column = 0; column < count; ++column)
-  {
-    const NumberRange& own = ranges[column];
-    if (own.Least <= own.Largest)
-    {
-      all.Add(own.Least);
-      all.Add(own.Largest);
-      common = { std::max(common.Least, own.Least), std::min(common.Largest, own.Largest) };
-      narrowest = std::min(narrowest, own.Largest - own.Least);
-      longest = std::max(longest, steps[column].Value());
-    }
-  }
-  const double range = all.Largest - all.Least;
-  const bool areAlike = common.Least <= common.Largest && narrowest >= alike * range;
-  if (areAlike || longest <= smooth * range)
-  {
-    throw InputError(std::to_string(count) +
-      " columns of like numbers without names, a matrix of heights without their places, expected columns of x, y and "
-      "z, or a grid format: the lines ncols, nrows, xllcorner, yllcorner and cellsize before it make it an Esri ASCII "
-      "grid");
-  }
+  const Eigen::ArrayXd least = rows.isFinite().select(rows, infinity).colwise().minCoeff();
+  const Eigen::ArrayXd largest = rows.isFinite().select(rows, -infinity).colwise().maxCoeff();
+  const auto isKnown = least <= largest;
+  const double range = largest.maxCoeff() - least.minCoeff();
+  const bool areAlike = isKnown.select(least, -infinity).maxCoeff() <= isKnown.select(largest, infinity).minCoeff() &&
+    isKnown.select(largest - least, infinity).minCoeff() >= alike * range;
+  const Eigen::ArrayXXd steps = (rows.rightCols(columns - 1) - rows.leftCols(columns - 1)).abs();
+  const Eigen::ArrayXd numbers = steps.isFinite().cast<double>().colwise().sum();
+  const Eigen::ArrayXd sums = steps.isFinite().select(steps, 0.0).colwise().sum();
+  return areAlike || (sums / numbers.max(1.0)).maxCoeff() <= smooth * range;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

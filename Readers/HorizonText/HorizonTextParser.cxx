@@ -11,6 +11,7 @@
 #include "Common/Text/OtherFormats.h"
 #include "Common/Text/TextWords.h"
 #include "PickBlock.h"
+#include "Readers/GOCADTSurf/TSurfParser.h"
 
 #include <cstdint>
 #include <string>
@@ -53,6 +54,7 @@ public:
     , Lines(layout.HeaderLines)
   {
     this->Table.Survey = layout.Survey;
+    this->Table.AreRows = layout.Kind == TextKind::Matrix;
     this->Table.AreLinesGuessed = layout.IsGuessed && layout.Find(FieldRole::Inline) >= 0;
     if (!layout.Doubt.empty())
     {
@@ -98,9 +100,8 @@ public:
     {
       const bool isFirst =
         this->Picks == 0 && block.ErrorLine == block.FirstLine && block.Error.find(": ") == std::string::npos;
-      throw ErrorAt(this->Lines + block.ErrorLine + 1,
-        block.Error +
-          (isFirst ? "; HeaderLines skips lines above the picks, NullValues lists words for no value" : ""));
+      throw ErrorAt(
+        this->Lines + block.ErrorLine + 1, block.Error + (isFirst ? "; HeaderLines skips lines above the picks" : ""));
     }
     // If each pick has the name of its horizon, headers between horizons add nothing.
     const bool isBetween = !this->Layout.HasNames() && (this->Picks > 0 || block.CommentLine > block.FirstLine);
@@ -109,6 +110,11 @@ public:
       this->Table.Warnings.push_back("comments between picks, the first in line " +
         std::to_string(this->Lines + block.CommentLine + 1) +
         ", are ignored: if they name horizons, put each horizon into its own file");
+    }
+    if (this->Layout.Kind == TextKind::Matrix)
+    {
+      this->AddRows(block);
+      return;
     }
     std::size_t picks = block.Horizon.size();
     for (std::size_t column = 0; column < block.Values.size(); ++column)
@@ -124,6 +130,7 @@ public:
     this->Nulls.insert(this->Nulls.end(), block.Nulls.begin(), block.Nulls.end());
     this->AddNames(block);
     this->AddLines(block);
+    this->Table.OtherLines += block.OtherLines;
     this->Picks += picks;
     this->Lines += block.Lines;
     this->HasEnded = this->HasEnded || block.EndLine >= 0;
@@ -170,6 +177,22 @@ private:
       attribute += this->Layout.Columns[before].Role == FieldRole::Attribute ? 1 : 0;
     }
     return this->Table.Attributes[attribute].Values;
+  }
+
+  void AddRows(const PickBlock& block)
+  {
+    for (std::size_t column = 0; column < block.Values.size(); ++column)
+    {
+      double row = double(this->Picks);
+      for (const double z : block.Values[column])
+      {
+        this->Table.Crossline.push_back(double(column));
+        this->Table.Inline.push_back(row++);
+        this->Table.Z.push_back(z);
+      }
+    }
+    this->Picks += block.Values.front().size();
+    this->Lines += block.Lines;
   }
 
   void AddNames(const PickBlock& block)
@@ -327,6 +350,14 @@ std::string ReadBeginning(std::istream& stream)
 //----------------------------------------------------------------------------------------------------------------------
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
 {
+  if (options.Columns.empty() && FirstTypeOfGOCAD(stream) == "vset")
+  {
+    TextLayout layout;
+    layout.Kind = TextKind::VSet;
+    layout.Nulls = NullValues(options.NullValues);
+    layout.Columns = { { FieldRole::X, "X" }, { FieldRole::Y, "Y" }, { FieldRole::Z, "Z" } };
+    return layout;
+  }
   const std::string text = ReadBeginning(stream);
   return FindTextLayout(SplitLines(WithoutByteOrderMark(text)), options);
 }
@@ -334,6 +365,10 @@ TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options)
 //----------------------------------------------------------------------------------------------------------------------
 PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout)
 {
+  if (layout.Kind == TextKind::VSet)
+  {
+    return {};
+  }
   const std::string text = ReadBeginning(stream);
   std::int64_t headerLines = layout.HeaderLines;
   const std::string_view lines = SkipLines(WithoutByteOrderMark(text), headerLines);
@@ -353,6 +388,7 @@ PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout)
 PickTable ReadPicks(std::istream& stream, const TextLayout& layout, const Monitor& monitor, const TextPieces& pieces)
 {
   return layout.Kind == TextKind::Iesx ? ReadIesx(stream, layout, monitor, pieces)
+    : layout.Kind == TextKind::VSet    ? ReadVSets(stream, layout.Nulls, monitor)
                                        : ParsePickRows(stream, layout, monitor, pieces);
 }
 }

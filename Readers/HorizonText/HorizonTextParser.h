@@ -28,11 +28,12 @@ struct TextOptions
   std::string Columns; // See ParseColumnList; empty to detect the fields.
   std::string NullValues; // Added to the usual values, see NullValues.
   int HeaderLines = 0; // Skipped before any other header.
+  std::string Where; // See ChooseLines; empty to read all lines.
 
   bool operator==(const TextOptions& other) const
   {
     return this->Columns == other.Columns && this->NullValues == other.NullValues &&
-      this->HeaderLines == other.HeaderLines;
+      this->HeaderLines == other.HeaderLines && this->Where == other.Where;
   }
 };
 
@@ -40,7 +41,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options);
 
 TextLayout ReadTextLayout(std::istream& stream, const TextOptions& options);
 
-/// Rewinds the stream. IESX files give no picks.
+/// Rewinds the stream. Files of IESX and GOCAD give no picks.
 PickTable ReadFirstPicks(std::istream& stream, const TextLayout& layout);
 
 /// Sizes do not change the result.

@@ -22,12 +22,12 @@ namespace
 constexpr std::size_t MostSampleLines = 100;
 
 /// The lines are spread, so that they are not of a single inline.
-TextLines SampleLines(const TextLines& lines, std::int64_t first)
+TextLines SampleLines(const TextLines& lines, const TextLayout& layout)
 {
   TextLines picks;
-  for (auto line = std::size_t(first); line < lines.size() && !IsEndMark(lines[line]); ++line)
+  for (auto line = std::size_t(layout.HeaderLines); line < lines.size() && !IsEndMark(lines[line]); ++line)
   {
-    if (!IsSkipped(lines[line]))
+    if (!IsSkipped(lines[line]) && (layout.WhereColumn < 0 || layout.IsChosen(lines[line])))
     {
       picks.push_back(lines[line]);
     }
@@ -80,7 +80,8 @@ void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
     // OpendTect does not list the field of names that precedes its picks.
     layout.Columns.insert(layout.Columns.begin(), { FieldRole::HorizonName, "Name" });
   }
-  if (fields != layout.Columns.size() && !HaveFields(sample, layout.Separator, layout.Columns.size()))
+  if (fields != layout.Columns.size() &&
+    !HaveFields(sample, layout.Separator, layout.CountUsed(), layout.Columns.size()))
   {
     if (areRequired)
     {
@@ -94,7 +95,7 @@ void MatchColumns(TextLayout& layout, const TextLines& sample, bool areRequired)
 bool IsCharisma(std::string_view line)
 {
   const Fields fields = SplitFields(line, FieldSeparator::Colons);
-  return fields.size() == 7 && ToLower(fields[0]) == "inline" && !IsNumber(fields[2]);
+  return fields.size() >= 7 && ToLower(fields[0]) == "inline" && !IsNumber(fields[2]);
 }
 
 /// Tests for "nx ny n" and columns within nx and ny, from `first`.
@@ -209,10 +210,27 @@ void DescribeZ(TextLayout& layout, const std::vector<TextColumn>& names)
   }
 }
 
+/// Lines of other kinds may differ in all fields.
+TextLines ChooseSample(const TextLines& lines, TextLayout& layout, const TextOptions& options)
+{
+  TextLines sample = SampleLines(lines, layout);
+  if (!options.Where.empty() && !sample.empty())
+  {
+    layout.Separator = FindSeparator(sample);
+    layout.ChooseLines(options.Where, options.Columns.empty() ? layout.Columns : ParseColumnList(options.Columns));
+    sample = SampleLines(lines, layout);
+  }
+  if (sample.empty())
+  {
+    throw InputError("no picks after " + std::to_string(layout.HeaderLines) + " lines" +
+      (options.Where.empty() ? "" : " with " + options.Where) + ", expected lines of numbers");
+  }
+  return sample;
+}
+
 /// Fields come from the user, the header, or their values, in this order.
 void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions& options)
 {
-  layout.Separator = FindSeparator(sample);
   if (layout.Kind == TextKind::Plain && !MayBeNames(layout))
   {
     layout.Columns.clear();
@@ -230,9 +248,18 @@ void FindColumns(TextLayout& layout, const TextLines& sample, const TextOptions&
   }
   if (layout.Columns.empty() || (layout.Kind == TextKind::Plain && options.Columns.empty() && !layout.HasPlaces()))
   {
-    RefuseMatrix(sample, layout);
+    if (IsMatrix(sample, layout))
+    {
+      layout.Kind = TextKind::Matrix;
+      layout.Columns.assign(CountFields(sample, layout.Separator), { FieldRole::Z, "Z" });
+      return;
+    }
     layout.Columns = GuessColumns(sample, layout);
     layout.IsGuessed = true;
+  }
+  if (layout.WhereColumn >= 0 && layout.Columns[std::size_t(layout.WhereColumn)].Role == FieldRole::Attribute)
+  {
+    layout.Columns[std::size_t(layout.WhereColumn)].Role = FieldRole::Ignored; // It is the same in all lines.
   }
   SettleRoles(layout.Columns);
   if (options.Columns.empty() && layout.Kind == TextKind::Plain)
@@ -251,11 +278,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   {
     layout.Nulls.Add(NullValues(options.NullValues)); // OpendTect writes 1e30, and some headers state another.
   }
-  const TextLines sample = SampleLines(lines, layout.HeaderLines);
-  if (sample.empty())
-  {
-    throw InputError("no picks after " + std::to_string(layout.HeaderLines) + " lines, expected lines of numbers");
-  }
+  const TextLines sample = ChooseSample(lines, layout, options);
   if (HaveDecimalCommas(sample, layout.HeaderLines + 1))
   {
     std::vector<std::string> converted;
@@ -264,9 +287,10 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
     layout.HasDecimalCommas = true;
     return layout;
   }
-  const std::size_t fields = SplitFields(sample.front(), FindSeparator(sample)).size();
+  layout.Separator = FindSeparator(sample);
+  const std::size_t fields = SplitFields(sample.front(), layout.Separator).size();
   constexpr std::size_t mostFields = 1000;
-  if (fields > mostFields)
+  if (fields > mostFields && !IsMatrix(sample, layout))
   {
     throw ErrorAt(layout.HeaderLines + 1,
       std::to_string(fields) + " fields, expected at most " + std::to_string(mostFields) + ": is it a line of picks?");
@@ -280,6 +304,10 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
   if (!isFixed)
   {
     FindColumns(layout, sample, options);
+  }
+  if (layout.Kind == TextKind::Matrix)
+  {
+    return layout;
   }
   CheckRoles(layout.Columns);
   DescribeZ(layout, names);

@@ -38,6 +38,7 @@ public:
     , X(layout.Find(FieldRole::X))
     , Y(layout.Find(FieldRole::Y))
     , Z(layout.Find(FieldRole::Z))
+    , Used(layout.CountUsed())
   {
     this->Block.Values.resize(layout.Columns.size());
   }
@@ -81,6 +82,11 @@ private:
       this->Block.EndLine = this->Block.Lines;
       return;
     }
+    if (this->Layout.WhereColumn >= 0 && !this->Layout.IsChosen(line))
+    {
+      ++this->Block.OtherLines;
+      return;
+    }
     this->ParsePick(line);
   }
 
@@ -105,10 +111,13 @@ private:
       }
       ++column;
     }
-    if (column != this->Layout.Columns.size())
+    const bool mayHaveMore = this->Layout.Kind == TextKind::Charisma; // Some programs add flags.
+    if (column < this->Used || (column > this->Layout.Columns.size() && !mayHaveMore))
     {
-      this->Fail(
-        std::to_string(column) + " fields, expected one for each of the columns " + ListNames(this->Layout.Columns));
+      const bool mayBeSkipped = column > this->Layout.Columns.size() || column >= this->Layout.CountUsed(false);
+      this->Fail(std::to_string(column) + " fields, expected one for each of the columns " +
+        ListNames(this->Layout.Columns) +
+        (mayBeSkipped ? ": if lines lack some at the end, Columns skips these by -" : ""));
       return;
     }
     if (this->IsEndOfLine())
@@ -164,6 +173,7 @@ private:
     {
       return this->ParseName(field);
     }
+    const bool mayBeNull = role == FieldRole::Z || role == FieldRole::Attribute;
     double value = NoValue;
     const bool isNumber = IsFinite(field, value);
     if (!isNumber && !this->Layout.Nulls.IsNullText(field))
@@ -171,10 +181,11 @@ private:
       const bool isDecimal = field.find(',') != std::string_view::npos &&
         std::all_of(field.begin(), field.end(), [](char c) { return IsDigit(c) || c == ',' || c == '-'; });
       this->Fail(Quote(field) + " as " + RoleWord(role) +
-        (isDecimal ? ", expected a decimal point: replace the commas" : ", expected a number"));
+        (isDecimal      ? ", expected a decimal point: replace the commas"
+            : mayBeNull ? ", expected a number; NullValues lists words for no value"
+                        : ", expected a number"));
       return false;
     }
-    const bool mayBeNull = role == FieldRole::Z || role == FieldRole::Attribute;
     if (!isNumber || (mayBeNull && this->Layout.Nulls.IsNullNumber(value)))
     {
       if (isNumber && role == FieldRole::Z && this->Layout.AreNullsUsual)
@@ -185,7 +196,9 @@ private:
     }
     if (!isNumber && !mayBeNull)
     {
-      this->Fail(Quote(field) + " as " + RoleWord(role) + ", expected a number: only Z and attributes may be missing");
+      this->Fail(Quote(field) + " as " + RoleWord(role) +
+        ", expected a number: only Z and attributes may be missing; "
+        "Where chooses lines of one kind");
       return false;
     }
     this->Block.Values[column].push_back(value);
@@ -231,6 +244,7 @@ private:
 
   const TextLayout& Layout;
   const int X, Y, Z;
+  const std::size_t Used;
   PickBlock Block;
   std::size_t Picks = 0;
   std::int64_t Comment = -1;

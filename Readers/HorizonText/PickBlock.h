@@ -6,10 +6,12 @@
 #ifndef SeismicHorizonsPickBlock_h
 #define SeismicHorizonsPickBlock_h
 
+#include "Common/Base/Monitor.h"
 #include "Common/Survey/PickTable.h"
 #include "TextLayout.h"
 
 #include <cstdint>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,7 @@ struct PickBlock
   std::vector<double> Nulls; // z that usually mean that there is none, of picks.
   std::vector<PickLine> PickLines;
   std::int64_t Lines = 0;
+  std::int64_t OtherLines = 0; // Left out by TextLayout::IsChosen.
   std::int64_t FirstLine = -1; // The first that is neither empty nor a comment.
   std::int64_t CommentLine = -1; // The first comment in words that a pick follows.
   std::int64_t EndLine = -1; // The line of an end mark.
@@ -37,6 +40,9 @@ inline constexpr const char* LinesAfterEnd = "more lines after the end mark, exp
 std::string WithDecimalPoints(std::string_view text);
 
 PickBlock ParsePicks(std::string_view lines, const TextLayout& layout);
+
+/// Reads all objects of type VSet from GOCAD's text format.
+PickTable ReadVSets(std::istream& stream, const NullValues& nulls, const Monitor& monitor);
 
 // ---- IESX --------------------------------------------------------------------------------------------------------
 // IESX, also called GeoQuest: a line PROFILE with the name of a horizon, a line per pick with numbers at fixed

@@ -15,8 +15,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<const char*, 9> KindNames = { "plain text", "OpendTect", "OpenWorks", "EarthVision",
-  "Petrel points with attributes", "RMS attributes", "Charisma", "lattice indices", "IESX" };
+constexpr std::array<const char*, 11> KindNames = { "plain text", "OpendTect", "OpenWorks", "EarthVision",
+  "Petrel points with attributes", "RMS attributes", "Charisma", "lattice indices", "IESX", "matrix of heights",
+  "points of GOCAD" };
 constexpr std::array<const char*, 5> SeparatorNames = { "blanks", "blanks and colons", "tabs", "commas", "semicolons" };
 
 std::string Word(const TextColumn& column)
@@ -194,6 +195,29 @@ std::string ListNames(const std::vector<TextColumn>& columns)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void TextLayout::ChooseLines(const std::string& where, const std::vector<TextColumn>& columns)
+{
+  const std::size_t sign = std::min(where.find('='), where.size());
+  const std::string name = ToLower(Trim(where.substr(0, sign)));
+  const auto found = std::find_if(
+    columns.begin(), columns.end(), [&name](const TextColumn& column) { return ToLower(column.Name) == name; });
+  if (sign == where.size() || found == columns.end())
+  {
+    throw InputError("Where " + Quote(where) + ", expected COLUMN=VALUE with one of the columns " + ListNames(columns) +
+      ": Columns names them");
+  }
+  this->WhereColumn = int(found - columns.begin());
+  this->WhereValue = Trim(where.substr(sign + 1));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool TextLayout::IsChosen(std::string_view line) const
+{
+  const std::vector<std::string_view> fields = SplitFields(line, this->Separator);
+  return std::size_t(this->WhereColumn) < fields.size() && fields[std::size_t(this->WhereColumn)] == this->WhereValue;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int TextLayout::Find(FieldRole role) const
 {
   const auto found = std::find_if(
@@ -202,13 +226,24 @@ int TextLayout::Find(FieldRole role) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string TextLayout::Describe() const
+std::size_t TextLayout::CountUsed(bool withAttributes) const
+{
+  const auto last = std::find_if(this->Columns.rbegin(), this->Columns.rend(),
+    [=](const TextColumn& column)
+    { return column.Role < FieldRole::Attribute || (withAttributes && column.Role == FieldRole::Attribute); });
+  return std::size_t(this->Columns.rend() - last);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string TextLayout::Describe(std::int64_t otherLines) const
 {
   std::string text = KindNames[std::size_t(this->Kind)];
-  if (this->Kind != TextKind::Iesx)
+  if (this->Kind != TextKind::Iesx && this->Kind != TextKind::VSet)
   {
     text += std::string(", separated by ") + SeparatorNames[std::size_t(this->Separator)];
   }
-  return text + ": " + ListNames(this->Columns);
+  text += ": " +
+    (this->Kind == TextKind::Matrix ? std::to_string(this->Columns.size()) + " columns" : ListNames(this->Columns));
+  return text + (otherLines > 0 ? "; " + std::to_string(otherLines) + " lines of other kinds left out" : "");
 }
 }

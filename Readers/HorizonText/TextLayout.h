@@ -9,6 +9,7 @@
 #include "Common/Survey/SurveyDescription.h"
 #include "Common/Text/FieldSeparator.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -32,7 +33,9 @@ enum class TextKind
   RmsAttributes,
   Charisma,
   LatticeIndices, ///< A line "nx ny n", then n lines "i j z".
-  Iesx ///< Fields have fixed positions.
+  Iesx, ///< Fields have fixed positions.
+  Matrix, ///< Rows of heights alone.
+  VSet ///< Points of GOCAD.
 };
 
 struct TextLayout
@@ -40,6 +43,8 @@ struct TextLayout
   TextKind Kind = TextKind::Plain;
   FieldSeparator Separator = FieldSeparator::Blanks;
   std::vector<TextColumn> Columns;
+  int WhereColumn = -1; // Lines with other values in this column are left out; -1 for none.
+  std::string WhereValue;
   bool HasLineOfNames = false; // A line of words that is not a comment precedes the picks.
   /// Lines from the names to the picks. Concatenated files repeat them, and they are skipped.
   std::vector<std::string> NamesLines;
@@ -56,15 +61,26 @@ struct TextLayout
 
   int Find(FieldRole role) const;
 
+  /// Reads "COLUMN=VALUE" with the name of one of the columns. Throws InputError if there is no such column.
+  void ChooseLines(const std::string& where, const std::vector<TextColumn>& columns);
+
+  bool IsChosen(std::string_view line) const;
+
+  /// Fields behind the last one that is used may be missing.
+  std::size_t CountUsed(bool withAttributes = true) const;
+
   bool HasPlaces() const
   {
     return (this->Find(FieldRole::X) >= 0 && this->Find(FieldRole::Y) >= 0) ||
       (this->Find(FieldRole::Inline) >= 0 && this->Find(FieldRole::Crossline) >= 0);
   }
 
-  bool HasNames() const { return this->Kind == TextKind::Iesx || this->Find(FieldRole::HorizonName) >= 0; }
+  bool HasNames() const
+  {
+    return this->Kind == TextKind::Iesx || this->Kind == TextKind::VSet || this->Find(FieldRole::HorizonName) >= 0;
+  }
 
-  std::string Describe() const;
+  std::string Describe(std::int64_t otherLines = 0) const;
 };
 
 // ---- Names of fields ---------------------------------------------------------------------------------------------
@@ -77,7 +93,7 @@ std::string_view UnitOfName(std::string_view name);
 /// Returns "time", "depth" or an empty text.
 std::string_view DomainOfName(std::string_view name);
 
-/// Names are separated by commas, or else by blanks; "-" ignores a field. Throws InputError if a role is repeated, or z
+/// Names are separated by commas, or else by blanks; "-" or "_" ignores a field. Throws InputError if a role is repeated, or z
 /// or the place is missing.
 std::vector<TextColumn> ParseColumnList(const std::string& list);
 

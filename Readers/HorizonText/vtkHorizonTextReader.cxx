@@ -28,6 +28,7 @@ struct vtkHorizonTextReader::FileContent
   TextLayout Layout;
   std::vector<std::string> Names;
   std::vector<std::int64_t> Sizes;
+  std::int64_t OtherLines = 0;
   std::optional<PickTable> Picks; // Picks that were read for the names, kept until they are used.
 };
 
@@ -44,6 +45,7 @@ vtkHorizonTextReader::~vtkHorizonTextReader()
 {
   this->SetColumns(nullptr);
   this->SetNullValues(nullptr);
+  this->SetWhere(nullptr);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -64,7 +66,7 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
     [&]()
     {
       const TextOptions options = { this->Columns ? this->Columns : "", this->NullValues ? this->NullValues : "",
-        this->HeaderLines };
+        this->HeaderLines, this->Where ? this->Where : "" };
       const FileStamp stamp = MakeFileStamp(this->Files.GetCurrent());
       if (this->Content && this->Content->Stamp == stamp && this->Content->Options == options)
       {
@@ -81,6 +83,7 @@ void vtkHorizonTextReader::UpdateContent(const Monitor& monitor)
       {
         content->Picks = SeismicHorizons::ReadPicks(*stream, content->Layout, monitor);
         content->Names = content->Picks->Names;
+        content->OtherLines = content->Picks->OtherLines;
         content->Sizes = content->Picks->CountPicks();
       }
       for (std::string& name : content->Names)
@@ -122,12 +125,14 @@ PickTable vtkHorizonTextReader::ReadPicks(const Monitor& monitor)
     [&]()
     {
       const std::unique_ptr<std::istream> stream = OpenInputFile(this->Files.GetCurrent());
-      return SeismicHorizons::ReadPicks(*stream, this->Content->Layout, monitor);
+      PickTable picks = SeismicHorizons::ReadPicks(*stream, this->Content->Layout, monitor);
+      this->Content->OtherLines = picks.OtherLines;
+      return picks;
     });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::string vtkHorizonTextReader::DescribeFormat()
 {
-  return this->Content->Layout.Describe();
+  return this->Content->Layout.Describe(this->Content->OtherLines);
 }

@@ -52,8 +52,8 @@ public:
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   /**
-   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), the name of an attribute, or a minus sign
-   * to skip one. Empty: found from the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
+   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), the name of an attribute, or - or _ to
+   * skip one. Empty: found from the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
    * separated by commas, or by blanks if there is no comma. Default: empty.
    */
   vtkHorizonTextMacro(Columns);
@@ -73,6 +73,12 @@ public:
   vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
   vtkGetMacro(HeaderLines, int);
   ///@}
+
+  /**
+   * The lines to read, as COLUMN=VALUE by the name of a column, where a file has lines of several kinds. Other lines
+   * are left out, and counted in the description. Empty: all lines. Range: a name, =, and a value. Default: empty.
+   */
+  vtkHorizonTextMacro(Where);
 
 protected:
   vtkHorizonTextReader();
@@ -95,6 +101,7 @@ private:
   char* Columns = nullptr;
   char* NullValues = nullptr;
   int HeaderLines = 0;
+  char* Where = nullptr;
 
   struct FileContent;
   std::unique_ptr<FileContent> Content;

@@ -4,6 +4,7 @@
 #include "CubeGuides.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Filters/Common/HorizonPoints.h"
@@ -22,6 +23,16 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// Horizons read from line numbers alone have crosslines for x and inlines for y.
+bool HasLinesAsPlaces(const ArrayTable& fields)
+{
+  const DataArray* const lines = FindNumbers(fields, FieldArray::LineNumbers);
+  const DataArray* const map = FindNumbers(fields, FieldArray::LatticeToWorld);
+  const auto is = [&](std::int64_t n, double value) { return map->Value(n) == value; };
+  return lines && map && lines->Size() == 4 && map->Size() == 16 && is(0, lines->Value(3)) && is(1, 0.0) &&
+    is(3, lines->Value(2)) && is(4, 0.0) && is(5, lines->Value(1)) && is(7, lines->Value(0));
+}
+
 /// Places are in columns and samples from the first trace and sample of the cube.
 class CubePlaces
 {
@@ -29,11 +40,29 @@ public:
   explicit CubePlaces(const ImageCube& cube)
     : First(cube.FirstIndex[0], cube.FirstIndex[1], cube.FirstIndex[2])
     , Last(cube.Traces.Size[0] - 1, cube.Traces.Size[1] - 1, cube.Traces.Size[2] - 1)
+    , Lines(FindNumbers(cube.Image.FieldData, FieldArray::LineNumbers))
   {
     std::array<int, 3> dimensions = cube.Traces.Size;
     std::transform(dimensions.begin(), dimensions.end(), cube.FirstIndex.begin(), dimensions.begin(), std::plus<>());
     this->Lattice = SeismicHorizons::Lattice(
       dimensions, Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(cube.Frame.ToWorld().data()));
+  }
+
+  bool KnowsLinesOf(const Horizon& horizon) const
+  {
+    return this->Lines && this->Lines->Size() == 4 && HasLinesAsPlaces(horizon.FieldData);
+  }
+
+  Eigen::Vector3d ToWorld(const Eigen::Vector3d& place, bool isOfLines) const
+  {
+    if (!isOfLines)
+    {
+      return place;
+    }
+    const Eigen::Vector3d column((place.x() - this->Lines->Value(2)) / this->Lines->Value(3),
+      (place.y() - this->Lines->Value(0)) / this->Lines->Value(1), 0.0);
+    const Eigen::Vector3d world = this->Lattice.ToWorld(column);
+    return { world.x(), world.y(), place.z() };
   }
 
   Eigen::Vector3d ToCube(const Eigen::Vector3d& world) const { return this->Lattice.ToLattice(world) - this->First; }
@@ -66,6 +95,7 @@ private:
   SeismicHorizons::Lattice Lattice;
   Eigen::Vector3d First; // lattice index
   Eigen::Vector3d Last; // last trace and sample, in cube units
+  const DataArray* Lines; // null where unknown
 };
 
 void AddPoint(const Eigen::Vector3d& world, const CubePlaces& places, GuidePicks& guide)
@@ -113,9 +143,10 @@ std::vector<double> ReadSamples(const NamedHorizon& limit, const ImageCube& cube
   const Horizon shown = WithoutHiddenPoints(limit.Data);
   bool isOnTraces = false;
   bool isOnSamples = false;
+  const bool areLines = places.KnowsLinesOf(shown);
   for (std::int64_t n = 0; n < shown.NumberOfPoints(); ++n)
   {
-    const Eigen::Vector3d world = shown.Place(n);
+    const Eigen::Vector3d world = places.ToWorld(shown.Place(n), areLines);
     if (!world.allFinite())
     {
       throw InputError("limit \"" + limit.Name + "\": a point at " + ToText(world) + ", expected finite numbers");
@@ -160,6 +191,7 @@ std::vector<GuidePicks> ReadGuides(const std::vector<NamedHorizon>& horizons, co
       throw InputError("guide array Horizon of " + std::to_string(names->Components()) +
         " components, expected the number or the name of the horizon of each point");
     }
+    const bool areLines = places.KnowsLinesOf(shown);
     for (std::int64_t n = 0; n < shown.NumberOfPoints(); ++n)
     {
       const std::string name = names ? TextOf(*names, n) : given;
@@ -169,7 +201,7 @@ std::vector<GuidePicks> ReadGuides(const std::vector<NamedHorizon>& horizons, co
         guides.emplace_back();
         guides.back().Given.Name = name.empty() ? "Guide " + std::to_string(guides.size()) : name;
       }
-      AddPoint(shown.Place(n), places, guides[number->second]);
+      AddPoint(places.ToWorld(shown.Place(n), areLines), places, guides[number->second]);
     }
   }
   RequirePicks(guides, places);

@@ -140,8 +140,8 @@ public:
 
   ///@{
   /**
-   * Some picks of each horizon wanted, in the coordinates of the cube; optional. Blocks, or the point array Horizon of
-   * numbers or texts, separate horizons. Range: points. Default: none.
+   * Some picks of each horizon wanted, in the coordinates of the cube, or by its line numbers; optional. Blocks, or the
+   * point array Horizon of numbers or texts, separate horizons. Range: points. Default: none.
    *
    * Input 1.
    */

@@ -347,6 +347,11 @@ class BatchTest(unittest.TestCase):
             "%d %d 7 %d\n" % (i, j, i + j) for j in range(5) for i in range(5)))
         self.succeed("--no-pictures", "--stages", "--skip-rough", "--columns", "X Y - Z", picks)
         self.assertEqual(files(self.output), ["odd.vtp"])
+        kinds = self.write_picks("kinds.txt", "".join(
+            "%d.5 %d.5 %d top\n0 bad\n- - - fault\n" % (i, j, i + j) for j in range(5) for i in range(5)))
+        done = self.succeed("--no-pictures", "--columns", "X,Y,Z,kind", "--where", "kind=top", kinds)
+        self.assertIn("; 50 lines of other kinds left out", done.stdout)
+        self.assertIn("--where \"top\", expected COLUMN=VALUE", self.refused(kinds, "--columns", "X Y Z kind", "--where", "top"))
         self.assertIn("its format does not support --z-from", self.refused(picks, "--z-from", "RealZ"))
         self.assertIn("its format does not support --columns", self.refused(SAMPLE, "--columns", "X,Y,Z"))
         self.assertIn("--origin with a z of 3", self.refused(picks, "--origin", "0", "0", "3"))

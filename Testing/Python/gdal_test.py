@@ -126,6 +126,9 @@ def check_elevations():
         ((_, terrain),), _ = reading.read(FOLDER / "terrain.tif", **properties)
         lowest, highest = data.bounds(terrain)[4:]
         assert sign * (lowest + highest) > 2000.0, (lowest, highest)
+    null = terrain["places"][0, 2]
+    ((_, fewer),), _ = reading.read(FOLDER / "terrain.tif", VerticalDirection="Up", NullValues="word %.9g" % -null)
+    assert 0 < len(fewer["places"]) == np.count_nonzero(~np.isclose(terrain["places"][:, 2], null, 1e-6)), fewer["places"].shape
     (FOLDER / "sticks.txt").write_text("459650 5934850 900 F 1\n459660 5934900 2100 F 1\n459900 5934850 900 F 2\n"
                                        "459910 5934900 2100 F 2\n", encoding="ascii")
     ((name, terrain),), _ = reading.read(FOLDER / "terrain.tif")

@@ -4,6 +4,7 @@
 compared with the reflectors that the generator wrote. Arguments: generate_cube, the program horizon_mesh.py, and a folder.
 """
 
+import dataclasses
 import pathlib
 import random
 import subprocess
@@ -11,8 +12,10 @@ import sys
 import unittest
 
 import numpy as np
+import seismichorizons as package
 import vtk_inputs
 from seismichorizons import vtk as sh
+from seismichorizons_command import reading
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -274,6 +277,44 @@ class GuidesTest(unittest.TestCase):
         code, told = self.run_program("--no-pictures", "--output-folder", out, "--picks", self.path, FOLDER / "picks.dat")
         self.assertEqual(code, 1, told)
         self.assertIn("its format does not support --picks", told)
+
+    def test_files(self):
+        """By line numbers, places or both, in the window, the command and Python. They begin inside of the cube."""
+        cube = package.read_cube(self.path)
+        first_inline, inline_step, first_crossline, crossline_step = cube.lattice.lines
+        steps = np.column_stack((cube.lattice.column_step, cube.lattice.row_step))
+        columns, rows = {}, []
+        for name, places in self.truth.items():
+            for x, y, z in places:
+                i, j = np.rint(np.linalg.solve(steps, np.subtract((x, y), cube.lattice.origin))).astype(int)
+                if 20 <= i < 70 and 30 <= j < 60 and i % 9 == 2 and j % 10 == 1:
+                    columns.setdefault(name, set()).add((i, j))
+                    lines = first_inline + inline_step * j, first_crossline + crossline_step * i
+                    rows.append((name.replace(" ", "_"), *lines, x, y, -z))
+        self.assertGreater(min(map(len, columns.values())), 5)
+        for head, kept in (("Inline Crossline", (1, 2)), ("X Y", (3, 4)), ("Inline Crossline X Y", (1, 2, 3, 4))):
+            path = FOLDER / "tops.dat"
+            path.write_text("Horizon %s Z\n" % head + "".join(
+                "%s %s %.3f\n" % (row[0], " ".join("%.2f" % row[n] for n in kept), row[5]) for row in rows))
+            in_python = package.extract(cube, path)
+            found = {"python": {name: (one.columns, one.attributes["Origin"]) for name, one in in_python.items()},
+                     "command": {name: (data["point_data"]["Column"], data["point_data"]["Origin"])
+                                 for name, data in reading.read(self.path, Picks=path)[0]}}
+            if kept != (3, 4):
+                reader = sh.make("vtkHorizonTextReader", FileName=str(path))
+                found["window"] = {name: (array_of(one, "Column"), array_of(one, "Origin")) for name, one in self.extract(sh.apply(reader)).items()}
+            for door, horizons in found.items():
+                self.assertEqual(len(horizons), len(columns), door)
+                for name, own in columns.items():
+                    given, origin = horizons[name.replace(" ", "_")]
+                    at_picks = set(map(tuple, np.asarray(given)[np.asarray(origin) == 0].tolist()))
+                    self.assertLessEqual(at_picks, own, (door, head))
+                    self.assertGreaterEqual(len(at_picks), 0.8 * len(own), (door, head))
+        cube.lattice = dataclasses.replace(cube.lattice, lines=None)
+        self.assertEqual({name: len(one) for name, one in package.extract(cube, path).items()}, {name: len(one) for name, one in in_python.items()})
+        path.write_text("Horizon Inline Crossline Z\nA 1001 2001 300\n")
+        with self.assertRaisesRegex(ValueError, "tops.dat: line numbers alone for a cube that has none, expected x and y"):
+            package.extract(cube, path)
 
     def test_bad_picks_are_named(self):
         picks = list(self.truth.items())

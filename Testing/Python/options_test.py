@@ -5,6 +5,7 @@
 Argument: the program horizon_mesh.py.
 """
 
+import contextlib
 import pathlib
 import re
 import sys
@@ -13,6 +14,7 @@ import unittest
 from seismichorizons import _core
 from seismichorizons import vtk as sh
 from seismichorizons_command import core, data, horizon_mesh, options, pipeline, reading, writing
+from seismichorizons_command.parser import make_parser as parser_of
 from seismichorizons_command.settings import make_settings
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
@@ -64,6 +66,28 @@ class OptionsTest(unittest.TestCase):
                              (["Top, upper", "1, 2"], ["Top, upper", "1", "2"]), (["Top,"], ["Top"]), ([2], ["2"]),
                              (["Base, lower"], ["Base", "lower"])):
             self.assertEqual(reading.names_in(words, known), names)
+
+    def test_values_with_minus(self):
+        """A value may begin with a minus, whatever the option, with and without an equals sign."""
+        def outcome(*words):
+            told = []
+            parser = parser_of("horizon-mesh", lambda _, text: told.append(text))
+            with contextlib.suppress(SystemExit):
+                return vars(parser.parse_args([*words, "survey.vsm"]))
+            return told
+
+        actions = [action for action in parser_of()._actions if action.option_strings and action.nargs != 0]
+        self.assertGreater(len(actions), 50)
+        for action in actions:
+            name = action.option_strings[-1]
+            for value in ("-,X,Y,Z", "-1e5", "-H"):
+                if action.nargs is None:
+                    self.assertEqual(outcome(name, value), outcome("%s=%s" % (name, value)), name)
+                else:
+                    self.assertNotIn("expected %d arguments" % action.nargs, str(outcome(name, *[value] * action.nargs)), name)
+        self.assertEqual(self.settings("--columns", "-,X,Y,Z").reader, {"Columns": "-,X,Y,Z"})
+        self.assertEqual(self.settings("--origin", "-1e5", "-2", "0").reader, {"Origin": [-1e5, -2.0, 0.0]})
+        self.assertEqual(outcome("--columns", "--stages"), ["argument --columns: expected one argument (see --help)"])
 
     def test_left_out(self):
         settings = self.settings("--stages", "--skip-rough", "--horizons", "3", "1")

@@ -243,6 +243,28 @@ class FilesTest(unittest.TestCase):
         (back,) = sh.read_mesh(FOLDER / "top.ts").values()
         self.assertEqual((back.name, len(back)), ("horizon", len(mesh)))
 
+    def test_lines_of_text(self):
+        """Those of one kind, a matrix of heights with its places, points of GOCAD, and columns to skip."""
+        z = dome()[:20, :15]
+        rows = [(500 + 25 * i, 900 - 50 * j, z[j, i]) for j in range(20) for i in range(15)]
+        (FOLDER / "kinds.csv").write_text("id,X,Y,Z,kind\n" + "".join("a,%d,%d,%.9f,top\nb,,,,\nc,bad,0,,fault\n" % row for row in rows))
+        (FOLDER / "matrix.txt").write_text("\n".join(" ".join("%.9f" % value for value in row) for row in z) + "\n")
+        (FOLDER / "points.vs").write_text("GOCAD VSet 1\nHEADER {name:top}\n%sEND\n" % "".join("VRTX %d %d %d %.9f\n" % (n, *row) for n, row in enumerate(rows)))
+        lattice = {"origin": (500, 900), "column_step": (25, 0), "row_step": (0, -50)}
+        for name, options in (("kinds.csv", {"where": "kind=top"}), ("kinds.csv", {"where": "kind=top", "columns": "_ X Y Z kind"}),
+                              ("matrix.txt", lattice), ("points.vs", {})):
+            (made,) = sh.read(FOLDER / name, direction="down", **options).values()
+            found = {(round(x), round(y)): height for x, y, height in zip(made.x, made.y, made.z)}
+            self.assertEqual(len(made), len(rows), name)
+            for x, y, height in rows:
+                self.assertAlmostEqual(found[x, y], height, 8)
+        self.assertRegex(sh.read(FOLDER / "kinds.csv", where="kind=top")["top"].taken[0], "; 600 lines of other kinds left out$")
+        for options, words in (({}, "set origin=, column_step= and row_step="), ({"where": "kind"}, 'where "kind", expected COLUMN=VALUE')):
+            with self.assertRaisesRegex(ValueError, words):
+                sh.read(FOLDER / "matrix.txt" if not options else FOLDER / "kinds.csv", **options)
+        with self.assertRaisesRegex(ValueError, "where, origin, column_step or row_step for sparse voxels, expected none"):
+            sh.read(DATA / "blobs.vsm", where="kind=top")
+
     def test_layers(self):
         """Cells are written for others by the extension, or not at all."""
         made = sh.layers({"A": sh.horizon(np.zeros((3, 4))), "B": sh.horizon(np.ones((3, 4)))}, 0.75)

@@ -28,7 +28,8 @@ def write(path, text):
 
 def check_factory(folder):
     """Files are looked into, and those of others stay theirs."""
-    for name, text, is_ours in [("top.dat", OPENDTECT, True), ("top.xyz", PICKS, True), ("top.pts", PICKS, True),
+    vset = "GOCAD VSet 1\nHEADER {name:top}\n%s\nEND\n" % "\n".join("VRTX %d %s" % line for line in enumerate(PICKS.splitlines()))
+    for name, text, is_ours in [("top.vs", vset, True), ("top.dat", OPENDTECT, True), ("top.xyz", PICKS, True), ("top.pts", PICKS, True),
                                 ("top.csv", PICKS.replace(" ", ","), True), ("scatter.txt", SCATTER, False),
                                 ("letter.txt", "Dear all,\nsee you at 10 o'clock\n", False)]:
         reader = simple.OpenDataFile(write(folder / name, text))
@@ -64,6 +65,22 @@ def check_names_tell_units(folder):
         data = mesh_checks.blocks(reader.GetClientSideObject().GetOutputDataObject(0))["named"].GetFieldData()
         told = [data.GetAbstractArray(array) for array in ("VerticalUnit", "VerticalDomain")]
         assert [text and text.GetValue(0) for text in told] == [unit, domain], (name, told)
+
+
+def check_lines(folder):
+    """Lines of other kinds are left out and counted; a matrix of heights has the places that it is given."""
+    path = write(folder / "kinds.csv", "X,Y,Z,kind\n" + "".join(
+        "%s,top\nbad,,,fault\n" % line.replace(" ", ",") for line in PICKS.splitlines()))
+    reader = simple.HorizonTextReader(Where="kind=top", FileName=[path])
+    reader.UpdatePipeline()
+    assert "; %d lines of other kinds left out\n" % len(PLACES) in reader.WhatWasFound, reader.WhatWasFound
+    assert list(mesh_checks.blocks(reader.GetClientSideObject().GetOutputDataObject(0))) == ["top"]
+    matrix = "".join(" ".join(str(1500 + 5 * i + j) for i in range(16)) + "\n" for j in range(9))
+    reader = simple.HorizonTextReader(FileName=[write(folder / "matrix.txt", matrix)],
+                                      LatticeSource="Origin And Steps", Origin=[500, 900], ColumnStep=[25, 0], RowStep=[0, -50])
+    reader.UpdatePipeline()
+    bounds = mesh_checks.blocks(reader.GetClientSideObject().GetOutputDataObject(0))["matrix"].GetBounds()
+    assert bounds == (500, 875, 500, 900, -1583, -1500), bounds
 
 
 def check_surface(reader):
@@ -103,6 +120,7 @@ def main():
     reader = simple.OpenDataFile(str(folder / "top.dat"))
     check_panel(reader)
     check_surface(reader)
+    check_lines(folder)
     check_series(folder)
     check_names_tell_units(folder)
 

@@ -98,7 +98,7 @@ class VoiceTest(CommandTest):
         "a.zgy": (b"VBS\0\3\0\0\0" + bytes(300), "a seismic cube (ZGY), expected points of horizons, a grid, a surface or a "
                   "cube: convert it to SEG-Y"),
         "a.shp": (struct.pack(">7i", 9994, 0, 0, 0, 0, 0, 50) + struct.pack("<2i", 1000, 13) + bytes(64), "a shapefile"),
-        "a.vs": ("GOCAD VSet 1\nHEADER {\nname:Top\n}\nVRTX 1 2 3 4\n", "points of GOCAD (VSet)"),
+        "a.vo": ("GOCAD Voxet 1\nHEADER {\nname:Top\n}\n", "an object of GOCAD"),
         "a.xlsx": (b"PK\x03\x04" + bytes(100), "a ZIP archive, as of Excel or RESQML"),
         "a.nc": (b"\x89HDF\r\n\x1a\n" + bytes(100), "an HDF5 file, as of netCDF"),
         "a.gpkg": (b"SQLite format 3\0" + bytes(100), "a database (SQLite), as of GeoPackage"),
@@ -118,7 +118,7 @@ class VoiceTest(CommandTest):
                     with self.assertRaises(ValueError) as raised:
                         sh.read(path)
                     self.assertIn(words, str(raised.exception))
-            if not name.endswith("vs"):
+            if not name.endswith("vo"):
                 code, messages, _ = self.run_command("--fault-lines", path, self.write("top.txt", picks()))
                 self.assertEqual((code, len(messages)), (1, 1), messages)
                 self.assertIn(words.partition(", expected")[0] + ", expected fault lines as text: ", messages[0])

@@ -12,6 +12,7 @@
 #include "Common/Survey/ColumnOrder.h"
 #include "Common/Survey/PickWarnings.h"
 #include "Common/Survey/StrayPicks.h"
+#include "Common/Survey/SurveyMap.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 
 #include <Eigen/Dense>
@@ -775,6 +776,7 @@ std::string TreatStrays(PickTable& picks, const PlacementOptions& options, std::
 SurveyHorizons GridPicks(PickTable picks, const GriddingOptions& options, const Monitor& monitor)
 {
   CheckGriddingOptions(options);
+  PlaceRows(picks, options.Placement);
   SurveyHorizons gridded;
   gridded.Survey = picks.Survey;
   gridded.Warnings = std::move(picks.Warnings);

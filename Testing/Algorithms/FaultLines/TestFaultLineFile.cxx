@@ -56,6 +56,13 @@ void PlainLines()
     ": 1,2,3 4,5,6; : 7,8,9 1,1,1"); // IRAP; a true z of 999 stays
   CHECK_EQUAL(Read("1 2 999.0\n4 5 6\n"), ": 1,2,999 4,5,6");
   CHECK_EQUAL(Read("x,y,z,fault\n1,2,3,A\n4,5,6,A\n7,8,9,B\n1,1,1,B\n"), "A: 1,2,3 4,5,6; B: 7,8,9 1,1,1");
+  for (const std::string columns : { "-,X,Y,Z,Fault", "_ X Y Z Fault" })
+  {
+    std::istringstream skipped("1 2 3 4 A\n2 4 5 6 A\n");
+    FaultTextOptions options;
+    options.Columns = columns;
+    CHECK_EQUAL(ToText(ReadFaultLines(skipped, options)), "A: 2,3,4 4,5,6");
+  }
   CHECK_EQUAL(Read("1 2 3 F1 1\n4 5 6 F1 1\n7 8 9 F1 2\n1 1 1 F1 2\n"), "F1/1: 1,2,3 4,5,6; F1/2: 7,8,9 1,1,1");
   // A line of one point is left out.
   CHECK_EQUAL(Read("1 2 3\n\n4 5 6\n7 8 9\n"), ": 4,5,6 7,8,9");

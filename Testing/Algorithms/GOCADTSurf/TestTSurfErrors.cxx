@@ -32,7 +32,7 @@ void OtherFilesAreRefused()
   CheckRefused(std::string(100000, '\x47'), "line 1: \"" + std::string(32, 'G') + "...\", expected \"GOCAD TSurf 1\"");
   CheckRefused(std::string(100, '\0'), "line 1: \"" + std::string(32, '?') + "...\", expected \"GOCAD TSurf 1\"");
   CheckRefused("GOCAD VSet 1\nEND\nGOCAD PLine 1\nEND\n",
-    "points of GOCAD (VSet), expected a surface of GOCAD (TSurf): keep x, y");
+    "points of GOCAD (VSet), expected a surface of GOCAD (TSurf): open it by the reader of horizons");
   CHECK_THROWS_WITH(List("GOCAD Well 1\nEND\n"), "an object of GOCAD, expected a surface of GOCAD (TSurf): export");
   CHECK_THROWS_WITH(List("# GOCAD\nGOCAD VSet 1\nEND\n"), "1 GOCAD objects of other types");
 }

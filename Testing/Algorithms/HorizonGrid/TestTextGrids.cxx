@@ -52,6 +52,49 @@ void ValuesAreChecked()
   CHECK(HasValues(Read(Replace(IrapText(), " 1 2", " nan 2")), { None, 2, 3, 4, None, 6 }));
 }
 
+/// Words for no value, also as the first one, and those that the user adds.
+void WordsMeanNoValue()
+{
+  for (const std::string word : { "nan", "NULL", "n/a", "*****", "-1g" })
+  {
+    for (const std::string& file : { IrapText(), SurferText(), EsriGrid(), Gxf(), Cps3(), Zmap() })
+    {
+      std::string changed = file;
+      const std::size_t first = file == Zmap() ? changed.find("4", changed.find("@\n"))
+        : file == EsriGrid()                   ? changed.find("4 -9999")
+        : file == Cps3()                       ? changed.find("4 1 0.1E")
+        : file == Gxf()                        ? changed.find("1 2 3", changed.find("#GRID"))
+                                               : changed.find("1 2 3");
+      changed.replace(first, 1, word);
+      std::istringstream stream(changed);
+      const HorizonGrid grid = SeismicHorizons::ReadHorizonGrid(
+        stream, SeismicHorizons::Monitor(), SeismicHorizons::GridBufferSize, SeismicHorizons::NullValues("-1g"));
+      CHECK_EQUAL(std::count_if(grid.Z.begin(), grid.Z.end(), [](double z) { return std::isnan(z); }), 2);
+    }
+  }
+  CHECK_THROWS_WITH(
+    Read(Replace(IrapText(), " 1 2", " -1g 2")), "line 5: value \"-1g\", expected a number; NullValues lists");
+  CHECK(HasValues(
+    Read(Replace(EsriGrid(), "NODATA_value -9999\n4 -9999", "NODATA_value null\nnull 4")), { 1, 2, 3, None, 4, 6 }));
+}
+
+/// Where commas do not separate numbers.
+void DecimalCommasAreRead()
+{
+  for (const std::string& file : { IrapText(), SurferText(), EsriGrid() })
+  {
+    std::string commas = Replace(file, "2 3", "2,25 3,5");
+    std::replace(commas.begin(), commas.end(), '.', ',');
+    for (const std::size_t buffer : { std::size_t(4), SeismicHorizons::GridBufferSize })
+    {
+      CHECK(HasValues(Read(commas, buffer), Read(Replace(file, "2 3", "2.25 3.5")).Z));
+    }
+  }
+  CHECK_THROWS_WITH(Read("ncols 2\nnrows 1\nxllcenter 0\nyllcenter 0\ncellsize 5\n1,522 1,523\n"),
+    "line 6: numbers such as 1,522 with decimal commas or thousands separators");
+  CHECK(IsTheSample(Read(Replace(Zmap(), "1000.0, 1100.0, 5000.0, 5025.0", "1000,1100,5000,5025"))));
+}
+
 /// Memory is taken for what the file can hold.
 void HugeCountsCostNothing()
 {
@@ -192,6 +235,8 @@ int TestTextGrids(int, char*[])
   IrapTextTurnsAndMirrors();
   IrapTextHeaderIsChecked();
   ValuesAreChecked();
+  WordsMeanNoValue();
+  DecimalCommasAreRead();
   HugeCountsCostNothing();
   Cps3IsRead();
   Cps3HeaderIsChecked();

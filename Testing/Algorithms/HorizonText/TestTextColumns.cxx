@@ -6,6 +6,7 @@
 #include "TextTables.h"
 #include "Tools/Check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -153,7 +154,8 @@ void TestTwoReadings()
   CHECK_EQUAL(Read(fromZero, options).Inline[1], 1.0);
   for (const auto& [slope, noise] : { std::pair{ 0.5, 1.0 }, { 40.0, 1.0 }, { 0.0, 9.0 }, { -3.0, 90.0 } })
   {
-    CHECK_THROWS_WITH(Read(Matrix(32, slope, noise)), "32 columns of like numbers without names, a matrix");
+    const PickTable rows = Read(Matrix(32, slope, noise));
+    CHECK(rows.AreRows && rows.Z.size() % 32 == 0 && rows.Inline.size() == rows.Z.size());
   }
   // Places, z and ten attributes.
   std::string picks;
@@ -266,8 +268,89 @@ void TestGivenColumns()
   };
   const std::string text = "1 2 3 4 5\n6 7 8 9 10\n";
   CHECK_EQUAL(Table(text, given("Y, X, -, Z, Dip")), std::string("x y z Dip\n2 1 4 5\n7 6 9 10\n"));
+  CHECK_EQUAL(Table(text, given("_ X _ Y Z")), Table(text, given("-, X, -, Y, Z")));
   CHECK_EQUAL(Table(text, given("Name Crossline Inline - Z")), std::string("il xl z\n1: 3 2 5\n6: 8 7 10\n"));
   CHECK_EQUAL(Table("A B C D E\n" + text, given("X,Y,Z,My own,-")), std::string("x y z My own\n1 2 3 4\n6 7 8 9\n"));
+}
+
+/// Rows of numbers, each at the place of its column and row, in pieces of any size.
+void TestMatrix()
+{
+  const std::string row = " 1 2 3 4 5 6 7 8 9 10 11 12";
+  for (const std::string& blank : { std::string("\n"), std::string(" \r\n\n") })
+  {
+    for (const std::size_t block : { std::size_t(16), std::size_t(1000) })
+    {
+      const PickTable rows = Read("1" + row + blank + "2" + row + blank + "null" + row + "\n", {}, { 64, block });
+      CHECK(rows.Size() == 39 && rows.AreRows);
+      for (std::size_t n = 0; n < rows.Size(); ++n)
+      {
+        const double i = rows.Crossline[n];
+        const double j = rows.Inline[n];
+        CHECK(rows.Z[n] == (i == 0.0 ? j + 1.0 : i) || (i == 0.0 && j == 2.0 && std::isnan(rows.Z[n])));
+      }
+    }
+  }
+  CHECK_THROWS_WITH(
+    Read("1" + row + "\n2" + row + "\n3 4\n"), "line 3: 2 fields, expected one for each of the columns Z");
+  CHECK_EQUAL(Read(Matrix(2000, 0.5, 1.0)).Z.size() % 2000, std::size_t(0));
+}
+
+/// Fields behind those that are used.
+void TestMissingFields()
+{
+  for (const std::string separator : { " ", ",", ";", "\t" })
+  {
+    std::string text = "1.5 2.5 3.5\n4.5 2.5 3.75 snapped\n";
+    std::replace(text.begin(), text.end(), ' ', separator.front());
+    CHECK_EQUAL(Table(text), XyzTable);
+    CHECK_EQUAL(Table("x" + separator + "y" + separator + "z" + separator + "remark\n" + text), XyzTable);
+  }
+  TextOptions options;
+  options.Columns = "X,Y,Z,-,_";
+  CHECK_EQUAL(Table("1.5 2.5 3.5 7 8\n4.5 2.5 3.75\n", options), XyzTable);
+  CHECK_EQUAL(Table("1.5,2.5,3.5\n4.5,2.5,3.75,7\n", options), XyzTable);
+  CHECK_THROWS_WITH(Read("1.5 2.5\n4.5 2.5 3.75\n", options), "line 1: 2 fields, expected one for each");
+  for (const std::string text : { "1.5 2.5 3.5 7\n4.5 2.5 3.75\n", "1.5 2.5 3.5\n4.5 2.5 3.75 7\n" })
+  {
+    CHECK_THROWS_WITH(Read(text), ": if lines lack some at the end, Columns skips these by -");
+  }
+  const std::string charisma = "INLINE : 476 XLINE : 320 1.5 2.5 3.5";
+  CHECK_EQUAL(Table(charisma + "\nINLINE : 477 XLINE : 320 4.5 2.5 3.75 1 a\n"),
+    std::string("il xl x y z\n476 320 1.5 2.5 3.5\n477 320 4.5 2.5 3.75\n"));
+  CHECK_EQUAL(Table(charisma + " F1\nINLINE : 477 XLINE : 320 4.5 2.5 3.75\n"),
+    std::string("il xl x y z\n476 320 1.5 2.5 3.5\n477 320 4.5 2.5 3.75\n"));
+}
+
+/// Lines of other kinds may have anything in their other fields.
+void TestWhere()
+{
+  const auto where = [](const std::string& chosen, const std::string& columns = {})
+  {
+    TextOptions options;
+    options.Where = chosen;
+    options.Columns = columns;
+    return options;
+  };
+  const std::string text = "X,Y,Z,feature_name,nx\n1.5,2.5,3.5,Top,\na,b,,fault,0.5\n4.5,2.5,3.75,Top,\n,,7,,\n";
+  const PickTable picks = Read(text, where("feature_name=Top"));
+  CHECK_EQUAL(picks.OtherLines, std::int64_t(2));
+  CHECK_EQUAL(ToText(picks), std::string("x y z nx\nTop: 1.5 2.5 3.5 nan\nTop: 4.5 2.5 3.75 nan\n"));
+  CHECK_EQUAL(Table(text, where(" Feature_Name = Top ")), ToText(picks));
+  for (const std::string kind : { "7", "a" })
+  {
+    CHECK_EQUAL(
+      Table(kind + " 1.5 2.5 3.5\n8 0 0 bad\n" + kind + " 4.5 2.5 3.75\n", where("kind=" + kind, "kind,X,Y,Z")),
+      XyzTable);
+  }
+  CHECK_EQUAL(Layout(text, where("feature_name=Top")).Describe(2),
+    std::string("plain text, separated by commas: X, Y, Z, Name, nx; 2 lines of other kinds left out"));
+  for (const std::string wrong : { "feature_name", "kind=Top", "=", "Top=feature_name" })
+  {
+    CHECK_THROWS_WITH(
+      Read(text, where(wrong)), "Where \"" + wrong + "\", expected COLUMN=VALUE with one of the columns X");
+  }
+  CHECK_THROWS_WITH(Read(text, where("feature_name=Base")), "no picks after 1 lines with feature_name=Base, expected");
 }
 }
 
@@ -286,5 +369,8 @@ int TestTextColumns(int, char*[])
   TestForeignNames();
   TestUsualNulls();
   TestGivenColumns();
+  TestMatrix();
+  TestMissingFields();
+  TestWhere();
   return Check::Result();
 }

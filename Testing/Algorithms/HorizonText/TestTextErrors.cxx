@@ -61,6 +61,8 @@ void TestLineMessages()
     Read("1 2 3.5\n\n1 3\n"), "line 3: 2 fields, expected one for each of the columns Inline, Crossline, Z");
   CHECK_THROWS_WITH(Read("1 2 3.5\n1 3 4 5\n"), "line 2: 4 fields, expected one for each of the columns Inline");
   CHECK_THROWS_WITH(Read("1.5 2 3.5\n1 3 4x\n"), "line 2: \"4x\" as Z, expected a number");
+  CHECK_THROWS_WITH(
+    Read("1.5 2 3.5\n1 3 -1g\n"), "line 2: \"-1g\" as Z, expected a number; NullValues lists words for no value");
   CHECK_THROWS_WITH(Read("1.5 2 3.5\n1 3 inf\n"), "line 2: \"inf\" as Z, expected a number");
   CHECK_THROWS_WITH(Read("1.5 2 3.5\n1 3 1e400\n"), "line 2: \"1e400\" as Z, expected a number");
   CHECK_THROWS_WITH(

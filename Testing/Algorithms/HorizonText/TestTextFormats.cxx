@@ -117,6 +117,31 @@ void TestCharisma()
     std::string("Charisma, separated by blanks and colons: -, Inline, -, Crossline, X, Y, Z"));
 }
 
+/// Properties of all objects are attributes, and z is as that of the first one.
+void TestVSet()
+{
+  const std::string first =
+    "GOCAD VSet 1\nHEADER {\nname:Top\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME a\n"
+    "AXIS_UNIT \"m\" \"m\" \"ft\"\nZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\n"
+    "PROPERTIES dip\nNO_DATA_VALUES -9\nSUBVSET\nPVRTX 1 1.5 2.5 3.5 7\nPVRTX 2 4.5 2.5 3.75 -9\nEND\n";
+  const PickTable picks = Read(first);
+  CHECK_EQUAL(ToText(picks), std::string("x y z dip\nTop: 1.5 2.5 3.5 7\nTop: 4.5 2.5 3.75 nan\n"));
+  CHECK(!picks.Survey.IsUpright && picks.Survey.VerticalUnit == "ft" && picks.Survey.HorizontalUnit == "m");
+  const std::string second =
+    "gocad vset 1\nHEADER {name:Base}\nPROPERTIES w\nESIZES 2\nVRTX 5 1 2 -5\nPVRTX 6 1 3 -999.25 8 9\nEND\n";
+  TextOptions options;
+  options.NullValues = "-999.25 999.25";
+  CHECK_EQUAL(Table(first + second, options),
+    std::string("x y z dip w 1 w 2\nTop: 1.5 2.5 3.5 7 nan nan\nTop: 4.5 2.5 3.75 nan nan nan\n"
+                "Base: 1 2 5 nan nan nan\nBase: 1 3 nan nan 8 9\n"));
+  CHECK(Read(second).Survey.IsUpright);
+  CHECK_EQUAL(Describe(first), std::string("points of GOCAD: X, Y, Z"));
+  CHECK_THROWS_WITH(Read("GOCAD VSet 1\nVRTX 1 2 a 4\nEND\n"), "line 2: ");
+  CHECK_THROWS_WITH(Read("GOCAD VSet 1\nVRTX 1 2 3 4\n"), ": end of file, expected END of the GOCAD object of line 1");
+  options.Columns = "X,Y,Z";
+  CHECK_THROWS_WITH(Read(first, options), "open it by the reader of horizons as text, without Columns");
+}
+
 void TestOpenWorks()
 {
   const std::string header = "@TEST of a file\n@File_Version: 4\n"
@@ -194,6 +219,7 @@ int TestTextFormats(int, char*[])
   TestIesx();
   TestIesxProfiles();
   TestCharisma();
+  TestVSet();
   TestOpenWorks();
   TestEarthVision();
   TestPetrel();
