@@ -99,7 +99,9 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     frame = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     nulls = nulls_of(nodata)
     if _is_tiff(path):
-        return _choose(path, _read_image(path, where, placement(duplicates, gridding, leave_out_strays), progress), horizons)
+        if where or lattice:
+            raise ValueError("%s: where, origin, column_step or row_step for a GeoTIFF, expected none" % path)
+        return _choose(path, _read_image(path, frame, placement(duplicates, gridding, leave_out_strays), progress), horizons)
     with _of_file(path):
         kind = _core.find_format(os.fsencode(path))
         if kind == "tsurf":
@@ -131,10 +133,10 @@ def _is_tiff(path: pathlib.Path) -> bool:
         return file.read(4) in _gdal.BEGINNINGS
 
 
-def _read_image(path: pathlib.Path, where: Any, placing: dict[str, Any], progress: Progress | None) -> dict[str, Any]:
+def _read_image(path: pathlib.Path, frame: Any, placing: dict[str, Any], progress: Progress | None) -> dict[str, Any]:
     """The horizon of a GeoTIFF."""
     arrays, own = _gdal.read_image(path)
-    step, direction, (*units, system) = where
+    step, direction, (*units, system) = frame
     lattice = {name: own[name] for name in ("origin", "column_step", "row_step")}
     with _of_file(path):
         found = _core.place_points(arrays, {}, [path.stem], {**placing, **lattice}, step, direction or own["direction"],
