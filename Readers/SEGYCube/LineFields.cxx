@@ -287,6 +287,12 @@ std::optional<FieldPair> FindLineFields(const TraceTable& table, bool mayRepeat,
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool IsGrid(const TraceTable& table, const FieldPair& pair, bool mayRepeat)
+{
+  return PairFigures(table, pair).IsGrid(mayRepeat ? MostRepeated : FewRepeated);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::string OtherLinesText(const std::optional<FieldPair>& other)
 {
   std::string text = "Where line numbers are elsewhere, set InlineByte and CrosslineByte";

@@ -108,9 +108,16 @@ std::optional<FieldPair> SuggestLines(const std::string& name, SEGYHeader header
   return FindAnyGrid(ReadTraceTable(name, header, bytes, Monitor()));
 }
 
-FieldPair FindLines(SEGYCube& cube, const TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
+FieldPair FindLines(SEGYCube& cube, TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
 {
   const std::optional<FieldPair> found = FindLineFields(table, options.Duplicates != DuplicateRule::Refuse, monitor);
+  if (!found && NumberByPlaces(table, options, monitor))
+  {
+    cube.Warnings.push_back("no line numbers that make a grid of " + std::to_string(table.Traces) +
+      " traces: inlines and crosslines are rows and columns of the lattice of x and y, from 1. " +
+      OtherLinesText(SuggestLines(cube.Name, cube.Header)));
+    return { TraceByte::LatticeRow, TraceByte::LatticeColumn };
+  }
   if (!found)
   {
     RefuseLines(table, SuggestLines(cube.Name, cube.Header));
@@ -202,6 +209,36 @@ void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& optio
   }
 }
 
+/// Returns the unit of x and y that are angles, with a warning. The field is often wrong, so that all places must be in
+/// the range of its unit.
+std::string FindAngleUnit(SEGYCube& cube, const TraceTable& table)
+{
+  struct AngleUnit
+  {
+    int Code;
+    const char* Name;
+    double PerDegree;
+  };
+  constexpr std::array<AngleUnit, 3> units = { { { 2, "arcsec", 3600.0 }, { 3, "degrees", 1.0 },
+    { 4, "DDDMMSS", 10000.0 } } };
+  const auto first = std::find_if(cube.Traces.begin(), cube.Traces.end(), [](std::int32_t t) { return t >= 0; });
+  const int code = first == cube.Traces.end() ? 0 : table[TraceByte::PlaceUnit][*first];
+  const Eigen::Vector2d last = cube.Lattice.Origin +
+    cube.Lattice.Steps() * Eigen::Vector2d(cube.Lattice.Columns[0] - 1, cube.Lattice.Columns[1] - 1);
+  const Eigen::Vector2d largest = cube.Lattice.Origin.cwiseAbs().cwiseMax(last.cwiseAbs());
+  for (const AngleUnit& unit : units)
+  {
+    if (unit.Code == code && largest.x() <= 360.0 * unit.PerDegree && largest.y() <= 90.0 * unit.PerDegree &&
+      cube.PlaceFields.First != NoField)
+    {
+      cube.Warnings.push_back("x and y in " + std::string(unit.Name) + " (byte 89 is " + std::to_string(code) +
+        "), expected a length: they are taken as they are; where they are a length, set HorizontalUnit");
+      return unit.Name;
+    }
+  }
+  return {};
+}
+
 // ---- Description ----------------------------------------------------------------------------------------------------
 std::string DescribeFile(const SEGYHeader& header)
 {
@@ -209,6 +246,7 @@ std::string DescribeFile(const SEGYHeader& header)
   text << "SEG-Y" << (header.Revision > 0 ? " revision " + std::to_string(header.Revision) : "") << ", "
        << FormatName(header.Format) << ", " << (header.Order == ByteOrder::BigEndian ? "big" : "little")
        << "-endian, text in " << (header.IsEbcdic ? "EBCDIC" : "ASCII");
+  text << (header.LabelSize > 0 ? ", after a tape label" : "");
   if (header.ExtendedTexts > 0)
   {
     text << ", " << header.ExtendedTexts << " extended text headers";
@@ -217,11 +255,6 @@ std::string DescribeFile(const SEGYHeader& header)
        << header.Traces << " traces of " << header.Samples << " samples"
        << (header.HasOwnSamples ? "" : " (by the first trace)");
   return text.str();
-}
-
-std::string FieldText(int byte)
-{
-  return byte == NoField ? "no byte" : "byte " + std::to_string(byte);
 }
 
 std::string DescribeLines(const SEGYCube& cube)
@@ -311,23 +344,28 @@ SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const
   std::ifstream stream = OpenPlainFile(name);
   cube.Header = ReadSEGYHeader(stream, std::int64_t(stamp.Size), options);
   cube.Warnings = cube.Header.Warnings;
-  const TraceTable table = ReadTraceTable(name, cube.Header, FieldsToRead(options), monitor.Step(0.0, 0.7));
+  TraceTable table = ReadTraceTable(name, cube.Header, FieldsToRead(options), monitor.Step(0.0, 0.7));
   RefuseOtherLengths(table);
   const bool isGiven = options.LineFields.First != 0;
   cube.LineFields = isGiven ? options.LineFields : FindLines(cube, table, options, monitor.Step(0.7, 0.8));
   PlaceCube(cube, table, options, monitor.Step(0.8, 1.0));
   SetVerticalUnit(cube.Survey, "ms");
-  cube.Survey.HorizontalUnit = cube.PlaceFields.First == NoField ? "" : cube.Header.LengthUnit;
+  const std::string angles = FindAngleUnit(cube, table);
+  cube.Survey.HorizontalUnit = cube.PlaceFields.First == NoField ? ""
+    : angles.empty()                                             ? cube.Header.LengthUnit
+                                                                 : angles;
   return cube;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string Describe(const SEGYCube& cube)
+std::string Describe(const SEGYCube& cube, const SurveyDescription& survey)
 {
   std::ostringstream text;
   text << DescribeFile(cube.Header) << '\n' << DescribeLines(cube) << '\n' << DescribePlaces(cube) << '\n';
   text << cube.Sampling.Indices << " vertical indices from " << cube.Sampling.First << " in steps of "
-       << cube.Sampling.Step << (cube.Delays.empty() ? "" : "; traces begin at different ones");
+       << cube.Sampling.Step << (survey.VerticalUnit.empty() ? "" : " ") << survey.VerticalUnit
+       << (survey.VerticalDomain == "time" ? ", taken as time; set VerticalUnit for depth" : "")
+       << (cube.Delays.empty() ? "" : "; traces begin at different ones");
   return text.str();
 }
 

@@ -13,7 +13,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -23,14 +23,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- Places as picks ------------------------------------------------------------------------------------------------
-/// Places are sampled where some suffice.
-std::int64_t SamplingStride(const TraceTable& table)
-{
-  constexpr std::int64_t sampledPlaces = 1000;
-  return std::max<std::int64_t>(1, table.Traces / sampledPlaces);
-}
+// In columns: midpoints are within half a bin, and the fit is not exact.
+constexpr double IrregularTolerance = 0.55;
 
+// ---- Places as picks ------------------------------------------------------------------------------------------------
 /// Returns the traces with a place, or every n-th of them.
 PickPlaces ListPlaces(const LineNumbers& lines, const FieldPair& fields, std::int64_t stride = 1)
 {
@@ -80,6 +76,18 @@ std::vector<std::size_t> ListBeyond(const std::vector<double>& distances, double
     }
   }
   return strays;
+}
+
+double RootMeanSquare(const std::vector<double>& distances, double largest)
+{
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const double distance : distances)
+  {
+    sum += distance <= largest ? distance * distance : 0.0;
+    count += distance <= largest;
+  }
+  return std::sqrt(sum / double(count));
 }
 
 // ---- Fit of a lattice -----------------------------------------------------------------------------------------------
@@ -214,6 +222,7 @@ std::string FieldsText(const FieldPair& fields)
   return "x and y of traces (bytes " + std::to_string(fields.First) + " and " + std::to_string(fields.Second) + ") ";
 }
 
+/// A tolerance of IrregularTolerance means irregular midpoints.
 PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double tolerance, const Monitor& monitor)
 {
   if (AreFloats(lines, fields))
@@ -227,6 +236,15 @@ PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double
   }
   const PlaceFit fit = FitLattice(picks, lines.Numbering, FieldsText(fields), tolerance, monitor);
   PlacedTraces placed = { fields, fit.ToWorld, fit.LargestDistance, std::int64_t(fit.Strays.size()), {} };
+  if (tolerance == IrregularTolerance)
+  {
+    std::ostringstream text;
+    text.precision(2);
+    text << FieldsText(fields) << "up to " << fit.LargestDistance << " of a step off any lattice, "
+         << RootMeanSquare(FindDistances(picks, lines.Numbering, fit.ToWorld), fit.LargestDistance)
+         << " by root mean square, as of irregular midpoints: the lattice is that of least squares";
+    placed.Warnings.push_back(text.str());
+  }
   std::size_t places = 0; // up to the first stray
   for (std::int64_t trace = 0; !fit.Strays.empty() && trace < lines.Table.Traces; ++trace)
   {
@@ -273,16 +291,16 @@ std::string CompareFields(
   return text.str();
 }
 
-std::vector<FieldPair> ListCandidates(const TraceTable& table, const FieldPair& given)
+std::optional<PlacedTraces> TryIrregular(const LineNumbers& lines, const FieldPair& fields, const Monitor& monitor)
 {
-  if (given.First != 0)
+  try
   {
-    return given.First > 0 ? std::vector<FieldPair>{ given } : std::vector<FieldPair>();
+    return TryFields(lines, fields, IrregularTolerance, monitor);
   }
-  std::vector<FieldPair> candidates;
-  std::copy_if(PlacePairs.begin(), PlacePairs.end(), std::back_inserter(candidates),
-    [&](const FieldPair& fields) { return !AreSame(table, fields); });
-  return candidates;
+  catch (const InputError&)
+  {
+    return std::nullopt; // The first try has told why.
+  }
 }
 
 PlacedTraces LinesForPlaces(const std::string& problems, const LineNumbering& numbering)
@@ -311,60 +329,13 @@ PlacedTraces UseDoubtful(PlacedTraces doubtful, bool areLineNumbers, const LineN
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool AreSame(const TraceTable& table, const FieldPair& fields)
-{
-  return table[fields.First].IsConstant() && table[fields.Second].IsConstant();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool AreLineNumbers(const LineNumbers& lines, const FieldPair& fields)
-{
-  const auto areAll = [&](auto&& placeOf)
-  {
-    for (std::int64_t trace = 0; trace < lines.Table.Traces; ++trace)
-    {
-      const Eigen::Vector2d numbers(lines.Inline(trace), lines.Crossline(trace));
-      if (HasPlace(lines, fields, trace) && placeOf(trace) != numbers && placeOf(trace) != numbers.reverse())
-      {
-        return false;
-      }
-    }
-    return true;
-  };
-  const auto stored = [&](std::int64_t trace)
-  { return Eigen::Vector2d(lines.Table[fields.First][trace], lines.Table[fields.Second][trace]); };
-  return areAll(stored) || areAll([&](std::int64_t trace) { return TracePlace(lines.Table, fields, trace); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool AreFloats(const LineNumbers& lines, const FieldPair& fields)
-{
-  constexpr std::int32_t least = 0x3f800000; // 1 as an IEEE float.
-  constexpr std::int32_t largest = 0x4cbebc20; // 1e8 as an IEEE float; IBM floats from 1 to 1e8 are in the same range.
-  const auto isFloat = [&](std::int32_t bits) { return bits >= least && bits <= largest; };
-  std::int64_t places = 0;
-  for (std::int64_t trace = 0; trace < lines.Table.Traces; trace += SamplingStride(lines.Table))
-  {
-    if (HasPlace(lines, fields, trace))
-    {
-      ++places;
-      if (!isFloat(lines.Table[fields.First][trace]) || !isFloat(lines.Table[fields.Second][trace]))
-      {
-        return false;
-      }
-    }
-  }
-  return places > 0;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 PlacedTraces PlaceTraces(const LineNumbers& lines, const SEGYOptions& options, bool isLine, const Monitor& monitor)
 {
-  const FieldPair given = options.PlaceFields;
-  const bool isGiven = given.First > 0;
+  const bool isGiven = options.PlaceFields.First > 0;
   std::optional<PlacedTraces> found, doubtful;
   std::string problems;
-  for (const FieldPair& fields : ListCandidates(lines.Table, given))
+  const std::vector<FieldPair> candidates = ListPlaceFields(lines.Table, options.PlaceFields);
+  for (const FieldPair& fields : candidates)
   {
     if (found)
     {
@@ -380,12 +351,16 @@ PlacedTraces PlaceTraces(const LineNumbers& lines, const SEGYOptions& options, b
     }
     catch (const InputError& error)
     {
-      if (isGiven && !isLine)
-      {
-        throw;
-      }
       problems += (problems.empty() ? "" : "; ") + std::string(error.what());
     }
+  }
+  for (std::size_t n = 0; !found && !doubtful && !isLine && n < candidates.size(); ++n)
+  {
+    found = TryIrregular(lines, candidates[n], monitor);
+  }
+  if (isGiven && !isLine && !found && !doubtful)
+  {
+    throw InputError(problems);
   }
   if (found || doubtful)
   {

@@ -7,6 +7,7 @@
 #include "Common/Survey/PlaneFit.h"
 #include "TraceColumns.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,14 @@ struct PlacedTraces
   std::vector<std::string> Warnings;
 };
 
-/// Uses the first pair on a lattice, last a pair that follows the line numbers, never their copy, else line numbers.
-/// Up to 10 % of strays are excluded. Throws InputError if fields of the user have no lattice, except for a single line.
+/// Uses the first pair on a lattice, then one that follows the line numbers, never their copy, then one of irregular
+/// midpoints, which least squares make a lattice; else line numbers. Up to 10 % of strays are excluded. Throws InputError
+/// if fields of the user have no lattice, except for a single line.
 PlacedTraces PlaceTraces(const LineNumbers& lines, const SEGYOptions& options, bool isLine, const Monitor& monitor);
+
+/// Numbers rows and columns of the lattice of x and y, from 1, as fields of the table. Returns false if no fields, or not
+/// those of the user, place all traces on one.
+bool NumberByPlaces(TraceTable& table, const SEGYOptions& options, const Monitor& monitor);
 
 /// Positions the traces of a single line, which may be curved, by their headers. Missing places, places of 0 and strays
 /// are interpolated, with a warning. Places stay empty if no fields form a line.
@@ -42,6 +48,16 @@ inline Eigen::Vector2d TracePlace(const TraceTable& table, const FieldPair& fiel
   const int scalar = table[TraceByte::PlaceScalar][trace];
   return { Scaled(table[fields.First][trace], scalar), Scaled(table[fields.Second][trace], scalar) };
 }
+
+/// Places are sampled where some suffice.
+inline std::int64_t SamplingStride(const TraceTable& table)
+{
+  constexpr std::int64_t sampledPlaces = 1000;
+  return std::max<std::int64_t>(1, table.Traces / sampledPlaces);
+}
+
+/// Returns the pair of the user, or the usual ones that are not constant.
+std::vector<FieldPair> ListPlaceFields(const TraceTable& table, const FieldPair& given);
 
 bool AreSame(const TraceTable& table, const FieldPair& fields);
 

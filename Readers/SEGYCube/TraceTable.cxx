@@ -14,8 +14,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<int, 5> ShortFields = { TraceByte::Kind, TraceByte::PlaceScalar, TraceByte::Delay,
-  TraceByte::Samples, TraceByte::TimeScalar };
+constexpr std::array<int, 6> ShortFields = { TraceByte::Kind, TraceByte::PlaceScalar, TraceByte::PlaceUnit,
+  TraceByte::Delay, TraceByte::Samples, TraceByte::TimeScalar };
 
 bool IsShort(int byte)
 {
@@ -52,6 +52,12 @@ bool TraceTable::IsDead(std::int64_t trace) const
   constexpr std::int32_t dummy = 3;
   const std::int32_t kind = (*this)[TraceByte::Kind][trace];
   return kind == dead || kind == dummy;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string FieldText(int byte)
+{
+  return byte == NoField ? "no byte" : byte > SEGYTraceHeaderSize ? "by x and y" : "byte " + std::to_string(byte);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

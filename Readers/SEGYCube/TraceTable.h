@@ -30,9 +30,13 @@ namespace TraceByte
 constexpr int Kind = 29; // 1 seismic data, 2 dead, 3 dummy.
 constexpr int Offset = 37;
 constexpr int PlaceScalar = 71;
+constexpr int PlaceUnit = 89; // 1 length, 2 seconds of arc, 3 degrees, 4 degrees, minutes and seconds.
 constexpr int Delay = 109; // Milliseconds from the shot to the first sample.
 constexpr int Samples = 115;
 constexpr int TimeScalar = 215;
+// Behind the header: numbers of rows and columns of a lattice of x and y, for want of line numbers.
+constexpr int LatticeRow = 241;
+constexpr int LatticeColumn = 245;
 }
 
 /// Stores one number per trace, and constant parts without memory.
@@ -104,6 +108,8 @@ constexpr std::array<FieldPair, 3> PlacePairs = { { { 181, 185 }, { 73, 77 }, { 
 
 std::vector<int> ListFields();
 
+std::string FieldText(int byte);
+
 /// Some programs pad files with dead traces without line numbers.
 bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trace);
 
@@ -111,6 +117,9 @@ bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trac
 /// different offsets (pre-stack data).
 std::optional<FieldPair> FindLineFields(
   const TraceTable& table, bool mayRepeat = false, const Monitor& monitor = Monitor());
+
+/// `mayRepeat` is as of FindLineFields.
+bool IsGrid(const TraceTable& table, const FieldPair& pair, bool mayRepeat);
 
 /// `other` is a candidate.
 std::string OtherLinesText(const std::optional<FieldPair>& other);
