@@ -56,7 +56,7 @@ SEGYOptions TakeCubeOptions(const nb::dict& chosen)
   Take(chosen, "y_byte", options.PlaceFields.Second);
   Take(chosen, "tolerance", options.Tolerance);
   Take(chosen, "vertical_step", options.VerticalStep);
-  Take(chosen, "samples", options.Samples);
+  Take(chosen, "number_of_samples", options.Samples);
   Take(chosen, "ignore_incomplete_trace", options.IgnoreIncompleteTrace);
   TakeChoice(chosen, "duplicates", { "refuse", "first", "last", "mean" }, options.Duplicates);
   TakeChoice(chosen, "delays", { "interpolate", "nearest" }, options.Delays);
@@ -112,6 +112,12 @@ public:
     given["to_world"] = nb::cast(MapOf(view.Image));
     given["point_data"] = GiveTable(read.Image.PointData);
     given["field_data"] = GiveTable(read.Image.FieldData);
+    if (!this->Cube.Places.empty())
+    {
+      auto extent = this->Extent;
+      extent[4] = extent[5];
+      given["line"] = GiveArray(PlaceLineSamples(this->Cube, view.Frame, extent));
+    }
     given["description"] = Describe(this->Cube, description);
     return nb::make_tuple(given, warnings);
   }
