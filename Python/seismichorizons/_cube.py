@@ -26,9 +26,8 @@ class Cube:
 
     Attributes
     ----------
-    values : float32 array of shape (rows, columns, samples)
-        Rows are inlines; nan where there is no sample. A cube of `read_cube` shares its memory: missing samples are 0 there,
-        and False in `known`.
+    values : array of shape (rows, columns, samples)
+        Rows are inlines; nan where there is no sample. In a cube of `read_cube` missing samples are 0, and False in `known`.
     lattice : Lattice
         Of the traces; its vertical indices are the samples.
     known : bool array of the same shape, or None
@@ -44,7 +43,7 @@ class Cube:
         How a file was understood, in lines.
     """
 
-    values: NDArray[np.float32]
+    values: NDArray[Any]
     lattice: Lattice
     known: NDArray[np.bool_] | None = None
     line: Floats | None = None
@@ -84,29 +83,14 @@ class Cube:
         fields = {"LatticeDimensions": np.array([columns, rows, samples], np.int32), "LatticeToWorld": np.array(to_world), **give_survey(self)}
         if self.lattice.lines is not None:
             fields["LineNumbers"] = np.array(self.lattice.lines)
-        values = np.ascontiguousarray(np.asarray(self.values).transpose(2, 0, 1)).reshape(-1)
+        own = np.asarray(self.values).dtype
+        taken = np.dtype(np.float32) if own.kind == "f" and own.itemsize not in (4, 8) else own.newbyteorder("=")
+        values = np.ascontiguousarray(np.asarray(self.values).transpose(2, 0, 1), taken).reshape(-1)
         data = {"extent": [0, columns - 1, 0, rows - 1, 0, samples - 1], "to_world": to_world, "amplitudes": values, "field_data": fields}
         if self.known is not None:
             hidden = 2  # VTK's mark
             data["ghosts"] = np.where(np.asarray(self.known).transpose(2, 0, 1).reshape(-1), 0, hidden).astype(np.uint8)
         return data
-
-    def at(self, horizon: Horizon) -> Floats:
-        """Amplitudes at the points of a horizon on the lattice of the cube, linear between samples; nan outside. Raises
-        ValueError for another lattice."""
-        if horizon.lattice.shape != self.lattice.shape or not np.allclose(
-                (horizon.lattice.origin, horizon.lattice.column_step, horizon.lattice.row_step),
-                (self.lattice.origin, self.lattice.column_step, self.lattice.row_step)):
-            raise ValueError("%s on another lattice than %s, expected the same" % (horizon.name, self.name))
-        column, row = horizon.columns.T
-        place = (horizon.z - self.lattice.first_z) / self.lattice.vertical_step
-        below = np.clip(np.floor(place).astype(int), 0, self.values.shape[2] - 2)
-        part = place - below
-        found = (1.0 - part) * self.values[row, column, below] + part * self.values[row, column, below + 1]
-        known = (place >= 0.0) & (place <= self.values.shape[2] - 1)
-        if self.known is not None:
-            known &= self.known[row, column, below] & self.known[row, column, below + 1]
-        return np.where(known, found, np.nan)
 
 
 def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None = None, crosslines: tuple[int, int] | None = None,
@@ -243,8 +227,9 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
     own = ("Column", "SurfaceId", "VerticalIndex", "RealZ")
     horizons = {name: horizon_of(name, data, taken=tuple(in_keywords(description).splitlines()), attributes={
         key: values for key, values in data["point_data"].items() if key not in own}) for name, data in found}
-    for horizon in horizons.values() if cube.line is not None else ():
-        horizon.attributes |= zip(("LineX", "LineY"), cube.line[horizon.columns[:, 1], horizon.columns[:, 0]].T)
+    if cube.line is not None:
+        for horizon in horizons.values():
+            horizon.attributes |= zip(("LineX", "LineY"), cube.line[horizon.columns[:, 1], horizon.columns[:, 0]].T)
     return horizons
 
 

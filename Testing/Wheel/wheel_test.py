@@ -18,7 +18,7 @@ import venv
 PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 TESTS = PROJECT / "Testing/Wheel"
 BESIDE = ("pandas", "geopandas", "xarray", "xtgeo", "pyvista", "trimesh", "resqpy", "mypy", "segyio", "matplotlib", "nbclient", "ipykernel", "gempy",
-          "LoopStructural")
+          "LoopStructural", "multidimio", "pyzgy")
 ENVIRONMENT = {**{name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
                "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
 
@@ -49,6 +49,7 @@ print("built and installed in %.0f s" % (time.monotonic() - start))
 run(sys.executable, TESTS / "core_peer.py", FOLDER / "peer", env={**ENVIRONMENT, "PYTHONPATH": str(CLASSES)})
 run(python, TESTS / "core_test.py", PROJECT / "Data", FOLDER / "files", FOLDER / "peer")
 run(python, TESTS / "core_stack_test.py", FOLDER / "stack")
+run(python, TESTS / "core_cube_test.py", FOLDER / "cubes")
 run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 run(python, TESTS / "core_example.py", FOLDER / "files")
 command = [PROJECT / "Data/sample.vsm", "--no-pictures", "--formats", "vtp,ts", "--report", FOLDER / "page.html"]
