@@ -209,34 +209,30 @@ void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& optio
   }
 }
 
-/// Returns the unit of x and y that are angles, with a warning. The field is often wrong, so that all places must be in
-/// the range of its unit.
-std::string FindAngleUnit(SEGYCube& cube, const TraceTable& table)
+/// Returns the unit of x and y, with a warning if it is an angle. The field that says so is often wrong, so that all
+/// places must be in its range.
+std::string FindHorizontalUnit(SEGYCube& cube, const TraceTable& table)
 {
-  struct AngleUnit
-  {
-    int Code;
-    const char* Name;
-    double PerDegree;
-  };
-  constexpr std::array<AngleUnit, 3> units = { { { 2, "arcsec", 3600.0 }, { 3, "degrees", 1.0 },
-    { 4, "DDDMMSS", 10000.0 } } };
+  constexpr std::array<const char*, 3> names = { "arcsec", "degrees", "DDDMMSS" }; // codes 2 to 4
+  constexpr std::array<double, 3> perDegree = { 3600.0, 1.0, 10000.0 };
   const auto first = std::find_if(cube.Traces.begin(), cube.Traces.end(), [](std::int32_t t) { return t >= 0; });
   const int code = first == cube.Traces.end() ? 0 : table[TraceByte::PlaceUnit][*first];
-  const Eigen::Vector2d last = cube.Lattice.Origin +
-    cube.Lattice.Steps() * Eigen::Vector2d(cube.Lattice.Columns[0] - 1, cube.Lattice.Columns[1] - 1);
-  const Eigen::Vector2d largest = cube.Lattice.Origin.cwiseAbs().cwiseMax(last.cwiseAbs());
-  for (const AngleUnit& unit : units)
+  const std::size_t unit = std::size_t(code - 2);
+  const Eigen::Vector2d origin = cube.Lattice.Origin;
+  const Eigen::Vector2d last =
+    origin + cube.Lattice.Steps() * Eigen::Vector2d(cube.Lattice.Columns[0] - 1, cube.Lattice.Columns[1] - 1);
+  const Eigen::Vector2d largest = origin.cwiseAbs().cwiseMax(last.cwiseAbs());
+  if (cube.PlaceFields.First == NoField)
   {
-    if (unit.Code == code && largest.x() <= 360.0 * unit.PerDegree && largest.y() <= 90.0 * unit.PerDegree &&
-      cube.PlaceFields.First != NoField)
-    {
-      cube.Warnings.push_back("x and y in " + std::string(unit.Name) + " (byte 89 is " + std::to_string(code) +
-        "), expected a length: they are taken as they are; where they are a length, set HorizontalUnit");
-      return unit.Name;
-    }
+    return {};
   }
-  return {};
+  if (unit >= names.size() || largest.x() > 360.0 * perDegree[unit] || largest.y() > 90.0 * perDegree[unit])
+  {
+    return cube.Header.LengthUnit;
+  }
+  cube.Warnings.push_back("x and y in " + std::string(names[unit]) + " (byte 89 is " + std::to_string(code) +
+    "), expected a length: they are taken as they are; where they are a length, set HorizontalUnit");
+  return names[unit];
 }
 
 // ---- Description ----------------------------------------------------------------------------------------------------
@@ -350,10 +346,7 @@ SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const
   cube.LineFields = isGiven ? options.LineFields : FindLines(cube, table, options, monitor.Step(0.7, 0.8));
   PlaceCube(cube, table, options, monitor.Step(0.8, 1.0));
   SetVerticalUnit(cube.Survey, "ms");
-  const std::string angles = FindAngleUnit(cube, table);
-  cube.Survey.HorizontalUnit = cube.PlaceFields.First == NoField ? ""
-    : angles.empty()                                             ? cube.Header.LengthUnit
-                                                                 : angles;
+  cube.Survey.HorizontalUnit = FindHorizontalUnit(cube, table);
   return cube;
 }
 

@@ -23,10 +23,16 @@ namespace SeismicHorizons
 {
 namespace
 {
-// In columns: midpoints are within half a bin, and the fit is not exact.
-constexpr double IrregularTolerance = 0.55;
+constexpr double IrregularTolerance = 0.55; // In columns: midpoints are within half a bin, and the fit is not exact.
 
 // ---- Places as picks ------------------------------------------------------------------------------------------------
+/// Places are sampled where some suffice.
+std::int64_t SamplingStride(const TraceTable& table)
+{
+  constexpr std::int64_t sampledPlaces = 1000;
+  return std::max<std::int64_t>(1, table.Traces / sampledPlaces);
+}
+
 /// Returns the traces with a place, or every n-th of them.
 PickPlaces ListPlaces(const LineNumbers& lines, const FieldPair& fields, std::int64_t stride = 1)
 {
@@ -76,18 +82,6 @@ std::vector<std::size_t> ListBeyond(const std::vector<double>& distances, double
     }
   }
   return strays;
-}
-
-double RootMeanSquare(const std::vector<double>& distances, double largest)
-{
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const double distance : distances)
-  {
-    sum += distance <= largest ? distance * distance : 0.0;
-    count += distance <= largest;
-  }
-  return std::sqrt(sum / double(count));
 }
 
 // ---- Fit of a lattice -----------------------------------------------------------------------------------------------
@@ -222,7 +216,6 @@ std::string FieldsText(const FieldPair& fields)
   return "x and y of traces (bytes " + std::to_string(fields.First) + " and " + std::to_string(fields.Second) + ") ";
 }
 
-/// A tolerance of IrregularTolerance means irregular midpoints.
 PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double tolerance, const Monitor& monitor)
 {
   if (AreFloats(lines, fields))
@@ -238,10 +231,13 @@ PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double
   PlacedTraces placed = { fields, fit.ToWorld, fit.LargestDistance, std::int64_t(fit.Strays.size()), {} };
   if (tolerance == IrregularTolerance)
   {
+    const std::vector<double> distances = FindDistances(picks, lines.Numbering, fit.ToWorld);
+    const Eigen::Map<const Eigen::ArrayXd> all(distances.data(), Eigen::Index(distances.size()));
+    const double squares = (all <= fit.LargestDistance).select(all.square(), 0.0).sum();
     std::ostringstream text;
     text.precision(2);
     text << FieldsText(fields) << "up to " << fit.LargestDistance << " of a step off any lattice, "
-         << RootMeanSquare(FindDistances(picks, lines.Numbering, fit.ToWorld), fit.LargestDistance)
+         << std::sqrt(squares / double((all <= fit.LargestDistance).count()))
          << " by root mean square, as of irregular midpoints: the lattice is that of least squares";
     placed.Warnings.push_back(text.str());
   }
@@ -291,18 +287,6 @@ std::string CompareFields(
   return text.str();
 }
 
-std::optional<PlacedTraces> TryIrregular(const LineNumbers& lines, const FieldPair& fields, const Monitor& monitor)
-{
-  try
-  {
-    return TryFields(lines, fields, IrregularTolerance, monitor);
-  }
-  catch (const InputError&)
-  {
-    return std::nullopt; // The first try has told why.
-  }
-}
-
 PlacedTraces LinesForPlaces(const std::string& problems, const LineNumbering& numbering)
 {
   PlacedTraces placed;
@@ -329,38 +313,83 @@ PlacedTraces UseDoubtful(PlacedTraces doubtful, bool areLineNumbers, const LineN
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool AreLineNumbers(const LineNumbers& lines, const FieldPair& fields)
+{
+  const auto areAll = [&](auto&& placeOf)
+  {
+    for (std::int64_t trace = 0; trace < lines.Table.Traces; ++trace)
+    {
+      const Eigen::Vector2d numbers(lines.Inline(trace), lines.Crossline(trace));
+      if (HasPlace(lines, fields, trace) && placeOf(trace) != numbers && placeOf(trace) != numbers.reverse())
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  const auto stored = [&](std::int64_t trace)
+  { return Eigen::Vector2d(lines.Table[fields.First][trace], lines.Table[fields.Second][trace]); };
+  return areAll(stored) || areAll([&](std::int64_t trace) { return TracePlace(lines.Table, fields, trace); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreFloats(const LineNumbers& lines, const FieldPair& fields)
+{
+  constexpr std::int32_t least = 0x3f800000; // 1 as an IEEE float.
+  constexpr std::int32_t largest = 0x4cbebc20; // 1e8 as an IEEE float; IBM floats from 1 to 1e8 are in the same range.
+  const auto isFloat = [&](std::int32_t bits) { return bits >= least && bits <= largest; };
+  std::int64_t places = 0;
+  for (std::int64_t trace = 0; trace < lines.Table.Traces; trace += SamplingStride(lines.Table))
+  {
+    if (HasPlace(lines, fields, trace))
+    {
+      ++places;
+      if (!isFloat(lines.Table[fields.First][trace]) || !isFloat(lines.Table[fields.Second][trace]))
+      {
+        return false;
+      }
+    }
+  }
+  return places > 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 PlacedTraces PlaceTraces(const LineNumbers& lines, const SEGYOptions& options, bool isLine, const Monitor& monitor)
 {
   const bool isGiven = options.PlaceFields.First > 0;
   std::optional<PlacedTraces> found, doubtful;
-  std::string problems;
-  const std::vector<FieldPair> candidates = ListPlaceFields(lines.Table, options.PlaceFields);
-  for (const FieldPair& fields : candidates)
+  const auto tryAll = [&](double tolerance)
   {
-    if (found)
+    std::string problems;
+    for (const FieldPair& fields : ListPlaceFields(lines.Table, options.PlaceFields))
     {
-      const std::string other = CompareFields(lines, *found, fields, options.Tolerance);
-      found->Warnings.insert(found->Warnings.end(), other.empty() ? 0 : 1, other);
-      continue;
+      if (found)
+      {
+        const std::string other = CompareFields(lines, *found, fields, tolerance);
+        found->Warnings.insert(found->Warnings.end(), other.empty() ? 0 : 1, other);
+        continue;
+      }
+      try
+      {
+        const PlacedTraces placed = TryFields(lines, fields, tolerance, monitor);
+        std::optional<PlacedTraces>& which = !isGiven && FollowsLines(placed.ToWorld, lines) ? doubtful : found;
+        which = which ? which : placed;
+      }
+      catch (const InputError& error)
+      {
+        problems += (problems.empty() ? "" : "; ") + std::string(error.what());
+      }
     }
-    try
-    {
-      const PlacedTraces placed = TryFields(lines, fields, options.Tolerance, monitor);
-      std::optional<PlacedTraces>& which = !isGiven && FollowsLines(placed.ToWorld, lines) ? doubtful : found;
-      which = which ? which : placed;
-    }
-    catch (const InputError& error)
-    {
-      problems += (problems.empty() ? "" : "; ") + std::string(error.what());
-    }
-  }
-  for (std::size_t n = 0; !found && !doubtful && !isLine && n < candidates.size(); ++n)
+    return problems;
+  };
+  const std::string problems = tryAll(options.Tolerance);
+  if (!found && !doubtful && !isLine)
   {
-    found = TryIrregular(lines, candidates[n], monitor);
-  }
-  if (isGiven && !isLine && !found && !doubtful)
-  {
-    throw InputError(problems);
+    tryAll(IrregularTolerance);
+    if (isGiven && !found)
+    {
+      throw InputError(problems);
+    }
   }
   if (found || doubtful)
   {

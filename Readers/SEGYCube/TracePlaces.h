@@ -7,7 +7,6 @@
 #include "Common/Survey/PlaneFit.h"
 #include "TraceColumns.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -48,18 +47,6 @@ inline Eigen::Vector2d TracePlace(const TraceTable& table, const FieldPair& fiel
   const int scalar = table[TraceByte::PlaceScalar][trace];
   return { Scaled(table[fields.First][trace], scalar), Scaled(table[fields.Second][trace], scalar) };
 }
-
-/// Places are sampled where some suffice.
-inline std::int64_t SamplingStride(const TraceTable& table)
-{
-  constexpr std::int64_t sampledPlaces = 1000;
-  return std::max<std::int64_t>(1, table.Traces / sampledPlaces);
-}
-
-/// Returns the pair of the user, or the usual ones that are not constant.
-std::vector<FieldPair> ListPlaceFields(const TraceTable& table, const FieldPair& given);
-
-bool AreSame(const TraceTable& table, const FieldPair& fields);
 
 /// Compares in either order, with and without the scalar.
 bool AreLineNumbers(const LineNumbers& lines, const FieldPair& fields);

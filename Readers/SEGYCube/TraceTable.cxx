@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 
 namespace SeismicHorizons
 {
@@ -58,6 +59,25 @@ bool TraceTable::IsDead(std::int64_t trace) const
 std::string FieldText(int byte)
 {
   return byte == NoField ? "no byte" : byte > SEGYTraceHeaderSize ? "by x and y" : "byte " + std::to_string(byte);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FieldPair> ListPlaceFields(const TraceTable& table, const FieldPair& given)
+{
+  if (given.First != 0)
+  {
+    return given.First > 0 ? std::vector<FieldPair>{ given } : std::vector<FieldPair>();
+  }
+  std::vector<FieldPair> candidates;
+  std::copy_if(PlacePairs.begin(), PlacePairs.end(), std::back_inserter(candidates),
+    [&](const FieldPair& fields) { return !AreSame(table, fields); });
+  return candidates;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreSame(const TraceTable& table, const FieldPair& fields)
+{
+  return table[fields.First].IsConstant() && table[fields.Second].IsConstant();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

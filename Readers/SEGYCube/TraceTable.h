@@ -110,6 +110,11 @@ std::vector<int> ListFields();
 
 std::string FieldText(int byte);
 
+bool AreSame(const TraceTable& table, const FieldPair& fields);
+
+/// Returns the pair of the user, or the usual ones that are not constant.
+std::vector<FieldPair> ListPlaceFields(const TraceTable& table, const FieldPair& given);
+
 /// Some programs pad files with dead traces without line numbers.
 bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trace);
 
@@ -117,9 +122,6 @@ bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trac
 /// different offsets (pre-stack data).
 std::optional<FieldPair> FindLineFields(
   const TraceTable& table, bool mayRepeat = false, const Monitor& monitor = Monitor());
-
-/// `mayRepeat` is as of FindLineFields.
-bool IsGrid(const TraceTable& table, const FieldPair& pair, bool mayRepeat);
 
 /// `other` is a candidate.
 std::string OtherLinesText(const std::optional<FieldPair>& other);
