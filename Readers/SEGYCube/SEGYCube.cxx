@@ -222,13 +222,11 @@ std::string FindHorizontalUnit(SEGYCube& cube, const TraceTable& table)
   const Eigen::Vector2d last =
     origin + cube.Lattice.Steps() * Eigen::Vector2d(cube.Lattice.Columns[0] - 1, cube.Lattice.Columns[1] - 1);
   const Eigen::Vector2d largest = origin.cwiseAbs().cwiseMax(last.cwiseAbs());
-  if (cube.PlaceFields.First == NoField)
+  const bool hasPlaces = cube.PlaceFields.First != NoField;
+  if (!hasPlaces || unit >= names.size() || largest.x() > 360.0 * perDegree[unit] ||
+    largest.y() > 90.0 * perDegree[unit])
   {
-    return {};
-  }
-  if (unit >= names.size() || largest.x() > 360.0 * perDegree[unit] || largest.y() > 90.0 * perDegree[unit])
-  {
-    return cube.Header.LengthUnit;
+    return hasPlaces ? cube.Header.LengthUnit : "";
   }
   cube.Warnings.push_back("x and y in " + std::string(names[unit]) + " (byte 89 is " + std::to_string(code) +
     "), expected a length: they are taken as they are; where they are a length, set HorizontalUnit");

@@ -112,9 +112,9 @@ CubeImage ReadCubeImage(const SEGYCube& cube, const CubeView& view, const CubeEx
 //----------------------------------------------------------------------------------------------------------------------
 std::string NullsText(std::int64_t nulls)
 {
-  return nulls == 0 ? ""
-                    : std::to_string(nulls) +
-      " samples of 1e30 or more, or nan, are taken as missing; if they are no nulls, set SampleFormat";
+  const char* const text =
+    " samples of 1e30 or more, or nan, are taken as missing; if they are no nulls, set SampleFormat";
+  return nulls > 0 ? std::to_string(nulls) + text : "";
 }
 
 //----------------------------------------------------------------------------------------------------------------------

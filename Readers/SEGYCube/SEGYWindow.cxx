@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -100,17 +101,22 @@ struct SampleCheck
 /// Programs write 1e30 or more where there is no sample. These become nan.
 SampleCheck CheckSamples(std::vector<float>& samples)
 {
-  constexpr float leastNull = 0.999e30f; // IBM floats round 1e30.
-  bool areZero = true;
-  std::uint32_t nulls = 0;
-  for (float& sample : samples)
+  constexpr std::int32_t leastNull = 0x7149bf17; // The bits of 0.999e30, as IBM floats round 1e30; nan has larger ones.
+  std::int32_t anyBits = 0;
+  std::int32_t nulls = 0;
+  for (const float sample : samples)
   {
-    const bool isNull = !(std::fabs(sample) < leastNull);
-    areZero &= sample == 0.0f;
-    nulls += isNull;
-    sample = isNull ? std::numeric_limits<float>::quiet_NaN() : sample;
+    std::int32_t bits;
+    std::memcpy(&bits, &sample, sizeof(bits));
+    anyBits |= bits & 0x7fffffff;
+    nulls += (bits & 0x7fffffff) >= leastNull;
   }
-  return { areZero, std::int64_t(nulls) };
+  if (nulls > 0)
+  {
+    const auto isNull = [](float sample) { return !(std::fabs(sample) < 0.999e30f); };
+    std::replace_if(samples.begin(), samples.end(), isNull, std::numeric_limits<float>::quiet_NaN());
+  }
+  return { anyBits == 0, std::int64_t(nulls) };
 }
 
 /// Interpolates at `shift` steps after each sample, by cubic polynomials with central differences as slopes (Catmull
