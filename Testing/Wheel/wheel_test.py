@@ -18,7 +18,8 @@ import venv
 PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 TESTS = PROJECT / "Testing/Wheel"
 BESIDE = ("pandas", "geopandas", "xarray", "xtgeo", "pyvista", "trimesh", "resqpy", "mypy", "segyio", "matplotlib", "nbclient", "ipykernel", "gempy",
-          "LoopStructural", "multidimio", "pyzgy")
+          "LoopStructural")
+OF_CUBES = ("multidimio", "pyzgy")  # After the notebooks, which have no messages of tqdm.
 ENVIRONMENT = {**{name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
                "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
 
@@ -60,8 +61,9 @@ for path in (FOLDER / "built").iterdir():
         sys.exit("%s: not the bytes of the command of the build" % path.name)
 run(python, "-m", "pip", "install", "--quiet", *BESIDE)
 run(python, TESTS / "core_tasks.py", FOLDER / "tasks")
-run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 run(python, TESTS / "notebooks_test.py", PROJECT / "Documentation/Notebooks", FOLDER / "notebooks")
 run(python, "-m", "mypy", "--strict", "--cache-dir", FOLDER / "mypy", TESTS / "core_example.py")
 run(python, "-m", "mypy", "--config-file", PROJECT / "pyproject.toml", "--cache-dir", FOLDER / "mypy", PROJECT / "Python/seismichorizons")
+run(python, "-m", "pip", "install", "--quiet", *OF_CUBES)
+run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 shutil.rmtree(FOLDER / "use")
