@@ -56,7 +56,7 @@ SEGYOptions TakeCubeOptions(const nb::dict& chosen)
   Take(chosen, "y_byte", options.PlaceFields.Second);
   Take(chosen, "tolerance", options.Tolerance);
   Take(chosen, "vertical_step", options.VerticalStep);
-  Take(chosen, "samples", options.Samples);
+  Take(chosen, "number_of_samples", options.Samples);
   Take(chosen, "ignore_incomplete_trace", options.IgnoreIncompleteTrace);
   TakeChoice(chosen, "duplicates", { "refuse", "first", "last", "mean" }, options.Duplicates);
   TakeChoice(chosen, "delays", { "interpolate", "nearest" }, options.Delays);
@@ -96,32 +96,29 @@ public:
   {
     CubeView view;
     CubeImage read;
+    SurveyDescription description = this->Cube.Survey;
+    OverrideSurvey(description, survey[0].c_str(), survey[1].c_str(), survey[2].c_str(), survey[3].c_str());
     Run(progress,
       [&](const Monitor& monitor)
       {
-        SurveyDescription description = this->Cube.Survey;
-        OverrideSurvey(description, survey[0].c_str(), survey[1].c_str(), survey[2].c_str(), survey[3].c_str());
         // The lattice has the places; the image is not drawn.
         view = MakeCubeView(this->Cube, description,
           direction == "up" ? VerticalDirection::Up : VerticalDirection::Down, std::numeric_limits<double>::infinity());
         read = ReadCubeImage(this->Cube, view, this->Extent, monitor);
       });
-    std::vector<std::string> warnings;
-    if (!this->Cube.Warnings.empty())
-    {
-      warnings.push_back(WarningText(this->Cube));
-    }
-    if (read.NotFinite > 0)
-    {
-      warnings.push_back(std::to_string(read.NotFinite) +
-        " samples that are nan or beyond the range of a float; is SampleFormat right?");
-    }
+    const std::vector<std::string> warnings = { WarningText(this->Cube), NullsText(read.Nulls) };
     nb::dict given;
     given["extent"] = nb::cast(read.Image.Extent);
     given["to_world"] = nb::cast(MapOf(view.Image));
     given["point_data"] = GiveTable(read.Image.PointData);
     given["field_data"] = GiveTable(read.Image.FieldData);
-    given["description"] = Describe(this->Cube);
+    if (!this->Cube.Places.empty())
+    {
+      auto extent = this->Extent;
+      extent[4] = extent[5];
+      given["line"] = GiveArray(PlaceLineSamples(this->Cube, view.Frame, extent));
+    }
+    given["description"] = Describe(this->Cube, description);
     return nb::make_tuple(given, warnings);
   }
 

@@ -50,9 +50,9 @@ VolumeGrid TakeVolumes(const nb::dict& given);
 template <typename T>
 void Take(const nb::dict& given, const char* name, T& value)
 {
-  if (given.contains(name))
+  if (given.contains(name) && !nb::try_cast(given[name], value))
   {
-    value = nb::cast<T>(given[name]);
+    throw InputError(std::string(name) + " '" + nb::str(given[name]).c_str() + "', expected another kind of value");
   }
 }
 

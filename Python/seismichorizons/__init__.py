@@ -30,8 +30,9 @@ from ._thesis import (
     triangulation,
 )
 from ._version import VERSION as __version__
+from ._volume import amplitudes, cube
 
-__all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "boundary_simplification",
-           "crossings", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",
+__all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "amplitudes",
+           "boundary_simplification", "crossings", "cube", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",
            "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "surface",
            "thickness", "triangulation", "write"]

@@ -27,13 +27,14 @@ class Cube:
 
     Attributes
     ----------
-    values : float32 array of shape (rows, columns, samples)
-        Rows are inlines; nan where there is no sample. A cube of `read_cube` shares its memory: missing samples are 0 there,
-        and False in `known`.
+    values : array of shape (rows, columns, samples)
+        Rows are inlines; nan where there is no sample. In a cube of `read_cube` missing samples are 0, and False in `known`.
     lattice : Lattice
         Of the traces; its vertical indices are the samples.
     known : bool array of the same shape, or None
         None where all samples are known.
+    line : float64 array of shape (rows, columns, 2), or None
+        x and y of each trace of a single line, which may leave the lattice; horizons have them as attributes LineX and LineY.
     name : str
     direction : "down" or "up"
         Where samples go to.
@@ -43,9 +44,10 @@ class Cube:
         How a file was understood, in lines.
     """
 
-    values: NDArray[np.float32]
+    values: NDArray[Any]
     lattice: Lattice
     known: NDArray[np.bool_] | None = None
+    line: Floats | None = None
     name: str = "cube"
     direction: str = "down"
     vertical_unit: str = ""
@@ -82,34 +84,19 @@ class Cube:
         fields = {"LatticeDimensions": np.array([columns, rows, samples], np.int32), "LatticeToWorld": np.array(to_world), **give_survey(self)}
         if self.lattice.lines is not None:
             fields["LineNumbers"] = np.array(self.lattice.lines)
-        values = np.ascontiguousarray(np.asarray(self.values).transpose(2, 0, 1)).reshape(-1)
+        own = np.asarray(self.values).dtype
+        taken = np.dtype(np.float32) if own.kind == "f" and own.itemsize not in (4, 8) else own.newbyteorder("=")
+        values = np.ascontiguousarray(np.asarray(self.values).transpose(2, 0, 1), taken).reshape(-1)
         data = {"extent": [0, columns - 1, 0, rows - 1, 0, samples - 1], "to_world": to_world, "amplitudes": values, "field_data": fields}
         if self.known is not None:
             hidden = 2  # VTK's mark
             data["ghosts"] = np.where(np.asarray(self.known).transpose(2, 0, 1).reshape(-1), 0, hidden).astype(np.uint8)
         return data
 
-    def at(self, horizon: Horizon) -> Floats:
-        """Amplitudes at the points of a horizon on the lattice of the cube, linear between samples; nan outside. Raises
-        ValueError for another lattice."""
-        if horizon.lattice.shape != self.lattice.shape or not np.allclose(
-                (horizon.lattice.origin, horizon.lattice.column_step, horizon.lattice.row_step),
-                (self.lattice.origin, self.lattice.column_step, self.lattice.row_step)):
-            raise ValueError("%s on another lattice than %s, expected the same" % (horizon.name, self.name))
-        column, row = horizon.columns.T
-        place = (horizon.z - self.lattice.first_z) / self.lattice.vertical_step
-        below = np.clip(np.floor(place).astype(int), 0, self.values.shape[2] - 2)
-        part = place - below
-        found = (1.0 - part) * self.values[row, column, below] + part * self.values[row, column, below + 1]
-        known = (place >= 0.0) & (place <= self.values.shape[2] - 1)
-        if self.known is not None:
-            known &= self.known[row, column, below] & self.known[row, column, below + 1]
-        return np.where(known, found, np.nan)
-
 
 def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None = None, crosslines: tuple[int, int] | None = None,
               sample_range: tuple[int, int] | None = None, inline_byte: int = 0, crossline_byte: int = 0, x_byte: int = 0, y_byte: int = 0,
-              sample_format: int = 0, vertical_step: float | None = None, tolerance: float = 0.25, duplicates: str = "refuse", delays: str = "interpolate",
+              sample_format: int = 0, number_of_samples: int = 0, vertical_step: float | None = None, tolerance: float = 0.25, duplicates: str = "refuse", delays: str = "interpolate",
               ignore_incomplete_trace: bool = False, direction: str = "down", vertical_unit: str = "", vertical_domain: str = "",
               horizontal_unit: str = "", coordinate_system: str = "", progress: Progress | None = None) -> Cube:
     """Reads a post-stack SEG-Y file.
@@ -124,7 +111,9 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     inline_byte, crossline_byte, x_byte, y_byte : int
         Bytes of the fields in trace headers, from 1; 0 finds them, -1 is none.
     sample_format : int
-        That of the binary header in place of the file's; 0 keeps it.
+        Code of SEG-Y in place of that of the file; 0 keeps it.
+    number_of_samples : int
+        Of each trace, in place of that of the file; 0 keeps it.
     vertical_step : float, optional
         Between samples, in the unit of z.
     tolerance : float
@@ -154,7 +143,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     options = given_options(
         inlines=inlines, crosslines=crosslines, sample_range=sample_range, inline_byte=inline_byte, crossline_byte=crossline_byte, x_byte=x_byte,
-        y_byte=y_byte, sample_format=sample_format, vertical_step=where[0], tolerance=float(tolerance), duplicates=duplicates, delays=delays,
+        y_byte=y_byte, sample_format=sample_format, number_of_samples=number_of_samples, vertical_step=where[0], tolerance=float(tolerance), duplicates=duplicates, delays=delays,
         ignore_incomplete_trace=ignore_incomplete_trace)
     data = call(str(path), lambda: _core.CubeFile(str(path), options, progress).read(*where[1:], progress))
     first_i, last_i, first_j, last_j, first_k, last_k = data["extent"]
@@ -168,7 +157,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     ghosts = points.get("vtkGhostType")
     amplitudes = next(values for name, values in points.items() if name != "vtkGhostType")
     return Cube(amplitudes.reshape(shape).transpose(1, 2, 0), lattice, None if ghosts is None else (ghosts == 0).reshape(shape).transpose(1, 2, 0),
-                path.name.partition(".")[0], direction or "down", taken=tuple(data["description"].splitlines()), **survey(fields))
+                data["line"][:, :2].reshape(*shape[1:], 2) if "line" in data else None, path.name.partition(".")[0], direction or "down", taken=tuple(in_keywords(data["description"]).splitlines()), **survey(fields))
 
 
 def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), limit_side: str = "below", polarity: str = "both",
@@ -240,8 +229,12 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
     bounds = [(one.name, one._data()) for one in limits] or None
     found, description, _ = call(cube.name, _core.extract, cube._data(), picks, bounds, options, progress)
     own = ("Column", "SurfaceId", "VerticalIndex", "RealZ")
-    return {name: horizon_of(name, data, taken=tuple(in_keywords(description).splitlines()), attributes={
+    horizons = {name: horizon_of(name, data, taken=tuple(in_keywords(description).splitlines()), attributes={
         key: values for key, values in data["point_data"].items() if key not in own}) for name, data in found}
+    if cube.line is not None:
+        for horizon in horizons.values():
+            horizon.attributes |= zip(("LineX", "LineY"), cube.line[horizon.columns[:, 1], horizon.columns[:, 0]].T)
+    return horizons
 
 
 def _read_guides(path: pathlib.Path, cube: Cube, progress: Progress | None) -> dict[str, Horizon]:

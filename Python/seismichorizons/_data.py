@@ -21,6 +21,10 @@ Progress = Callable[[float], Any]
 MARK = ":"
 
 
+def snake(name: str) -> str:
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
+
+
 def give(values: NDArray[Any]) -> Any:
     """An array as the core takes it: numbers of up to 64 bits, or a list of texts."""
     if values.dtype.kind in "UOS":
@@ -102,6 +106,10 @@ WORDS = {"VerticalDirection": "direction", "StrayPicks LeaveOut": "leave_out_str
          "Missing Follow": "missing=\"follow\"", "Common": "common", "Horizon From Points": "horizon(data, gridding=\"plate\")",
          "Order AsGiven": "order=\"as_given\"", "Horizon Exterior Boundary": "exterior_boundary(horizon)", "Horizon Layers": "layers(horizons)"}
 
+WORDS |= {"InlineRange": "inlines", "CrosslineRange": "crosslines", "DelayPolicy": "delays", **{name: snake(name) for name in (
+    "InlineByte", "CrosslineByte", "XByte", "YByte", "SampleFormat", "NumberOfSamples", "SampleRange", "IgnoreIncompleteTrace", "VerticalUnit",
+    "HorizontalUnit")}}
+
 
 def in_keywords(message: str) -> str:
     """A message of the core with keywords in place of properties."""
@@ -111,10 +119,6 @@ def in_keywords(message: str) -> str:
         message += "; origin=, column_step= and row_step= give it"
     return message.replace("direction Up", "direction=\"up\"").replace("direction Down", "direction=\"down\"").replace(
         "Down confirms", "direction=\"down\" confirms")
-
-
-def snake(name: str) -> str:
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
 
 
 def nulls_of(nodata: str | float | Sequence[float] | None) -> str:

@@ -81,6 +81,30 @@ def memory(text):
 memory.__name__ = "size like 2G or 800M:"
 
 
+class Assignments(tuple):
+    """Names that end in =, of which a list has some with values."""
+
+    def __contains__(self, text):
+        name, sign, value = text.partition("=")
+        return bool(value) and super().__contains__(name + sign)
+
+
+def assigned(words):
+    """Returns the values of words such as "XByte=73", "KeepOthers=on" and "SampleRange=0:200", by their names."""
+    return {name: _value(value) for name, _, value in (word.partition("=") for word in words)}
+
+
+def _value(text):
+    if text in ("on", "off"):
+        return text == "on"
+    for convert in (int, float, lambda pair: [int(number) for number in pair.split(":")]):
+        try:
+            return convert(text)
+        except ValueError:
+            continue
+    return text
+
+
 class AddToList(argparse.Action):
     """Adds the values of a comma list to the list of an option. With `values`, only these are accepted; paths of files that
     exist, and names of horizons, are not split, as they may contain commas (reading.names_in splits names)."""

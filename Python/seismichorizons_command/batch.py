@@ -287,12 +287,10 @@ def _run_stages(label, supply, settings, record, names, folder, found):
         del points
         for warning in result.warnings:
             record.warn("%s: %s" % (label, warning))
-        if data.count_points(result.data["mesh"]) and not data.count_polygons(result.data["mesh"]):
-            record.warn("%s: %s is left out: no triangles between %d points, expected some that are not on one line" % (
-                label, name, result.number_of_points))
-        elif data.count_points(result.data["mesh"]) or not settings.leave_out_invalid:
-            _write_mesh(result, names, folder, record, settings.grids_of_meshes)
-            record.add_horizon(result, supply, names.meshes[name])
+        files = _files_of(result, names.meshes[name], record, label)
+        if files and (data.count_points(result.data["mesh"]) or not settings.leave_out_invalid):
+            _write_mesh(result, files, names.lines.get(name, ()), folder, record, settings.grids_of_meshes)
+            record.add_horizon(result, supply, files)
             results.append(result)
         result.data.pop("measured", None)
         if not supply.is_whole and settings.layers is not None:
@@ -307,11 +305,23 @@ def _run_stages(label, supply, settings, record, names, folder, found):
     return results
 
 
-def _write_mesh(result, names, folder, record, grids_of_meshes):
-    for name in names.meshes[result.name]:
+def _files_of(result, files, record, label):
+    """Returns those of the files of a horizon that can be written: only points, with a warning, if there are no triangles."""
+    if not data.count_points(result.data["mesh"]) or data.count_polygons(result.data["mesh"]):
+        return files
+    kept = [file for file in files if file.endswith(tuple("." + form for form in writing.POINT_FORMATS))]
+    if kept != files:
+        record.warn("%s: %s is left out%s: no triangles between %d points, expected some that are not on one line%s" % (
+            label, result.name, " of the meshes" if kept else "", result.number_of_points,
+            "" if kept else "; --formats dat writes the points of a line"))
+    return kept
+
+
+def _write_mesh(result, files, fault_files, folder, record, grids_of_meshes):
+    for name in files:
         for warning in writing.write(result, folder / name, grids_of_meshes):
             record.warn("%s: %s" % (name, warning))
-    for name in names.lines.get(result.name, ()):
+    for name in fault_files:
         writing.write_fault_lines(result, folder / name)
 
 

@@ -6,6 +6,7 @@ import pathlib
 
 import numpy as np
 from seismichorizons import _core
+from seismichorizons._data import SURVEY
 
 from . import core, data
 from .core import snake
@@ -24,10 +25,17 @@ def is_named_so(path):
     return pathlib.Path(path).suffix.lower() in (".sgy", ".segy")
 
 
-# Properties of the reader and of the extraction.
-READER = ("InlineRange", "CrosslineRange", "LatticeTolerance", "DuplicatePolicy", "VerticalStep", "VerticalDirection", "VerticalUnit",
-          "CoordinateSystem")
-EXTRACTION = ("Polarity", "Joining", "AmplitudePercentile", "LimitSide", "LargestNumber", "SmallestSize")
+# Properties of the reader, of the survey and of the extraction.
+READER = ("InlineByte", "CrosslineByte", "XByte", "YByte", "InlineRange", "CrosslineRange", "SampleRange", "SampleFormat", "NumberOfSamples",
+          "IgnoreIncompleteTrace", "LatticeTolerance", "DuplicatePolicy", "DelayPolicy", "VerticalStep")
+FRAME = ("VerticalDirection", *SURVEY)
+EXTRACTION = ("Polarity", "Joining", "AmplitudePercentile", "LimitSide", "LargestNumber", "SmallestSize", "PhaseRotation", "Position",
+              "AmplitudeThreshold", "Connectivity", "LargestStep", "SmallestCorrelation", "SmallestContact", "Order", "GuideTolerance",
+              "GrowthCorrelation", "GrowthReach", "KeepOthers")
+# Those that the core has by another name.
+RENAMED = {"InlineRange": "inlines", "CrosslineRange": "crosslines", "LatticeTolerance": "tolerance", "DelayPolicy": "delays"}
+# Attributes of points: where the traces of a single line are, which may be off the lattice.
+LINE_PLACES = ("LineX", "LineY")
 
 
 class CubeSource:
@@ -40,19 +48,24 @@ class CubeSource:
         self.path, self.lines, self.surfaces, self.number = path, [], {}, None
         self.picks, self.limits = properties.pop("Picks", None), properties.pop("Limits", ())
         for name in properties:
-            if name not in (*READER, *EXTRACTION):
+            if name not in (*READER, *FRAME, *EXTRACTION):
                 raise core.HorizonError("%s: a seismic cube does not support %s" % (path, name))
         self._given = properties
         self._file = None
 
-    def _of_reader(self):
-        names = {"InlineRange": "inlines", "CrosslineRange": "crosslines", "LatticeTolerance": "tolerance"}
-        return core.options({names.get(name, name): value for name, value in self._given.items() if name in READER[:5]})
+    def _chosen(self, names):
+        return core.options({RENAMED.get(name, name): value for name, value in self._given.items() if name in names})
+
+    def _of_extraction(self):
+        chosen = {"largest_number": LARGEST_NUMBER, **self._chosen(EXTRACTION)}
+        if "connectivity" in chosen:
+            chosen["eight_neighbours"] = chosen.pop("connectivity") == "eight"
+        return {"threshold": "amplitude", **chosen} if "amplitude_threshold" in chosen else chosen
 
     def open(self):
         """Reads the headers. Raises HorizonError."""
         with core.errors("%s: " % self.path):
-            self._file = core.run(_core.CubeFile, str(self.path), self._of_reader(), label="%s: reading headers" % self.path.name)
+            self._file = core.run(_core.CubeFile, str(self.path), self._chosen(READER), label="%s: reading headers" % self.path.name)
 
     def count_samples(self):
         return self._file.samples
@@ -64,7 +77,7 @@ class CubeSource:
         if self._file is None:
             self.open()
         direction = snake(self._given.get("VerticalDirection", ""))
-        survey = (self._given.get("VerticalUnit", ""), "", "", self._given.get("CoordinateSystem", ""))
+        survey = tuple(self._given.get(name, "") for name in SURVEY)
         with core.errors("%s: " % self.path):
             cube, warnings = core.run(self._file.read, "up" if direction == "up" else "down", survey,
                                       label="%s: reading the cube" % self.path.name, work=file_work(self.path))
@@ -77,10 +90,13 @@ class CubeSource:
         place = lattice_properties(cube)
         others = [[horizon for file in files for horizon in self._read_others(file, place, reading)] or None for files in (
             [self.picks] if self.picks else [], self.limits)]
-        options = {"largest_number": LARGEST_NUMBER, **core.options({
-            name: value for name, value in self._given.items() if name in EXTRACTION})}
-        (found, _, _), warnings = core.run(_core.extract, image, *others, options, label="%s: reading" % self.path.name)
+        with core.errors("%s: " % self.path):
+            (found, _, _), warnings = core.run(_core.extract, image, *others, self._of_extraction(), label="%s: reading" % self.path.name)
         self._warn(warnings)
+        for _, horizon in found if "line" in cube else ():
+            column, row = (horizon["point_data"]["Column"] - cube["extent"][0:4:2]).T
+            places = cube["line"][column + row * (cube["extent"][1] - cube["extent"][0] + 1)]
+            horizon["point_data"].update(zip(LINE_PLACES, np.ascontiguousarray(places[:, :2].T)))
         self.number = len(found)
         return [found[number] for number in reading.choose([name for name, _ in found], horizons, self.path)]
 

@@ -6,9 +6,11 @@ omitted points."""
 import math
 
 from . import data, figures, heights, pipeline, reading
+from .settings import with_options
 
 MOST_NAMES = 4  # of files that are written
 DIRECTION = "z increases "  # begins what a source says of the direction of z
+SUPPOSED = ", taken as "  # is in what a source supposes
 
 
 class Found:
@@ -32,7 +34,8 @@ class Found:
 
     def lines(self, origin, settings):
         """Returns the summary; `origin` is the result of reading.describe."""
-        what = origin["description"][:1] or [origin["format"]]
+        what = [*(origin["description"][:1] or [origin["format"]]), *(
+            with_options(line) for line in origin["description"][1:] if SUPPOSED in line)]
         if not self._surveys:
             return what
         reason = next((line for line in origin["description"] if line.startswith(DIRECTION)), "")

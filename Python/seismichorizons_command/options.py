@@ -4,7 +4,7 @@
 
 import argparse
 
-from .arguments import HEIGHT_UNITS, AddToList, Height, line_number, memory, number_at_least, path, vertical_step
+from .arguments import HEIGHT_UNITS, AddToList, Assignments, Height, line_number, memory, number_at_least, path, vertical_step
 
 Z_SOURCES, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
 REPRESENTATIVES, GROWTH_STRATEGIES = ("Barycentre", "NearestPoint"), ("Distance", "Clockwise")
@@ -15,6 +15,11 @@ FAULT_FORMATS = ("dat", "csv", "pl", "gpkg")
 DUPLICATE_POLICIES = ("StrongestAmplitude", "Topmost", "Lowest", "Mean", "Sheets")
 JOININGS, POLARITIES = ("BestFirst", "Components"), ("Both", "Positive", "Negative")
 STRAY_PICKS, GRIDDING = ("Stop", "LeaveOut"), ("Plate", "Nearest")
+# Properties of a cube and of its extraction without an option of their own.
+CUBE_PROPERTIES = (
+    "InlineByte", "CrosslineByte", "XByte", "YByte", "SampleRange", "SampleFormat", "NumberOfSamples", "IgnoreIncompleteTrace",
+    "DuplicatePolicy", "DelayPolicy", "VerticalDomain", "HorizontalUnit", "PhaseRotation", "Position", "AmplitudeThreshold", "Connectivity",
+    "LargestStep", "SmallestCorrelation", "SmallestContact", "Order", "GuideTolerance", "GrowthCorrelation", "GrowthReach", "KeepOthers")
 CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
 NOT_GIVEN = argparse.SUPPRESS
 
@@ -118,6 +123,9 @@ def add_cube_options(group):
                        "Both)")
     group.add_argument("--joining", choices=JOININGS, default=NOT_GIVEN, help="how picks are joined to surfaces: most similar "
                        "first, whole events, or connected components (default: BestFirst)")
+    group.add_argument("--cube", action=AddToList, values=Assignments(name + "=" for name in CUBE_PROPERTIES), default=NOT_GIVEN, metavar="LIST",
+                       help="other properties of the cube and of its extraction, by their names in the window, such as "
+                       "InlineByte=9,CrosslineByte=21 or SampleFormat=5, DelayPolicy=Nearest, SampleRange=0:200, KeepOthers=on")
     group.add_argument("--amplitude-percentile", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="P",
                        help="percentage of the weakest reflections to ignore (default: 25)")
 

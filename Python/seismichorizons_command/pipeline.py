@@ -230,7 +230,7 @@ def run(source, name, points, settings, surface=None):
     if surface is not None:
         tsurf.account(result, surface, unit)
     result.warn_of_ledger()
-    if settings.error is not None and data.count_points(result.data["mesh"]):
+    if settings.error is not None and data.count_polygons(result.data["mesh"]):
         try:
             _measure(result, settings, surface or result.data["boundary"])
         except HorizonError as error:

@@ -3,7 +3,9 @@
 """Converts the options of the command to properties of the reader and of each stage."""
 
 from . import wording
+from .arguments import assigned
 from .core import snake
+from .options import CUBE_PROPERTIES
 from .pipeline import Settings, fault_settings, surface_properties
 
 # Properties of readers that are options of the same name, and those of another one.
@@ -13,7 +15,7 @@ SAME = (
     "AmplitudePercentile", "Picks", "Limits", "LimitSide", "Gridding", "GriddingRadius", "GriddingSmoothing")
 RENAMED = {"LargestNumber": "surfaces", "SmallestSize": "smallest_surface", "InlineRange": "inlines", "CrosslineRange": "crosslines"}
 # What messages of classes name, in the words of the command.
-NAMES = {**{name: "--" + option.replace("_", "-") for name, option in {**{name: snake(name) for name in SAME}, **RENAMED}.items()},
+NAMES = {**{name: "--cube " + name for name in CUBE_PROPERTIES}, **{name: "--" + option.replace("_", "-") for name, option in {**{name: snake(name) for name in SAME}, **RENAMED}.items()},
          "LatticeSource OriginAndSteps": "--origin, --column-step and --row-step", "LatticeSource CornerPoints": "--corners",
          "Order AsGiven": "--order AsGiven", "MinimumPatchSize": "--minimum-patch-size"}
 CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
@@ -36,7 +38,7 @@ def _unit(height):
 
 
 def _reader(options):
-    properties = given(options, *SAME, **RENAMED)
+    properties = {**given(options, *SAME, **RENAMED), **assigned(getattr(options, "cube", ()))}
     if hasattr(options, "corners"):
         corners = options.corners
         properties.update(LatticeSource="CornerPoints",

@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "TraceTable.h"
+#include "TracePlaces.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Survey/LatticeSearch.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
@@ -227,6 +231,33 @@ void RefuseGathers(const TraceTable& table)
     }
   }
 }
+
+/// Numbers the indices of places along i or j, from 1. Returns 0 for fillers.
+TraceField NumberIndices(const TraceTable& table, const FieldPair& fields, const PlaneMap& map, int axis)
+{
+  constexpr double largest = 1e9; // No grid is as large.
+  const Eigen::Matrix2d toColumns = map.Steps.inverse();
+  const auto isFiller = [&](std::int64_t trace) { return IsFiller(table, fields, trace); };
+  const auto index = [&](std::int64_t trace)
+  { return std::round((toColumns * (TracePlace(table, fields, trace) - map.Origin))[axis]); };
+  double first = largest;
+  for (std::int64_t trace = 0; trace < table.Traces; ++trace)
+  {
+    first = isFiller(trace) ? first : std::min(first, index(trace));
+  }
+  TraceField field(table.Traces);
+  RawVector<std::int32_t> part;
+  for (std::int64_t trace = 0; trace < table.Traces; ++trace)
+  {
+    part.push_back(isFiller(trace) ? 0 : std::int32_t(std::min(largest, index(trace) - first + 1.0)));
+    if (trace + 1 == table.Traces || (trace + 1) % TraceField::PartSize == 0)
+    {
+      field.SetPart(std::size_t(trace / TraceField::PartSize), part);
+      part.clear();
+    }
+  }
+  return field;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -284,6 +315,37 @@ std::optional<FieldPair> FindLineFields(const TraceTable& table, bool mayRepeat,
   RefuseGathers(table);
   const std::optional<FieldPair> grid = FindGrid(table, mostRepeated, monitor);
   return grid ? grid : FindLine(table, mostRepeated);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool NumberByPlaces(TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
+{
+  for (const FieldPair& fields : ListPlaceFields(table, options.PlaceFields))
+  {
+    std::vector<double> x, y;
+    for (std::int64_t trace = 0; trace < table.Traces; ++trace)
+    {
+      const Eigen::Vector2d place = TracePlace(table, fields, trace);
+      x.insert(x.end(), IsFiller(table, fields, trace) ? 0 : 1, place.x());
+      y.insert(y.end(), IsFiller(table, fields, trace) ? 0 : 1, place.y());
+    }
+    try
+    {
+      const PlaneMap map = FindLattice(x, y, monitor);
+      const FieldPair lines = { TraceByte::LatticeRow, TraceByte::LatticeColumn };
+      table.Fields[lines.First] = NumberIndices(table, fields, map, 1);
+      table.Fields[lines.Second] = NumberIndices(table, fields, map, 0);
+      if (PairFigures(table, lines).IsGrid(options.Duplicates != DuplicateRule::Refuse ? MostRepeated : FewRepeated))
+      {
+        return true;
+      }
+    }
+    catch (const InputError&)
+    {
+      continue; // The lines that are missing are the error.
+    }
+  }
+  return false;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

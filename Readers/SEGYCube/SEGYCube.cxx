@@ -108,9 +108,16 @@ std::optional<FieldPair> SuggestLines(const std::string& name, SEGYHeader header
   return FindAnyGrid(ReadTraceTable(name, header, bytes, Monitor()));
 }
 
-FieldPair FindLines(SEGYCube& cube, const TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
+FieldPair FindLines(SEGYCube& cube, TraceTable& table, const SEGYOptions& options, const Monitor& monitor)
 {
   const std::optional<FieldPair> found = FindLineFields(table, options.Duplicates != DuplicateRule::Refuse, monitor);
+  if (!found && NumberByPlaces(table, options, monitor))
+  {
+    cube.Warnings.push_back("no line numbers that make a grid of " + std::to_string(table.Traces) +
+      " traces: inlines and crosslines are rows and columns of the lattice of x and y, from 1. " +
+      OtherLinesText(SuggestLines(cube.Name, cube.Header)));
+    return { TraceByte::LatticeRow, TraceByte::LatticeColumn };
+  }
   if (!found)
   {
     RefuseLines(table, SuggestLines(cube.Name, cube.Header));
@@ -202,6 +209,30 @@ void PlaceCube(SEGYCube& cube, const TraceTable& table, const SEGYOptions& optio
   }
 }
 
+/// Returns the unit of x and y, with a warning if it is an angle. The field that says so is often wrong, so that all
+/// places must be in its range.
+std::string FindHorizontalUnit(SEGYCube& cube, const TraceTable& table)
+{
+  constexpr std::array<const char*, 3> names = { "arcsec", "degrees", "DDDMMSS" }; // codes 2 to 4
+  constexpr std::array<double, 3> perDegree = { 3600.0, 1.0, 10000.0 };
+  const auto first = std::find_if(cube.Traces.begin(), cube.Traces.end(), [](std::int32_t t) { return t >= 0; });
+  const int code = first == cube.Traces.end() ? 0 : table[TraceByte::PlaceUnit][*first];
+  const std::size_t unit = std::size_t(code - 2);
+  const Eigen::Vector2d origin = cube.Lattice.Origin;
+  const Eigen::Vector2d last =
+    origin + cube.Lattice.Steps() * Eigen::Vector2d(cube.Lattice.Columns[0] - 1, cube.Lattice.Columns[1] - 1);
+  const Eigen::Vector2d largest = origin.cwiseAbs().cwiseMax(last.cwiseAbs());
+  const bool hasPlaces = cube.PlaceFields.First != NoField;
+  if (!hasPlaces || unit >= names.size() || largest.x() > 360.0 * perDegree[unit] ||
+    largest.y() > 90.0 * perDegree[unit])
+  {
+    return hasPlaces ? cube.Header.LengthUnit : "";
+  }
+  cube.Warnings.push_back("x and y in " + std::string(names[unit]) + " (byte 89 is " + std::to_string(code) +
+    "), expected a length: they are taken as they are; where they are a length, set HorizontalUnit");
+  return names[unit];
+}
+
 // ---- Description ----------------------------------------------------------------------------------------------------
 std::string DescribeFile(const SEGYHeader& header)
 {
@@ -209,6 +240,7 @@ std::string DescribeFile(const SEGYHeader& header)
   text << "SEG-Y" << (header.Revision > 0 ? " revision " + std::to_string(header.Revision) : "") << ", "
        << FormatName(header.Format) << ", " << (header.Order == ByteOrder::BigEndian ? "big" : "little")
        << "-endian, text in " << (header.IsEbcdic ? "EBCDIC" : "ASCII");
+  text << (header.LabelSize > 0 ? ", after a tape label" : "");
   if (header.ExtendedTexts > 0)
   {
     text << ", " << header.ExtendedTexts << " extended text headers";
@@ -217,11 +249,6 @@ std::string DescribeFile(const SEGYHeader& header)
        << header.Traces << " traces of " << header.Samples << " samples"
        << (header.HasOwnSamples ? "" : " (by the first trace)");
   return text.str();
-}
-
-std::string FieldText(int byte)
-{
-  return byte == NoField ? "no byte" : "byte " + std::to_string(byte);
 }
 
 std::string DescribeLines(const SEGYCube& cube)
@@ -311,23 +338,25 @@ SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const
   std::ifstream stream = OpenPlainFile(name);
   cube.Header = ReadSEGYHeader(stream, std::int64_t(stamp.Size), options);
   cube.Warnings = cube.Header.Warnings;
-  const TraceTable table = ReadTraceTable(name, cube.Header, FieldsToRead(options), monitor.Step(0.0, 0.7));
+  TraceTable table = ReadTraceTable(name, cube.Header, FieldsToRead(options), monitor.Step(0.0, 0.7));
   RefuseOtherLengths(table);
   const bool isGiven = options.LineFields.First != 0;
   cube.LineFields = isGiven ? options.LineFields : FindLines(cube, table, options, monitor.Step(0.7, 0.8));
   PlaceCube(cube, table, options, monitor.Step(0.8, 1.0));
   SetVerticalUnit(cube.Survey, "ms");
-  cube.Survey.HorizontalUnit = cube.PlaceFields.First == NoField ? "" : cube.Header.LengthUnit;
+  cube.Survey.HorizontalUnit = FindHorizontalUnit(cube, table);
   return cube;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string Describe(const SEGYCube& cube)
+std::string Describe(const SEGYCube& cube, const SurveyDescription& survey)
 {
   std::ostringstream text;
   text << DescribeFile(cube.Header) << '\n' << DescribeLines(cube) << '\n' << DescribePlaces(cube) << '\n';
   text << cube.Sampling.Indices << " vertical indices from " << cube.Sampling.First << " in steps of "
-       << cube.Sampling.Step << (cube.Delays.empty() ? "" : "; traces begin at different ones");
+       << cube.Sampling.Step << (survey.VerticalUnit.empty() ? "" : " ") << survey.VerticalUnit
+       << (survey.VerticalDomain == "time" ? ", taken as time; set VerticalUnit for depth" : "")
+       << (cube.Delays.empty() ? "" : "; traces begin at different ones");
   return text.str();
 }
 

@@ -94,7 +94,8 @@ struct SEGYCube
 /// Throws InputError unless the file is a post-stack cube or line.
 SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const Monitor& monitor = Monitor());
 
-std::string Describe(const SEGYCube& cube);
+/// `survey` has what the user has set.
+std::string Describe(const SEGYCube& cube, const SurveyDescription& survey);
 
 std::string WarningText(const SEGYCube& cube);
 }

@@ -19,6 +19,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr int LineLength = 80;
+constexpr int TapeLabelSize = 128;
 constexpr std::int64_t MostTraces = std::int64_t(1) << 31; // Columns store trace numbers in 32 bits.
 constexpr std::int64_t MostExtendedTexts = 1 << 15;
 
@@ -71,14 +72,19 @@ public:
     this->Order = isMarked || isSwapped ? ByteOrder::LittleEndian : ByteOrder::BigEndian;
   }
 
-  /// The major revision is the first of two bytes, which some programs of little-endian files swap. Invalid numbers
-  /// give 0.
+  /// The major revision is the first of two bytes. Invalid numbers give 0.
   int Revision() const
   {
     constexpr int last = 2;
-    const unsigned char* const bytes = this->At(RevisionByte);
-    const int revision = bytes[0] > 0 || this->Order == ByteOrder::BigEndian ? bytes[0] : bytes[1];
+    const int revision = this->At(RevisionByte)[this->IsRevisionSwapped() ? 1 : 0];
     return revision <= last ? revision : 0;
+  }
+
+  /// In revision 2.1 the second half of the number is the type of the survey.
+  int AdditionalHeaders() const
+  {
+    const bool hasSurveyType = this->At(RevisionByte)[this->IsRevisionSwapped() ? 0 : 1] > 0;
+    return hasSurveyType ? this->Integer16(AdditionalHeadersByte) : this->Integer32(AdditionalHeadersByte);
   }
 
   int ShortSamples() const { return this->Unsigned16(SamplesByte); }
@@ -99,6 +105,13 @@ public:
   ByteOrder Order = ByteOrder::BigEndian;
 
 private:
+  /// Some programs swap the bytes in little-endian files; there is no revision 0.1, 0.2 or 1.2.
+  bool IsRevisionSwapped() const
+  {
+    const unsigned char* const bytes = this->At(RevisionByte);
+    return this->Order == ByteOrder::LittleEndian && bytes[0] < bytes[1];
+  }
+
   const HeaderBytes& Bytes;
 };
 
@@ -110,6 +123,16 @@ HeaderBytes ReadBytes(std::istream& stream, std::int64_t place, int size)
   stream.read(reinterpret_cast<char*>(bytes.data()), size);
   bytes.resize(std::size_t(std::max<std::streamsize>(stream.gcount(), 0)));
   return bytes;
+}
+
+/// Since revision 1 a label with the revision and the word RECORD may come first, as on tapes.
+int FindLabelSize(std::istream& stream)
+{
+  const HeaderBytes bytes = ReadBytes(stream, 0, TapeLabelSize);
+  const std::string label(bytes.begin(), bytes.end());
+  return label.size() == TapeLabelSize && label.compare(4, 2, "SY") == 0 && label.compare(9, 6, "RECORD") == 0
+    ? TapeLabelSize
+    : 0;
 }
 
 /// Blanks are the most frequent characters of headers.
@@ -151,16 +174,16 @@ std::vector<std::string> ReadText(const HeaderBytes& bytes, bool isEbcdic)
 }
 
 /// Returns -1 if no text ends the sequence.
-int CountTexts(std::istream& stream, std::int64_t fileSize, bool isEbcdic)
+int CountTexts(std::istream& stream, std::int64_t fileSize, const SEGYHeader& header)
 {
   const std::string end = "((SEG:ENDTEXT))";
-  for (int count = 0;
-       SEGYFileHeaderSize + (count + 1) * std::int64_t(SEGYTextSize) <= fileSize && count < MostExtendedTexts; ++count)
+  std::int64_t place = header.LabelSize + SEGYFileHeaderSize;
+  for (int count = 0; place + SEGYTextSize <= fileSize && count < MostExtendedTexts; ++count, place += SEGYTextSize)
   {
     std::string start;
-    for (const unsigned char c : ReadBytes(stream, SEGYFileHeaderSize + count * std::int64_t(SEGYTextSize), LineLength))
+    for (const unsigned char c : ReadBytes(stream, place, LineLength))
     {
-      const char letter = ToASCII(c, isEbcdic);
+      const char letter = ToASCII(c, header.IsEbcdic);
       start += letter == ' ' ? "" : std::string(1, letter >= 'a' && letter <= 'z' ? char(letter - 'a' + 'A') : letter);
     }
     if (start.compare(0, end.size(), end) == 0)
@@ -212,7 +235,7 @@ void CheckRevision2(const BinaryHeader& binary)
   {
     return;
   }
-  const int headers = binary.Integer32(AdditionalHeadersByte);
+  const int headers = binary.AdditionalHeaders();
   const int trailers = binary.Integer32(TrailersByte);
   if (headers != 0 || trailers != 0)
   {
@@ -247,12 +270,12 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
 {
   const auto samplesAt = [&](std::int64_t trace)
   {
-    const HeaderBytes bytes = ReadBytes(stream, trace + TraceSamplesByte - 1, 2);
+    const HeaderBytes bytes = ReadBytes(stream, header.LabelSize + trace + TraceSamplesByte - 1, 2);
     return bytes.size() == 2 ? int(DecodeNumber<std::uint16_t>(bytes.data(), header.Order)) : -1;
   };
-  const SEGYExtents file = { fileSize, SampleSize(int(header.Format)), samplesAt };
+  const SEGYExtents file = { fileSize - header.LabelSize, SampleSize(int(header.Format)), samplesAt };
   const int stated = binary.Integer16(ExtendedTextsByte);
-  const int texts = stated >= 0 ? stated : header.Revision > 0 ? CountTexts(stream, fileSize, header.IsEbcdic) : 0;
+  const int texts = stated >= 0 ? stated : header.Revision > 0 ? CountTexts(stream, fileSize, header) : 0;
   const std::vector<SEGYLayout> layouts = ListLayouts(binary, file, std::max(0, texts), options);
   if (layouts.empty())
   {
@@ -261,7 +284,7 @@ void FindLayout(SEGYHeader& header, const BinaryHeader& binary, std::istream& st
   }
   const SEGYLayout layout = ChooseLayout(file, layouts);
   header.ExtendedTexts = layout.Texts;
-  header.FirstTrace = file.FirstTrace(layout);
+  header.FirstTrace = header.LabelSize + file.FirstTrace(layout);
   header.Samples = layout.Samples;
   header.HasOwnSamples = options.Samples > 0 || layout.Samples == binary.Samples();
   const std::string behind = ": the traces begin after " + std::to_string(layout.Texts);
@@ -296,7 +319,9 @@ bool BeginsWithText(std::istream& stream)
 //----------------------------------------------------------------------------------------------------------------------
 SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEGYHeaderOptions& options)
 {
-  const HeaderBytes bytes = ReadBytes(stream, 0, SEGYFileHeaderSize);
+  SEGYHeader header;
+  header.LabelSize = FindLabelSize(stream);
+  const HeaderBytes bytes = ReadBytes(stream, header.LabelSize, SEGYFileHeaderSize);
   if (bytes.size() < std::size_t(SEGYFileHeaderSize))
   {
     throw FileError(FileProblem::CutOff,
@@ -305,7 +330,6 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
   }
   BinaryHeader binary(bytes);
   binary.FindOrder();
-  SEGYHeader header;
   header.IsEbcdic = IsEbcdic(bytes);
   header.Text = ReadText(bytes, header.IsEbcdic);
   header.Order = binary.Order;
@@ -341,7 +365,7 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
 //----------------------------------------------------------------------------------------------------------------------
 bool IsSEGY(std::istream& stream)
 {
-  const HeaderBytes bytes = ReadBytes(stream, 0, SEGYFileHeaderSize + SEGYTraceHeaderSize);
+  const HeaderBytes bytes = ReadBytes(stream, FindLabelSize(stream), SEGYFileHeaderSize + SEGYTraceHeaderSize);
   if (bytes.size() < std::size_t(SEGYFileHeaderSize + SEGYTraceHeaderSize))
   {
     return false;

@@ -48,6 +48,7 @@ struct SEGYHeader
   double Interval = 0.0; // Milliseconds; 0 if not stated.
   std::string LengthUnit; // "m", "ft", or empty if not stated.
   int ExtendedTexts = 0;
+  int LabelSize = 0; // bytes of a tape label before the text
   std::int64_t FirstTrace = 0; // offset in bytes
   std::int64_t Traces = 0;
   std::vector<std::string> Warnings;

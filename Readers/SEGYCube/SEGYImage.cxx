@@ -8,6 +8,7 @@
 #include "Common/Survey/HorizonDataSet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -25,7 +26,8 @@ std::int64_t CountSamples(const CubeExtent& extent)
   return size;
 }
 
-void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, ArrayTable& data)
+/// Hides points without a sample; the amplitudes of nulls become 0, too.
+void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, float* amplitudes, ArrayTable& data)
 {
   DataArray ghosts = NewArray<unsigned char>(PointArray::Ghosts, CountSamples(extent));
   auto* const marks = ghosts.As<unsigned char>();
@@ -36,11 +38,14 @@ void AddBlanking(const SEGYWindow& window, const CubeExtent& extent, ArrayTable&
       for (std::int64_t level = first; level < last; ++level)
       {
         unsigned char* const mark = marks + std::size_t(level) * columns;
+        float* const amplitude = amplitudes + std::size_t(level) * columns;
         const int k = extent[4] + int(level);
         for (std::size_t column = 0; column < columns; ++column)
         {
           const SampleRange& range = window.Columns[column];
-          mark[column] = range.First <= k && k < range.End ? 0 : GhostMark::HiddenPoint;
+          const bool isNull = std::isnan(amplitude[column]);
+          mark[column] = range.First <= k && k < range.End && !isNull ? 0 : GhostMark::HiddenPoint;
+          amplitude[column] = isNull ? 0.0f : amplitude[column];
         }
       }
     });
@@ -91,16 +96,25 @@ CubeImage ReadCubeImage(const SEGYCube& cube, const CubeView& view, const CubeEx
   if (size > 0)
   {
     DataArray amplitude = NewArray<float>(PointArray::Amplitude, size);
-    const SEGYWindow window = ReadSEGYWindow(cube, extent, amplitude.As<float>(), monitor);
+    float* const values = amplitude.As<float>();
+    const SEGYWindow window = ReadSEGYWindow(cube, extent, values, monitor);
     image.PointData.Add(std::move(amplitude));
     image.PointData.SetActiveScalars(PointArray::Amplitude);
-    read.NotFinite = window.NotFinite;
+    read.Nulls = window.Nulls;
     if (!window.IsFull)
     {
-      AddBlanking(window, extent, image.PointData);
+      AddBlanking(window, extent, values, image.PointData);
     }
   }
   return read;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string NullsText(std::int64_t nulls)
+{
+  const char* const text =
+    " samples of 1e30 or more, or nan, are taken as missing; if they are no nulls, set SampleFormat";
+  return nulls > 0 ? std::to_string(nulls) + text : "";
 }
 
 //----------------------------------------------------------------------------------------------------------------------

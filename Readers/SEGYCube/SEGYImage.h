@@ -25,7 +25,7 @@ struct CubeView
 struct CubeImage
 {
   LatticeImage Image; // amplitudes, and marks that hide points without a sample
-  std::int64_t NotFinite = 0; // samples that are nan or infinite
+  std::int64_t Nulls = 0; // as in SEGYWindow
 };
 
 /// Throws InputError if steps that are not perpendicular make an image of more than `tolerance` columns off.
@@ -33,6 +33,9 @@ CubeView MakeCubeView(
   const SEGYCube& cube, const SurveyDescription& survey, VerticalDirection direction, double tolerance);
 
 CubeImage ReadCubeImage(const SEGYCube& cube, const CubeView& view, const CubeExtent& extent, const Monitor& monitor);
+
+/// A warning, or nothing.
+std::string NullsText(std::int64_t nulls);
 
 /// Places each trace of a single line by its own header.
 DataArray PlaceLineSamples(const SEGYCube& cube, const LatticeFrame& frame, const CubeExtent& extent);

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace SeismicHorizons
@@ -94,22 +95,28 @@ std::vector<Tile> CutIntoTiles(const SEGYCube& cube, const CubeExtent& extent)
 struct SampleCheck
 {
   bool AreZero = true;
-  std::int64_t NotFinite = 0;
+  std::int64_t Nulls = 0;
 };
 
-SampleCheck CheckSamples(const std::vector<float>& samples)
+/// Programs write 1e30 or more where there is no sample. These become nan.
+SampleCheck CheckSamples(std::vector<float>& samples)
 {
-  constexpr std::uint32_t exponent = 0x7f800000;
-  std::uint32_t anyBits = 0;
-  std::uint32_t notFinite = 0;
+  constexpr std::int32_t leastNull = 0x7149bf17; // The bits of 0.999e30, as IBM floats round 1e30; nan has larger ones.
+  std::int32_t anyBits = 0;
+  std::int32_t nulls = 0;
   for (const float sample : samples)
   {
-    std::uint32_t bits;
+    std::int32_t bits;
     std::memcpy(&bits, &sample, sizeof(bits));
-    anyBits |= bits << 1;
-    notFinite += (bits & exponent) == exponent;
+    anyBits |= bits & 0x7fffffff;
+    nulls += (bits & 0x7fffffff) >= leastNull;
   }
-  return { anyBits == 0, std::int64_t(notFinite) };
+  if (nulls > 0)
+  {
+    const auto isNull = [](float sample) { return !(std::fabs(sample) < 0.999e30f); };
+    std::replace_if(samples.begin(), samples.end(), isNull, std::numeric_limits<float>::quiet_NaN());
+  }
+  return { anyBits == 0, std::int64_t(nulls) };
 }
 
 /// Interpolates at `shift` steps after each sample, by cubic polynomials with central differences as slopes (Catmull
@@ -137,7 +144,7 @@ void ShiftSamples(std::vector<float>& samples, float shift)
 class TileReader
 {
 public:
-  std::int64_t NotFinite = 0;
+  std::int64_t Nulls = 0;
 
   TileReader(const SEGYCube& cube, const CubeExtent& extent, float* values, SEGYWindow& window)
     : Cube(cube)
@@ -265,7 +272,7 @@ private:
     {
       return;
     }
-    this->NotFinite += check.NotFinite;
+    this->Nulls += check.Nulls;
     const int delay = this->Cube.Delays.empty() ? 0 : this->Cube.Delays[cubeColumn];
     const float shift = this->Cube.Shifts.empty() ? 0.0f : this->Cube.Shifts[cubeColumn];
     range = { delay, delay + header.Samples - int(shift > 0.0f) };
@@ -333,7 +340,7 @@ SEGYWindow ReadSEGYWindow(const SEGYCube& cube, const CubeExtent& extent, float*
   const std::vector<Tile> tiles = CutIntoTiles(cube, extent);
   SEGYWindow window;
   window.Columns.resize(std::size_t(extent[1] - extent[0] + 1) * std::size_t(extent[3] - extent[2] + 1));
-  std::atomic<std::int64_t> notFinite(0);
+  std::atomic<std::int64_t> nulls(0);
   ParallelFor(std::int64_t(tiles.size()), 1, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -342,11 +349,12 @@ SEGYWindow ReadSEGYWindow(const SEGYCube& cube, const CubeExtent& extent, float*
       {
         reader.Read(tiles[std::size_t(tile)]);
       }
-      notFinite += reader.NotFinite;
+      nulls += reader.Nulls;
     });
-  window.NotFinite = notFinite;
-  window.IsFull = std::all_of(window.Columns.begin(), window.Columns.end(),
-    [&](const SampleRange& range) { return range.First <= extent[4] && range.End > extent[5]; });
+  window.Nulls = nulls;
+  window.IsFull = nulls == 0 &&
+    std::all_of(window.Columns.begin(), window.Columns.end(),
+      [&](const SampleRange& range) { return range.First <= extent[4] && range.End > extent[5]; });
   return window;
 }
 

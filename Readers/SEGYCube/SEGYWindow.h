@@ -37,11 +37,11 @@ struct SEGYWindow
 {
   std::vector<SampleRange> Columns; // i fastest.
   bool IsFull = true; // All columns have samples at all levels.
-  std::int64_t NotFinite = 0;
+  std::int64_t Nulls = 0; // samples of 1e30 or more, or nan, in all of the traces
 };
 
-/// `values` is ordered with i fastest and k slowest. Samples outside traces are 0; a trace of zeros counts as missing,
-/// whichever window is read. Each thread needs some megabytes.
+/// `values` is ordered with i fastest and k slowest. Samples outside traces are 0, nulls nan; a trace of zeros counts as
+/// missing, whichever window is read. Each thread needs some megabytes.
 SEGYWindow ReadSEGYWindow(
   const SEGYCube& cube, const CubeExtent& extent, float* values, const Monitor& monitor = Monitor());
 

@@ -146,8 +146,8 @@ void CheckTraceCells(const SEGYCube& cube, double indices)
   if (!(double(columns[0]) * columns[1] * indices <= MostCellsPerSample * samples))
   {
     std::ostringstream text;
-    text << "a cube of " << columns[1] << " inlines (byte " << cube.LineFields.First << "), " << columns[0]
-         << " crosslines (byte " << cube.LineFields.Second << ") and " << indices << " vertical indices for "
+    text << "a cube of " << columns[1] << " inlines (" << FieldText(cube.LineFields.First) << "), " << columns[0]
+         << " crosslines (" << FieldText(cube.LineFields.Second) << ") and " << indices << " vertical indices for "
          << cube.Header.Traces << " traces of " << cube.Header.Samples << " samples, expected at most "
          << MostCellsPerSample << " times as many cells";
     throw InputError(text.str());
@@ -205,9 +205,9 @@ std::array<int, 2> LineNumbers::CountColumns() const
   if (!(columns <= MostCellsPerSample * double(this->Table.Traces)) || last.maxCoeff() >= MostColumnsPerSide)
   {
     std::ostringstream text;
-    text << std::llround(last.y()) + 1 << " inlines (byte " << this->Fields.First << ") and "
-         << std::llround(last.x()) + 1 << " crosslines (byte " << this->Fields.Second << ") for " << this->Table.Traces
-         << " traces, expected a grid that is at least one sixteenth full";
+    text << std::llround(last.y()) + 1 << " inlines (" << FieldText(this->Fields.First) << ") and "
+         << std::llround(last.x()) + 1 << " crosslines (" << FieldText(this->Fields.Second) << ") for "
+         << this->Table.Traces << " traces, expected a grid that is at least one sixteenth full";
     throw InputError(text.str());
   }
   return { int(std::lround(last.x())) + 1, int(std::lround(last.y())) + 1 };
@@ -271,8 +271,8 @@ void FillColumns(SEGYCube& cube, const LineNumbers& lines, DuplicateRule rule)
     if (!isDead && number != DeadTrace && rule == DuplicateRule::Refuse)
     {
       std::ostringstream text;
-      text << "trace " << trace + 1 << " at inline " << lines.Inline(trace) << " (byte " << lines.Fields.First
-           << ") and crossline " << lines.Crossline(trace) << " (byte " << lines.Fields.Second
+      text << "trace " << trace + 1 << " at inline " << lines.Inline(trace) << " (" << FieldText(lines.Fields.First)
+           << ") and crossline " << lines.Crossline(trace) << " (" << FieldText(lines.Fields.Second)
            << "), where there is another one, expected one trace for each inline and crossline; set DuplicatePolicy to "
               "read the first, the last or the mean of several";
       throw InputError(text.str());

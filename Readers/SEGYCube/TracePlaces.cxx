@@ -13,7 +13,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -23,6 +23,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr double IrregularTolerance = 0.55; // In columns: midpoints are within half a bin, and the fit is not exact.
+
 // ---- Places as picks ------------------------------------------------------------------------------------------------
 /// Places are sampled where some suffice.
 std::int64_t SamplingStride(const TraceTable& table)
@@ -227,6 +229,18 @@ PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double
   }
   const PlaceFit fit = FitLattice(picks, lines.Numbering, FieldsText(fields), tolerance, monitor);
   PlacedTraces placed = { fields, fit.ToWorld, fit.LargestDistance, std::int64_t(fit.Strays.size()), {} };
+  if (tolerance == IrregularTolerance)
+  {
+    const std::vector<double> distances = FindDistances(picks, lines.Numbering, fit.ToWorld);
+    const Eigen::Map<const Eigen::ArrayXd> all(distances.data(), Eigen::Index(distances.size()));
+    const double squares = (all <= fit.LargestDistance).select(all.square(), 0.0).sum();
+    std::ostringstream text;
+    text.precision(2);
+    text << FieldsText(fields) << "up to " << fit.LargestDistance << " of a step off any lattice, "
+         << std::sqrt(squares / double((all <= fit.LargestDistance).count()))
+         << " by root mean square, as of irregular midpoints: the lattice is that of least squares";
+    placed.Warnings.push_back(text.str());
+  }
   std::size_t places = 0; // up to the first stray
   for (std::int64_t trace = 0; !fit.Strays.empty() && trace < lines.Table.Traces; ++trace)
   {
@@ -273,18 +287,6 @@ std::string CompareFields(
   return text.str();
 }
 
-std::vector<FieldPair> ListCandidates(const TraceTable& table, const FieldPair& given)
-{
-  if (given.First != 0)
-  {
-    return given.First > 0 ? std::vector<FieldPair>{ given } : std::vector<FieldPair>();
-  }
-  std::vector<FieldPair> candidates;
-  std::copy_if(PlacePairs.begin(), PlacePairs.end(), std::back_inserter(candidates),
-    [&](const FieldPair& fields) { return !AreSame(table, fields); });
-  return candidates;
-}
-
 PlacedTraces LinesForPlaces(const std::string& problems, const LineNumbering& numbering)
 {
   PlacedTraces placed;
@@ -308,12 +310,6 @@ PlacedTraces UseDoubtful(PlacedTraces doubtful, bool areLineNumbers, const LineN
     "with the steps of line numbers, expected coordinates; if they are lines as well, set XByte and YByte");
   return doubtful;
 }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool AreSame(const TraceTable& table, const FieldPair& fields)
-{
-  return table[fields.First].IsConstant() && table[fields.Second].IsConstant();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -360,31 +356,39 @@ bool AreFloats(const LineNumbers& lines, const FieldPair& fields)
 //----------------------------------------------------------------------------------------------------------------------
 PlacedTraces PlaceTraces(const LineNumbers& lines, const SEGYOptions& options, bool isLine, const Monitor& monitor)
 {
-  const FieldPair given = options.PlaceFields;
-  const bool isGiven = given.First > 0;
+  const bool isGiven = options.PlaceFields.First > 0;
   std::optional<PlacedTraces> found, doubtful;
-  std::string problems;
-  for (const FieldPair& fields : ListCandidates(lines.Table, given))
+  const auto tryAll = [&](double tolerance)
   {
-    if (found)
+    std::string problems;
+    for (const FieldPair& fields : ListPlaceFields(lines.Table, options.PlaceFields))
     {
-      const std::string other = CompareFields(lines, *found, fields, options.Tolerance);
-      found->Warnings.insert(found->Warnings.end(), other.empty() ? 0 : 1, other);
-      continue;
-    }
-    try
-    {
-      const PlacedTraces placed = TryFields(lines, fields, options.Tolerance, monitor);
-      std::optional<PlacedTraces>& which = !isGiven && FollowsLines(placed.ToWorld, lines) ? doubtful : found;
-      which = which ? which : placed;
-    }
-    catch (const InputError& error)
-    {
-      if (isGiven && !isLine)
+      if (found)
       {
-        throw;
+        const std::string other = CompareFields(lines, *found, fields, tolerance);
+        found->Warnings.insert(found->Warnings.end(), other.empty() ? 0 : 1, other);
+        continue;
       }
-      problems += (problems.empty() ? "" : "; ") + std::string(error.what());
+      try
+      {
+        const PlacedTraces placed = TryFields(lines, fields, tolerance, monitor);
+        std::optional<PlacedTraces>& which = !isGiven && FollowsLines(placed.ToWorld, lines) ? doubtful : found;
+        which = which ? which : placed;
+      }
+      catch (const InputError& error)
+      {
+        problems += (problems.empty() ? "" : "; ") + std::string(error.what());
+      }
+    }
+    return problems;
+  };
+  const std::string problems = tryAll(options.Tolerance);
+  if (!found && !doubtful && !isLine)
+  {
+    tryAll(IrregularTolerance);
+    if (isGiven && !found)
+    {
+      throw InputError(problems);
     }
   }
   if (found || doubtful)

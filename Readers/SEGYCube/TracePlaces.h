@@ -23,9 +23,14 @@ struct PlacedTraces
   std::vector<std::string> Warnings;
 };
 
-/// Uses the first pair on a lattice, last a pair that follows the line numbers, never their copy, else line numbers.
-/// Up to 10 % of strays are excluded. Throws InputError if fields of the user have no lattice, except for a single line.
+/// Uses the first pair on a lattice, then one that follows the line numbers, never their copy, then one of irregular
+/// midpoints, which least squares make a lattice; else line numbers. Up to 10 % of strays are excluded. Throws InputError
+/// if fields of the user have no lattice, except for a single line.
 PlacedTraces PlaceTraces(const LineNumbers& lines, const SEGYOptions& options, bool isLine, const Monitor& monitor);
+
+/// Numbers rows and columns of the lattice of x and y, from 1, as fields of the table. Returns false if no fields, or not
+/// those of the user, place all traces on one.
+bool NumberByPlaces(TraceTable& table, const SEGYOptions& options, const Monitor& monitor);
 
 /// Positions the traces of a single line, which may be curved, by their headers. Missing places, places of 0 and strays
 /// are interpolated, with a warning. Places stay empty if no fields form a line.
@@ -42,8 +47,6 @@ inline Eigen::Vector2d TracePlace(const TraceTable& table, const FieldPair& fiel
   const int scalar = table[TraceByte::PlaceScalar][trace];
   return { Scaled(table[fields.First][trace], scalar), Scaled(table[fields.Second][trace], scalar) };
 }
-
-bool AreSame(const TraceTable& table, const FieldPair& fields);
 
 /// Compares in either order, with and without the scalar.
 bool AreLineNumbers(const LineNumbers& lines, const FieldPair& fields);

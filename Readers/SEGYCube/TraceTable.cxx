@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 
 namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<int, 5> ShortFields = { TraceByte::Kind, TraceByte::PlaceScalar, TraceByte::Delay,
-  TraceByte::Samples, TraceByte::TimeScalar };
+constexpr std::array<int, 6> ShortFields = { TraceByte::Kind, TraceByte::PlaceScalar, TraceByte::PlaceUnit,
+  TraceByte::Delay, TraceByte::Samples, TraceByte::TimeScalar };
 
 bool IsShort(int byte)
 {
@@ -52,6 +53,31 @@ bool TraceTable::IsDead(std::int64_t trace) const
   constexpr std::int32_t dummy = 3;
   const std::int32_t kind = (*this)[TraceByte::Kind][trace];
   return kind == dead || kind == dummy;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string FieldText(int byte)
+{
+  return byte == NoField ? "no byte" : byte > SEGYTraceHeaderSize ? "by x and y" : "byte " + std::to_string(byte);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FieldPair> ListPlaceFields(const TraceTable& table, const FieldPair& given)
+{
+  if (given.First != 0)
+  {
+    return given.First > 0 ? std::vector<FieldPair>{ given } : std::vector<FieldPair>();
+  }
+  std::vector<FieldPair> candidates;
+  std::copy_if(PlacePairs.begin(), PlacePairs.end(), std::back_inserter(candidates),
+    [&](const FieldPair& fields) { return !AreSame(table, fields); });
+  return candidates;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreSame(const TraceTable& table, const FieldPair& fields)
+{
+  return table[fields.First].IsConstant() && table[fields.Second].IsConstant();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

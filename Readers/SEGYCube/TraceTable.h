@@ -30,9 +30,13 @@ namespace TraceByte
 constexpr int Kind = 29; // 1 seismic data, 2 dead, 3 dummy.
 constexpr int Offset = 37;
 constexpr int PlaceScalar = 71;
+constexpr int PlaceUnit = 89; // 1 length, 2 seconds of arc, 3 degrees, 4 degrees, minutes and seconds.
 constexpr int Delay = 109; // Milliseconds from the shot to the first sample.
 constexpr int Samples = 115;
 constexpr int TimeScalar = 215;
+// Behind the header: numbers of rows and columns of a lattice of x and y, for want of line numbers.
+constexpr int LatticeRow = 241;
+constexpr int LatticeColumn = 245;
 }
 
 /// Stores one number per trace, and constant parts without memory.
@@ -103,6 +107,13 @@ TraceTable ReadTraceTable(
 constexpr std::array<FieldPair, 3> PlacePairs = { { { 181, 185 }, { 73, 77 }, { 81, 85 } } };
 
 std::vector<int> ListFields();
+
+std::string FieldText(int byte);
+
+bool AreSame(const TraceTable& table, const FieldPair& fields);
+
+/// Returns the pair of the user, or the usual ones that are not constant.
+std::vector<FieldPair> ListPlaceFields(const TraceTable& table, const FieldPair& given);
 
 /// Some programs pad files with dead traces without line numbers.
 bool IsFiller(const TraceTable& table, const FieldPair& lines, std::int64_t trace);

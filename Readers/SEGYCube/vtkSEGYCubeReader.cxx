@@ -133,17 +133,22 @@ SEGYOptions vtkSEGYCubeReader::MakeOptions() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+SurveyDescription vtkSEGYCubeReader::MakeSurvey() const
+{
+  SurveyDescription survey = this->Content->Cube.Survey;
+  OverrideSurvey(survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
+  return survey;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 CubeView vtkSEGYCubeReader::MakeView() const
 {
-  const SEGYCube& cube = this->Content->Cube;
-  SurveyDescription survey = cube.Survey;
-  OverrideSurvey(survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
   using Direction = SeismicHorizons::VerticalDirection;
   return PrefixFileErrors(this->Files.GetCurrent(),
     [&]()
     {
-      return MakeCubeView(
-        cube, survey, this->VerticalDirection == Up ? Direction::Up : Direction::Down, this->ImageTolerance);
+      return MakeCubeView(this->Content->Cube, this->MakeSurvey(),
+        this->VerticalDirection == Up ? Direction::Up : Direction::Down, this->ImageTolerance);
     });
 }
 
@@ -173,7 +178,7 @@ void vtkSEGYCubeReader::UpdateContent(const Monitor& monitor)
         vtkWarningMacro(<< this->Files.GetCurrent() << ": " << WarningText(this->Content->Cube));
       }
     });
-  this->Description = Describe(this->Content->Cube);
+  this->Description = Describe(this->Content->Cube, this->MakeSurvey());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -232,10 +237,9 @@ int vtkSEGYCubeReader::RequestData(vtkInformation* request, vtkInformationVector
         [&]() { return ReadCubeImage(this->Content->Cube, view, extent, monitor.Step(0.1, 1.0)); });
       ToVTK(read.Image, output);
       FillLine(this->Content->Cube, view, extent, output, line);
-      if (read.NotFinite > 0)
+      if (read.Nulls > 0)
       {
-        vtkWarningMacro(<< this->Files.GetCurrent() << ": " << read.NotFinite
-                        << " samples that are nan or beyond the range of a float; is SampleFormat right?");
+        vtkWarningMacro(<< this->Files.GetCurrent() << ": " << NullsText(read.Nulls));
       }
       this->Files.Mark(info);
     },

@@ -16,7 +16,8 @@
  * Point data:
  * - Amplitude (float): the samples; only integers of more than 24 bits and doubles are rounded
  * - vtkGhostType (unsigned char): hides points without a sample, whose Amplitude is 0: columns without a trace, dead
- *   traces, traces of zeros and, where delays differ, points above or below a trace. Only if the window has such points
+ *   traces, traces of zeros, samples of 1e30 or more or nan, and, where delays differ, points above or below a trace.
+ *   Only if the window has such points
  *
  * Field data, one tuple each:
  * - LatticeDimensions (int, 3 components): of the whole cube
@@ -57,6 +58,7 @@ namespace SeismicHorizons
 class Monitor;
 struct CubeView;
 struct SEGYOptions;
+struct SurveyDescription;
 }
 
 class VTKSEISMICHORIZONS_EXPORT vtkSEGYCubeReader : public vtkImageAlgorithm
@@ -139,8 +141,8 @@ public:
   };
 
   /**
-   * The sample format, for files that state a wrong one: amplitudes are then around 1e30, or look like noise. Default:
-   * FromFile.
+   * The sample format, for files that state a wrong one: many samples are then above 1e30 and thus missing, or all look
+   * like noise. Default: FromFile.
    */
   vtkHorizonNumberMacro(SampleFormat, int);
 
@@ -201,8 +203,9 @@ public:
 
   /**
    * The largest distance of x and y from the lattice, as a fraction of the step. Up to a tenth of the traces may be
-   * farther off, with a warning; if more are, line numbers replace x and y. Unit: columns. Range: more than 0, less
-   * than 0.5. Default: 0.25.
+   * farther off, with a warning. If more are, within 0.55, as irregular midpoints are, the lattice is that of least
+   * squares; otherwise line numbers replace x and y, both with a warning. Unit: columns. Range: more than 0, less than
+   * 0.5. Default: 0.25.
    */
   vtkHorizonNumberMacro(LatticeTolerance, double);
 
@@ -232,6 +235,7 @@ private:
   void operator=(const vtkSEGYCubeReader&) = delete;
 
   SeismicHorizons::SEGYOptions MakeOptions() const;
+  SeismicHorizons::SurveyDescription MakeSurvey() const;
   SeismicHorizons::CubeView MakeView() const;
   void UpdateContent(const SeismicHorizons::Monitor& monitor);
 

@@ -58,7 +58,7 @@ void CheckCube(const SEGYCube& cube, std::size_t fileSize)
   Require(cube.Lattice.Origin.allFinite() && cube.Lattice.ColumnStep.allFinite() && cube.Lattice.RowStep.allFinite(),
     "a lattice that is not finite");
   Require(cube.Traces.size() == CountCells({ whole[0], whole[1], whole[2], whole[3], 0, 0 }), "traces");
-  Require(!Describe(cube).empty(), "no description");
+  Require(!Describe(cube, cube.Survey).empty(), "no description");
   SEGYWindow window;
   const std::vector<float> values = ReadValues(cube, whole, window);
   // A level in the middle is the same by itself.
@@ -68,7 +68,7 @@ void CheckCube(const SEGYCube& cube, std::size_t fileSize)
   const std::vector<float> ofLevel = ReadValues(cube, level, windowOfLevel);
   const float* const expected = values.data() + ofLevel.size() * std::size_t(level[4]);
   Require(std::memcmp(ofLevel.data(), expected, ofLevel.size() * sizeof(float)) == 0, "a level differs by itself");
-  Require(window.NotFinite == windowOfLevel.NotFinite, "another number of samples that are not finite");
+  Require(window.Nulls == windowOfLevel.Nulls, "another number of samples that are not finite");
 }
 }
 

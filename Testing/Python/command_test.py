@@ -121,7 +121,7 @@ class CommandTest(unittest.TestCase):
         """Each form of a list gives the same values, in whatever order the words are."""
         for action in shown_options():
             if isinstance(action, AddToList) and action.values:
-                option, values = action.option_strings[0], list(action.values)
+                option, values = action.option_strings[0], [value + "1" * value.endswith("=") for value in action.values]
                 for words in ([option, ",".join(values), "a.dat"], ["a.dat", option, *values], [option, *values, "a.dat"],
                               ["a.dat", *("%s=%s" % (option, value) for value in values)], [option, *values, "--", "a.dat"]):
                     given = self.parse("|".join(words))

@@ -14,7 +14,8 @@ import numpy as np
 
 import ledger_check
 import mesh_checks
-from seismichorizons_command import cubes, pipeline, reading
+import seismichorizons as sh
+from seismichorizons_command import cubes, options, pipeline, reading
 from seismichorizons_command.core import HorizonError
 from seismichorizons_command.data import count_points, values
 
@@ -23,6 +24,28 @@ CUBE = FOLDER / "survey.sgy"
 # The fault cuts each of the reflectors in two.
 REFLECTORS = 6
 SURFACES = 2 * REFLECTORS
+
+
+# Properties of the classes that only the window needs: its image is drawn, and world z is real.
+OF_WINDOW = {"FileName", "ImageTolerance", "ThresholdType", "ZFrom"}
+
+
+def write_line(path, count=120, samples=200):
+    """A line with a bend and two reflectors, with trace numbers and positions, by revision 1 of SEG-Y. Returns positions."""
+    header = np.zeros(3600, np.uint8)
+    for byte, value in ((3217, 4000), (3221, samples), (3225, 5)):
+        header[byte - 1:byte + 1] = value >> 8, value & 255
+    header[3500] = 1
+    trace = np.zeros(count, np.dtype({"names": ["number", "kind", "scalar", "x", "y", "samples", "values"], "formats": [
+        ">i4", ">i2", ">i2", ">i4", ">i4", ">i2", (">f4", samples)], "offsets": [20, 28, 70, 180, 184, 114, 240]}))
+    n, k = np.arange(count), np.arange(samples)
+    places = np.column_stack((1000 + 10 * n, 9000 + 10 * np.maximum(0, n - 60)))
+    trace["number"], trace["kind"], trace["scalar"], trace["samples"] = 500 + n, 1, -10, samples
+    trace["x"], trace["y"] = 10 * places.T
+    away = k - (80 + 10 * np.sin(n / 20.0))[:, None]
+    trace["values"] = sum(size * np.exp(-((away - shift) / 4) ** 2) * np.cos((away - shift) / 2) for size, shift in ((1, 0), (0.3, 60)))
+    path.write_bytes(header.tobytes() + trace.tobytes())
+    return places
 
 
 def run(*arguments):
@@ -76,6 +99,55 @@ class CubeTest(unittest.TestCase):
         lines = int(values(everything[0][1], "LatticeDimensions")[1])
         part, _ = reading.read(CUBE, InlineRange=(first, first + lines // 4))
         self.assertLess(count_points(part[0][1]), count_points(everything[0][1]))
+
+    def test_every_property_of_the_window_is_an_option(self):
+        from seismichorizons import vtk
+
+        own = {name for group in (cubes.READER, cubes.FRAME, cubes.EXTRACTION) for name in group}
+        for make in (vtk.vtkSEGYCubeReader, vtk.vtkSeismicReflectionExtraction):
+            of_class = {name[3:] for name in dir(make) if name.startswith("Set") and hasattr(make, "Get" + name[3:])} - {
+                name[3:] for name in dir(make.__mro__[1]) if name.startswith("Set")}
+            self.assertEqual({name for name in of_class if not name.startswith("Input")} - own - OF_WINDOW, set())
+        self.assertLessEqual(set(options.CUBE_PROPERTIES), own)
+
+    def test_properties_without_an_option_of_their_own(self):
+        folder = FOLDER / "properties"
+        done = run("--formats", "dat", "--surfaces", "1", "-o", folder, "--cube", "SampleRange=0:60", "InlineByte=189", "CrosslineByte=193",
+                   "Position=ZeroCrossing", "Connectivity=Eight", "DelayPolicy=Nearest", "KeepOthers=off", CUBE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = sh.extract(sh.read_cube(CUBE, sample_range=(0, 60), inline_byte=189, crossline_byte=193, delays="nearest"), largest_number=1,
+                           position="zero_crossing", eight_neighbours=True)
+        written = sh.read(folder / "survey_horizon_1.dat")
+        self.assertTrue(np.allclose(next(iter(written.values())).z, next(iter(found.values())).z))
+        for given, message in (("InlineByte=300,CrosslineByte=9", "--cube InlineByte 300, expected 1 to 237"),
+                               ("InlineByte=x,CrosslineByte=9", "inline_byte 'x', expected another kind of value"),
+                               ("Position=Top", r"survey.sgy: position 'top', expected middle, peak or zero_crossing"),
+                               ("AmplitudeThreshold=-1", "AmplitudeThreshold -1, expected")):
+            self.assertRegex(self.refused("--cube", given, CUBE), message)
+        self.assertRegex(run("--cube", "Wrong=1", CUBE).stderr, "invalid choice: 'Wrong=1'")
+        self.assertRegex(run("--cube", "XByte", CUBE).stderr, "invalid choice: 'XByte'")
+
+    def test_a_line_is_written_as_picks_where_its_traces_are(self):
+        path, folder = FOLDER / "line.sgy", FOLDER / "line"
+        places = write_line(path)
+        for formats, is_refused in (("dat", False), ("dat,ts", False), ("ts", True)):
+            done = run("--surfaces", "2", "--formats", formats, "-o", folder, "--report", FOLDER / "line.html", path)
+            self.assertEqual(done.returncode, int(is_refused), done.stderr)
+            self.assertEqual("is left out" in done.stderr, formats != "dat")
+            self.assertEqual("; --formats dat writes the points" in done.stderr, is_refused)
+            self.assertFalse(list(folder.glob("*.ts")))
+        picks = np.loadtxt(folder / "line_horizon_1.dat", comments="#")
+        self.assertEqual(len(picks), len(places))
+        self.assertTrue(np.array_equal(picks[:, 1], 500 + np.arange(len(places))))
+        self.assertTrue(np.array_equal(picks[:, 2:4], places))
+        self.assertLess(np.abs(picks[:, 4] - 4.0 * (80 + 10 * np.sin(np.arange(len(places)) / 20.0))).max(), 1.0)
+        sh.write(sh.extract(sh.read_cube(path), largest_number=1)["Horizon 1"], FOLDER / "line.dat")
+        self.assertTrue(np.array_equal(np.loadtxt(FOLDER / "line.dat", comments="#")[:, :5], picks[:, :5]))
+
+    def test_what_a_cube_was_taken_for_is_said(self):
+        self.assertIn("ms, taken as time; set --vertical-unit for depth", run("-o", FOLDER / "said", CUBE).stdout)
+        self.assertNotIn("taken as time", run("-o", FOLDER / "said", "--vertical-unit", "m", CUBE).stdout)
+        self.assertIn("set vertical_unit for depth", sh.read_cube(CUBE).taken[-1])
 
     def test_errors_are_those_of_the_reader(self):
         for name, content in (("cut.sgy", CUBE.read_bytes()[:5000]), ("text.segy", b"no cube\n"), ("empty.sgy", b"")):

@@ -284,7 +284,7 @@ void ShearedSurveysAreRefusedBeyondTheTolerance()
 void WhatUsersShouldKnowIsAWarning()
 {
   File file;
-  file.X = [](const Trace& t) { return 25.0 * std::pow(t.Crossline - 99, 3.0); };
+  file.X = [](const Trace& t) { return 25.0 * std::pow(t.Crossline - 99, 5.0); };
   const auto reader = MakeReader(file);
   Messages warnings(reader, vtkCommand::WarningEvent);
   reader->Update();
@@ -297,7 +297,8 @@ void WhatUsersShouldKnowIsAWarning()
   const auto damaged = MakeReader(bytes, "nan.sgy");
   Messages ofDamaged(damaged, vtkCommand::WarningEvent);
   damaged->Update();
-  CHECK(ofDamaged.WasOne("nan.sgy: 1 samples that are nan or beyond the range of a float; is SampleFormat right?"));
+  CHECK(ofDamaged.WasOne(
+    "nan.sgy: 1 samples of 1e30 or more, or nan, are taken as missing; if they are no nulls, set SampleFormat"));
 }
 
 void WorkStopsOnRequest()

@@ -129,7 +129,7 @@ class CubeTest(unittest.TestCase):
         first = next(iter(found.values()))
         self.assertEqual(len(first), event.size)
         np.testing.assert_allclose(first.grid(), event, atol=3.0)
-        self.assertGreater(seismic.at(first).min(), 0.7)
+        self.assertGreater(sh.amplitudes(seismic, first)["CubeAmplitude"].min(), 0.7)
         np.testing.assert_array_equal(first.inlines, 100.0 + first.columns[:, 1])
 
     def test_guides_and_limits(self):

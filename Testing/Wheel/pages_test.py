@@ -18,7 +18,7 @@ import warnings
 import numpy as np
 import seismichorizons as sh
 
-MISSING = "|".join(["pipeline"] + [name for name in ("resqpy",) if not importlib.util.find_spec(name)])
+MISSING = "|".join(["pipeline"] + [name for name in ("resqpy", "pyzgy", "mdio") if not importlib.util.find_spec(name)])
 PROJECT, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 
 
@@ -35,15 +35,35 @@ def make_cube(path):
     header = np.zeros(3600, np.uint8)
     header[3216:3218], header[3220:3222] = np.frombuffer(np.array([4000, samples], ">i2").tobytes(), np.uint8).reshape(2, 2)
     header[3224:3226] = 0, 5
-    trace = np.dtype([("before", "V114"), ("count", ">i2"), ("step", ">i2"), ("between", "V62"), ("x", ">i4"), ("y", ">i4"), ("line", ">i4"),
-                      ("crossline", ">i4"), ("after", "V44"), ("values", ">f4", samples)])
+    trace = np.dtype([("before", "V70"), ("scalar", ">i2"), ("then", "V42"), ("count", ">i2"), ("step", ">i2"), ("between", "V62"), ("x", ">i4"),
+                      ("y", ">i4"), ("line", ">i4"), ("crossline", ">i4"), ("after", "V44"), ("values", ">f4", samples)])
     traces = np.zeros((20, 30), trace)
     line, crossline = np.mgrid[0:20, 0:30]
-    traces["count"], traces["step"] = samples, 4000
+    traces["count"], traces["step"], traces["scalar"] = samples, 4000, 1
     traces["x"], traces["y"], traces["line"], traces["crossline"] = 1000 + 25 * crossline, 5000 + 25 * line, 1 + line, 1 + crossline
     away = np.arange(samples) - (50.0 + 3.0 * np.sin(crossline / 6.0))[..., None]
     traces["values"] = np.exp(-(away / 3.0) ** 2) * np.cos(away)
     path.write_bytes(header.tobytes() + traces.tobytes())
+
+
+def make_others():
+    """The same file in the formats of others, where their packages are."""
+    if "pyzgy" not in MISSING:
+        from pyzgy.write import SeismicWriter
+
+        corners = [(1000.0, 5000.0), (1000.0, 5475.0), (1725.0, 5000.0), (1725.0, 5475.0)]
+        with SeismicWriter("survey.zgy", (20, 30, 100), 0.0, 4.0, (1, 1), (1, 1), corners) as file:
+            file.write_volume(np.ascontiguousarray(sh.read_cube("survey.sgy").values, np.float32))
+    if "mdio" not in MISSING:
+        import mdio
+        from mdio.builder.template_registry import get_template
+        from segy.schema import HeaderField
+        from segy.standards import get_segy_standard
+
+        fields = [HeaderField(name=name, byte=byte, format="int32") for name, byte in (
+            ("inline", 189), ("crossline", 193), ("cdp_x", 181), ("cdp_y", 185))]
+        mdio.segy_to_mdio(get_segy_standard(1.0).customize(trace_header_fields=fields), get_template("PostStack3DTime"), "survey.sgy",
+                          "survey.mdio", overwrite=True)
 
 
 class PagesTest(unittest.TestCase):
@@ -55,6 +75,7 @@ class PagesTest(unittest.TestCase):
         sh.write({"Top": top, "Base": base}, "picks.dat")
         sh.write(horizon(1000.0, "Horizon 1"), "survey.vsm")
         make_cube(FOLDER / "survey.sgy")
+        make_others()
         picks = np.array([[1250.0, 5250.0, 200.0]])
         pages = 0
         for page in [PROJECT / "README.md", *sorted((PROJECT / "Documentation").glob("*.md"))]:

@@ -19,6 +19,7 @@ PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys
 TESTS = PROJECT / "Testing/Wheel"
 BESIDE = ("pandas", "geopandas", "xarray", "xtgeo", "pyvista", "trimesh", "resqpy", "mypy", "segyio", "matplotlib", "nbclient", "ipykernel", "gempy",
           "LoopStructural")
+OF_CUBES = ("multidimio", "pyzgy")  # After the notebooks, which have no messages of tqdm.
 ENVIRONMENT = {**{name: value for name, value in os.environ.items() if name != "PYTHONPATH"},
                "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count())}
 
@@ -49,6 +50,7 @@ print("built and installed in %.0f s" % (time.monotonic() - start))
 run(sys.executable, TESTS / "core_peer.py", FOLDER / "peer", env={**ENVIRONMENT, "PYTHONPATH": str(CLASSES)})
 run(python, TESTS / "core_test.py", PROJECT / "Data", FOLDER / "files", FOLDER / "peer")
 run(python, TESTS / "core_stack_test.py", FOLDER / "stack")
+run(python, TESTS / "core_cube_test.py", FOLDER / "cubes")
 run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 run(python, TESTS / "core_example.py", FOLDER / "files")
 command = [PROJECT / "Data/sample.vsm", "--no-pictures", "--formats", "vtp,ts", "--report", FOLDER / "page.html"]
@@ -59,8 +61,9 @@ for path in (FOLDER / "built").iterdir():
         sys.exit("%s: not the bytes of the command of the build" % path.name)
 run(python, "-m", "pip", "install", "--quiet", *BESIDE)
 run(python, TESTS / "core_tasks.py", FOLDER / "tasks")
-run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 run(python, TESTS / "notebooks_test.py", PROJECT / "Documentation/Notebooks", FOLDER / "notebooks")
 run(python, "-m", "mypy", "--strict", "--cache-dir", FOLDER / "mypy", TESTS / "core_example.py")
 run(python, "-m", "mypy", "--config-file", PROJECT / "pyproject.toml", "--cache-dir", FOLDER / "mypy", PROJECT / "Python/seismichorizons")
+run(python, "-m", "pip", "install", "--quiet", *OF_CUBES)
+run(python, TESTS / "pages_test.py", PROJECT, FOLDER / "pages")
 shutil.rmtree(FOLDER / "use")

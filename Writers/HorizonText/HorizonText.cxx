@@ -18,7 +18,8 @@ void AddNew(std::vector<std::string>& names, const std::vector<PickAttribute>& a
 {
   for (const PickAttribute& attribute : attributes)
   {
-    if (std::find(names.begin(), names.end(), attribute.Name) == names.end())
+    const bool isPlace = attribute.Name == LineX || attribute.Name == LineY;
+    if (!isPlace && std::find(names.begin(), names.end(), attribute.Name) == names.end())
     {
       names.push_back(attribute.Name);
     }

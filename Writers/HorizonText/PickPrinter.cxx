@@ -46,6 +46,8 @@ public:
     , Horizon(horizon)
     , Columns(columns)
     , Name(Quoted(horizon.Name))
+    , LineX(FindAttribute(horizon, SeismicHorizons::LineX))
+    , LineY(FindAttribute(horizon, SeismicHorizons::LineY))
   {
     for (const std::string& attribute : columns.Attributes)
     {
@@ -86,7 +88,9 @@ private:
       this->Printer.Print(lattice.Lines->FirstInline + j * lattice.Lines->InlineStep, '\t',
         lattice.Lines->FirstCrossline + i * lattice.Lines->CrosslineStep, '\t');
     }
-    const Eigen::Vector2d place = lattice.Origin + i * lattice.ColumnStep + j * lattice.RowStep;
+    const bool isOnLine = this->LineX && this->LineY;
+    const Eigen::Vector2d place = isOnLine ? Eigen::Vector2d((*this->LineX)[index], (*this->LineY)[index])
+                                           : lattice.Origin + i * lattice.ColumnStep + j * lattice.RowStep;
     this->Printer.Print(place.x(), '\t', place.y(), '\t');
     PrintNumber(this->Printer, this->Horizon.Z[index], "z");
     for (std::size_t n = 0; n < this->Values.size(); ++n)
@@ -102,6 +106,7 @@ private:
   const HorizonColumns& Horizon;
   const PrintedColumns& Columns;
   const std::string Name;
+  const std::vector<double>*const LineX, *const LineY; // of lines that leave the lattice
   std::vector<const std::vector<double>*> Values;
 };
 }

@@ -13,6 +13,10 @@
 
 namespace SeismicHorizons
 {
+/// Attributes of points that are where the traces of a single line are, off their lattice.
+constexpr const char* LineX = "LineX";
+constexpr const char* LineY = "LineY";
+
 struct PrintedColumns
 {
   bool HasNames = false;

@@ -94,7 +94,7 @@ void HeadersAreUnderstood()
     CHECK_EQUAL(std::count_if(window.Marks.Columns.begin(), window.Marks.Columns.end(),
                   [](const SampleRange& range) { return range.First == range.End; }),
       expected.Missing);
-    CHECK_EQUAL(window.Marks.NotFinite, 0);
+    CHECK_EQUAL(window.Marks.Nulls, 0);
   }
 }
 

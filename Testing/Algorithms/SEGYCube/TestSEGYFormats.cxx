@@ -3,6 +3,7 @@
 //
 // All formats of samples, byte orders, headers and texts.
 
+#include "Readers/SEGYCube/SEGYImage.h"
 #include "Tools/Check.h"
 #include "WindowSample.h"
 
@@ -164,6 +165,53 @@ void Revision2HasNumbersOfItsOwn()
     "revision 2 with 1 additional trace headers (byte 3507) and 0 trailers (byte 3529), expected none");
 }
 
+/// By revision 2.1 of 2023: bytes 3507 and 3508 count additional headers, 3509 and 3510 are the type of the survey.
+void Revision21HasASurveyType()
+{
+  for (const ByteOrder order : { ByteOrder::BigEndian, ByteOrder::LittleEndian })
+  {
+    for (const bool isSwapped : { false, true }) // as in some little-endian files
+    {
+      File file;
+      file.Order = order;
+      const bool isLittle = order == ByteOrder::LittleEndian;
+      file.Revision = isSwapped && isLittle ? 1 : 2;
+      std::string bytes = Make(file);
+      Bytes header(400, order);
+      header.Text = bytes.substr(3200, 400);
+      header.Put(302, 1, isSwapped && isLittle ? 2 : 1);
+      header.Put(309, 2, 4);
+      bytes.replace(3200, 400, header.Text);
+      const SEGYCube cube = ReadSEGYCube(Write(bytes), {});
+      CHECK_EQUAL(cube.Header.Revision, 2);
+      CHECK_EQUAL(CountWrong(file, cube), 0);
+      header.Put(307, 2, 3);
+      bytes.replace(3200, 400, header.Text);
+      CHECK_THROWS_WITH(ReadSEGYCube(Write(bytes), {}), "revision 2 with 3 additional trace headers (byte 3507)");
+    }
+  }
+}
+
+/// The label of 128 bytes that revision 1 describes, as copies of tapes have it.
+void TapeLabelsArePassed()
+{
+  File file;
+  file.IsEbcdic = false;
+  file.ExtendedTexts = 2;
+  file.ExtendedTextsInHeader = -1;
+  std::string label = "   1SY1.0RECORDB001     32768ORG       28-NOV-2026SERIAL000001      ";
+  label += "STORAGE SET";
+  label.resize(128, ' ');
+  const std::string bytes = label + Make(file);
+  const SEGYCube cube = ReadSEGYCube(Write(bytes), {});
+  CHECK_EQUAL(cube.Header.Text.front(), std::string("C1 LINE OF TEXT"));
+  CHECK_EQUAL(cube.Header.ExtendedTexts, 2);
+  CHECK_EQUAL(CountWrong(file, cube), 0);
+  CHECK(Describe(cube, cube.Survey).find("text in ASCII, after a tape label") != std::string::npos);
+  CHECK(IsSEGYFile(Write(bytes)));
+  CHECK_THROWS_WITH(ReadSEGYCube(Write(bytes.substr(0, bytes.size() - 7)), {}), "a file that ends 253 bytes into");
+}
+
 void NumbersOfTheFirstTraceStandIn()
 {
   File file;
@@ -174,7 +222,7 @@ void NumbersOfTheFirstTraceStandIn()
   CHECK(!cube.Header.HasOwnSamples);
   CHECK_EQUAL(cube.Sampling.Step, 2.0);
   CHECK_EQUAL(CountWrong(file, cube), 0);
-  CHECK(Describe(cube).find("12 traces of 5 samples (by the first trace)") != std::string::npos);
+  CHECK(Describe(cube, cube.Survey).find("12 traces of 5 samples (by the first trace)") != std::string::npos);
 }
 
 /// As in a file that is said to be of IBM, and has floats of IEEE.
@@ -211,6 +259,38 @@ void FilesAreRecognised()
   CHECK(recognise(Make(file)));
 }
 
+/// Programs write 1e30 where there is no sample.
+void NullsAreHidden()
+{
+  for (const SEGYFormat format : { SEGYFormat::IeeeFloat, SEGYFormat::IbmFloat, SEGYFormat::IeeeDouble })
+  {
+    File file;
+    file.Format = format;
+    std::string bytes = Make(file);
+    const auto size = std::size_t(SizeOf(format));
+    for (const double null : { 1e30, -1e30, 3e38, 999.0 })
+    {
+      Bytes sample(size, ByteOrder::BigEndian);
+      sample.Put(1, int(size), Bits(null, format));
+      bytes.replace(3600 + 6 * (240 + 5 * size) + 240 + 3 * size, size, sample.Text);
+      const SEGYCube cube = ReadSEGYCube(Write(bytes), {});
+      const CubeView view = MakeCubeView(cube, cube.Survey, VerticalDirection::Down, 0.5);
+      const CubeImage image = ReadCubeImage(cube, view, Whole(cube), Monitor());
+      const std::size_t place = 3 * 12 + 6;
+      const bool isNull = null != 999.0;
+      const DataArray* const marks = image.Image.PointData.Find("vtkGhostType");
+      CHECK_EQUAL(image.Nulls, isNull ? 1 : 0);
+      CHECK_EQUAL(marks != nullptr, isNull);
+      CHECK_EQUAL(NullsText(image.Nulls).empty(), !isNull);
+      CHECK_EQUAL(image.Image.PointData.Find("Amplitude")->As<float>()[place], isNull ? 0.0f : 999.0f);
+      for (std::size_t n = 0; marks && n < 60; ++n)
+      {
+        CHECK_EQUAL(marks->As<unsigned char>()[n] != 0, n == place);
+      }
+    }
+  }
+}
+
 void NumbersThatAreNotFiniteAreCounted()
 {
   File file;
@@ -220,9 +300,9 @@ void NumbersThatAreNotFiniteAreCounted()
   bytes.replace(3600 + 2 * trace + 240, 4, std::string("\x7f\xc0\0\0", 4));
   bytes.replace(3600 + 7 * trace + 244, 4, std::string("\xff\x80\0\0", 4));
   const SEGYCube cube = ReadSEGYCube(Write(bytes), {});
-  CHECK_EQUAL(ReadWindow(cube, Whole(cube)).Marks.NotFinite, 2);
+  CHECK_EQUAL(ReadWindow(cube, Whole(cube)).Marks.Nulls, 2);
   const SEGYCube sound = Read(file);
-  CHECK_EQUAL(ReadWindow(sound, Whole(sound)).Marks.NotFinite, 0);
+  CHECK_EQUAL(ReadWindow(sound, Whole(sound)).Marks.Nulls, 0);
 }
 }
 
@@ -235,9 +315,12 @@ int TestSEGYFormats(int, char*[])
   TextsAreDecoded();
   ExtendedTextsAreSkipped();
   Revision2HasNumbersOfItsOwn();
+  Revision21HasASurveyType();
+  TapeLabelsArePassed();
   NumbersOfTheFirstTraceStandIn();
   FormatsCanBeGiven();
   FilesAreRecognised();
+  NullsAreHidden();
   NumbersThatAreNotFiniteAreCounted();
   return Check::Result();
 }

@@ -81,8 +81,11 @@ void PlacesAreNoLineNumbers()
   File file;
   file.InlineByte = 197;
   file.CrosslineByte = 205;
-  CHECK_THROWS_WITH(Read(file), "bytes 181 and 185 span 4 x 3 with numbers above 99999, as of x and y");
-  CHECK_THROWS_WITH(Read(file), "set InlineByte and CrosslineByte; bytes 197 and 205 make a grid");
+  const SEGYCube numbered = Read(file);
+  CHECK_EQUAL(numbered.Lattice.Lines->FirstInline, 1.0);
+  CHECK(Warns(numbered, "set InlineByte and CrosslineByte; bytes 197 and 205 make a grid"));
+  file.X = [](const Trace& t) { return 500000.0 + (7919 * t.Crossline + 104729 * t.Inline) % 9973; };
+  CHECK_THROWS_WITH(Read(file), "with numbers above 99999, as of x and y");
   file.PlaceScalar = 1;
   file.X = [](const Trace& t) { return 12.0 * (t.Crossline - 99); };
   file.Y = [](const Trace& t) { return 30.0 * (t.Inline - 9); };
@@ -131,6 +134,112 @@ void FloatsAreNoPlaces()
     options.PlaceFields = { 181, 185 };
     CHECK_THROWS_WITH(Read(file, options), "have the bits of floats, expected integers");
   }
+}
+
+/// Midpoints anywhere in their bins, as of marine surveys without binning.
+void IrregularMidpointsMakeTheLatticeOfLeastSquares()
+{
+  File file = LargeFile();
+  std::mt19937 random(11);
+  const auto anywhere = [&random]() { return double(random() % 1000) / 1000.0 - 0.5; };
+  file.X = [&](const Trace& t) { return 500000.0 + 12.5 * (t.Crossline - 100 + anywhere()); };
+  file.Y = [&](const Trace& t) { return 6000000.0 + 25.0 * (t.Inline - 10 + anywhere()); };
+  const SEGYCube cube = Read(file);
+  CHECK_EQUAL(cube.PlaceFields.First, 181);
+  CHECK((cube.Lattice.Origin - Eigen::Vector2d(500000.0, 6000000.0)).norm() < 3.0);
+  CHECK((cube.Lattice.ColumnStep - Eigen::Vector2d(12.5, 0.0)).norm() < 0.1);
+  CHECK((cube.Lattice.RowStep - Eigen::Vector2d(0.0, 25.0)).norm() < 0.5);
+  CHECK(cube.LargestDistance > 0.45 && cube.LargestDistance <= 0.55);
+  CHECK(Warns(cube, "of a step off any lattice, 0.3"));
+  CHECK(Warns(cube, "as of irregular midpoints: the lattice is that of least squares"));
+  CHECK_EQUAL(CountWrong(file, cube), 0);
+  // A pair on an exact lattice is better.
+  file.Change = [](const Trace& trace, Bytes& header)
+  {
+    header.Put(73, 4, 40000000 + 1250 * (trace.Crossline - 100));
+    header.Put(77, 4, 10000000 + 2500 * (trace.Inline - 10));
+  };
+  CHECK_EQUAL(Read(file).PlaceFields.First, 73);
+  SEGYOptions options;
+  options.PlaceFields = { 181, 185 };
+  CHECK_EQUAL(Read(file, options).PlaceFields.First, 181);
+}
+
+/// Without line numbers the lattice is that of the places, as for picks.
+void PlacesAloneMakeALattice()
+{
+  File file = LargeFile();
+  file.InlineByte = file.CrosslineByte = 233; // no field that is looked at
+  file.X = [](const Trace& t) { return 450000.0 + 20.0 * (t.Crossline - 100) - 15.0 * (t.Inline - 10); };
+  file.Y = [](const Trace& t) { return 6700000.0 + 15.0 * (t.Crossline - 100) + 20.0 * (t.Inline - 10); };
+  file.Traces.erase(file.Traces.begin() + 77);
+  Trace filler = { 0, 0, 2 };
+  file.Traces.push_back(filler);
+  const auto x = file.X;
+  const auto y = file.Y;
+  file.X = [=](const Trace& t) { return t.Inline == 0 ? 0.0 : x(t); };
+  file.Y = [=](const Trace& t) { return t.Inline == 0 ? 0.0 : y(t); };
+  std::shuffle(file.Traces.begin(), file.Traces.end(), std::mt19937(7));
+  const SEGYCube cube = Read(file);
+  CHECK_EQUAL(cube.Lattice.Columns[0], 30);
+  CHECK_EQUAL(cube.Lattice.Columns[1], 10);
+  CHECK_EQUAL(cube.MissingTraces, 1);
+  CHECK_EQUAL(cube.Fillers, 1);
+  CHECK(IsAt(cube.Lattice.Origin, 450000.0, 6700000.0));
+  CHECK(IsAt(cube.Lattice.ColumnStep, 20.0, 15.0));
+  CHECK(IsAt(cube.Lattice.RowStep, -15.0, 20.0));
+  CHECK_EQUAL(cube.Lattice.Lines->FirstInline, 1.0);
+  CHECK(Warns(cube, "inlines and crosslines are rows and columns of the lattice of x and y, from 1. Where line"));
+  CHECK(Describe(cube, cube.Survey).find("10 inlines 1 to 10 in steps of 1 (by x and y)") != std::string::npos);
+  for (std::size_t n = 0; n < file.Traces.size(); ++n)
+  {
+    const Trace& trace = file.Traces[n];
+    CHECK(trace.Inline == 0 || TraceAt(cube, trace.Crossline - 100, trace.Inline - 10) == std::int32_t(n));
+  }
+  CHECK_EQUAL(TraceAt(cube, 17, 2), NoTrace); // the one that is erased
+  File scattered = LargeFile();
+  scattered.InlineByte = scattered.CrosslineByte = 233;
+  std::mt19937 random(5);
+  scattered.X = scattered.Y = [&random](const Trace&) { return 1e5 + double(random() % 1000000) / 100.0; };
+  CHECK_THROWS_WITH(Read(scattered), "no line numbers that make a grid of 300 traces");
+}
+
+/// Codes of byte 89, which are often wrong.
+void AnglesAreNoLengths()
+{
+  const auto unitOf = [](int code, double x, double y, double step)
+  {
+    File file;
+    file.X = [=](const Trace& t) { return x + step * (t.Crossline - 100); };
+    file.Y = [=](const Trace& t) { return y + step * (t.Inline - 10); };
+    file.PlaceScalar = -10000;
+    file.Change = [code](const Trace&, Bytes& header) { header.Put(89, 2, code); };
+    const SEGYCube cube = Read(file);
+    CHECK_EQUAL(cube.PlaceFields.First, 181);
+    CHECK_EQUAL(cube.Survey.HorizontalUnit != "m", WarningText(cube).find("byte 89 is ") != std::string::npos);
+    return cube.Survey.HorizontalUnit;
+  };
+  CHECK_EQUAL(unitOf(0, 12000.0, 18000.0, 25.0), std::string("m"));
+  CHECK_EQUAL(unitOf(1, 12000.0, 18000.0, 25.0), std::string("m"));
+  CHECK_EQUAL(unitOf(2, 12000.0, 198000.0, 0.5), std::string("arcsec"));
+  CHECK_EQUAL(unitOf(3, 4.5, 61.25, 0.005), std::string("degrees"));
+  CHECK_EQUAL(unitOf(4, 43000.0, 121500.0, 0.5), std::string("DDDMMSS"));
+  CHECK_EQUAL(unitOf(3, 12000.0, 18000.0, 25.0), std::string("m")); // no degrees
+}
+
+/// Only the user knows that an interval of 10000 is 10 m.
+void TheVerticalUnitIsSaid()
+{
+  File file;
+  file.Interval = 10000;
+  const SEGYCube cube = Read(file);
+  CHECK(Describe(cube, cube.Survey).find("in steps of 10 ms, taken as time; set VerticalUnit for depth") !=
+    std::string::npos);
+  SurveyDescription depth = cube.Survey;
+  depth.VerticalUnit = "m";
+  depth.VerticalDomain = "depth";
+  CHECK(Describe(cube, depth).find("5 vertical indices from 0 in steps of 10 m") != std::string::npos);
+  CHECK(Describe(cube, depth).find("taken as time") == std::string::npos);
 }
 
 File BentLine()
@@ -204,6 +313,10 @@ int TestSEGYOddPlaces(int, char*[])
   PlacesAreNoLineNumbers();
   FewWrongPlacesDoNotCount();
   FloatsAreNoPlaces();
+  IrregularMidpointsMakeTheLatticeOfLeastSquares();
+  PlacesAloneMakeALattice();
+  AnglesAreNoLengths();
+  TheVerticalUnitIsSaid();
   BentLinesKeepTheirPlaces();
   WhatIsMissingOnALineIsBetweenItsNeighbours();
   return Check::Result();
