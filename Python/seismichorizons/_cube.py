@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._data import Data, Progress, call, give_survey, in_keywords, require_file, survey
+from ._data import Data, Progress, call, give_survey, in_keywords, require_file, stem, survey
 from ._files import read
 from ._horizon import Floats, Horizon, Lattice, horizon_of
 from ._made import framing, horizons, placement
@@ -157,7 +157,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     ghosts = points.get("vtkGhostType")
     amplitudes = next(values for name, values in points.items() if name != "vtkGhostType")
     return Cube(amplitudes.reshape(shape).transpose(1, 2, 0), lattice, None if ghosts is None else (ghosts == 0).reshape(shape).transpose(1, 2, 0),
-                data["line"][:, :2].reshape(*shape[1:], 2) if "line" in data else None, path.name.partition(".")[0], direction or "down", taken=tuple(in_keywords(data["description"]).splitlines()), **survey(fields))
+                data["line"][:, :2].reshape(*shape[1:], 2) if "line" in data else None, stem(path), direction or "down", taken=tuple(in_keywords(data["description"]).splitlines()), **survey(fields))
 
 
 def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), limit_side: str = "below", polarity: str = "both",
@@ -247,7 +247,7 @@ def _read_guides(path: pathlib.Path, cube: Cube, progress: Progress | None) -> d
                         lines=lattice.lines or ())
     found = call(str(path), lambda: (_core.read_text(str(path), "", _core.DEFAULT_NULLS, 0, "", options, 0.0, "up" if cube.sign > 0 else "",
                                                      ("",) * 4, progress)[1], []))
-    return horizons(found, path.name.partition(".")[0], file_name=path.name)
+    return horizons(found, stem(path), file_name=path.name)
 
 
 def _picks(given: Any, name: str, cube: Cube) -> Data:

@@ -126,6 +126,11 @@ def nulls_of(nodata: str | float | Sequence[float] | None) -> str:
     return nodata if isinstance(nodata, str) else " ".join(map(repr, map(float, np.ravel([] if nodata is None else nodata))))
 
 
+def stem(path: pathlib.Path) -> str:
+    """The name of a file without its extension, and that of gzip."""
+    return (path.with_suffix("") if path.suffix.lower() == ".gz" else path).stem
+
+
 def require_file(path: pathlib.Path) -> None:
     """Raises FileNotFoundError, or OSError for a folder and for what opening could wait for, such as a pipe."""
     if not path.exists():

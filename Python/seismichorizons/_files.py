@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _core, _gdal, _xml
-from ._data import Progress, in_keywords, nulls_of, require_file, warn_all
+from ._data import Progress, in_keywords, nulls_of, require_file, stem, warn_all
 from ._horizon import Horizon
 from ._lines import Lines
 from ._made import framing, placement
@@ -124,7 +124,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
             text = columns if isinstance(columns, str) else " ".join(columns)
             form, found = _core.read_text(name, text, nulls or _core.DEFAULT_NULLS, int(header_lines), where,
                                           placement(duplicates, gridding, leave_out_strays, **lattice), *frame, progress)
-        made = make_horizons(found, pathlib.Path(path.name.removesuffix(".gz")).stem, form, path.name)
+        made = make_horizons(found, stem(path), form, path.name)
     return _choose(path, made, horizons)
 
 

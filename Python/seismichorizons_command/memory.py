@@ -58,7 +58,7 @@ class Budget:
     def fits_file(self, path):
         """Whether any content of a file of this size is certain to fit; also true for a missing file, which its reader
         reports."""
-        least = COMPRESSED_BYTES if path.suffix == ".gz" else FILE_BYTES
+        least = COMPRESSED_BYTES if path.suffix.lower() == ".gz" else FILE_BYTES
         try:
             return self.fits(os.path.getsize(path) // least)
         except OSError:

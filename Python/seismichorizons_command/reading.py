@@ -12,7 +12,7 @@ import time
 
 import numpy as np
 from seismichorizons import _core, _gdal
-from seismichorizons._data import SURVEY
+from seismichorizons._data import SURVEY, stem
 
 from . import core, cubes, tsurf
 from .core import HorizonError, snake
@@ -221,8 +221,7 @@ def _named(path, found, form=""):
     """Returns horizons with distinct names, the description as lines, and warnings, of what the core read. The name of the
     file, which some programs write as that of the horizon, is without its extension."""
     horizons, description, warnings = found
-    stem = pathlib.Path(path.name[:-3] if path.name.lower().endswith(".gz") else path.name).stem
-    names = _core.make_distinct([stem if name in ("", path.name) else name for name, _ in horizons])
+    names = _core.make_distinct([stem(path) if name in ("", path.name) else name for name, _ in horizons])
     return ([(name, data) for name, (_, data) in zip(names, horizons)], [*filter(None, form.splitlines()), *description.splitlines()], warnings)
 
 

@@ -65,7 +65,8 @@ HORIZONS_IN = {
     "EarthVision": ("EarthVision", picks("{x:.2f} {y:.2f} {z:.2f}", EARTHVISION + "# End:\n")),
     "EarthVision grid": ("EarthVision grid", (EARTHVISION + "# Field: 4 column\n# Field: 5 row\n# End:\n# Grid_size: 6 x 5\n" + "".join(
         "%.2f %.2f %.2f %d %d\n" % row for row in zip(X, Y, Z, I + 1, J + 1))).encode()),
-    "VSet": ("GOCAD", picks("VRTX {i}{j} {x:.2f} {y:.2f} {z:.2f}", "GOCAD VSet 1\nHEADER {\nname:Top\n}\nZPOSITIVE Depth\n", "END\n")),
+    "VSet": ("points of GOCAD", picks("VRTX {i}{j} {x:.2f} {y:.2f} {z:.2f}", "GOCAD VSet 1\nHEADER {\nname:Top\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\nZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\n",
+                                        "END\n")),
     "IRAP": ("IRAP classic ASCII", ("-996 5 50.0 25.0\n%s\n6 0.0 %.1f %.1f\n0 0 0 0 0 0 0\n" % (LIMITS, X[0], Y[0]) + values(GRID)).encode()),
     "IRAP binary": ("IRAP binary", irap_binary()),
     "STORM": ("STORM", ("STORMGRID_BINARY\n\n6 5 50.0 25.0\n%s\n" % LIMITS).encode() + GRID.astype(">f8").tobytes()),
