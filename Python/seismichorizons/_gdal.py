@@ -55,13 +55,13 @@ def read_image(path: pathlib.Path) -> tuple[dict[str, Any], dict[str, Any]]:
     gdal, _, _ = _load(path)
     try:
         file = gdal.Open(str(path))
-        x, dx, rx, y, dy, ry = file.GetGeoTransform(can_return_null=True) or (None,) * 6
+        transform: Any = file.GetGeoTransform(can_return_null=True)
         band = file.GetRasterBand(1)
         values, null = band.ReadAsArray().astype(float), band.GetNoDataValue()
         system = _system_name(file.GetSpatialRef())
     except RuntimeError as error:
         raise ValueError("%s: GDAL cannot read it: %s" % (path.name, error)) from None
-    if x is None:
+    if transform is None:
         raise ValueError("%s: a picture without places, expected a GeoTIFF with a transform" % path.name)
     if file.RasterCount != 1 or values.ndim != 2:
         raise ValueError("%s: %d bands, expected one of heights" % (path.name, file.RasterCount))
@@ -69,6 +69,7 @@ def read_image(path: pathlib.Path) -> tuple[dict[str, Any], dict[str, Any]]:
     j, i = np.nonzero(is_value)
     if not len(i):
         raise ValueError("%s: no points, expected those of a horizon at least" % path)
+    x, dx, rx, y, dy, ry = transform
     x, y = x + (i + 0.5) * dx + (j + 0.5) * rx, y + (i + 0.5) * dy + (j + 0.5) * ry
     is_down = str(band.GetMetadataItem(POSITIVE_OF_BAND)).lower() == "down"
     return {"x": x, "y": y, "z": values[is_value]}, {
