@@ -144,6 +144,18 @@ int VerticalSign(const Horizon& horizon, WrittenSense sense)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+int SignOfTable(const Horizon& horizon, WrittenSense sense)
+{
+  const int sign = VerticalSign(horizon, sense);
+  bool isAbove = sign < 0 && sense == WrittenSense::AsRead;
+  for (std::int64_t point = 0; isAbove && point < horizon.NumberOfPoints(); ++point)
+  {
+    isAbove = horizon.Place(point).z() >= 0.0;
+  }
+  return isAbove ? 1 : sign;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::size_t CountColumns(int columns, int rows, std::int64_t points)
 {
   const std::int64_t count = std::int64_t(columns) * rows;

@@ -28,6 +28,10 @@ enum class WrittenSense
 /// The factor from world z to z of the file, 1 or -1.
 int VerticalSign(const Horizon& horizon, WrittenSense sense);
 
+/// The same for tables, whose names say elevation. Depths as read that are all above the datum become elevations, since
+/// readers take columns of negative numbers for these.
+int SignOfTable(const Horizon& horizon, WrittenSense sense);
+
 /// Throws InputError for 2^31 columns and more, which mostly come from a few distant points, and would fill disks.
 std::size_t CountColumns(int columns, int rows, std::int64_t points);
 

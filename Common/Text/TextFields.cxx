@@ -44,6 +44,17 @@ bool IsNumber(std::string_view field)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string WithoutDoubledQuotes(std::string_view field)
+{
+  std::string text(field);
+  for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1))
+  {
+    text.erase(at, 1);
+  }
+  return text;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<std::string_view> SplitFields(std::string_view line, FieldSeparator separator)
 {
   std::vector<std::string_view> fields;

@@ -27,6 +27,9 @@ bool IsNumber(std::string_view field);
 
 /// Quoted text is one field, without the quotes; an unmatched quote belongs to its field. The class is inline because
 /// it dominates the time of reading.
+/// Spreadsheets double the quotes in quoted fields; those stay until here.
+std::string WithoutDoubledQuotes(std::string_view field);
+
 class FieldCursor
 {
 public:
@@ -99,9 +102,10 @@ private:
   {
     const char quote = *this->Place++;
     const char* const first = this->Place;
-    while (this->Place != this->Last && *this->Place != quote)
+    const auto isDoubled = [this] { return this->Place + 1 != this->Last && this->Place[1] == '"'; };
+    while (this->Place != this->Last && (*this->Place != quote || (quote == '"' && isDoubled())))
     {
-      ++this->Place;
+      this->Place += *this->Place == quote ? 2 : 1;
     }
     if (this->Place == this->Last)
     {

@@ -207,6 +207,10 @@ void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double hei
       const PlanePoint before = lines[n].Place.Column;
       const PlanePoint beyond = lines[n].Place.Beyond();
       append({ 0.5 * (before.X + beyond.X), 0.5 * (before.Y + beyond.Y) }, heights[n - start], lines[n]);
+      if (n + 1 < end && lines[n + 1].Place == lines[n].Place) // The line turns back beyond the link.
+      {
+        append(EndOf(lines[n], true), heights[n - start], lines[n]);
+      }
     }
     append(EndOf(lines[end - 1], true), heights.back(), lines[end - 1]);
     offsets.push_back(std::int64_t(points.size()));
@@ -220,8 +224,8 @@ void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double hei
   output.CellData.Add({ CellArray::FaultName, NamesOf(lines) });
 }
 
-/// The columns on the left and the right of each line, with a point; a line of a side needs two. The left is the higher
-/// side on average.
+/// The columns on the left and the right of each line, with a point; a line of a side needs two. The left has the larger
+/// vertical indices on average.
 void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const Lattice& lattice, Horizon& output)
 {
   HeapArray<double> places;
@@ -231,15 +235,17 @@ void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const L
   std::vector<std::string> names;
   std::vector<std::string> sides;
   const LinkGrid& grid = heights.Grid();
+  const bool isUpright =
+    (lattice.ToWorld(Eigen::Vector3d::UnitZ()) - lattice.ToWorld(Eigen::Vector3d::Zero())).z() > 0.0;
   for (std::size_t line = 0; line < lines.Size(); ++line)
   {
-    for (const bool isLeft : { true, false })
+    for (const bool isUpthrown : { true, false })
     {
       std::vector<PlanePoint> columns;
       for (std::size_t n = lines.Start(line); n < lines.End(line); ++n)
       {
         const LatticeLink& link = lines[n].Place;
-        const bool isBeyond = IsLeftBeyond(link.Side, lines[n].IsForward) == isLeft;
+        const bool isBeyond = IsLeftBeyond(link.Side, lines[n].IsForward) == (isUpthrown == isUpright);
         const PlanePoint column = isBeyond ? link.Beyond() : link.Column;
         if (!std::isnan(heights[grid.ColumnOf(column)]) && (columns.empty() || columns.back() != column))
         {
@@ -260,7 +266,7 @@ void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const L
       offsets.push_back(std::int64_t(points.size()));
       numbers.push_back(int(line));
       names.push_back(NamesOf(lines)[line]);
-      sides.emplace_back(isLeft ? "upthrown" : "downthrown");
+      sides.emplace_back(isUpthrown ? "upthrown" : "downthrown");
     }
   }
   output.Places = DataArray::Take(places, 3);

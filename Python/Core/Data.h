@@ -52,7 +52,8 @@ void Take(const nb::dict& given, const char* name, T& value)
 {
   if (given.contains(name) && !nb::try_cast(given[name], value))
   {
-    throw InputError(std::string(name) + " '" + nb::str(given[name]).c_str() + "', expected another kind of value");
+    const auto text = nb::cast<std::string>(given[name].attr("__str__")());
+    throw InputError(std::string(name) + " '" + text + "', expected another kind of value");
   }
 }
 
@@ -61,7 +62,9 @@ void Take(const nb::dict& given, const char* name, std::optional<T>& value)
 {
   if (given.contains(name))
   {
-    value = nb::cast<T>(given[name]);
+    T own;
+    Take(given, name, own);
+    value = own;
   }
 }
 
@@ -73,7 +76,8 @@ void TakeChoice(const nb::dict& given, const char* name, const std::vector<std::
   {
     return;
   }
-  const auto word = nb::cast<std::string>(given[name]);
+  std::string word;
+  Take(given, name, word);
   std::string expected;
   for (std::size_t n = 0; n < words.size(); ++n)
   {

@@ -83,8 +83,8 @@ nb::tuple PutInOrder(const nb::list& given, const nb::dict& chosen, const nb::ob
       stack = MakeStack(horizons, options);
       return RunCrossings(stack, options, monitor);
     });
-  return nb::make_tuple(nb::make_tuple(stack.Names(), GiveList(made.Horizons)),
-    std::vector<std::string>{ stack.GetDoubt() });
+  return nb::make_tuple(
+    nb::make_tuple(stack.Names(), GiveList(made.Horizons)), std::vector<std::string>{ stack.GetDoubt() });
 }
 }
 

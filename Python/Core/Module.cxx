@@ -10,6 +10,7 @@
 #include "Common/Text/FileErrors.h"
 
 #include <algorithm>
+#include <typeinfo>
 
 NB_MODULE(_core, module)
 {
@@ -30,9 +31,14 @@ NB_MODULE(_core, module)
       {
         PyErr_SetString(PyExc_ValueError, error.what());
       }
+      catch (const std::bad_cast&)
+      {
+        PyErr_SetString(PyExc_ValueError, "a value of another kind than expected");
+      }
     });
   module.def(
-    "set_threads", [](int number) { SeismicHorizons::Detail::NumberOfThreads() = std::max(1, number); }, nb::arg("number"));
+    "set_threads", [](int number) { SeismicHorizons::Detail::NumberOfThreads() = std::max(1, number); },
+    nb::arg("number"));
   SeismicHorizons::BindReading(module);
   SeismicHorizons::BindStages(module);
   SeismicHorizons::BindLayers(module);

@@ -28,7 +28,7 @@ class Cube:
     Attributes
     ----------
     values : array of shape (rows, columns, samples)
-        Rows are inlines; nan where there is no sample. In a cube of `read_cube` missing samples are 0, and False in `known`.
+        Rows are inlines; nan where there is no sample. Where `known` is False values mean nothing; in a cube of `read_cube` they are 0.
     lattice : Lattice
         Of the traces; its vertical indices are the samples.
     known : bool array of the same shape, or None
@@ -94,6 +94,11 @@ class Cube:
         return data
 
 
+def _whole(pair: Any) -> Any:
+    """A pair of whole numbers as such; those of a lattice are floats."""
+    return [int(one) if float(one).is_integer() else one for one in pair] if isinstance(pair, (tuple, list)) else pair
+
+
 def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None = None, crosslines: tuple[int, int] | None = None,
               sample_range: tuple[int, int] | None = None, inline_byte: int = 0, crossline_byte: int = 0, x_byte: int = 0, y_byte: int = 0,
               sample_format: int = 0, number_of_samples: int = 0, vertical_step: float | None = None, tolerance: float = 0.25, duplicates: str = "refuse", delays: str = "interpolate",
@@ -142,7 +147,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     require_file(path)
     where = framing(vertical_step, direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system)
     options = given_options(
-        inlines=inlines, crosslines=crosslines, sample_range=sample_range, inline_byte=inline_byte, crossline_byte=crossline_byte, x_byte=x_byte,
+        inlines=_whole(inlines), crosslines=_whole(crosslines), sample_range=_whole(sample_range), inline_byte=inline_byte, crossline_byte=crossline_byte, x_byte=x_byte,
         y_byte=y_byte, sample_format=sample_format, number_of_samples=number_of_samples, vertical_step=where[0], tolerance=float(tolerance), duplicates=duplicates, delays=delays,
         ignore_incomplete_trace=ignore_incomplete_trace)
     data = call(str(path), lambda: _core.CubeFile(str(path), options, progress).read(*where[1:], progress))
@@ -226,6 +231,8 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
         guides = _read_guides(pathlib.Path(guides), cube, progress)
     picks = None if guides is None else [(name, _picks(one, name, cube)) for name, one in (
         guides.items() if isinstance(guides, Mapping) else [(getattr(guides, "name", "guide"), guides)])]
+    for one in limits:
+        require_unit(one, cube)
     bounds = [(one.name, one._data()) for one in limits] or None
     found, description, _ = call(cube.name, _core.extract, cube._data(), picks, bounds, options, progress)
     own = ("Column", "SurfaceId", "VerticalIndex", "RealZ")
@@ -250,8 +257,16 @@ def _read_guides(path: pathlib.Path, cube: Cube, progress: Progress | None) -> d
     return horizons(found, stem(path), file_name=path.name)
 
 
+def require_unit(horizon: Horizon, cube: Cube) -> None:
+    """Raises ValueError if z has another unit than the cube, where both say it."""
+    if horizon.vertical_unit and cube.vertical_unit and horizon.vertical_unit != cube.vertical_unit:
+        raise ValueError("%s with z in %s, and a cube in %s, expected the same: convert z, or set vertical_unit where it is wrong" % (
+            horizon.name, horizon.vertical_unit, cube.vertical_unit))
+
+
 def _picks(given: Any, name: str, cube: Cube) -> Data:
     if isinstance(given, Horizon):
+        require_unit(given, cube)
         return given._data()
     places = np.array(given, np.float64)
     if places.ndim != 2 or places.shape[1] != 3:

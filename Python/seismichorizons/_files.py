@@ -203,9 +203,9 @@ def _write_lines(lines: Lines, path: pathlib.Path, direction: str, progress: Pro
         raise ValueError("%s: lines, expected one of the extensions %s" % (path, ", ".join(LINE_FORMATS)))
     with _of_file(path):
         if path.suffix.lower() == _gdal.WRITTEN_LINES:
-            _core.write_contents(str(path), [("", _gdal.map_of_lines(lines, path, direction))])
+            _core.write_contents(str(path), [("", _gdal.map_of_lines(lines, path, direction or lines.direction))])
         else:
-            _core.write_faults(str(path), [(path.stem, lines._data())], direction, progress)
+            _core.write_faults(str(path), [(path.stem, lines._data())], direction or "as_read", progress)
 
 
 def _write_images(many: Mapping[Any, Any], path: pathlib.Path, name: str | None, direction: str, progress: Progress | None) -> None:
@@ -254,7 +254,7 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     if direction not in ("", "down", "up"):
         raise ValueError("direction '%s', expected down or up" % direction)
     if isinstance(data, Lines):
-        _write_lines(data, path, direction or data.direction, progress)
+        _write_lines(data, path, direction, progress)
         return
     many = dict(data) if isinstance(data, Mapping) else {n: one for n, one in enumerate(data)} if isinstance(data, (list, tuple)) else {0: data}
     for one in many.values():

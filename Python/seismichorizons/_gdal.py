@@ -121,35 +121,41 @@ def _places(geometry: Any) -> list[Any]:
     """The points of each line and ring."""
     if geometry.GetGeometryCount():
         return [places for n in range(geometry.GetGeometryCount()) for places in _places(geometry.GetGeometryRef(n))]
-    points = np.array(geometry.GetPoints() or [], float).reshape(geometry.GetPointCount(), -1)
+    points = np.array(geometry.GetPoints() or np.zeros((0, 3)), float)
     return [np.column_stack((points, np.zeros((len(points), 3 - points.shape[1]))))] if len(points) > 1 else []
 
 
 def read_lines(path: pathlib.Path, direction: str) -> dict[str, Any]:
     """Names, sticks, lines with z upwards, direction and coordinate system of the lines and polygons of a map."""
     _, ogr, _ = _load(path)
-    names, sticks, lines, system, found = [], [], [], "", direction
+    names: list[str] = []
+    sticks: list[str] = []
+    lines: list[Any] = []
+    ways: list[str] = []  # where z of each line increases to
+    system = ""
     try:
         file = ogr.Open(str(path))
+        if file is None:
+            raise ValueError("%s: GDAL cannot read it, expected a map of lines" % path)
         for layer in file:
             fields = {field.GetName().lower(): field.GetName() for field in layer.schema}
             name = next((fields[word] for word in FAULT_NAMES if word in fields), None)
             system = _system_name(layer.GetSpatialRef()) or system
             for feature in layer:
-                found = found or (POSITIVE.lower() in fields and feature.GetField(fields[POSITIVE.lower()])) or ""
+                own = direction or (POSITIVE.lower() in fields and feature.GetField(fields[POSITIVE.lower()])) or ""
                 for places in _places(feature.GetGeometryRef()) if feature.GetGeometryRef() is not None else ():
                     names.append(str(feature.GetField(name) or "") if name else "")
                     sticks.append(str(feature.GetField(fields["stick"]) or "") if "stick" in fields else "")
                     lines.append(places)
+                    ways.append(own)
     except RuntimeError as error:
         raise ValueError("%s: GDAL cannot read it: %s" % (path, error)) from None
     if not lines:
         raise ValueError("%s: no lines, expected lines or polygons of faults" % path)
     z = np.concatenate(lines)[:, 2]
-    found = found or ("up" if z.max() <= 0.0 > z.min() else "down")
-    if found == "down":
-        lines = [places * (1.0, 1.0, -1.0) for places in lines]
-    return {"names": names, "sticks": sticks, "lines": lines, "direction": found, "coordinate_system": system}
+    ways = [way or ("up" if z.max() <= 0.0 > z.min() else "down") for way in ways]
+    lines = [places * (1.0, 1.0, -1.0 if way == "down" else 1.0) for places, way in zip(lines, ways)]
+    return {"names": names, "sticks": sticks, "lines": lines, "direction": ways[0], "coordinate_system": system}
 
 
 def map_of_lines(lines: Any, path: pathlib.Path, direction: str) -> bytes:

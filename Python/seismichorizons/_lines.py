@@ -48,6 +48,9 @@ class Lines:
     coordinate_system: str = ""
 
     def __post_init__(self) -> None:
+        for what, texts in (("names", self.names), ("sticks", self.sticks or self.names)):
+            if len(texts) != len(self.lines):
+                raise ValueError("%d %s of %d lines, expected one for each" % (len(texts), what, len(self.lines)))
         self.sticks = list(self.sticks) or [""] * len(self.names)
 
     @staticmethod

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._cube import Cube
+from ._cube import Cube, require_unit
 from ._door import CROSSLINE, INLINE, STEP_TOLERANCE
 from ._horizon import Floats, Horizon, Lattice
 from ._made import framing
@@ -102,8 +102,8 @@ def _of_corners(shape: tuple[int, int], corners: Floats, lines: Lines | None) ->
     rows, columns = shape
     row, column = (corners[1] - corners[0]) / max(1, rows - 1), (corners[2] - corners[0]) / max(1, columns - 1)
     off = np.linalg.norm(corners[1] + corners[2] - corners[0] - corners[3]) if len(corners) == 4 else 0.0
-    if off > 0.5 * max(np.linalg.norm(row), np.linalg.norm(column)):
-        raise ValueError("a fourth corner %.6g from where the others have it, expected less than half a step" % off)
+    if off > 0.1 * min(np.linalg.norm(row), np.linalg.norm(column)):
+        raise ValueError("a fourth corner %.6g from where the others have it, expected less than a tenth of a step" % off)
     if not abs(row[0] * column[1] - row[1] * column[0]) > 0.0:
         raise ValueError("corners %s on one line, expected some that span a lattice" % corners.tolist())
     return _lattice(shape, corners[0], column, row, lines)
@@ -192,6 +192,8 @@ def amplitudes(cube: Cube, horizon: Horizon, base: Horizon | None = None, *, abo
     if not isinstance(cube, Cube):
         raise TypeError("amplitudes of %s, expected a Cube: read_cube(path) and cube(array) make one" % type(cube).__name__)
     require_horizon(horizon, "amplitudes")
+    for one in (horizon, *([] if base is None else [base])):
+        require_unit(one, cube)
     reach = [height(name, value, horizon.vertical_unit) for name, value in (("above", above), ("below", below))]
     z = horizon.z if horizon.sign == cube.sign else -horizon.z
     end = z if base is None else _z_at(base, horizon) * (horizon.sign * cube.sign)

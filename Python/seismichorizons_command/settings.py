@@ -4,7 +4,7 @@
 
 from . import wording
 from .arguments import assigned
-from .core import snake
+from .core import HorizonError, snake
 from .options import CUBE_PROPERTIES
 from .pipeline import Settings, fault_settings, surface_properties
 
@@ -84,6 +84,8 @@ def make_settings(options):
     throw = getattr(options, "cut_faults", None)
     settings.torn, settings.fault_lines, settings.fault_files = fault_settings(
         None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
+    if settings.fault_formats and settings.torn is None:
+        raise HorizonError("--fault-formats without faults, expected --cut-faults, --fault-lines or --fault-sticks")
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "HoleBoundaries")
     settings.simplified = {

@@ -32,6 +32,23 @@ std::string Letters(std::string_view name)
   return letters;
 }
 
+FaultRole RoleOf(FieldRole role)
+{
+  switch (role)
+  {
+    case FieldRole::X:
+      return FaultRole::X;
+    case FieldRole::Y:
+      return FaultRole::Y;
+    case FieldRole::Z:
+      return FaultRole::Z;
+    case FieldRole::HorizonName:
+      return FaultRole::Fault;
+    default:
+      return FaultRole::Ignored;
+  }
+}
+
 FaultRole RoleOfFaultColumn(std::string_view name)
 {
   const std::string letters = Letters(name);
@@ -44,19 +61,9 @@ FaultRole RoleOfFaultColumn(std::string_view name)
   {
     return FaultRole::Stick;
   }
-  switch (RoleOfName(name))
-  {
-    case FieldRole::X:
-      return FaultRole::X;
-    case FieldRole::Y:
-      return FaultRole::Y;
-    case FieldRole::Z:
-      return FaultRole::Z;
-    case FieldRole::HorizonName:
-      return FaultRole::Fault;
-    default:
-      return has("fault") || letters == "flt" || has("feature") ? FaultRole::Fault : FaultRole::Ignored;
-  }
+  const FaultRole role = RoleOf(RoleOfName(name));
+  const bool isFault = has("fault") || letters == "flt" || has("feature");
+  return role == FaultRole::Ignored && isFault ? FaultRole::Fault : role;
 }
 
 bool HasPlace(const std::vector<FaultRole>& roles)
@@ -200,27 +207,51 @@ std::vector<FaultRole> ParseRoles(const std::string& list)
   return roles;
 }
 
-/// Names above the numbers, if these say where the points are.
-std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, std::size_t fields)
-{
-  if (header.Columns.size() != fields)
-  {
-    return std::nullopt;
-  }
-  std::vector<FaultRole> roles;
-  for (const TextColumn& column : header.Columns)
-  {
-    roles.push_back(RoleOfFaultColumn(column.Name));
-  }
-  roles = KeepFirst(roles);
-  return HasPlace(roles) ? std::make_optional(roles) : std::nullopt;
-}
-
 bool IsElevationAt(const TextLayout& header, int column)
 {
   return column >= 0 && std::size_t(column) < header.Columns.size() &&
     IsElevation(header.Columns[std::size_t(column)].Name);
 }
+
+/// Names above the numbers, if these say where the points are. Throws InputError unless there are as many fields, but for
+/// empty ones at the end: else names would be of other fields. "x y z" alone says no more than the values do.
+std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, const std::vector<Fields>& rows)
+{
+  std::vector<FaultRole> roles;
+  for (const TextColumn& column : header.Columns)
+  {
+    const FaultRole role = RoleOfFaultColumn(column.Name);
+    roles.push_back(role == FaultRole::Ignored ? RoleOf(column.Role) : role);
+  }
+  roles = KeepFirst(roles);
+  if (!HasPlace(roles) && roles.size() != rows.front().size())
+  {
+    return std::nullopt;
+  }
+  if (!HasPlace(roles))
+  {
+    throw InputError("names of columns, expected x, y and z among them; Columns says what the fields are");
+  }
+  const bool arePlaces = roles == std::vector<FaultRole>{ FaultRole::X, FaultRole::Y, FaultRole::Z };
+  if (arePlaces && rows.front().size() > roles.size() && !IsElevationAt(header, 2))
+  {
+    return std::nullopt;
+  }
+  for (const Fields& row : rows)
+  {
+    // Of fewer fields in a later line the parser tells.
+    const bool isLess = &row == &rows.front() && row.size() < roles.size();
+    const auto isFilled = [](std::string_view field) { return !field.empty(); };
+    if (isLess ||
+      (row.size() > roles.size() && std::any_of(row.begin() + std::ptrdiff_t(roles.size()), row.end(), isFilled)))
+    {
+      throw InputError(std::to_string(row.size()) + " fields below " + std::to_string(roles.size()) +
+        " names of columns, expected as many; Columns says what the fields are");
+    }
+  }
+  return roles;
+}
+
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -298,7 +329,7 @@ FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& op
   {
     columns.Roles = ParseRoles(options.Columns);
   }
-  else if (const auto named = RolesOfNames(header, fields))
+  else if (const auto named = RolesOfNames(header, rows))
   {
     columns.Roles = *named;
     columns.IsUpright = IsElevationAt(header, columns.Find(FaultRole::Z));

@@ -112,17 +112,20 @@ private:
       throw ErrorAt(line, std::to_string(fields.size()) + " fields, expected the columns " + this->Columns.Describe());
     }
     const auto field = [&fields](int column)
-    { return column < 0 ? std::string() : std::string(Trim(fields[std::size_t(column)])); };
+    { return column < 0 ? std::string() : WithoutDoubledQuotes(Trim(fields[std::size_t(column)])); };
     double node = 0.0;
     const bool hasNode = this->Node >= 0 && std::size_t(this->Node) < fields.size() &&
       ReadNumber(fields[std::size_t(this->Node)], node) == NumberKind::Finite;
-    if (hasNode && this->Stick < 0 && this->HasPlace && node <= this->LastNode)
+    const Keys key = this->Columns.EndInName ? NameOf(fields, needed) : Keys(field(this->Fault), field(this->Stick));
+    // Nodes of a stick may fall; a line that begins again has the number of its first node again.
+    const bool isAgain = this->Stick < 0 ? node <= this->LastNode : node == this->FirstNode && node != this->LastNode;
+    if (hasNode && this->HasPlace && isAgain)
     {
       this->EndLine();
     }
+    this->FirstNode = !this->HasPlace || key != this->Key ? node : this->FirstNode;
     this->LastNode = node;
-    this->TakePlace(fields, this->Place,
-      this->Columns.EndInName ? NameOf(fields, needed) : Keys(field(this->Fault), field(this->Stick)), line);
+    this->TakePlace(fields, this->Place, key, line);
   }
 
   /// The fields are: INLINE- inline crossline x y z name stick. Names may contain blanks.
@@ -182,6 +185,7 @@ private:
   int Fault = -1;
   int Stick = -1;
   int Node = -1;
+  double FirstNode = 0.0; // of the line
   double LastNode = 0.0;
   std::string Name;
   Keys Key;

@@ -121,11 +121,23 @@ class CubeTest(unittest.TestCase):
         self.assertTrue(np.allclose(next(iter(written.values())).z, next(iter(found.values())).z))
         for given, message in (("InlineByte=300,CrosslineByte=9", "--cube InlineByte 300, expected 1 to 237"),
                                ("InlineByte=x,CrosslineByte=9", "inline_byte 'x', expected another kind of value"),
+                               ("SampleRange=5", "sample_range '5', expected another kind of value"),
+                               ("InlineByte=1.5", "inline_byte '1.5', expected another kind of value"),
                                ("Position=Top", r"survey.sgy: position 'top', expected middle, peak or zero_crossing"),
                                ("AmplitudeThreshold=-1", "AmplitudeThreshold -1, expected")):
             self.assertRegex(self.refused("--cube", given, CUBE), message)
         self.assertRegex(run("--cube", "Wrong=1", CUBE).stderr, "invalid choice: 'Wrong=1'")
         self.assertRegex(run("--cube", "XByte", CUBE).stderr, "invalid choice: 'XByte'")
+
+    def test_units(self):
+        """Guides, limits and horizons with z in another unit than the cube are refused, and lines of the lattice are ranges."""
+        cube = sh.read_cube(CUBE)
+        first, step = cube.lattice.lines[:2]
+        self.assertEqual(sh.read_cube(CUBE, inlines=(first, first + 2.0 * step)).lattice.shape[0], 3)
+        seconds = sh.horizon(np.full(cube.lattice.shape, 0.2), vertical_unit="s")
+        for call in (lambda: sh.extract(cube, seconds), lambda: sh.extract(cube, limits=[seconds]), lambda: sh.amplitudes(cube, seconds)):
+            with self.assertRaisesRegex(ValueError, "z in s, and a cube in ms"):
+                call()
 
     def test_a_line_is_written_as_picks_where_its_traces_are(self):
         path, folder = FOLDER / "line.sgy", FOLDER / "line"

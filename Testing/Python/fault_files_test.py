@@ -6,6 +6,7 @@ no effect is named with its cause.
 Arguments: the program horizon-mesh, and a folder for files.
 """
 
+import csv
 import dataclasses
 import gzip
 import importlib.util
@@ -214,6 +215,9 @@ class FaultFiles(unittest.TestCase):
                                         (whole, {"columns": "X Y"}, "expected X, Y and Z"),
                                         (whole, {"columns": "X X Y Z Stick"}, "each once"),
                                         (iesx()[:-4], {}, "expected EOD"),
+                                        ("Fault,Northing,Easting,Depth\nA,6,5,1,7\nA,6,6,2,7\n", {}, "5 fields below 4 names of columns, expected as many"),
+                                        ("Fault Northing Easting Depth\nMain A 6 5 1\nMain A 6 6 2\n", {}, "5 fields below 4 names"),
+                                        ("Northing,Easting,Depth,Fault\n6,5,1\n6,6,2\n", {}, "3 fields below 4 names"),
                                         ("", {}, "expected fault lines")):
             with self.subTest(words):
                 with self.assertRaises(ValueError) as caught:
@@ -293,6 +297,45 @@ class FaultsOut(unittest.TestCase):
                     self.assertEqual([points[tuple(np.round(point[:2], 3))] for point in line], line[:, 2].tolist())
                     heights.setdefault(side, []).extend(line[:, 2])
             self.assertGreaterEqual(np.mean(heights["upthrown"]), np.mean(heights["downthrown"]))
+
+    def test_sides(self):
+        """The upthrown side is the higher one in the world, whatever z counts."""
+        step = np.where(np.arange(10) < 5, 1000.0, 1030.0) + np.zeros((8, 1))
+        for direction, higher in (("down", 1000.0), ("up", 1030.0)):
+            found = sh.faults(sh.horizon(grid=step, direction=direction), lines=[np.array([[4.5, -1.0, 0.0], [4.5, 9.0, 0.0]])])
+            heights = {side: abs(line[:, 2]) for side, line in zip(found.cutoffs.sticks, found.cutoffs.lines)}
+            self.assertTrue((heights["upthrown"] == higher).all() and (heights["downthrown"] == 2030.0 - higher).all(), direction)
+
+    def test_ugly_lines(self):
+        """Come back from each format: two of a stick, with a name of quotes and commas, closed, above the datum, to and fro."""
+        square = np.array([[0.5, 0.5, -5.0], [3.5, 0.5, -6.0], [3.5, 4.5, -7.0], [0.5, 4.5, -8.0], [0.5, 0.5, -5.0]])
+        above, to_and_fro = square * (1.0, 1.0, -1.0), np.array([[4.15, 3.65, -9.0], [4.65, 1.65, -9.0], [4.15, 5.15, -9.0]])
+        flat = sh.horizon(np.full((8, 8), 1000.0))
+        for name, lines, sticks in (("P", [square, square + 7.0], ["1", "1"]), ("a, b; c", [square], [""]), ("7", [to_and_fro], ["x"]),
+                                    ("Above", [above], ["1"]), ("\u00c6r\u00f8", [square, to_and_fro], ["", ""])):
+            given = sh.Lines([name] * len(lines), lines, sticks)
+            for ending in (".dat", ".csv", ".pl", *MAPS):
+                with self.subTest(name=name, ending=ending):
+                    back = self.again(given, ending)
+                    self.assertEqual(back.names, given.names)
+                    self.assertEqual(len(back), len(lines))
+                    for one, other in zip(back, lines):
+                        np.testing.assert_array_equal(one, other)
+        found = sh.faults(flat, lines=sh.Lines(["7"], [to_and_fro], ["x"]))
+        np.testing.assert_array_equal(sh.faults(flat, lines=self.again(found.traces, ".dat")).links, found.links)
+
+    def test_empty_last_field(self):
+        """Names hold where lines end with a separator."""
+        lines = sh.read_faults(write("trailing.csv", "Fault,Northing,Easting,Elevation\nA,6,5,1,\nA,7,5,2,\n"))
+        self.assertEqual((lines.names, lines.lines[0].tolist(), lines.direction), (["A"], [[5, 6, 1], [5, 7, 2]], "up"))
+
+    def test_doubled_quotes(self):
+        """Of spreadsheets, in fields with quotes."""
+        for name in ('say "hi"', '"q"', 'a, "b"', '5" liner, east', ""):
+            text = io.StringIO()
+            csv.writer(text).writerows([("Fault", "X", "Y", "Z"), (name, 1, 2, 3), (name, 4, 5, 6)])
+            lines = sh.read_faults(write("quotes.csv", text.getvalue()))
+            self.assertEqual((lines.names, lines.lines[0].tolist()), ([name], [[1, 2, -3], [4, 5, -6]]))
 
     def test_refused(self):
         lines = sh.read_faults(write("reference.csv", FILES[0][1]))

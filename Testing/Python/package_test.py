@@ -200,6 +200,16 @@ class StagesTest(unittest.TestCase):
         self.assertIs(signal.getsignal(signal.SIGINT), before)
         self.assertGreater(len(sh.surface(sh.horizon(dome()), 1.0)), 0)
 
+    def test_values_of_other_kinds(self):
+        """Are refused, whatever takes them."""
+        top = sh.horizon(dome())
+        outline, line = sh.exterior_boundary(top), np.arange(6.0).reshape(2, 3)
+        for call in (lambda: sh.exterior_boundary(top, minimum_patch_size=3.0), lambda: sh.rough_simplification(outline, cell_size=4.0),
+                     lambda: sh.fill_holes(top, "5"), lambda: sh.exterior_boundary(top, growth=3), lambda: sh.Lines(["a"], [line, line]),
+                     lambda: sh.Lines(["a", "b"], [line, line], ["1"]), lambda: sh.read(DATA / "blobs.vsm", rows=(0.0, 0.5)),
+                     lambda: sh.cube(np.zeros((3, 4, 5)), corners=[(0, 0), (0, 200), (75, 0), (85, 200)])):
+            self.assertRaises((ValueError, TypeError), call)
+
     def test_progress(self):
         """It grows, within what is a fraction."""
         told = []

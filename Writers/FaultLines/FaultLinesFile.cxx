@@ -151,8 +151,9 @@ void WriteFaultLines(const std::string& path, const std::vector<NamedHorizon>& l
   {
     throw InputError("no fault lines, expected polylines or polygons");
   }
-  const int sign = VerticalSign(faults.front().Data, sense);
   const std::string form = ExtensionOf(path);
+  const bool isTable = form != "pl" && form != "pol";
+  const int sign = isTable ? SignOfTable(faults.front().Data, sense) : VerticalSign(faults.front().Data, sense);
   WriteHorizonFiles(
     path, faults, form == "pol",
     [&](const std::vector<NamedHorizon>& some, std::ostream& stream, const Monitor&)

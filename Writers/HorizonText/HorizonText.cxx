@@ -39,7 +39,7 @@ void PrintHorizonText(const std::vector<NamedHorizon>& horizons, const HorizonTe
     const auto size = double(horizons.size());
     return step.Step(double(number) / size, double(number + 1) / size);
   };
-  const int sign = VerticalSign(horizons.front().Data, options.Sense); // The header says one direction.
+  const int sign = SignOfTable(horizons.front().Data, options.Sense); // The header says one direction.
   bool isSameUnit = true;
   std::vector<HorizonColumns> sampled;
   for (const NamedHorizon& horizon : horizons)

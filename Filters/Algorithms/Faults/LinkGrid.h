@@ -38,6 +38,10 @@ struct LatticeLink
     return this->Side == LinkSide::East ? PlanePoint{ this->Column.X + 1, this->Column.Y }
                                         : PlanePoint{ this->Column.X, this->Column.Y + 1 };
   }
+  friend bool operator==(const LatticeLink& a, const LatticeLink& b)
+  {
+    return a.Column == b.Column && a.Side == b.Side;
+  }
 };
 
 /// A forward line goes north across a link to the east, or east across a link to the north.
