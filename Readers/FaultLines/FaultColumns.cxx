@@ -230,7 +230,8 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, con
   }
   if (!HasPlace(roles))
   {
-    throw InputError("names of columns, expected x, y and z among them; Columns says what the fields are");
+    throw ErrorAt(
+      header.HeaderLines, "names of columns, expected x, y and z among them; Columns says what the fields are");
   }
   const bool arePlaces = roles == std::vector<FaultRole>{ FaultRole::X, FaultRole::Y, FaultRole::Z };
   if (arePlaces && rows.front().size() > roles.size() && !IsElevationAt(header, 2))
@@ -245,8 +246,9 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, con
     if (isLess ||
       (row.size() > roles.size() && std::any_of(row.begin() + std::ptrdiff_t(roles.size()), row.end(), isFilled)))
     {
-      throw InputError(std::to_string(row.size()) + " fields below " + std::to_string(roles.size()) +
-        " names of columns, expected as many; Columns says what the fields are");
+      throw ErrorAt(header.HeaderLines + 1 + (&row - rows.data()),
+        std::to_string(row.size()) + " fields below " + std::to_string(roles.size()) +
+          " names of columns, expected as many; Columns says what the fields are");
     }
   }
   return roles;
