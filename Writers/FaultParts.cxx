@@ -56,8 +56,7 @@ Horizon TakeCells(const Horizon& all, const std::vector<std::int64_t>& chosen)
 std::string TextOfCell(const Horizon& lines, const char* array, std::int64_t cell)
 {
   const DataArray* const texts = lines.CellData.Find(array);
-  const bool isThere = texts && texts->IsText() && std::size_t(cell) < texts->Texts().size();
-  return isThere ? texts->Texts()[std::size_t(cell)] : std::string();
+  return texts && texts->IsText() ? texts->Texts()[std::size_t(cell)] : std::string();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -76,7 +75,7 @@ std::vector<NamedHorizon> SplitByFault(const std::vector<NamedHorizon>& all)
     std::map<std::string, std::vector<std::int64_t>> cells;
     for (std::int64_t cell = whole.Data.Vertices.Size(); cell < whole.Data.NumberOfCells(); ++cell)
     {
-      const std::string fault = TextOfCell(whole.Data, CellArray::FaultName, cell);
+      const std::string& fault = names->Texts()[std::size_t(cell)];
       std::vector<std::int64_t>& own = cells[fault];
       if (own.empty())
       {

@@ -25,11 +25,11 @@ NumberKind ReadNumber(std::string_view field, double& value);
 
 bool IsNumber(std::string_view field);
 
-/// Quoted text is one field, without the quotes; an unmatched quote belongs to its field. The class is inline because
-/// it dominates the time of reading.
 /// Spreadsheets double the quotes in quoted fields; those stay until here.
 std::string WithoutDoubledQuotes(std::string_view field);
 
+/// Quoted text is one field, without the quotes; an unmatched quote belongs to its field. The class is inline because
+/// it dominates the time of reading.
 class FieldCursor
 {
 public:

@@ -232,6 +232,7 @@ void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const L
   HeapArray<std::int64_t> points;
   HeapArray<std::int64_t> offsets = { 0 };
   std::vector<int> numbers;
+  const std::vector<std::string> faults = NamesOf(lines);
   std::vector<std::string> names;
   std::vector<std::string> sides;
   const LinkGrid& grid = heights.Grid();
@@ -265,7 +266,7 @@ void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const L
       }
       offsets.push_back(std::int64_t(points.size()));
       numbers.push_back(int(line));
-      names.push_back(NamesOf(lines)[line]);
+      names.push_back(faults[line]);
       sides.emplace_back(isUpthrown ? "upthrown" : "downthrown");
     }
   }
@@ -375,26 +376,5 @@ void RunFaults(const Horizon& horizon, GivenFaults& faultsGiven, FaultStageOptio
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
   WriteCutoffs(lines, heights, points.Lattice, outputs[CutoffsPort]);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void GivenFaults::Add(const IdleLines& idle, bool cut)
-{
-  this->DoCut = this->DoCut || cut;
-  this->Idle ? this->Idle->KeepCommon(idle) : void(this->Idle = idle);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<std::string> GivenFaults::Warnings() const
-{
-  if (!this->Idle || this->Sticks.empty() || this->DoCut)
-  {
-    return this->Idle ? this->Idle->Warnings() : std::vector<std::string>();
-  }
-  std::vector<std::string> warnings;
-  warnings.push_back("none of " + std::to_string(this->Sticks.size()) +
-    " fault polylines passes between columns of a horizon, expected lines in the coordinates of its points" +
-    (this->Idle->Cause.empty() ? "" : ": " + this->Idle->Cause));
-  return warnings;
 }
 }

@@ -11,9 +11,6 @@
 #include "Filters/Algorithms/Faults/FaultLines.h"
 #include "Filters/Common/HeightUnit.h"
 
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -37,28 +34,6 @@ struct FaultStageOptions : FaultDetectionOptions
 /// Lines and polygons, which become closed, in world coordinates. Sticks of a fault have the same FaultName in the cell
 /// data; without FaultStick, apart from its last word, the number of the stick.
 std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
-
-/// Given lines, and which of them have an effect on the horizons so far.
-class GivenFaults
-{
-public:
-  explicit GivenFaults(std::vector<FaultStick> sticks = {})
-    : Sticks(std::move(sticks))
-  {
-  }
-
-  const std::vector<FaultStick> Sticks;
-
-  bool HaveHorizons() const { return this->Idle.has_value(); }
-  void Add(const IdleLines& idle, bool cut);
-
-  /// Of lines without an effect on any horizon.
-  std::vector<std::string> Warnings() const;
-
-private:
-  bool DoCut = false;
-  std::optional<IdleLines> Idle;
-};
 
 /// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, surfaces of sticks, and
 /// cutoffs.

@@ -197,4 +197,25 @@ std::vector<std::string> IdleLines::Warnings() const
   }
   return warnings;
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+void GivenFaults::Add(const IdleLines& idle, bool cut)
+{
+  this->DoCut = this->DoCut || cut;
+  this->Idle ? this->Idle->KeepCommon(idle) : void(this->Idle = idle);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> GivenFaults::Warnings() const
+{
+  if (!this->Idle || this->Sticks.empty() || this->DoCut)
+  {
+    return this->Idle ? this->Idle->Warnings() : std::vector<std::string>();
+  }
+  std::vector<std::string> warnings;
+  warnings.push_back("none of " + std::to_string(this->Sticks.size()) +
+    " fault polylines passes between columns of a horizon, expected lines in the coordinates of its points" +
+    (this->Idle->Cause.empty() ? "" : ": " + this->Idle->Cause));
+  return warnings;
+}
 }

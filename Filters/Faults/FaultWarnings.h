@@ -11,7 +11,9 @@
 #include "Filters/Common/LatticePoints.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -40,6 +42,28 @@ IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vecto
 
 IdleLines FindIdleLines(
   const std::vector<FaultStick>& lines, const std::vector<FaultPolyline>& onMap, const LatticePoints& points);
+
+/// Given lines, and which of them have an effect on the horizons so far.
+class GivenFaults
+{
+public:
+  explicit GivenFaults(std::vector<FaultStick> sticks = {})
+    : Sticks(std::move(sticks))
+  {
+  }
+
+  const std::vector<FaultStick> Sticks;
+
+  bool HaveHorizons() const { return this->Idle.has_value(); }
+  void Add(const IdleLines& idle, bool cut);
+
+  /// Of lines without an effect on any horizon.
+  std::vector<std::string> Warnings() const;
+
+private:
+  bool DoCut = false;
+  std::optional<IdleLines> Idle;
+};
 }
 
 #endif

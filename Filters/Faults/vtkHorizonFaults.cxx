@@ -35,7 +35,8 @@ std::vector<FaultStick> SticksOf(vtkDataObject* object)
   return ReadFaultSticks(FromVTK(data));
 }
 
-/// Sticks without a name in different datasets belong to different faults. Throws InputError on other datasets than polygonal ones.
+/// Sticks without a name in different datasets belong to different faults. Throws InputError on other datasets than
+/// polygonal ones.
 std::vector<FaultStick> ReadGiven(vtkDataObject* lines)
 {
   auto* const composite = vtkCompositeDataSet::SafeDownCast(lines);

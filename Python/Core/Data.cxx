@@ -213,6 +213,7 @@ std::vector<NamedHorizon> TakeNamed(const nb::list& given)
   {
     const auto pair = nb::cast<nb::tuple>(one);
     horizons.push_back({ nb::cast<std::string>(pair[0]), TakeData(nb::cast<nb::dict>(pair[1])) });
+    CheckArraySizes(horizons.back().Data);
   }
   return horizons;
 }

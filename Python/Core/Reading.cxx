@@ -213,6 +213,26 @@ nb::tuple ReadGrid(const std::string& path, const std::string& nulls, double ver
   return nb::make_tuple(format, GiveHorizons(std::move(placed), { name }, framing));
 }
 
+/// Errors within `work` say so if the file looks like lines of faults.
+template <typename Work>
+auto SayingFaults(const std::string& path, Work&& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const InputError& error)
+  {
+    const bool areFaults = IsRecognised(
+      path.c_str(), [](std::istream& stream) { return BeginsAsFaultLines(stream) || IsFaultTable(stream); });
+    if (areFaults)
+    {
+      throw InputError(error.what() + std::string("; lines of faults are for the Fault Lines Reader"));
+    }
+    throw;
+  }
+}
+
 nb::tuple ReadText(const std::string& path, const std::string& columns, const std::string& nulls, int headerLines,
   const std::string& where, const nb::dict& options, double verticalStep, const std::string& direction,
   const std::array<std::string, 4>& survey, const nb::object& progress)
@@ -220,35 +240,17 @@ nb::tuple ReadText(const std::string& path, const std::string& columns, const st
   const Framing framing(verticalStep, direction, survey);
   std::vector<std::string> names;
   std::string format;
-  SurveyHorizons placed = Run(progress,
-    [&](const Monitor& monitor)
-    {
-      const auto stream = OpenInputFile(path);
-      const TextLayout layout = ReadTextLayout(*stream, { columns, nulls, headerLines, where });
-      PickTable picks = ReadPicks(*stream, layout, monitor.Step(0.0, 0.6));
-      format = layout.Describe(picks.OtherLines);
-      names = layout.HasNames() ? picks.Names : std::vector<std::string>{ layout.HorizonName };
-      return Place(std::move(picks), direction, options, monitor.Step(0.6, 1.0));
-    });
+  const auto read = [&](const Monitor& monitor)
+  {
+    const auto stream = OpenInputFile(path);
+    const TextLayout layout = ReadTextLayout(*stream, { columns, nulls, headerLines, where });
+    PickTable picks = ReadPicks(*stream, layout, monitor.Step(0.0, 0.6));
+    format = layout.Describe(picks.OtherLines);
+    names = layout.HasNames() ? picks.Names : std::vector<std::string>{ layout.HorizonName };
+    return Place(std::move(picks), direction, options, monitor.Step(0.6, 1.0));
+  };
+  SurveyHorizons placed = SayingFaults(path, [&] { return Run(progress, read); });
   return nb::make_tuple(format, GiveHorizons(std::move(placed), names, framing));
-}
-
-/// Errors of files that look like lines of faults say so.
-nb::tuple ReadTextOrSayFaults(const std::string& path, const std::string& columns, const std::string& nulls,
-  int headerLines, const std::string& where, const nb::dict& options, double verticalStep, const std::string& direction,
-  const std::array<std::string, 4>& survey, const nb::object& progress)
-{
-  try
-  {
-    return ReadText(path, columns, nulls, headerLines, where, options, verticalStep, direction, survey, progress);
-  }
-  catch (const InputError& error)
-  {
-    const bool areFaults = IsRecognised(
-      path.c_str(), [](std::istream& stream) { return BeginsAsFaultLines(stream) || IsFaultTable(stream); });
-    throw areFaults ? InputError(error.what() + std::string("; lines of faults are for the Fault Lines Reader"))
-                    : error;
-  }
 }
 
 /// A file of sparse voxels. With an overview it keeps no points from listing, and reads rows of chosen horizons.
@@ -431,8 +433,8 @@ void BindReading(nb::module_& module)
     [](const std::vector<std::string>& names, const std::string& remedy) { return ChooseZ(names, remedy.c_str()); });
   module.def(
     "read_grid", &ReadGrid, "path"_a, "nulls"_a, "vertical_step"_a, "direction"_a, "survey"_a, "progress"_a.none());
-  module.def("read_text", &ReadTextOrSayFaults, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "where"_a,
-    "options"_a, "vertical_step"_a, "direction"_a, "survey"_a, "progress"_a.none());
+  module.def("read_text", &ReadText, "path"_a, "columns"_a, "nulls"_a, "header_lines"_a, "where"_a, "options"_a,
+    "vertical_step"_a, "direction"_a, "survey"_a, "progress"_a.none());
   module.def("read_tsurfs", &ReadTSurfs, "path"_a, "progress"_a.none());
   module.def("read_fault_lines", &ReadLines, "paths"_a, "options"_a, "direction"_a, "progress"_a.none());
   module.def("place_points", &PlacePoints, "arrays"_a, "attributes"_a, "names"_a, "options"_a, "vertical_step"_a,

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from . import _core, _gdal
-from ._data import SURVEY, Data, Progress, give_lines, give_survey, in_keywords, loops, nulls_of, require_file, snake, survey
-from ._horizon import Floats, Horizon
+from ._data import Data, Progress, give_lines, give_survey, in_keywords, loops, nulls_of, require_file, survey
+from ._horizon import Floats
 
 
 @dataclasses.dataclass(eq=False, repr=False)
@@ -54,13 +54,12 @@ class Lines:
         self.sticks = list(self.sticks) or [""] * len(self.names)
 
     @staticmethod
-    def of(data: Data, horizon: Horizon | None = None, names: list[str] | None = None, **more: Any) -> Lines:
-        """Lines from data of the core, of a horizon or with a survey of their own."""
+    def of(data: Data, **more: Any) -> Lines:
+        """Lines from data of the core."""
         lines = [data["places"][line] for line in loops(data["lines"], False)]
-        own = survey(data["field_data"]) if horizon is None else {
-            name: getattr(horizon, name) for name in ("direction", *map(snake, SURVEY))}
-        cells = data["cell_data"]
-        return Lines(names or cells.get("FaultName", [""] * len(lines)), lines, cells.get("FaultStick", []), **own, **more)
+        cells, fields = data["cell_data"], data["field_data"]
+        own: dict[str, Any] = {"direction": "up" if fields["VerticalDirection"][0] > 0 else "down", **survey(fields), **more}
+        return Lines(cells.get("FaultName", [""] * len(lines)), lines, cells.get("FaultStick", []), **own)
 
     def __len__(self) -> int:
         return len(self.lines)
@@ -186,4 +185,4 @@ def read_faults(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
         data, description = _core.read_fault_lines(list(map(str, paths)), options, direction, progress)
     except ValueError as error:
         raise ValueError(in_keywords(str(error))) from None
-    return Lines.of(data, direction="up" if data["field_data"]["VerticalDirection"][0] > 0 else "down", taken=tuple(description.splitlines()))
+    return Lines.of(data, taken=tuple(description.splitlines()))

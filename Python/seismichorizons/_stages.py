@@ -157,7 +157,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     step, fields = abs(horizon.lattice.vertical_step), cut["field_data"]
     noise_found, least = (float(fields[name][0]) * step if name in fields else np.nan for name in ("FaultNoise", "SmallestFaultThrow"))
     return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultNames"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,
-                  Lines.of(traces, horizon), Lines.of(cutoffs, horizon), _changed(horizon, cut),
+                  Lines.of(traces), Lines.of(cutoffs), _changed(horizon, cut),
                   _by_fault(surfaces), horizon.vertical_unit)
 
 

@@ -289,7 +289,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             record.warn("%s: %s" % (label, warning))
         files = _files_of(result, names.meshes[name], record, label)
         if files and (data.count_points(result.data["mesh"]) or not settings.leave_out_invalid):
-            _write_mesh(result, files, names.lines.get(name, ()), folder, record, settings.grids_of_meshes)
+            _write_mesh(result, files, names.lines.get(name, {}), folder, record, settings.grids_of_meshes)
             record.add_horizon(result, supply, files)
             results.append(result)
         result.data.pop("measured", None)
@@ -321,8 +321,8 @@ def _write_mesh(result, files, fault_files, folder, record, grids_of_meshes):
     for name in files:
         for warning in writing.write(result, folder / name, grids_of_meshes):
             record.warn("%s: %s" % (name, warning))
-    for name in fault_files:
-        writing.write_fault_lines(result, folder / name)
+    for name, given in fault_files.items():
+        writing.write_fault_lines(result.data[given], folder / name)
 
 
 def _write(results, names, folder):

@@ -103,9 +103,10 @@ class Names:
     """The names of the result files."""
 
     def __init__(self, stem, names, settings, with_pictures):
+        mesh_stems = dict(zip(names, _mesh_stems(stem, names)))
         self.meshes = {name: ["%s.%s" % (mesh_stem, form) for form in settings.formats
                               if form not in writing.LAYER_FORMATS]
-                       for name, mesh_stem in zip(names, _mesh_stems(stem, names))}
+                       for name, mesh_stem in mesh_stems.items()}
         self.figures = ["%s_error.csv" % stem] if settings.error is not None and not settings.error_if_whole else []
         self.pictures = ["%s.png" % stem] if with_pictures else []
         self._stem = stem
@@ -116,15 +117,17 @@ class Names:
         has_surfaces = settings.torn is not None and settings.torn.get("LineType") == "Sticks"
         self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
                        if form in writing.MESH_FORMATS] if has_surfaces else []
-        self.lines = {name: ["%s_%s.%s" % (mesh_stem, kind, form) for kind in writing.FAULT_LINES for form in settings.fault_formats]
-                      for name, mesh_stem in zip(names, _mesh_stems(stem, names))} if settings.torn is not None else {}
+        # By horizon: file names and the data that they are of.
+        self.lines = {name: {"%s_%s.%s" % (mesh_stem, kind, form): given for kind, given in writing.FAULT_LINES.items()
+                             for form in settings.fault_formats}
+                      for name, mesh_stem in mesh_stems.items()} if settings.torn is not None else {}
 
     def body(self, number, form):
         """Returns the file name of the body of a layer."""
         return "%s_layer_%d.%s" % (self._stem, number + 1, form)
 
     def all(self):
-        return [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *sum(self.lines.values(), []), *self.layers, *self.bodies]
+        return [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *(file for files in self.lines.values() for file in files), *self.layers, *self.bodies]
 
 
 def _mesh_stems(stem, names):

@@ -55,13 +55,10 @@ def write_data(given, path, name):
     return _run(path, _core.write, POINT_FORMATS.get(form, form), [(name, given)], {"arrays": "picks"})
 
 
-def write_fault_lines(result, path):
-    """Writes the fault lines or the cutoffs of a result, by the end of the name. Raises HorizonError."""
-    given = result.data[next(stage for kind, stage in FAULT_LINES.items() if path.stem.endswith("_" + kind))]
-    if not data.count_lines(given):
-        return
-    direction = "up" if data.vertical_direction(given) > 0 else "down"
-    _run(path, lambda place, lines, progress: _files.write(lines, place, progress=progress), Lines.of(given, direction=direction))
+def write_fault_lines(lines, path):
+    """Writes fault lines or cutoffs, unless there are none. Raises HorizonError."""
+    if data.count_lines(lines):
+        _run(path, lambda place, given, progress: _files.write(given, place, progress=progress), Lines.of(lines))
 
 
 def write_cells(grid, path):

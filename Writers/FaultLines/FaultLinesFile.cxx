@@ -50,16 +50,20 @@ void ForEachLine(
   }
 }
 
+/// The name of a part of SplitByFault; empty if unknown.
+std::string FaultOf(const NamedHorizon& part)
+{
+  return TextOfCell(part.Data, CellArray::FaultName, part.Data.Vertices.Size());
+}
+
 // ---- Formats --------------------------------------------------------------------------------------------------------
 
 void PrintTable(const std::vector<NamedHorizon>& faults, char between, int sign, TextPrinter& out)
 {
   SurveyDescription survey = ReadSurveyFields(faults.front().Data.FieldData);
   survey.IsUpright = sign > 0;
-  const auto fault = [](const NamedHorizon& one)
-  { return TextOfCell(one.Data, CellArray::FaultName, one.Data.Vertices.Size()); };
   const bool haveNames =
-    std::any_of(faults.begin(), faults.end(), [&fault](const NamedHorizon& one) { return !fault(one).empty(); });
+    std::any_of(faults.begin(), faults.end(), [](const NamedHorizon& one) { return !FaultOf(one).empty(); });
   std::vector<std::string> names = PlaceNames(survey);
   names.insert(names.begin(), haveNames ? 1 : 0, "Fault");
   names.insert(names.end(), { "Stick", "Node" });
@@ -71,7 +75,7 @@ void PrintTable(const std::vector<NamedHorizon>& faults, char between, int sign,
   std::int64_t line = 0;
   for (const NamedHorizon& one : faults)
   {
-    const std::string name = haveNames ? Quoted(fault(one)) + between : std::string();
+    const std::string name = haveNames ? Quoted(FaultOf(one)) + between : std::string();
     ForEachLine(one.Data, sign,
       [&](std::int64_t cell, const std::vector<WrittenPlace>& places)
       {
@@ -92,7 +96,7 @@ void PrintPLines(const std::vector<NamedHorizon>& faults, int sign, TextPrinter&
   for (const NamedHorizon& fault : faults)
   {
     out.Print("GOCAD PLine 1\nHEADER {\n");
-    const std::string name = TextOfCell(fault.Data, CellArray::FaultName, fault.Data.Vertices.Size());
+    const std::string name = FaultOf(fault);
     if (!name.empty())
     {
       out.Print("name:", RequireLine("name", name), '\n');
