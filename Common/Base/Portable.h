@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Extensions of GCC and Clang beyond C++17: bit operations, 128-bit integers and vectors of four numbers. No other file
-// uses extensions.
+// Extensions of GCC and Clang beyond C++17: bit operations, 128-bit integers, vectors of four and eight numbers, and
+// functions for processors with AVX2. No other file uses extensions.
 
 #ifndef SeismicHorizonsPortable_h
 #define SeismicHorizonsPortable_h
@@ -89,6 +89,44 @@ inline FloatBatch OddOnes(const FloatBatch& a, const FloatBatch& b)
 {
   return FloatBatch{ a[1], a[3], b[1], b[3] };
 }
+
+// ---- Eight numbers at a time -------------------------------------------------------------------------------------
+// They are one or several registers of the processor, so results do not depend on it.
+template <typename Real>
+struct Eight
+{
+  typedef Real Numbers __attribute__((vector_size(8 * sizeof(Real))));
+  typedef Real Unaligned __attribute__((vector_size(8 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+};
+
+template <>
+struct Eight<std::int32_t>
+{
+  typedef std::int32_t Numbers __attribute__((vector_size(32)));
+};
+
+template <>
+struct Eight<std::int64_t>
+{
+  typedef std::int64_t Numbers __attribute__((vector_size(64)));
+};
+
+/// Functions with the first mark may use AVX2 if HasAvx2(). What they call has the second mark, and is compiled for
+/// each of its callers.
+#if defined(__x86_64__)
+#define SEISMICHORIZONS_WITH_AVX2 __attribute__((target("avx2")))
+inline bool HasAvx2()
+{
+  return __builtin_cpu_supports("avx2") != 0;
+}
+#else
+#define SEISMICHORIZONS_WITH_AVX2
+inline bool HasAvx2()
+{
+  return false;
+}
+#endif
+#define SEISMICHORIZONS_PART_OF_CALLER __attribute__((always_inline)) inline
 }
 
 #endif

@@ -82,7 +82,7 @@ class BrowserTest(unittest.TestCase):
     def test_mesh_is_drawn(self):
         """All meshes of the file, which fill a good part of the picture in many colours."""
         self.open(self.sample)
-        self.assertGreater(int(self.browser.wait(DRAWN)), 1000)
+        self.assertGreater(int(self.browser.wait(DRAWN)), 500)
         pixels = self.canvas()
         colorful = np.ptp(pixels[..., :3], axis=-1) > 40
         self.assertTrue(0.1 < colorful.mean() < 0.7, colorful.mean())

@@ -13,6 +13,7 @@
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/Types.h"
 #include "HeightMesh.h"
+#include "MeshGroups.h"
 #include "MeshImprover.h"
 #include "MeshRefiner.h"
 

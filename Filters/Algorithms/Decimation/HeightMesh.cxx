@@ -231,6 +231,43 @@ void HeightMesh::Remove(VertexId vertex)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Replace(
+  std::vector<PointId> sources, const std::vector<std::vector<double>>& heights, const RawVector<VertexId>& triangles)
+{
+  assert(sources.size() == this->Sources.size() && heights.size() == this->NumberOfHorizons());
+  for (std::size_t vertex = 0; vertex < sources.size(); ++vertex)
+  {
+    if (this->Sources[vertex] != NoPoint && this->Sources[vertex] != sources[vertex])
+    {
+      this->Marks[this->Sources[vertex]] = 0;
+    }
+  }
+  this->Sources = std::move(sources);
+  this->Removed = 0;
+  std::vector<PlanePoint> places;
+  places.reserve(this->Sources.size());
+  for (std::size_t vertex = 0; vertex < this->Sources.size(); ++vertex)
+  {
+    const PointId source = this->Sources[vertex];
+    places.push_back(source == NoPoint ? this->Raised(VertexId(vertex)).Column : this->Places[source]);
+    for (std::size_t horizon = 0; horizon < heights.size(); ++horizon)
+    {
+      this->Horizons[horizon].Vertices[vertex] = { places.back(), heights[horizon][vertex] };
+    }
+    if (source == NoPoint)
+    {
+      ++this->Removed;
+    }
+    else
+    {
+      this->Marks[source] = 1;
+    }
+  }
+  this->Mesh.Replace(std::move(places), triangles);
+  this->SortVertices();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::SortVertices()
 {
   std::vector<VertexId> order;

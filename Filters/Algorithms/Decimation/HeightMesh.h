@@ -64,6 +64,7 @@ public:
   std::size_t NumberOfAllPoints() const { return this->Patches.size(); }
   bool HasPoint(PointId point) const { return this->Patches[point] >= 0; }
   const Loops& Boundary() const { return this->Horizon.Boundary; }
+  const LinkCuts* Cuts() const { return this->Horizon.Cuts.get(); }
   const PlanePoint& Column(PointId point) const { return this->Places[point]; }
   const PlaneMesh& Triangles() const { return this->Mesh; }
   PlaneMesh& Triangles() { return this->Mesh; }
@@ -78,6 +79,8 @@ public:
   /// Vertices on loops, and vertices passed to Fix(), are never removed.
   bool IsFixed(VertexId vertex) const { return this->AreFixed[vertex] != 0; }
   void Fix(VertexId vertex) { this->AreFixed[vertex] = 1; }
+  std::size_t NumberOfPatches() const { return this->Horizons.front().Rasters.size(); }
+  std::int32_t PatchOf(VertexId vertex) const { return this->Patches[this->Sources[vertex]]; }
   PointId SourceOf(VertexId vertex) const { return this->Sources[vertex]; }
   std::vector<VertexId> VerticesByPoint() const;
   /// Returns vertices on no loop, ascending.
@@ -91,6 +94,10 @@ public:
   void Remove(VertexId vertex);
   /// Resets a vertex to the height of its column.
   void PutBack(VertexId vertex);
+  /// Gives vertices other points, NoPoint to remove them, other heights by horizon, and other triangles. Kept edges
+  /// remain.
+  void Replace(std::vector<PointId> sources, const std::vector<std::vector<double>>& heights,
+    const RawVector<VertexId>& triangles);
   /// Drops removed vertices.
   void SortVertices();
   void SortByPlace();

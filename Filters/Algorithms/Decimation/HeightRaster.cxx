@@ -64,7 +64,6 @@ RawVector<PointId> HeightRaster::MakePlaces()
   assert(!this->Box.IsEmpty());
   this->Width = std::int64_t(this->Box.Greatest.X) - this->Box.Least.X + 1;
   const std::int64_t rows = std::int64_t(this->Box.Greatest.Y) - this->Box.Least.Y + 1;
-  constexpr std::int64_t Beyond = 3; // for reads of four columns
   RawVector<PointId> points;
   points.resize(std::size_t(this->Width * rows + Beyond));
   ParallelFor(std::int64_t(points.size()), ColumnGrain,
@@ -115,6 +114,18 @@ void HeightRaster::SetFloats(const std::vector<unsigned char>* isKnown)
           hasHeight ? float(this->Heights[point] - middle) : std::numeric_limits<float>::quiet_NaN();
       }
     });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightRaster::ReadHeights(const PlaneBox& box, double less, RawVector<double>& heights) const
+{
+  for (std::int32_t y = box.Least.Y; y <= box.Greatest.Y; ++y)
+  {
+    for (std::int64_t place = this->Place(box.Least.X, y); place <= this->Place(box.Greatest.X, y); ++place)
+    {
+      heights.push_back(this->At<double>(place) - less);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -94,6 +94,21 @@ public:
     return this->Box.Contains(column) ? (*this->Points)[this->Place(column.X, column.Y)] : NoPoint;
   }
 
+  /// Sets the heights of the columns in a box, row by row, less a height; NaN without a known point. All must be in the
+  /// raster.
+  void ReadHeights(const PlaneBox& box, double less, RawVector<double>& heights) const;
+  /// Floats from a column on, relative to the middle height; rows are Columns() apart, and Beyond more can be read.
+  const float* FloatsFrom(const PlanePoint& column) const
+  {
+    return this->Floats.data() + this->Place(column.X, column.Y);
+  }
+  std::int64_t Columns() const { return this->Width; }
+  double MiddleHeight() const { return this->MiddleAs<float>(); }
+  static constexpr std::int64_t Beyond = 7;
+
+  /// NaN without a known point.
+  double HeightAt(const PlanePoint& column) const { return this->At<double>(this->Place(column.X, column.Y)); }
+
   double LowestHeight() const { return this->Lowest; }
   double HighestHeight() const { return this->Highest; }
 
@@ -126,7 +141,9 @@ public:
   template <typename Visitor>
   void ForEachColumn(const RaisedTriangle& triangle, Visitor&& visit) const;
 
-  /// Floats suffice if they round little beside the bound, for corners within it of their columns.
+  /// Of heights measured in floats, with corners within the bound of their columns.
+  double FloatRounding(double bound) const;
+  /// Floats suffice if they round little beside the bound.
   bool IsFloatEnough(double bound) const;
 
   /// Calls visit(errors, b, c, isIn): errors, 0 without a point; weights of the second and third corner; and 1 for
@@ -144,8 +161,6 @@ private:
   RawVector<PointId> MakePlaces();
   void Add(PointId point, const PlanePoint& column, RawVector<PointId>& points) const;
   void SetFloats(const std::vector<unsigned char>* isKnown);
-
-  double FloatRounding(double bound) const;
 
   /// Returns NaN without a known point.
   template <typename Real>

@@ -9,6 +9,7 @@
 #include "Common/Horizon/Predicates.h"
 #include "Decimation.h"
 #include "HeightMesh.h"
+#include "MeshGroups.h"
 #include "MeshRefiner.h"
 
 #include <algorithm>
@@ -571,11 +572,7 @@ private:
 constexpr double ErrorBeforeFit = 1.3;
 constexpr double ReachOfFit = 0.9;
 
-// ---- Rounds of both ------------------------------------------------------------------------------------------------
-// Rounds end below this fraction of the inner vertices: smooth horizons after one, integer heights after several.
-constexpr double LeastFractionOfRound = 0.04;
-constexpr int MostRounds = 4;
-
+// ---- Numbers of vertices -------------------------------------------------------------------------------------------
 // After this number of halvings, any angle will do.
 constexpr int MostHalvings = 12;
 
@@ -612,32 +609,14 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
 
 //----------------------------------------------------------------------------------------------------------------------
 void ImproveWithinError(
-  HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule)
+  HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const ColumnRule& rule)
 {
-  const double error = options.MaximumError;
-  MeshCost cost(DecimationPriority::LargestError, error, options.SmallestAngle);
-  cost.LargestError = error + mesh.Rounding();
-  const auto fit = [&](FitAim aim, const Monitor& step)
-  {
-    if (options.FitHeights)
-    {
-      MoveHeightsWithin(mesh, cost.LargestError, FitAllHeights(mesh, aim, error, rule, step));
-    }
-  };
-  // The smaller mesh is faster, and leaves the fewest vertices.
   mesh.SortByPlace();
-  VertexRemoval(mesh, cost).Run(0, monitor.Step(0.0, 0.3));
-  bool isWorthIt = true;
-  for (int round = 0; round < MostRounds && isWorthIt; ++round)
-  {
-    const Monitor step = monitor.Step(0.3 + 0.15 * round, 0.45 + 0.15 * round);
-    const std::size_t before = mesh.NumberOfInnerVertices();
-    EdgeFlips(mesh, cost).Run(step.Step(0.0, 0.3));
-    fit(FitAim::LargestError, step.Step(0.3, 0.5));
-    VertexRemoval(mesh, cost).Run(0, step.Step(0.5, 1.0));
-    isWorthIt = double(before - mesh.NumberOfInnerVertices()) >= LeastFractionOfRound * double(before);
-  }
-  fit(FitAim::Squares, monitor.Step(0.9, 1.0));
+  ImproveInGroups(mesh, options, rule, monitor.Step(0.0, 0.9));
+  // Groups leave room for rounding, so this changes nothing; but the bound is measured before it is promised.
+  MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
+  refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.9, 0.95));
+  refiner.InsertAtEdges(options.MaximumError, monitor.Step(0.95, 1.0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "Decimation.h"
 #include "HeightFit.h"
 #include "HeightMesh.h"
+#include "MeshGroups.h"
 
 #include <cstddef>
 
@@ -20,9 +21,9 @@ void InsertToError(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule = HeightRule());
 
 /// The mesh must keep the error, at columns and inner edges of all horizons, and still does so. Kept edges and fixed
-/// vertices stay.
+/// vertices stay; others may move to other columns, where the rule applies to their heights.
 void ImproveWithinError(
-  HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const HeightRule& rule = HeightRule());
+  HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const ColumnRule& rule = ColumnRule());
 
 /// Stops early if no vertex can be removed. Errors of all triangles must be current.
 void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);

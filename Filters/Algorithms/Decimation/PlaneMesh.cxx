@@ -38,9 +38,16 @@ std::vector<std::int32_t> NumbersIn(const std::vector<std::int32_t>& order, std:
 
 //----------------------------------------------------------------------------------------------------------------------
 PlaneMesh::PlaneMesh(std::vector<PlanePoint> places, const RawVector<VertexId>& triangles)
-  : Places(std::move(places))
+{
+  this->Replace(std::move(places), triangles);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::Replace(std::vector<PlanePoint> places, const RawVector<VertexId>& triangles)
 {
   assert(triangles.size() % 3 == 0);
+  this->Places = std::move(places);
+  this->Triangles.clear();
   this->Triangles.reserve(triangles.size() / 3);
   for (std::size_t first = 0; first < triangles.size(); first += 3)
   {

@@ -83,6 +83,8 @@ public:
 
   /// Moves an inner vertex to its second next corner in ring[n]. ring[n] and the next triangle are removed.
   void Collapse(VertexId vertex, const std::vector<TriangleId>& ring, std::size_t n);
+  /// All triangles around an inner vertex must remain counter-clockwise.
+  void MoveTo(VertexId vertex, const PlanePoint& place) { this->Places[vertex] = place; }
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoVertex; }
 
   bool IsKept(VertexId a, VertexId b) const { return !this->Kept.empty() && this->Kept.count(EdgeKey(a, b)) > 0; }
@@ -95,6 +97,8 @@ public:
   /// Kept and boundary edges count as Delaunay.
   bool IsDelaunay(TriangleId triangle, int edge) const;
 
+  /// Kept edges remain.
+  void Replace(std::vector<PlanePoint> places, const RawVector<VertexId>& triangles);
   void Compact();
   void ReorderVertices(const std::vector<VertexId>& order);
   /// Successive triangles become neighbours, which suits the cache.

@@ -438,7 +438,9 @@ private:
     }
     if (this->Options.Effort == DecimationEffort::Best && options.MaximumError > 0.0)
     {
-      ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0), rule);
+      ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0),
+        [this](const PlanePoint& column, std::vector<double>& heights)
+        { this->OrderAt((*this->Index)[this->Index->Place(column)], heights); });
     }
     this->FitHeightsAtFaults(mesh, rule);
   }
@@ -487,38 +489,44 @@ private:
   /// are one at the neighbours, too, or on a pinch-out line: else noise would pinch thin layers everywhere.
   void OrderFitted(const HeightMesh& mesh, std::vector<InnerHeights>& fitted) const
   {
+    std::vector<double> heights(fitted.size());
+    for (std::size_t n = 0; n < fitted.front().Vertices.size(); ++n)
+    {
+      std::transform(
+        fitted.begin(), fitted.end(), heights.begin(), [n](const InnerHeights& own) { return own.Heights[n]; });
+      this->OrderAt(mesh.SourceOf(fitted.front().Vertices[n]), heights);
+      for (std::size_t horizon = 0; horizon < fitted.size(); ++horizon)
+      {
+        fitted[horizon].Heights[n] = heights[horizon];
+      }
+    }
+  }
+
+  /// Heights are those of the mesh.
+  void OrderAt(PointId point, std::vector<double>& fitted) const
+  {
     const std::size_t horizons = this->Horizons.size();
-    const std::vector<VertexId>& vertices = fitted.front().Vertices;
-    const auto heightOf = [&](std::size_t horizon, std::size_t n) -> double&
-    { return fitted[this->InMesh(horizon)].Heights[n]; };
     std::vector<double> heights;
     std::vector<unsigned char> isOne;
     std::vector<std::size_t> known;
-    for (std::size_t n = 0; n < vertices.size(); ++n)
+    for (std::size_t horizon = 0; horizon < horizons; ++horizon)
     {
-      const PointId point = mesh.SourceOf(vertices[n]);
-      heights.clear();
-      isOne.clear();
-      known.clear();
-      for (std::size_t horizon = 0; horizon < horizons; ++horizon)
+      if (!std::isnan(this->Heights[horizon][std::size_t(point)]))
       {
-        if (!std::isnan(this->Heights[horizon][std::size_t(point)]))
-        {
-          heights.push_back(heightOf(horizon, n));
-          isOne.push_back(horizon + 1 < horizons && this->AreOne(horizon, point) ? 1 : 0);
-          known.push_back(horizon);
-        }
+        heights.push_back(fitted[this->InMesh(horizon)]);
+        isOne.push_back(horizon + 1 < horizons && this->AreOne(horizon, point) ? 1 : 0);
+        known.push_back(horizon);
       }
-      OrderColumn(heights, isOne, this->Options.Crossings.HeightsGrowDownwards);
-      for (std::size_t horizon = 0, next = 0; horizon < horizons; ++horizon)
-      {
-        next += next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // absent ones get the height above
-        heightOf(horizon, n) = heights[next];
-      }
-      for (std::size_t layer = 0; horizons + layer < this->Heights.size(); ++layer)
-      {
-        heightOf(horizons + layer, n) = heightOf(layer, n) - heightOf(layer + 1, n);
-      }
+    }
+    OrderColumn(heights, isOne, this->Options.Crossings.HeightsGrowDownwards);
+    for (std::size_t horizon = 0, next = 0; horizon < horizons; ++horizon)
+    {
+      next += next + 1 < known.size() && known[next + 1] == horizon ? 1 : 0; // absent ones get the height above
+      fitted[this->InMesh(horizon)] = heights[next];
+    }
+    for (std::size_t layer = 0; horizons + layer < this->Heights.size(); ++layer)
+    {
+      fitted[this->InMesh(horizons + layer)] = fitted[this->InMesh(layer)] - fitted[this->InMesh(layer + 1)];
     }
   }
 

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Improves a group of triangles, whose outer edges stay, within an error. One thread does this alone.
+//
+// Collapses remove vertices (Hoppe 1996, "Progressive meshes"), and the other end of the edge may move half-way and gets
+// a new height. Moves take a vertex to a neighbouring column, and flips exchange diagonals (Dyn, Levin and Rippa 1990,
+// "Data dependent triangulations for piecewise linear interpolation"). The cost is the sum of fourth powers of errors,
+// so that errors grow evenly.
+
+#ifndef SeismicHorizonsGroupMesh_h
+#define SeismicHorizonsGroupMesh_h
+
+#include "Common/Horizon/LinkCuts.h"
+#include "Common/Horizon/PlaneGeometry.h"
+#include "Common/Horizon/Types.h"
+#include "HeightRaster.h"
+#include "PlaneMesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// What has changed around a vertex since it was tried last.
+enum VertexMark : std::uint8_t
+{
+  TryCollapse = 1,
+  TryMove = 2,
+  TryAll = TryCollapse | TryMove
+};
+
+struct GroupVertex
+{
+  bool IsFixed = false;
+  std::uint8_t Marks = TryAll;
+  bool IsGone = false;
+};
+
+struct Group
+{
+  struct Horizon
+  {
+    std::vector<double> Heights; // by vertex
+    const HeightRaster* Raster; // of the group's patch
+  };
+
+  /// Places count from the least corner of the box. Ends of kept edges must be fixed.
+  PlaneMesh Mesh;
+  std::vector<GroupVertex> Vertices;
+  std::vector<Horizon> Horizons;
+  PlaneBox Box;
+  const LinkCuts* Cuts = nullptr;
+  /// Changes the heights that a vertex in a column of the horizon would get.
+  std::function<void(const PlanePoint&, std::vector<double>&)> Rule;
+};
+
+enum class GroupStep
+{
+  Collapse,
+  Move,
+  Flip,
+  FitSquares
+};
+
+struct GroupOptions
+{
+  double Error = 0.0;
+  /// In degrees: no change makes a smaller angle, unless one was smaller before.
+  double SmallestAngle = 0.0;
+  bool FitHeights = true;
+};
+
+/// Repeats the steps until few vertices go.
+void ImproveGroup(Group& group, const GroupOptions& options, const std::vector<GroupStep>& steps, int mostRounds);
+}
+
+#endif
