@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsBoundedHorizon_h
 #define SeismicHorizonsBoundedHorizon_h
 
+#include "DroppedPoints.h"
 #include "LinkCuts.h"
 #include "PlaneGeometry.h"
 #include "Types.h"
@@ -61,6 +62,8 @@ struct BoundedHorizon
   std::vector<std::int64_t> Count; // Original points per point; empty for one each.
   Loops Boundary;
   std::int32_t SubVoxelsPerColumn = 1;
+  /// These have no patch, but their heights count on links that cross edges, and where they lie on loops.
+  DroppedPoints Dropped;
   std::shared_ptr<const LinkCuts> Cuts; // Points on different sides of cuts are never merged; null without cuts.
 
   SubVoxelPlaces Places() const

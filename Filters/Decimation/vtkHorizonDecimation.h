@@ -10,12 +10,14 @@
  * that face +z in the world. Every vertex is in the column of a point of the input; PointCount is the number of points
  * that it represents. New cell data, nan for polylines:
  *  - Compactness, Quality (float): as of vtkHorizonTriangulation;
- *  - Error (double): the largest vertical distance of a point inside a triangle, or on its sides, in lattice units.
+ *  - Error (double): the largest vertical distance of a point inside a triangle or on its sides, and of these as far as
+ *    they count for LargestLoopError, in lattice units.
  *
  * New field data, one value each, distances in lattice units:
  *  - LargestError, MeanError (double): vertical distances of all points from the mesh;
  *  - LargestLoopError (double): the largest vertical distance of loops from the lines between neighbouring columns that
- *    they cross, and from points that a boundary simplification dropped from them (OutlineHeightDeviation);
+ *    they cross, of inner sides from such lines to points that a boundary simplification dropped, and of loops from
+ *    these points (OutlineHeightDeviation);
  *  - TriangleCount (vtkIdType), SmallestAngle (double, in degrees), on the map;
  *  - SliverCount (vtkIdType): triangles with an angle below the requested SmallestAngle, nearly all of them at
  *    outlines;

@@ -16,6 +16,7 @@ ReducedMeshOptions vtkHorizonReducedMesh::MakeMeshOptions() const
   options.Priority =
     this->Priority == LargestErrors ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
   options.SmallestAngle = this->SmallestAngle;
+  options.Crossings = static_cast<SeismicHorizons::CrossingTolerance>(this->CrossingTolerance);
   options.MaximumError =
     this->MaximumError == AutomaticError ? std::nullopt : std::optional<double>(this->MaximumError);
   options.ErrorUnit = static_cast<HeightUnit>(this->ErrorUnit);

@@ -20,8 +20,9 @@
  * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles, in
  * ten meshes at most. Outlines are simplified for that error, and inner points are added up to the number.
  *
- * With a SmallestAngle above 0, outlines also keep points beside slivers of a first mesh of the effort Fast; only with 0
- * are the results those of the single stages.
+ * With a SmallestAngle above 0, outlines also keep points beside slivers of a first mesh of the effort Fast, and with a
+ * bound of CrossingTolerance those on lines that its edges cross too far away; otherwise the mesh is that of the single
+ * stages.
  *
  * The result is the same for any number of threads. Time is near linear; memory beyond the input is about 50 bytes per
  * point and 12 per column of the bounding box of a patch.

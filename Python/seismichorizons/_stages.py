@@ -179,7 +179,8 @@ def surface(horizon: Mapping[str, Horizon], largest_error: float | str | None = 
 
 
 def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,  # type: ignore[misc]
-            smallest_angle: float = 2.0, effort: str = "best", fit_heights: bool = True, radius: int | None = None,
+            smallest_angle: float = 2.0, effort: str = "best", fit_heights: bool = True, crossing_tolerance: str = "same",
+            radius: int | None = None,
             hole_boundaries: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
             outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
             seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
@@ -199,6 +200,9 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         "fast" takes about a third of the time, for some more triangles.
     fit_heights : bool
         Lets inner points leave the heights of their columns, which needs fewer of them.
+    crossing_tolerance : "same", "twice" or "unbounded"
+        How far inner edges may be from lines between neighbouring columns that they cross: as far as points, twice as far,
+        or any distance, where triangles may stand up like spikes.
     radius : int, optional
         The largest gap between neighbouring points of a patch, in columns; by default the least for nearly all gaps.
     hole_boundaries : bool
@@ -237,7 +241,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     (True, True)
     """
     if isinstance(horizon, Mapping):
-        given = dict(triangles=triangles, smallest_angle=smallest_angle, effort=effort, fit_heights=fit_heights, radius=radius,
+        given = dict(triangles=triangles, smallest_angle=smallest_angle, effort=effort, fit_heights=fit_heights,
+                     crossing_tolerance=crossing_tolerance, radius=radius,
                      hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
                      outline_tolerance=outline_tolerance, faults=faults,
                      close_faults=close_faults, seam_rows=seam_rows, progress=progress)
@@ -247,6 +252,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         raise ValueError("largest_error and triangles, expected one of them")
     options = given_options(
         smallest_angle=float(smallest_angle), effort=effort, fit_heights=bool(fit_heights), hole_boundaries=bool(hole_boundaries),
+        crossing_tolerance=crossing_tolerance,
         minimum_patch_size=_count("minimum_patch_size", minimum_patch_size), close_faults=bool(close_faults), error_unit="world",
         radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),
         smallest_hole_size=None if smallest_hole_size is None else _count("smallest_hole_size", smallest_hole_size),

@@ -126,9 +126,9 @@ def random_tolerances(random):
 
 
 class BoundTest(unittest.TestCase):
-    def check(self, seed, horizon, mesh, *tolerances, in_windows=False):
+    def check(self, seed, horizon, mesh, *tolerances, **parts):
         if mesh.GetNumberOfPolys() > 0:
-            faults = bound_check.check(horizon, mesh, *tolerances, in_windows=in_windows)
+            faults = bound_check.check(horizon, mesh, *tolerances, **parts)
             self.assertEqual(faults[:3], [], f"seed {seed}, tolerances {tolerances}, {len(faults)} faults")
 
     def test_surface(self):
@@ -173,7 +173,7 @@ class BoundTest(unittest.TestCase):
             decimation = sh.vtkHorizonDecimation()
             decimation.SetErrorUnitToLattice()
             decimation.SetMaximumError(error)
-            self.check(seed, horizon, run(decimation, outlines), error, outline, height)
+            self.check(seed, horizon, run(decimation, outlines), error, outline, height, in_stages=True)
 
     def test_windows(self):
         for seed in range(FIRST, FIRST + RUNS):

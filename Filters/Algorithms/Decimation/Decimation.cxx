@@ -10,6 +10,7 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/Types.h"
 #include "HeightMesh.h"
@@ -24,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -58,6 +58,12 @@ public:
   }
 
 private:
+  struct Sum
+  {
+    double Errors = 0.0; // of columns that the triangle owns
+    std::size_t OnLoops = 0; // dropped points
+  };
+
   void WritePoints()
   {
     Reduction& points = this->Result.Points;
@@ -88,23 +94,31 @@ private:
   void AssignPoints(const Monitor& monitor)
   {
     this->Result.Errors.assign(std::size_t(this->Mesh.Size()), 0.0);
-    std::vector<double> sums(this->Result.Errors.size(), 0.0);
-    this->Surface.ForEachTriangle(
-      monitor, [&](TriangleId triangle) { sums[triangle] = this->AssignPointsOf(triangle); });
-    double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    std::vector<Sum> sums(this->Result.Errors.size());
+    this->Surface.ForEachTriangle(monitor,
+      [&](TriangleId triangle)
+      {
+        this->AssignPointsOf(triangle, sums[triangle]);
+        this->AddDroppedOf(triangle, sums[triangle]);
+      });
+    Sum all;
+    for (const Sum& one : sums)
+    {
+      all.Errors += one.Errors;
+      all.OnLoops += one.OnLoops;
+    }
     for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {
-      sum += std::abs(this->Surface.Height(vertex) - this->Surface.ColumnHeight(vertex));
+      all.Errors += std::abs(this->Surface.Height(vertex) - this->Surface.ColumnHeight(vertex));
     }
-    this->Result.MeanError = this->Surface.NumberOfPoints() == 0 ? 0.0 : sum / double(this->Surface.NumberOfPoints());
+    const std::size_t points = this->Surface.NumberOfPoints() + all.OnLoops;
+    this->Result.MeanError = points == 0 ? 0.0 : all.Errors / double(points);
     const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());
     this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
   }
 
-  /// Returns the sum of errors of the columns that the triangle owns.
-  double AssignPointsOf(TriangleId triangle)
+  void AssignPointsOf(TriangleId triangle, Sum& sum)
   {
-    double sum = 0.0;
     double& largest = this->Result.Errors[triangle];
     this->Surface.RasterOf(triangle).ForEachColumn(this->Surface.RaisedCorners(triangle),
       [&](PointId point, double error, const std::array<double, 3>& weights)
@@ -112,12 +126,37 @@ private:
         largest = std::max(largest, std::abs(error));
         if (this->Surface.Owns(triangle, weights))
         {
-          sum += std::abs(error);
+          sum.Errors += std::abs(error);
           const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
           this->Result.Points.Target[point] = this->Result.Triangles[3 * triangle + nearest];
         }
       });
-    return sum;
+  }
+
+  /// Dropped points on edges of loops are covered, too.
+  void AddDroppedOf(TriangleId triangle, Sum& sum)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (this->Mesh.Neighbour(triangle, edge) != NoTriangle)
+      {
+        continue;
+      }
+      const RaisedPoint& from = this->Surface.Raised(this->Mesh.Corner(triangle, edge));
+      const RaisedPoint& to = this->Surface.Raised(this->Mesh.Corner(triangle, NextCorner(edge)));
+      ForEachColumnBetween(from.Column, to.Column,
+        [&](const PlanePoint& column, double part)
+        {
+          const double own = this->Surface.RasterOf(triangle).DroppedHeight(column);
+          if (!std::isnan(own))
+          {
+            const double error = std::abs(from.Height + part * (to.Height - from.Height) - own);
+            this->Result.Errors[triangle] = std::max(this->Result.Errors[triangle], error);
+            sum.Errors += error;
+            ++sum.OnLoops;
+          }
+        });
+    }
   }
 
   void CheckAllAssigned() const
@@ -139,24 +178,24 @@ private:
 
   void MeasureEdges(const Monitor& monitor)
   {
-    std::vector<std::array<double, 2>> errors(std::size_t(this->Mesh.Size()), { 0.0, 0.0 });
+    std::vector<CrossingErrors> errors(std::size_t(this->Mesh.Size()));
     this->Surface.ForEachTriangle(monitor,
       [&](TriangleId triangle)
       {
         for (int edge = 0; edge < 3; ++edge)
         {
-          const TriangleId beyond = this->Mesh.Neighbour(triangle, edge);
-          if (beyond == NoTriangle || beyond > triangle)
-          {
-            double& largest = errors[triangle][beyond == NoTriangle ? 1 : 0];
-            largest = std::max(largest, this->Surface.MeasureCrossings(triangle, edge).Largest);
-          }
+          const bool isOnLoop = this->Mesh.Neighbour(triangle, edge) == NoTriangle;
+          const CrossingErrors own = this->Surface.MeasureCrossings(triangle, edge);
+          CrossingErrors& all = errors[triangle];
+          all.Inside = isOnLoop ? all.Inside : std::max(all.Inside, own.Inside);
+          all.BesideLoops = std::max({ all.BesideLoops, own.BesideLoops, isOnLoop ? own.Inside : 0.0 });
         }
+        this->Result.Errors[triangle] = std::max(this->Result.Errors[triangle], errors[triangle].BesideLoops);
       });
-    for (const auto& [ofInner, ofLoop] : errors)
+    for (const CrossingErrors& one : errors)
     {
-      this->Result.LargestEdgeError = std::max(this->Result.LargestEdgeError, ofInner);
-      this->Result.LargestLoopError = std::max(this->Result.LargestLoopError, ofLoop);
+      this->Result.LargestEdgeError = std::max(this->Result.LargestEdgeError, one.Inside);
+      this->Result.LargestLoopError = std::max(this->Result.LargestLoopError, one.BesideLoops);
     }
   }
 
@@ -270,23 +309,30 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, co
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
 {
   Check(options);
-  RawVector<PointId> triangles;
+  PlanMesh result;
   Run(std::move(horizon), options, monitor,
     [&](const HeightMesh& mesh, const Monitor&)
     {
       const PlaneMesh& plane = mesh.Triangles();
-      triangles.reserve(3 * std::size_t(plane.Size()));
+      result.Triangles.reserve(3 * std::size_t(plane.Size()));
       for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
       {
-        for (const VertexId corner : plane.Corners(triangle))
+        for (int corner = 0; corner < 3; ++corner)
         {
-          triangles.push_back(mesh.SourceOf(corner));
+          const VertexId from = plane.Corner(triangle, corner);
+          result.Triangles.push_back(mesh.SourceOf(from));
+          if (plane.Neighbour(triangle, corner) < triangle) // each edge once
+          {
+            mesh.RasterOf(triangle).FindDropped(mesh.Raised(from),
+              mesh.Raised(plane.Corner(triangle, NextCorner(corner))), options.MaximumCrossingError() + mesh.Rounding(),
+              result.InTheWay);
+          }
         }
       }
     });
-  return triangles;
+  return result;
 }
 }

@@ -20,6 +20,7 @@
 #include "Common/Horizon/Types.h"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace SeismicHorizons
@@ -38,6 +39,14 @@ enum class DecimationPriority
   SumOfSquares
 };
 
+/// How far inner edges may be from links between points where they cross them.
+enum class CrossingTolerance
+{
+  Same, // as columns
+  Twice,
+  Unbounded
+};
+
 struct DecimationQuality
 {
   /// Inner vertices may leave their columns' heights to fit the points around them (HeightFit.h), which needs fewer
@@ -48,6 +57,7 @@ struct DecimationQuality
   /// No change makes a smaller angle in plan (0 to 60 degrees), unless one was smaller before.
   /// It is halved until a number of points can be reached.
   double SmallestAngle = 2.0;
+  CrossingTolerance Crossings = CrossingTolerance::Same;
 };
 
 /// Heights rounded to whole voxels are off by half a voxel; this error, in lattice units, comes nearest to the unrounded
@@ -56,8 +66,15 @@ constexpr double ErrorOfWholeVoxels = 0.75;
 
 struct DecimationOptions : DecimationQuality
 {
-  /// This bounds vertical errors of points, and of edges where they cross grid lines, in lattice units.
+  /// This bounds vertical errors of points, in lattice units.
   double MaximumError = ErrorOfWholeVoxels;
+  /// Infinite without a bound.
+  double MaximumCrossingError() const
+  {
+    return this->Crossings == CrossingTolerance::Same ? this->MaximumError
+      : this->Crossings == CrossingTolerance::Twice   ? 2.0 * this->MaximumError
+                                                      : std::numeric_limits<double>::infinity();
+  }
   /// If not 0, it is the target instead of MaximumError, which must be 0. Points of loops are kept.
   std::size_t MaximumNumberOfPoints = 0;
 };
@@ -68,12 +85,14 @@ struct Decimation
   Reduction Points;
   /// Triangles are counter-clockwise seen from +z.
   RawVector<PointId> Triangles;
+  /// Of columns, and of edges where they count for LargestLoopError.
   std::vector<double> Errors;
-  /// The mean includes vertices.
+  /// Of columns, the mean with vertices.
   double LargestError = 0.0;
   double MeanError = 0.0;
-  /// Edges are measured where they cross grid lines. Loop edges are kept whatever their error.
+  /// Of inner edges, where they cross links between points.
   double LargestEdgeError = 0.0;
+  /// Of loops, which are kept whatever their error, and of inner edges where they cross links to dropped points.
   double LargestLoopError = 0.0;
   /// Slivers have an angle in plan below SmallestAngle.
   std::size_t NumberOfSlivers = 0;
@@ -84,8 +103,16 @@ struct Decimation
 Decimation Decimate(
   BoundedHorizon horizon, const DecimationOptions& options = DecimationOptions(), const Monitor& monitor = Monitor());
 
-/// Leaves errors unmeasured.
-RawVector<PointId> MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor());
+/// A mesh without its errors.
+struct PlanMesh
+{
+  RawVector<PointId> Triangles;
+  /// Points dropped from loops, on links that edges cross farther away than the error, because no point inside could
+  /// part them.
+  std::vector<PointId> InTheWay;
+};
+
+PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor());
 }
 
 #endif

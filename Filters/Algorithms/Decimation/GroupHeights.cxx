@@ -25,7 +25,7 @@ GroupHeights<Real>::GroupHeights(Group& group, const GroupOptions& options)
     rounding = std::max(rounding, this->Add(*horizon.Raster));
   }
   this->Bound = Real(options.Error - rounding);
-  this->EdgeBound = 1.0 - rounding / options.Error;
+  this->EdgeBound = (options.CrossingError - rounding) / options.Error;
   this->Criticals.resize(group.Vertices.size() * group.Horizons.size());
   for (std::size_t n = 0; n < this->Criticals.size(); ++n)
   {
@@ -324,8 +324,9 @@ template <typename Real>
 bool GroupHeights<Real>::Narrow(
   std::size_t horizon, const StarCorner<Real>& from, const StarCorner<Real>& to, FreeMove& move) const
 {
-  return this->template NarrowAlong<false>(horizon, from, to, move) &&
-    this->template NarrowAlong<true>(horizon, from, to, move);
+  return this->EdgeBound == std::numeric_limits<double>::infinity() ||
+    (this->template NarrowAlong<false>(horizon, from, to, move) &&
+      this->template NarrowAlong<true>(horizon, from, to, move));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -363,18 +364,23 @@ template <typename Real>
 template <bool IsTurned>
 double GroupHeights<Real>::HeightBetween(std::size_t horizon, const PlanePoint& column, double fraction) const
 {
-  const HeightGrid<Real>& grid = this->Grids[horizon];
-  const double first = grid.At(column.X, column.Y);
-  const double second = IsTurned ? grid.At(column.X, column.Y + 1) : grid.At(column.X + 1, column.Y);
-  if (this->Whole.Cuts)
-  {
-    const PlanePoint at = this->Column(column);
-    if (IsTurned ? this->Whole.Cuts->IsCutNorth(at) : this->Whole.Cuts->IsCutEast(at))
-    {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-  }
-  return first + fraction * (second - first);
+  const PlanePoint beyond = IsTurned ? PlanePoint{ column.X, column.Y + 1 } : PlanePoint{ column.X + 1, column.Y };
+  const double first = this->OnLink(horizon, column);
+  const double height = first + fraction * (this->OnLink(horizon, beyond) - first);
+  const LinkCuts* const cuts = this->Whole.Cuts;
+  const bool isCut =
+    cuts && (IsTurned ? cuts->IsCutNorth(this->Column(column)) : cuts->IsCutEast(this->Column(column)));
+  return isCut ? std::numeric_limits<double>::quiet_NaN() : height;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real>
+double GroupHeights<Real>::OnLink(std::size_t horizon, const PlanePoint& column) const
+{
+  const double height = this->Grids[horizon].At(column.X, column.Y);
+  return std::isnan(height)
+    ? this->Whole.Horizons[horizon].Raster->DroppedHeight(this->Column(column)) - this->Middles[horizon]
+    : height;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

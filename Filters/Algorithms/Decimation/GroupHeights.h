@@ -114,6 +114,8 @@ private:
   template <bool IsTurned>
   double HeightBetween(std::size_t horizon, const PlanePoint& column, double fraction) const;
 
+  double OnLink(std::size_t horizon, const PlanePoint& column) const;
+
   bool Narrow(double error, double weight, FreeMove& move) const;
 
   double Move(const StarTrial& trial, std::vector<double>& heights);

@@ -68,6 +68,8 @@ enum class GroupStep
 struct GroupOptions
 {
   double Error = 0.0;
+  /// Of inner edges where they cross links; may be infinite.
+  double CrossingError = 0.0;
   /// In degrees: no change makes a smaller angle, unless one was smaller before.
   double SmallestAngle = 0.0;
   bool FitHeights = true;

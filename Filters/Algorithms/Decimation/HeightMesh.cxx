@@ -62,7 +62,17 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const dou
 {
   this->MeshLoops(monitor);
   const double* const own = heights ? heights : this->Horizon.Height.data();
-  this->Add(this->MakeRasters(own), own);
+  std::vector<HeightRaster> rasters = this->MakeRasters(own);
+  std::vector<std::vector<PointId>> dropped(rasters.size());
+  for (const DroppedPoint& one : this->Horizon.Dropped)
+  {
+    dropped[rasters.size() == 1 ? 0 : this->Patches[one.Target]].push_back(one.Point);
+  }
+  for (std::size_t patch = 0; patch < rasters.size(); ++patch)
+  {
+    rasters[patch].AddDropped(dropped[patch], this->Places);
+  }
+  this->Add(std::move(rasters), own);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -136,10 +136,10 @@ public:
   }
   const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterOf(0, triangle); }
 
-  HeightError MeasureCrossings(TriangleId triangle, int edge, const ErrorPower& power = ErrorPower()) const
+  CrossingErrors MeasureCrossings(TriangleId triangle, int edge) const
   {
-    return this->RasterOf(triangle).MeasureCrossings(this->Raised(this->Mesh.Corner(triangle, edge)),
-      this->Raised(this->Mesh.Corner(triangle, NextCorner(edge))), power);
+    return this->RasterOf(triangle).MeasureCrossings(
+      this->Raised(this->Mesh.Corner(triangle, edge)), this->Raised(this->Mesh.Corner(triangle, NextCorner(edge))));
   }
 
   /// Stores errors: only above the bound with power 0, else all with their sums.

@@ -84,6 +84,45 @@ void HeightRaster::Add(PointId point, const PlanePoint& column, RawVector<PointI
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void HeightRaster::AddDropped(const std::vector<PointId>& points, PlanePoints columns)
+{
+  for (const PointId point : points)
+  {
+    const PlanePoint& column = columns[point];
+    if (this->Box.Contains(column))
+    {
+      this->Dropped.emplace_back(this->Place(column.X, column.Y), point);
+    }
+  }
+  std::sort(this->Dropped.begin(), this->Dropped.end());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double HeightRaster::DroppedHeight(const PlanePoint& column) const
+{
+  return this->Box.Contains(column) ? this->DroppedHeightAt(this->Place(column.X, column.Y))
+                                    : std::numeric_limits<double>::quiet_NaN();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightRaster::FindDropped(
+  const RaisedPoint& from, const RaisedPoint& to, double bound, std::vector<PointId>& found) const
+{
+  this->ForEachCrossing<double>(from, to,
+    [&](const Crossing& crossing)
+    {
+      for (const std::int64_t place : { crossing.Place, crossing.Beyond })
+      {
+        if (std::abs(crossing.Error) > bound && this->DroppedAt(place) != NoPoint)
+        {
+          found.push_back(this->DroppedAt(place));
+        }
+      }
+      return true;
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void HeightRaster::SetFloats(const std::vector<unsigned char>* isKnown)
 {
   const RawVector<PointId>& points = *this->Points;
@@ -263,8 +302,9 @@ HeightError HeightRaster::MeasureEdge(
         const bool isFirstNear = crossing.FractionOfColumn < 0.5;
         const PointId near = (*this->Points)[isFirstNear ? crossing.Place : crossing.Beyond];
         const PointId far = (*this->Points)[isFirstNear ? crossing.Beyond : crossing.Place];
-        const PointId point = marks[near] == 0 ? near : far;
-        error = marks[point] == 0 ? HeightError{ distance, point } : error;
+        const auto isFree = [&marks](PointId point) { return point != NoPoint && marks[point] == 0; };
+        const PointId point = isFree(near) ? near : far;
+        error = isFree(point) ? HeightError{ distance, point } : error;
       }
       return true;
     });
@@ -285,6 +325,21 @@ HeightError HeightRaster::MeasureCrossings(
       return true;
     });
   return error;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CrossingErrors HeightRaster::MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to) const
+{
+  CrossingErrors errors;
+  this->ForEachCrossing<double>(from, to,
+    [&](const Crossing& crossing)
+    {
+      const bool isBeside = std::isnan(this->Floats[crossing.Place]) || std::isnan(this->Floats[crossing.Beyond]);
+      double& largest = isBeside ? errors.BesideLoops : errors.Inside;
+      largest = std::max(largest, std::abs(crossing.Error));
+      return true;
+    });
+  return errors;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

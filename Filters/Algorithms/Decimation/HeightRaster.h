@@ -48,7 +48,7 @@ struct ErrorPower
   }
 };
 
-/// Place and Beyond are the two columns, which have points.
+/// Place and Beyond are the two columns, which have points or dropped ones.
 struct Crossing
 {
   std::int64_t Place = 0;
@@ -56,6 +56,13 @@ struct Crossing
   double FractionOfColumn = 0.0; // from the first to the second
   double FractionOfEdge = 0.0; // from its start to its end
   double Error = 0.0; // edge minus segment
+};
+
+/// Of an edge that crosses links, those with an end that was dropped apart.
+struct CrossingErrors
+{
+  double Inside = 0.0;
+  double BesideLoops = 0.0;
 };
 
 /// Heights are floats relative to the middle height. Where float rounding could change a decision, doubles are read, so
@@ -87,6 +94,13 @@ public:
   {
     this->SetFloats(isKnown);
   }
+
+  /// Adds points that were dropped from loops, whose heights count on links alone. Those outside the raster are ignored.
+  void AddDropped(const std::vector<PointId>& points, PlanePoints columns);
+  /// NaN without a dropped point.
+  double DroppedHeight(const PlanePoint& column) const;
+  /// Appends dropped points on links that an edge crosses farther away than the bound.
+  void FindDropped(const RaisedPoint& from, const RaisedPoint& to, double bound, std::vector<PointId>& found) const;
 
   /// The column may lie outside the raster.
   PointId PointAt(const PlanePoint& column) const
@@ -134,6 +148,7 @@ public:
     const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const;
 
   HeightError MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const;
+  CrossingErrors MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to) const;
 
   bool IsEdgeWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const;
 
@@ -188,6 +203,23 @@ private:
       return { this->At<Real>(place), this->At<Real>(place + 1), this->At<Real>(place + 2), this->At<Real>(place + 3) };
     }
   }
+  template <typename Real>
+  double OnLink(std::int64_t place) const
+  {
+    const double height = this->At<Real>(place);
+    return std::isnan(height) && !this->Dropped.empty() ? this->DroppedHeightAt(place) - this->MiddleAs<Real>()
+                                                        : height;
+  }
+  PointId DroppedAt(std::int64_t place) const
+  {
+    const auto found = std::lower_bound(this->Dropped.begin(), this->Dropped.end(), std::make_pair(place, PointId(0)));
+    return found != this->Dropped.end() && found->first == place ? found->second : NoPoint;
+  }
+  double DroppedHeightAt(std::int64_t place) const
+  {
+    const PointId point = this->DroppedAt(place);
+    return point == NoPoint ? std::numeric_limits<double>::quiet_NaN() : this->Heights[point];
+  }
   /// Floats are relative to this height.
   template <typename Real>
   double MiddleAs() const
@@ -220,6 +252,7 @@ private:
   std::shared_ptr<const RawVector<PointId>> Points; // by Place()
   const double* Heights; // by point
   RawVector<float> Floats; // by Place(), relative to the middle; NaN without a known point
+  std::vector<std::pair<std::int64_t, PointId>> Dropped; // by Place(), ascending
   double Lowest = Infinity;
   double Highest = -Infinity;
   const LinkCuts* Cuts;
@@ -292,8 +325,8 @@ void HeightRaster::ForEachCrossing(const RaisedPoint& from, const RaisedPoint& t
       const std::int32_t y = isTurned ? walk.AtOrLeft() : line;
       crossing.Place = this->Place(x, y);
       crossing.Beyond = crossing.Place + (isTurned ? this->Width : 1);
-      const double first = this->At<Real>(crossing.Place);
-      const double second = this->At<Real>(crossing.Beyond);
+      const double first = this->OnLink<Real>(crossing.Place);
+      const double second = this->OnLink<Real>(crossing.Beyond);
       crossing.FractionOfColumn = double(walk.Parts()) * perLine;
       const double up = (double(line) - low.Y) * perLine;
       crossing.FractionOfEdge = isUp ? up : 1.0 - up;

@@ -50,6 +50,7 @@ public:
     , Vertices(std::size_t(mesh.EndOfVertices()))
   {
     this->Options.Error = options.MaximumError;
+    this->Options.CrossingError = options.MaximumCrossingError();
     this->Options.SmallestAngle = options.SmallestAngle;
     this->Options.FitHeights = options.FitHeights;
     this->TakeMesh();

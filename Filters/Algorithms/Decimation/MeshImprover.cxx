@@ -593,7 +593,7 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
     mesh.SetAllHeights(FitAllHeights(mesh, FitAim::LargestError, ReachOfFit * error, rule, monitor.Step(0.5, 0.6)));
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
-  refiner.InsertAtEdges(error, monitor.Step(0.8, 0.9));
+  refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.8, 0.9));
   for (std::size_t before = 0; options.Effort == DecimationEffort::Fast && options.SmallestAngle > 0.0;)
   {
     before = mesh.NumberOfVertices();
@@ -603,7 +603,7 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
       break;
     }
     refiner.InsertWhereFar(error, monitor.Step(0.9, 0.95));
-    refiner.InsertAtEdges(error, monitor.Step(0.95, 1.0));
+    refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.95, 1.0));
   }
 }
 
@@ -616,7 +616,7 @@ void ImproveWithinError(
   // Groups leave room for rounding, so this changes nothing; but the bound is measured before it is promised.
   MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
   refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.9, 0.95));
-  refiner.InsertAtEdges(options.MaximumError, monitor.Step(0.95, 1.0));
+  refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.95, 1.0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -63,6 +63,10 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
 {
+  if (error == std::numeric_limits<double>::infinity())
+  {
+    return;
+  }
   const double bound = error + this->Mesh.Rounding();
   this->Mesh.MeasureEdges(this->Mesh.AllTriangles(), bound, true, monitor.Step(0.0, 0.8));
   this->StartWith(bound);

@@ -23,7 +23,7 @@ public:
   MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority);
 
   void InsertWhereFar(double error, const Monitor& monitor);
-  /// Continues where inner edges cross grid lines.
+  /// Continues where inner edges cross grid lines, unless the error is infinite.
   void InsertAtEdges(double error, const Monitor& monitor);
   /// Angles, in degrees, remain smaller where fixed edges force them or no column is suitable. Errors may grow.
   void InsertAtSlivers(double smallestAngle);

@@ -386,7 +386,7 @@ public:
     this->Simplify(error, monitor.Step(last, last + 0.3 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
-      this->KeepBesideSlivers(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
+      this->AddToOutlines(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
       this->Decimate(isByNumber, monitor.Step(last + 0.4 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
@@ -422,7 +422,7 @@ private:
   {
     return this->Result.Kept.empty()
       ? 0
-      : MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor).size() / 3;
+      : MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor).Triangles.size() / 3;
   }
 
   DecimationOptions FastOptions(double error, bool fitHeights) const
@@ -435,13 +435,12 @@ private:
     return options;
   }
 
-  /// A long outline edge beside rough ground leaves only slivers in between. A mesh near outlines finds them, outlines
-  /// keep points next to them, and changed outlines are examined again.
-  void KeepBesideSlivers(const Monitor& monitor)
+  /// A long outline edge beside rough ground leaves only slivers in between, or edges far from links to points that were
+  /// dropped. A mesh near outlines finds them, outlines keep such points, and changed outlines are examined again.
+  void AddToOutlines(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
-    const bool isAsked = this->Options.SmallestAngle > 0.0;
-    if (!isAsked || error == 0.0)
+    if (error == 0.0)
     {
       return;
     }
@@ -450,36 +449,37 @@ private:
     for (int round = 0; round < SliverRounds; ++round)
     {
       const Monitor step = monitor.Step(double(round) / SliverRounds, double(round + 1) / SliverRounds);
-      const std::vector<PointId> found = this->FindBesideSlivers(changed, step.Step(0.0, 0.8));
+      const std::vector<PointId> found = this->FindMissing(changed, step.Step(0.0, 0.8));
       if (found.empty())
       {
         return;
       }
-      this->Result.BesideSlivers.insert(this->Result.BesideSlivers.end(), found.begin(), found.end());
+      this->Result.AddedToOutlines.insert(this->Result.AddedToOutlines.end(), found.begin(), found.end());
       const Loops before = this->Outlines;
       this->Simplify(error, step.Step(0.8, 1.0));
       changed = FindChanged(before, this->Outlines, this->Columns().size());
     }
   }
 
-  /// Points dropped from outlines are left out.
   KeptPoints Select(const SquaresNear& squares) const
   {
     std::vector<unsigned char> isKept = squares.Mark(this->Columns());
-    for (const DroppedPoint& dropped : this->Dropped)
-    {
-      isKept[std::size_t(dropped.Point)] = 0;
-    }
     this->Outlines.ForEachPoint([&](PointId point) { isKept[std::size_t(point)] = 1; });
     return KeptPoints::If(isKept.size(), [&isKept](std::size_t point) { return isKept[point] != 0; });
   }
 
   /// Slivers need a corner at one of `points`.
-  std::vector<PointId> FindBesideSlivers(const std::vector<PointId>& points, const Monitor& monitor)
+  std::vector<PointId> FindMissing(const std::vector<PointId>& points, const Monitor& monitor)
   {
     const KeptPoints near = this->Select(SquaresNear(this->Columns(), points));
     const std::vector<PlanePoint> places = near.Select(this->Columns());
-    const RawVector<PointId> mesh = this->MeshOfSome(near, places, monitor);
+    const PlanMesh mesh = this->MeshOfSome(near, places, monitor);
+    std::vector<PointId> found;
+    if (this->Options.MaximumNumberOfTriangles == 0) // a number comes before the error of edges
+    {
+      std::transform(mesh.InTheWay.begin(), mesh.InTheWay.end(), std::back_inserter(found),
+        [&near](PointId point) { return near[std::size_t(point)]; });
+    }
     const auto isOneOf = [&](PointId corner)
     { return std::binary_search(points.begin(), points.end(), near[std::size_t(corner)]); };
     const SurfaceParameters& parameters = this->Result.Parameters;
@@ -488,8 +488,7 @@ private:
         ? std::min(this->Options.SmallestAngle, LargestKeptAngle)
         : this->Options.SmallestAngle);
     const DroppedPlaces dropped(this->Columns(), this->Result.Boundary.Boundary, this->Outlines);
-    std::vector<PointId> found;
-    for (auto vertex = mesh.begin(); vertex != mesh.end(); vertex += 3)
+    for (auto vertex = mesh.Triangles.begin(); vertex != mesh.Triangles.end(); vertex += 3)
     {
       const auto place = [&](int corner) { return places[std::size_t(vertex[corner])]; };
       const std::array<PlanePoint, 3> corners = { place(0), place(1), place(2) };
@@ -502,16 +501,28 @@ private:
         }
       }
     }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
 
-  RawVector<PointId> MeshOfSome(const KeptPoints& points, PlanePoints places, const Monitor& monitor)
+  PlanMesh MeshOfSome(const KeptPoints& points, PlanePoints places, const Monitor& monitor)
   {
+    const std::vector<PointId> numbers = points.Numbers();
     BoundedHorizon horizon;
     horizon.Columns = places;
     horizon.Height = points.Select(this->Height());
     horizon.Patch = points.Select(this->Result.Boundary.Patch);
-    horizon.Boundary = this->Outlines.Renumbered(points.Numbers());
+    for (const DroppedPoint& dropped : this->Dropped)
+    {
+      const PointId number = numbers[std::size_t(dropped.Point)];
+      if (number != NoPoint)
+      {
+        horizon.Patch[std::size_t(number)] = NoPatch;
+        horizon.Dropped.push_back({ number, numbers[std::size_t(dropped.Target)] });
+      }
+    }
+    horizon.Boundary = this->Outlines.Renumbered(numbers);
     horizon.Cuts = this->FaultedLinks();
     return MeshOf(std::move(horizon), this->FastOptions(this->Result.Parameters.MaximumError, false), monitor);
   }
@@ -555,6 +566,7 @@ private:
     {
       horizon.Patch[dropped.Point] = NoPatch;
     }
+    horizon.Dropped = this->Dropped;
     horizon.Boundary = this->Outlines;
     horizon.Cuts = this->FaultedLinks();
     return horizon;
@@ -579,7 +591,7 @@ private:
     const auto simplify = [&](const Loops& loops)
     { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
     options.Fixed = this->Result.Boundary.OpenCracks.PointsOfOpenEnds();
-    options.Fixed.insert(options.Fixed.end(), this->Result.BesideSlivers.begin(), this->Result.BesideSlivers.end());
+    options.Fixed.insert(options.Fixed.end(), this->Result.AddedToOutlines.begin(), this->Result.AddedToOutlines.end());
     options.Index = this->Result.Kept.AreAll() ? &*this->Index : nullptr;
     if (!HasSeams(this->Options.Seams))
     {
@@ -684,11 +696,11 @@ private:
     options.Effort = DecimationEffort::Fast;
     options.FitHeights = false;
     options.MaximumNumberOfPoints = onLoops;
-    const std::size_t least = MeshOf(this->CopyHorizon(), options, monitor).size() / 3;
+    const std::size_t least = MeshOf(this->CopyHorizon(), options, monitor).Triangles.size() / 3;
     const std::size_t most = this->Options.MaximumNumberOfTriangles;
-    if (least > most && !this->Result.BesideSlivers.empty()) // the number comes before angles
+    if (least > most && !this->Result.AddedToOutlines.empty()) // the number comes before angles
     {
-      this->Result.BesideSlivers.clear();
+      this->Result.AddedToOutlines.clear();
       this->Simplify(this->Result.Parameters.MaximumError, Monitor());
       return this->FindNumberOfPoints(monitor);
     }

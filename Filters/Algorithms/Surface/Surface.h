@@ -88,8 +88,8 @@ struct Surface
   double OutlineDeviation = 0.0;
   double OutlineHeightDeviation = 0.0;
   std::int64_t NumberOutside = 0;
-  /// Outlines kept these points beside slivers.
-  std::vector<PointId> BesideSlivers;
+  /// Outlines kept these points beside slivers, and on links that edges would cross farther away than the error.
+  std::vector<PointId> AddedToOutlines;
   /// The mesh is empty if no point has a patch.
   Decimation Mesh;
   /// Pinned points moved onto lines of seams; open gaps lie right of their points (SurfaceJoin.h).
@@ -97,7 +97,8 @@ struct Surface
   std::vector<PointId> OpenGaps;
 };
 
-/// Equals the three methods in sequence only if SmallestAngle is 0; otherwise outlines keep points beside slivers.
+/// Equals the three methods in sequence only if SmallestAngle is 0 and crossings have no bound; otherwise outlines keep
+/// points.
 /// Throws InputError as they do, and if outlines alone need more triangles.
 Surface MakeSurface(
   SurfacePoints points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
