@@ -154,7 +154,8 @@ void TestEffort()
     const double mean = Figure(pipeline.Update(), "MeanError");
     pipeline.Mesh->SetPriorityToLargestErrors();
     CHECK(Figure(pipeline.Update(), "MeanError") != mean);
-    CHECK_EQUAL(pipeline.Mesh->GetPolyDataOutput()->GetNumberOfPoints(), 140);
+    const vtkIdType points = pipeline.Mesh->GetPolyDataOutput()->GetNumberOfPoints();
+    CHECK(points <= 140 && points >= (isBest ? 137 : 140));
   }
 }
 

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <regex>
 #include <sstream>
 
 using namespace HorizonFixtures;
@@ -113,17 +114,15 @@ bool IsSame(vtkAbstractArray* a, vtkAbstractArray* b)
            std::size_t(a->GetNumberOfValues()) * std::size_t(a->GetDataTypeSize())) == 0;
 }
 
-/// All arrays, in their order; of field data those that the expected one has.
+/// All arrays, in their order; of field data those that the expected one has. Dropped points count for errors, not here.
 void CheckSameArrays(vtkFieldData* found, vtkFieldData* expected, bool mayHaveMore)
 {
   CHECK(mayHaveMore || found->GetNumberOfArrays() == expected->GetNumberOfArrays());
   for (int n = 0; n < expected->GetNumberOfArrays(); ++n)
   {
     vtkAbstractArray* const array = expected->GetAbstractArray(n);
-    if (!CHECK(found->GetAbstractArray(n) && IsSame(found->GetAbstractArray(array->GetName()), array)))
-    {
-      std::cerr << array->GetName() << '\n';
-    }
+    const bool isError = std::regex_match(array->GetName(), std::regex(".*Error"));
+    CHECK(isError || (found->GetAbstractArray(n) && IsSame(found->GetAbstractArray(array->GetName()), array)));
     CHECK(mayHaveMore || std::string(found->GetArrayName(n)) == expected->GetArrayName(n));
   }
 }
@@ -154,6 +153,7 @@ void CheckRepeated(vtkHorizonSurface* surface, vtkPolyData* horizon)
 {
   surface->SetInputData(horizon);
   surface->SetSmallestAngle(0.0);
+  surface->SetCrossingTolerance(vtkHorizonSurface::Unbounded);
   surface->Update();
   vtkPolyData* const mesh = surface->GetPolyDataOutput();
   CHECK(mesh->GetNumberOfPolys() > 0);
@@ -173,6 +173,7 @@ void CheckRepeated(vtkHorizonSurface* surface, vtkPolyData* horizon)
   stages.Mesh->SetEffort(surface->GetEffort());
   stages.Mesh->SetPriority(surface->GetPriority());
   stages.Mesh->SetSmallestAngle(surface->GetSmallestAngle());
+  stages.Mesh->SetCrossingTolerance(surface->GetCrossingTolerance());
   stages.Mesh->Update();
   CheckSame(mesh, stages.Mesh->GetOutputDataObject(0));
   CheckSame(surface->GetOutputDataObject(1), stages.Boundary->GetOutputDataObject(0));

@@ -192,7 +192,7 @@ class BatchTest(unittest.TestCase):
             mesh, horizon, content = self.check_windows(self.one, points, parts_wanted - 1)
             for figure in ("NumberOfPatches", "NumberOfHoles", "ChosenRadius"):
                 self.assertEqual(mesh.GetFieldData().GetArray(figure).GetValue(0), data.value(whole, figure))
-            self.assertLess(mesh.GetNumberOfPoints(), (1.05 + 0.04 * parts_wanted) * data.count_points(whole))
+            self.assertLess(mesh.GetNumberOfPoints(), (1.1 + 0.05 * parts_wanted) * data.count_points(whole))
             self.assertLessEqual(mesh.GetFieldData().GetArray("LargestError").GetValue(0), ERROR + 1e-9)
             self.check_distances(horizon, mesh)
             set_threads(1)

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -208,6 +209,8 @@ private:
 // ---- From the loops to the mesh ------------------------------------------------------------------------------------
 // The best effort inserts this multiple of inner vertices; twice as many lower the mean error by only 1 to 2 %.
 constexpr double Surplus = 4.0;
+// The error of as many is near that of the number that is left.
+constexpr double SurplusForLargest = 2.0;
 
 void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
@@ -215,8 +218,7 @@ void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Mo
   refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.7));
   if (options.FitHeights)
   {
-    FlipToNumber(mesh, options, monitor.Step(0.7, 0.9));
-    FitToNumber(mesh, options.Priority, monitor.Step(0.9, 1.0));
+    SmoothInGroups(mesh, options, monitor.Step(0.7, 1.0));
   }
 }
 
@@ -229,24 +231,43 @@ bool IsFlipped(const DecimationOptions& options)
 void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
   const std::size_t inside = options.MaximumNumberOfPoints - mesh.NumberOfVertices();
-  const std::size_t most = mesh.NumberOfVertices() + std::size_t(Surplus * double(inside));
+  const bool isForSquares = options.Priority == DecimationPriority::SumOfSquares;
+  const std::size_t most =
+    mesh.NumberOfVertices() + std::size_t((isForSquares ? Surplus : SurplusForLargest) * double(inside));
   MeshRefiner(mesh, most, options.Priority).InsertWhereFar(0.0, monitor.Step(0.0, 0.4));
-  ReduceToNumber(mesh, options.MaximumNumberOfPoints, options, monitor.Step(0.4, 1.0));
+  mesh.SortByPlace();
+  (isForSquares ? ReduceToNumber : ReduceLargestError)(
+    mesh, options.MaximumNumberOfPoints, options, monitor.Step(0.4, 1.0));
 }
 
-void Refine(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+/// Within an error, the best effort improves this mesh.
+void Insert(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
-  const bool isBest = options.Effort == DecimationEffort::Best;
-  if (options.MaximumNumberOfPoints > 0)
+  if (options.MaximumNumberOfPoints == 0)
   {
-    (isBest ? InsertAndRemove : InsertToNumber)(mesh, options, monitor);
+    InsertToError(mesh, options, monitor);
     return;
   }
-  InsertToError(mesh, options, monitor.Step(0.0, isBest ? 0.3 : 1.0));
-  if (isBest && options.MaximumError > 0.0)
+  (options.Effort == DecimationEffort::Best ? InsertAndRemove : InsertToNumber)(mesh, options, monitor);
+}
+
+std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOptions& options)
+{
+  std::vector<PointId> found;
+  const PlaneMesh& plane = mesh.Triangles();
+  for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
   {
-    ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0));
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (plane.Neighbour(triangle, edge) < triangle) // each edge once
+      {
+        mesh.RasterOf(triangle).FindDropped(mesh.Raised(plane.Corner(triangle, edge)),
+          mesh.Raised(plane.Corner(triangle, NextCorner(edge))), options.MaximumCrossingError() + mesh.Rounding(),
+          found);
+      }
+    }
   }
+  return found;
 }
 
 void Check(const DecimationOptions& options)
@@ -271,41 +292,79 @@ void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
   }
 }
 
-template <typename Finish>
-void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Finish&& finish)
+/// Ends if `stop` returns true for a mesh within the error.
+template <typename Stop, typename Finish>
+void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Stop&& stop, Finish&& finish)
 {
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
   const std::size_t most = options.MaximumNumberOfPoints;
   CheckNumberOfPoints(mesh, most);
-  Refine(mesh, options, monitor.Step(0.1, 0.9));
+  const bool isImproved = options.Effort == DecimationEffort::Best && options.MaximumError > 0.0;
+  Insert(mesh, options, monitor.Step(0.1, isImproved ? 0.35 : 0.9));
+  if (stop(mesh))
+  {
+    return;
+  }
+  if (isImproved)
+  {
+    ImproveWithinError(mesh, options, monitor.Step(0.35, 0.9));
+  }
   if (most > 0 && most < mesh.NumberOfVertices())
   {
     // Rarely, no vertex can be collapsed, as no neighbour sees all of its ring.
     DecimationOptions fast = options;
     fast.Effort = DecimationEffort::Fast;
-    Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), finish);
+    Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), stop, finish);
     return;
   }
   mesh.SortVertices();
   finish(mesh, monitor.Step(0.9, 1.0));
+}
+
+template <typename Stop>
+std::optional<Decimation> Decimate(
+  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Stop&& stop)
+{
+  assert(horizon.SubVoxelsPerColumn == 1);
+  Check(options);
+  std::optional<Decimation> result;
+  Run(std::move(horizon), options, monitor, stop,
+    [&](const HeightMesh& mesh, const Monitor& step) { result = Collector(mesh, options.SmallestAngle).Run(step); });
+  if (result && MeshChecker::IsOn)
+  {
+    const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
+    MeshChecker::Require("Decimate", result->Points.Plane, result->Points.Boundary, result->Triangles,
+      isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
+  }
+  return result;
+}
+
+bool NeverStop(const HeightMesh& /*mesh*/)
+{
+  return false;
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
 {
-  assert(horizon.SubVoxelsPerColumn == 1);
-  Check(options);
-  Decimation result;
-  Run(std::move(horizon), options, monitor,
-    [&](const HeightMesh& mesh, const Monitor& step) { result = Collector(mesh, options.SmallestAngle).Run(step); });
-  if (MeshChecker::IsOn)
-  {
-    const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
-    MeshChecker::Require("Decimate", result.Points.Plane, result.Points.Boundary, result.Triangles,
-      isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
-  }
-  return result;
+  return *Decimate(std::move(horizon), options, monitor, NeverStop);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<Decimation> DecimateUnlessInTheWay(
+  BoundedHorizon& horizon, const DecimationOptions& options, std::vector<PointId>& inTheWay, const Monitor& monitor)
+{
+  return Decimate(std::move(horizon), options, monitor,
+    [&](HeightMesh& mesh)
+    {
+      inTheWay = FindInTheWay(mesh, options);
+      if (!inTheWay.empty())
+      {
+        horizon = mesh.TakeHorizon();
+      }
+      return !inTheWay.empty();
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -313,25 +372,20 @@ PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const 
 {
   Check(options);
   PlanMesh result;
-  Run(std::move(horizon), options, monitor,
+  Run(std::move(horizon), options, monitor, NeverStop,
     [&](const HeightMesh& mesh, const Monitor&)
     {
       const PlaneMesh& plane = mesh.Triangles();
       result.Triangles.reserve(3 * std::size_t(plane.Size()));
       for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
       {
-        for (int corner = 0; corner < 3; ++corner)
+        for (const VertexId corner : plane.Corners(triangle))
         {
-          const VertexId from = plane.Corner(triangle, corner);
-          result.Triangles.push_back(mesh.SourceOf(from));
-          if (plane.Neighbour(triangle, corner) < triangle) // each edge once
-          {
-            mesh.RasterOf(triangle).FindDropped(mesh.Raised(from),
-              mesh.Raised(plane.Corner(triangle, NextCorner(corner))), options.MaximumCrossingError() + mesh.Rounding(),
-              result.InTheWay);
-          }
+          result.Triangles.push_back(mesh.SourceOf(corner));
         }
       }
+      result.NumberOfInnerPoints = mesh.NumberOfInnerVertices();
+      result.InTheWay = FindInTheWay(mesh, options);
     });
   return result;
 }

@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -103,13 +104,17 @@ struct Decimation
 Decimation Decimate(
   BoundedHorizon horizon, const DecimationOptions& options = DecimationOptions(), const Monitor& monitor = Monitor());
 
+/// Returns nothing, and gives the horizon back, if edges of a mesh within the error would be farther than that from links
+/// to these dropped points, because no point inside could part them.
+std::optional<Decimation> DecimateUnlessInTheWay(BoundedHorizon& horizon, const DecimationOptions& options,
+  std::vector<PointId>& inTheWay, const Monitor& monitor = Monitor());
+
 /// A mesh without its errors.
 struct PlanMesh
 {
   RawVector<PointId> Triangles;
-  /// Points dropped from loops, on links that edges cross farther away than the error, because no point inside could
-  /// part them.
-  std::vector<PointId> InTheWay;
+  std::size_t NumberOfInnerPoints = 0; // on no loop
+  std::vector<PointId> InTheWay; // see above
 };
 
 PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor());

@@ -26,6 +26,9 @@ constexpr double LeastFractionOfRound = 0.01;
 // Only this number of ends of a vertex is tried, those first where its own column would be nearest.
 constexpr int MostEnds = 3;
 
+// Vertices of slivers cost this fraction, so that they go early.
+constexpr double FractionOfSlivers = 0.01;
+
 // Without a minimum gain, edges of nearly equal cost flip back and forth.
 constexpr double LeastGain = 1e-3;
 // From this gain on, a new height is worth a look at the neighbours.
@@ -66,6 +69,7 @@ public:
     , Costs(std::size_t(group.Mesh.Size()))
     , IsChanged(std::size_t(group.Mesh.Size()))
   {
+    this->Heights.SetPower(options.Power);
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       this->Costs[triangle] = this->Heights.CostOf(this->Mesh.Corners(triangle), false);
@@ -123,6 +127,12 @@ private:
     {
       case GroupStep::Collapse:
         this->CollapseAll();
+        break;
+      case GroupStep::CollapseChosen:
+        this->CollapseChosen();
+        break;
+      case GroupStep::FindCosts:
+        this->FindCosts();
         break;
       case GroupStep::Move:
         this->MoveAll();
@@ -204,13 +214,50 @@ private:
         if (this->IsInner(vertex) && (marks & TryCollapse) != 0)
         {
           marks &= std::uint8_t(~TryCollapse);
-          isAny = this->Collapse(vertex) || isAny;
+          isAny = this->CollapseWithin(Never, vertex) || isAny;
         }
       }
     }
   }
 
-  bool Collapse(VertexId vertex)
+  void CollapseChosen()
+  {
+    const double most = this->Options.MostCost + LeastGain * std::abs(this->Options.MostCost); // of another group
+    for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
+    {
+      if (this->IsInner(vertex) && this->Vertices[vertex].IsChosen)
+      {
+        this->CollapseWithin(most, vertex);
+      }
+    }
+  }
+
+  void FindCosts()
+  {
+    for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
+    {
+      GroupVertex& own = this->Vertices[vertex];
+      if (this->IsInner(vertex) && (own.Marks & TryCollapse) != 0)
+      {
+        own.Marks &= std::uint8_t(~TryCollapse);
+        own.Cost = this->FindBest(vertex).Cost;
+      }
+    }
+  }
+
+  bool CollapseWithin(double most, VertexId vertex)
+  {
+    const Candidate best = this->FindBest(vertex);
+    if (best.To == NoVertex || best.Cost > most)
+    {
+      this->Vertices[vertex].Cost = best.Cost;
+      return false;
+    }
+    this->CollapseTo(vertex, best);
+    return true;
+  }
+
+  Candidate FindBest(VertexId vertex)
   {
     this->FindRing(vertex, this->Own);
     this->FindEnds(vertex);
@@ -224,11 +271,9 @@ private:
                                    : this->TryFreeEnd(vertex, this->Ends[n].Number, sine, best);
       tried += isTried ? 1 : 0;
     }
-    if (best.To != NoVertex)
-    {
-      this->CollapseTo(vertex, best);
-    }
-    return best.To != NoVertex;
+    const bool isSliver = sine < this->SquaredSine && best.Cost > 0.0;
+    best.Cost *= isSliver && best.To != NoVertex ? FractionOfSlivers : 1.0;
+    return best;
   }
 
   void FindEnds(VertexId vertex)
@@ -505,7 +550,7 @@ private:
         }
       }
     }
-    this->Heights.SetPower(4);
+    this->Heights.SetPower(this->Options.Power);
   }
 
   // ---- Flips -------------------------------------------------------------------------------------------------------

@@ -37,6 +37,9 @@ struct GroupVertex
   bool IsFixed = false;
   std::uint8_t Marks = TryAll;
   bool IsGone = false;
+  /// Whether CollapseChosen may remove it, and what that costs.
+  bool IsChosen = false;
+  double Cost = 0.0;
 };
 
 struct Group
@@ -60,6 +63,8 @@ struct Group
 enum class GroupStep
 {
   Collapse,
+  CollapseChosen,
+  FindCosts,
   Move,
   Flip,
   FitSquares
@@ -73,6 +78,10 @@ struct GroupOptions
   /// In degrees: no change makes a smaller angle, unless one was smaller before.
   double SmallestAngle = 0.0;
   bool FitHeights = true;
+  /// The cost is the sum of this power of errors, 2 or 4.
+  int Power = 4;
+  /// Chosen vertices that would cost more stay.
+  double MostCost = 0.0;
 };
 
 /// Repeats the steps until few vertices go.

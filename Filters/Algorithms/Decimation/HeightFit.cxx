@@ -21,18 +21,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-std::vector<double> Powers(FitAim aim)
-{
-  switch (aim)
-  {
-    case FitAim::LargestError:
-      return { 4.0, 4.0 };
-    case FitAim::Mean:
-      return { 2.0, 1.5, 1.0 };
-    default:
-      return { 2.0 };
-  }
-}
+constexpr int Steps = 2;
+constexpr double PartOfStep = 1.0 / 3.0;
 
 // Errors below this fraction of the reach weigh alike, so that no weight is 0.
 constexpr double LeastError = 1e-2;
@@ -247,29 +237,24 @@ class ErrorWeight
 {
 public:
   /// Errors are divided by the unit.
-  ErrorWeight(double power, double unit)
-    : Power(power)
-    , PerUnit(1.0 / unit)
+  explicit ErrorWeight(double unit)
+    : PerUnit(1.0 / unit)
   {
   }
 
   double operator()(double error) const
   {
     const double size = std::max(std::abs(error) * this->PerUnit, LeastError);
-    return this->Power == 4.0 ? size * size : std::pow(size, this->Power - 2.0);
+    return size * size;
   }
 
   template <typename Real>
   FourColumns<Real> operator()(const FourColumns<Real>& errors) const
   {
-    const FourColumns<Real> sizes = (errors.abs() * Real(this->PerUnit)).max(Real(LeastError));
-    return this->Power == 4.0 ? FourColumns<Real>(sizes.square())
-      : this->Power == 2.0    ? FourColumns<Real>::Ones()
-                              : FourColumns<Real>(sizes.pow(Real(this->Power - 2.0)));
+    return (errors.abs() * Real(this->PerUnit)).max(Real(LeastError)).square();
   }
 
 private:
-  double Power;
   double PerUnit;
 };
 
@@ -313,11 +298,12 @@ constexpr std::int64_t ColumnsPerTask = 1024;
 class HeightFitter
 {
 public:
-  HeightFitter(const HeightMesh& mesh, double reach, std::size_t horizon, InnerHeights heights)
+  HeightFitter(const HeightMesh& mesh, double reach, bool withEdges, std::size_t horizon, InnerHeights heights)
     : Surface(mesh)
     , Horizon(horizon)
     , Mesh(mesh.Triangles())
     , Reach(reach)
+    , WithEdges(withEdges)
     , Inner(std::move(heights))
     , Corners(mesh, this->Inner.Vertices)
     , Equations(this->Mesh, this->Corners, this->Inner.Vertices.size())
@@ -334,23 +320,23 @@ public:
       });
   }
 
-  InnerHeights Run(const std::vector<double>& powers, const Monitor& monitor)
+  InnerHeights Run(const Monitor& monitor)
   {
-    for (std::size_t step = 0; step < powers.size() && !this->Inner.Vertices.empty(); ++step)
+    for (int step = 0; step < Steps && !this->Inner.Vertices.empty(); ++step)
     {
-      monitor.Progress(double(step) / double(powers.size()));
-      this->Improve(powers[step]);
+      monitor.Progress(double(step) / Steps);
+      this->Improve();
     }
     return std::move(this->Inner);
   }
 
 private:
   /// Moves a fraction of the solution.
-  void Improve(double power)
+  void Improve()
   {
     this->Surface.ForEachTriangle(
-      Monitor(), [&](TriangleId triangle) { this->Elements[triangle] = this->MakeElement(triangle, power); });
-    const ErrorWeight weight(power, this->Reach);
+      Monitor(), [&](TriangleId triangle) { this->Elements[triangle] = this->MakeElement(triangle); });
+    const ErrorWeight weight(this->Reach);
     std::vector<double> errors;
     errors.reserve(this->Columns.size());
     std::transform(this->Inner.Heights.begin(), this->Inner.Heights.end(), this->Columns.begin(),
@@ -360,12 +346,12 @@ private:
     for (std::size_t n = 0; n < moves.size(); ++n)
     {
       double& height = this->Inner.Heights[n];
-      height = std::clamp(
-        height + moves[n] / std::max(1.0, power - 1.0), this->Columns[n] - this->Reach, this->Columns[n] + this->Reach);
+      height =
+        std::clamp(height + PartOfStep * moves[n], this->Columns[n] - this->Reach, this->Columns[n] + this->Reach);
     }
   }
 
-  Element MakeElement(TriangleId triangle, double power) const
+  Element MakeElement(TriangleId triangle) const
   {
     RaisedTriangle raised = this->Surface.RaisedCorners(this->Horizon, triangle);
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -373,16 +359,16 @@ private:
       const int unknown = this->Corners[triangle][corner];
       raised[corner].Height = unknown == MovableCorners::None ? raised[corner].Height : this->Inner.Heights[unknown];
     }
-    const ErrorWeight weight(power, this->Reach);
+    const ErrorWeight weight(this->Reach);
     const HeightRaster& raster = this->Surface.RasterOf(this->Horizon, triangle);
     if (raster.IsFloatEnough(this->Reach))
     {
       Element element = this->SumColumns<float>(triangle, raised, weight);
-      this->AddEdges<float>(triangle, raised, weight, power, element);
+      this->AddEdges<float>(triangle, raised, weight, element);
       return element;
     }
     Element element = this->SumColumns<double>(triangle, raised, weight);
-    this->AddEdges<double>(triangle, raised, weight, power, element);
+    this->AddEdges<double>(triangle, raised, weight, element);
     return element;
   }
 
@@ -405,13 +391,11 @@ private:
   }
 
   template <typename Real>
-  void AddEdges(
-    TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, double power, Element& element) const
+  void AddEdges(TriangleId triangle, const RaisedTriangle& raised, const ErrorWeight& weight, Element& element) const
   {
-    const double edgeWeight = power > 2.0 ? 1.0 : EdgeWeight;
     for (int edge = 0; edge < 3; ++edge)
     {
-      if (this->Mesh.Neighbour(triangle, edge) > triangle)
+      if (this->WithEdges && this->Mesh.Neighbour(triangle, edge) > triangle)
       {
         const int next = NextCorner(edge);
         this->Surface.RasterOf(this->Horizon, triangle)
@@ -419,7 +403,7 @@ private:
             [&](const Crossing& crossing)
             {
               const double fraction = crossing.FractionOfEdge;
-              const double weighs = edgeWeight * weight(crossing.Error);
+              const double weighs = weight(crossing.Error);
               element.Corners[edge] += weighs * (1.0 - fraction) * (1.0 - fraction);
               element.Corners[next] += weighs * fraction * fraction;
               element.Edges[edge] += weighs * fraction * (1.0 - fraction);
@@ -435,6 +419,7 @@ private:
   const std::size_t Horizon;
   const PlaneMesh& Mesh;
   const double Reach;
+  const bool WithEdges;
   InnerHeights Inner;
   const MovableCorners Corners;
   MeshEquations Equations;
@@ -595,7 +580,7 @@ void Write(const InnerHeights& some, InnerHeights& all)
 //----------------------------------------------------------------------------------------------------------------------
 // Heights around a height that the rule has moved are fitted again.
 std::vector<InnerHeights> FitAllHeights(
-  HeightMesh& mesh, FitAim aim, double reach, const HeightRule& rule, const Monitor& monitor)
+  HeightMesh& mesh, double reach, bool withEdges, const HeightRule& rule, const Monitor& monitor)
 {
   const std::vector<InnerHeights> before = mesh.HeightsOf(mesh.InnerVertices());
   std::vector<InnerHeights> heights = before;
@@ -605,7 +590,7 @@ std::vector<InnerHeights> FitAllHeights(
     for (std::size_t horizon = 0; horizon < free.size(); ++horizon)
     {
       const Monitor part = step.Step(double(horizon) / horizons, double(horizon + 1) / horizons);
-      Write(HeightFitter(mesh, reach, horizon, std::move(free[horizon])).Run(Powers(aim), part), heights[horizon]);
+      Write(HeightFitter(mesh, reach, withEdges, horizon, std::move(free[horizon])).Run(part), heights[horizon]);
     }
   };
   fit(before, monitor.Step(0.0, rule ? 0.5 : 1.0));

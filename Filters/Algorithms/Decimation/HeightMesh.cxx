@@ -509,39 +509,4 @@ bool HeightMesh::Owns(TriangleId triangle, const std::array<double, 3>& weights)
   }
   return true;
 }
-
-//----------------------------------------------------------------------------------------------------------------------
-HeightMesh::ErrorSums HeightMesh::SumErrors(double unit) const
-{
-  const ErrorPower squares{ 2, unit };
-  std::vector<ErrorSums> sums(std::size_t(this->Mesh.Size()));
-  const auto add = [&squares](double error, ErrorSums& sum)
-  {
-    sum.Errors += std::abs(error);
-    sum.Squares += squares.Raise(error);
-  };
-  this->ForEachTriangle(Monitor(),
-    [&](TriangleId triangle)
-    {
-      this->RasterOf(triangle).ForEachColumn(this->RaisedCorners(triangle),
-        [&](PointId, double error, const std::array<double, 3>& weights)
-        {
-          if (this->Owns(triangle, weights))
-          {
-            add(error, sums[triangle]);
-          }
-        });
-    });
-  ErrorSums all;
-  for (const ErrorSums& sum : sums)
-  {
-    all.Errors += sum.Errors;
-    all.Squares += sum.Squares;
-  }
-  for (const VertexId vertex : this->InnerVertices())
-  {
-    add(this->Height(vertex) - this->ColumnHeight(vertex), all);
-  }
-  return all;
-}
 }

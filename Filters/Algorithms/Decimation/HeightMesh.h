@@ -163,13 +163,6 @@ public:
   EdgeColumns OwnedColumns(TriangleId triangle) const;
   /// A column counts in sums for one triangle: on an edge for the lower number, at a vertex for none.
   bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const;
-  /// Errors are divided by the unit before they are squared.
-  struct ErrorSums
-  {
-    double Errors = 0.0;
-    double Squares = 0.0;
-  };
-  ErrorSums SumErrors(double unit) const;
   /// Bounds the rounding of heights in a triangle.
   double Rounding() const { return this->RoundingError; }
   /// Returns 1 for a level horizon.

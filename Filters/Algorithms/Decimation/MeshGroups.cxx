@@ -6,35 +6,53 @@
 #include "Common/Base/HeapArray.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/PlaneGeometry.h"
-#include "GroupMesh.h"
+#include "GroupHeights.h"
+#include "MeshImprover.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-struct Pass
-{
-  std::vector<GroupStep> Steps;
-  int MostRounds;
-  double Shift; // of the groups, as a fraction
-};
+using Steps = std::vector<GroupStep>;
 
-const std::vector<Pass>& Passes()
-{
-  constexpr GroupStep c = GroupStep::Collapse;
-  constexpr GroupStep m = GroupStep::Move;
-  constexpr GroupStep f = GroupStep::Flip;
-  static const std::vector<Pass> passes = { { { c }, 1, 0.0 }, { { c, f, m, c }, 2, 0.5 }, { { c, f, m, c }, 2, 0.25 },
-    { { GroupStep::FitSquares }, 1, 0.75 } };
-  return passes;
-}
+const Steps Collapses = { GroupStep::Collapse };
+const Steps Rounds = { GroupStep::Collapse, GroupStep::Flip, GroupStep::Move, GroupStep::Collapse };
+const Steps Squares = { GroupStep::FitSquares };
+const Steps Costs = { GroupStep::FindCosts };
+const Steps Choice = { GroupStep::CollapseChosen, GroupStep::FindCosts };
+const Steps Smoothing = { GroupStep::Flip, GroupStep::Move, GroupStep::Flip, GroupStep::Move };
+
+// Fractions of a group, so that edges between groups are not between the next ones.
+constexpr std::array<double, 4> Shifts = { 0.0, 0.5, 0.25, 0.75 };
+
+// ---- Numbers of vertices -------------------------------------------------------------------------------------------
+// The bound is this multiple of the largest error before, and is doubled if it prevents the number.
+constexpr double FirstBound = 3.0;
+// A pass removes this fraction of the vertices at most, so that the cheaper of two neighbours goes first.
+constexpr double FractionOfPass = 0.5;
+constexpr double FractionForWhole = 0.01;
+// A mesh smoothed half-way, at this multiple of the final inner vertices, shows better which can go.
+constexpr double HalfWay = 1.5;
+// As many passes without a removal, with all shifts, mean that none is possible.
+constexpr int MostIdlePasses = 4;
+// After this number of halvings, any angle will do.
+constexpr int MostHalvings = 12;
+
+// ---- Largest errors ------------------------------------------------------------------------------------------------
+// The number falls about as the error to this power.
+constexpr double NumberPower = 1.5;
+constexpr double EnoughOfNumber = 0.98;
+constexpr double NearEnough = 1.01;
+constexpr int MostTrials = 8;
+constexpr double LeastError = 1e-3;
+constexpr double OnFineSide = 0.9;
 
 // Large enough that few edges lie between groups, small enough for many threads.
 constexpr double TrianglesOfGroup = 1500.0;
@@ -45,25 +63,101 @@ class MeshGroups
 {
 public:
   MeshGroups(HeightMesh& mesh, const DecimationOptions& options, const ColumnRule& rule)
-    : Mesh(mesh)
-    , Rule(rule)
+    : Mesh(&mesh)
+    , Rule(&rule)
     , Vertices(std::size_t(mesh.EndOfVertices()))
   {
-    this->Options.Error = options.MaximumError;
-    this->Options.CrossingError = options.MaximumCrossingError();
     this->Options.SmallestAngle = options.SmallestAngle;
     this->Options.FitHeights = options.FitHeights;
     this->TakeMesh();
   }
 
-  void Run(const Monitor& monitor)
+  void SetError(double error, double crossingError, int power = 4)
   {
-    const auto passes = double(Passes().size());
-    for (std::size_t n = 0; n < Passes().size(); ++n)
+    this->Options.Error = error;
+    this->Options.CrossingError = crossingError;
+    this->Options.Power = power;
+    for (GroupVertex& vertex : this->Vertices)
     {
-      this->RunPass(Passes()[n], monitor.Step(double(n) / passes, double(n + 1) / passes));
+      vertex.Marks = TryAll;
     }
-    this->GiveBack();
+  }
+
+  void ImproveWithinError(const Monitor& monitor)
+  {
+    constexpr int rounds = 2;
+    this->RunPass(Collapses, 1, monitor.Step(0.0, 0.4));
+    this->RunPass(Rounds, rounds, monitor.Step(0.4, 0.7));
+    this->RunPass(Rounds, rounds, monitor.Step(0.7, 0.9));
+    this->RunPass(Squares, 1, monitor.Step(0.9, 1.0));
+  }
+
+  std::size_t CountVertices() const
+  {
+    return std::size_t(std::count_if(
+      this->Vertices.begin(), this->Vertices.end(), [](const GroupVertex& vertex) { return !vertex.IsGone; }));
+  }
+
+  /// The cheapest vertices go, until so many are left or none can go.
+  void ReduceTo(std::size_t number, const Monitor& monitor)
+  {
+    const std::size_t first = this->CountVertices();
+    const std::size_t fixed = first - this->CountInner();
+    std::size_t aim = fixed + std::size_t(HalfWay * double(number - std::min(number, fixed)));
+    this->RunPass(Smoothing, 1, monitor.Step(0.0, 0.1));
+    this->RunPass(Costs, 1, monitor.Step(0.1, 0.2));
+    int halvings = 0;
+    int idle = 0;
+    for (std::size_t left = first; left > number && halvings <= MostHalvings;)
+    {
+      if (left <= aim)
+      {
+        aim = number;
+        this->RunPass(Smoothing, 1, Monitor());
+        this->RunPass(Costs, 1, Monitor());
+      }
+      // The last ones are not kept back by edges between groups.
+      this->AreWhole = double(left - aim) < FractionForWhole * double(left);
+      this->Choose(left - aim);
+      this->RunPass(Choice, 1, Monitor());
+      const std::size_t before = left;
+      left = this->CountVertices();
+      monitor.Progress(0.2 + 0.7 * double(first - left) / double(first - number));
+      idle = left < before ? 0 : idle + 1;
+      if (idle == MostIdlePasses)
+      {
+        idle = 0;
+        this->Relax(++halvings);
+      }
+    }
+    this->AreWhole = false;
+    this->Smooth(monitor.Step(0.9, 1.0));
+  }
+
+  void Smooth(const Monitor& monitor)
+  {
+    constexpr int rounds = 2;
+    this->RunPass(Smoothing, rounds, monitor.Step(0.0, 0.5));
+    this->RunPass(Smoothing, rounds, monitor.Step(0.5, 1.0));
+  }
+
+  void GiveBack()
+  {
+    RawVector<VertexId> triangles;
+    for (const Triangles& patch : this->Patches)
+    {
+      for (const Corners& corners : patch)
+      {
+        triangles.insert(triangles.end(), corners.begin(), corners.end());
+      }
+    }
+    std::vector<PointId> sources(this->Vertices.size(), NoPoint);
+    for (std::size_t vertex = 0; vertex < sources.size(); ++vertex)
+    {
+      const GroupVertex& own = this->Vertices[vertex];
+      sources[vertex] = own.IsGone ? NoPoint : this->Mesh->RasterAt(0, VertexId(vertex)).PointAt(this->Places[vertex]);
+    }
+    this->Mesh->Replace(std::move(sources), this->Heights, triangles);
   }
 
 private:
@@ -73,25 +167,25 @@ private:
   /// Vertices without a triangle have no group and stay.
   void TakeMesh()
   {
-    const PlaneMesh& plane = this->Mesh.Triangles();
-    for (VertexId vertex = 0; vertex < this->Mesh.EndOfVertices(); ++vertex)
+    const PlaneMesh& plane = this->Mesh->Triangles();
+    for (VertexId vertex = 0; vertex < this->Mesh->EndOfVertices(); ++vertex)
     {
-      this->Places.push_back(this->Mesh.Raised(vertex).Column);
-      this->Vertices[vertex].IsFixed = this->Mesh.IsFixed(vertex);
-      this->Vertices[vertex].IsGone = this->Mesh.IsRemoved(vertex);
+      this->Places.push_back(this->Mesh->Raised(vertex).Column);
+      this->Vertices[vertex].IsFixed = this->Mesh->IsFixed(vertex);
+      this->Vertices[vertex].IsGone = this->Mesh->IsRemoved(vertex);
     }
-    this->Heights.resize(this->Mesh.NumberOfHorizons());
+    this->Heights.resize(this->Mesh->NumberOfHorizons());
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
-      for (VertexId vertex = 0; vertex < this->Mesh.EndOfVertices(); ++vertex)
+      for (VertexId vertex = 0; vertex < this->Mesh->EndOfVertices(); ++vertex)
       {
-        this->Heights[horizon].push_back(this->Mesh.Height(horizon, vertex));
+        this->Heights[horizon].push_back(this->Mesh->Height(horizon, vertex));
       }
     }
-    this->Patches.resize(this->Mesh.NumberOfPatches());
+    this->Patches.resize(this->Mesh->NumberOfPatches());
     for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
     {
-      this->Patches[this->Mesh.PatchOf(plane.Corner(triangle, 0))].push_back(plane.Corners(triangle));
+      this->Patches[this->Mesh->PatchOf(plane.Corner(triangle, 0))].push_back(plane.Corners(triangle));
       for (int edge = 0; edge < 3; ++edge)
       {
         if (plane.IsKeptEdge(triangle, edge)) // its ends may lie on a longer kept line
@@ -103,13 +197,50 @@ private:
     }
   }
 
-  void RunPass(const Pass& pass, const Monitor& monitor)
+  std::size_t CountInner() const
   {
+    return std::size_t(std::count_if(this->Vertices.begin(), this->Vertices.end(),
+      [](const GroupVertex& vertex) { return !vertex.IsGone && !vertex.IsFixed; }));
+  }
+
+  void Choose(std::size_t most)
+  {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t vertex = 0; vertex < this->Vertices.size(); ++vertex)
+    {
+      GroupVertex& own = this->Vertices[vertex];
+      own.IsChosen = false;
+      const bool isKnown = (own.Marks & TryCollapse) == 0; // not between groups of the last pass
+      if (!own.IsGone && !own.IsFixed && isKnown && own.Cost < StarTrial::Never)
+      {
+        order.emplace_back(own.Cost, vertex);
+      }
+    }
+    const std::size_t part = std::min(most, std::size_t(std::ceil(FractionOfPass * double(order.size()))));
+    std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(part), order.end());
+    for (std::size_t n = 0; n < part; ++n)
+    {
+      this->Vertices[order[n].second].IsChosen = true;
+      this->Options.MostCost = order[n].first;
+    }
+  }
+
+  /// Allows for larger errors and smaller angles.
+  void Relax(int halvings)
+  {
+    this->Options.SmallestAngle = halvings < MostHalvings ? 0.5 * this->Options.SmallestAngle : 0.0;
+    this->SetError(2.0 * this->Options.Error, 2.0 * this->Options.CrossingError, this->Options.Power);
+    this->RunPass(Costs, 1, Monitor());
+  }
+
+  void RunPass(const Steps& steps, int mostRounds, const Monitor& monitor)
+  {
+    const double shift = Shifts[std::size_t(this->Passes++) % Shifts.size()];
     std::vector<Triangles> groups;
     std::vector<std::size_t> patchOf;
     for (std::size_t patch = 0; patch < this->Patches.size(); ++patch)
     {
-      std::vector<Triangles> own = this->MakeGroups(this->Patches[patch], pass.Shift);
+      std::vector<Triangles> own = this->MakeGroups(this->Patches[patch], shift);
       std::move(own.begin(), own.end(), std::back_inserter(groups));
       patchOf.resize(groups.size(), patch);
       this->Patches[patch].clear();
@@ -120,7 +251,7 @@ private:
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          this->Improve(groups[std::size_t(n)], pass, between[std::size_t(n)]);
+          this->Improve(groups[std::size_t(n)], steps, mostRounds, between[std::size_t(n)]);
         }
       });
     for (std::size_t n = 0; n < groups.size(); ++n)
@@ -147,7 +278,7 @@ private:
       work += this->WorkOf(corners);
     }
     const double number = work / TrianglesOfGroup;
-    if (number < 1.5)
+    if (number < 1.5 || this->AreWhole)
     {
       return triangles.empty() ? std::vector<Triangles>() : std::vector<Triangles>{ triangles };
     }
@@ -200,7 +331,7 @@ private:
   }
 
   /// Vertices between groups are in several, and remain as they are; each of the others is in one alone.
-  void Improve(Triangles& triangles, const Pass& pass, std::vector<VertexId>& between)
+  void Improve(Triangles& triangles, const Steps& steps, int mostRounds, std::vector<VertexId>& between)
   {
     Group group;
     std::vector<VertexId> vertices;
@@ -218,7 +349,7 @@ private:
       std::for_each(own.begin(), own.end(), [&](VertexId vertex) { corners.push_back(numberOf(vertex)); });
     }
     this->Fill(group, vertices, corners);
-    ImproveGroup(group, this->Options, pass.Steps, pass.MostRounds);
+    ImproveGroup(group, this->Options, steps, mostRounds);
     this->Take(group, vertices, between);
     triangles.clear();
     for (TriangleId triangle = 0; triangle < group.Mesh.Size(); ++triangle)
@@ -247,20 +378,20 @@ private:
       {
         const VertexId from = group.Mesh.Corner(triangle, edge);
         const VertexId to = group.Mesh.Corner(triangle, NextCorner(edge));
-        if (this->Mesh.Triangles().IsKept(vertices[from], vertices[to]))
+        if (this->Mesh->Triangles().IsKept(vertices[from], vertices[to]))
         {
           group.Mesh.Keep(from, to);
         }
       }
     }
-    group.Cuts = this->Mesh.Cuts();
-    group.Rule = this->Rule;
+    group.Cuts = this->Mesh->Cuts();
+    group.Rule = *this->Rule;
     group.Horizons.resize(this->Heights.size());
     for (std::size_t horizon = 0; horizon < this->Heights.size(); ++horizon)
     {
       Group::Horizon& own = group.Horizons[horizon];
       own.Heights = Gather<std::vector<double>>(this->Heights[horizon], vertices);
-      own.Raster = &this->Mesh.RasterAt(horizon, vertices.front());
+      own.Raster = &this->Mesh->RasterAt(horizon, vertices.front());
     }
   }
 
@@ -284,38 +415,106 @@ private:
     }
   }
 
-  void GiveBack()
-  {
-    RawVector<VertexId> triangles;
-    for (const Triangles& patch : this->Patches)
-    {
-      for (const Corners& corners : patch)
-      {
-        triangles.insert(triangles.end(), corners.begin(), corners.end());
-      }
-    }
-    std::vector<PointId> sources(this->Vertices.size(), NoPoint);
-    for (std::size_t vertex = 0; vertex < sources.size(); ++vertex)
-    {
-      const GroupVertex& own = this->Vertices[vertex];
-      sources[vertex] = own.IsGone ? NoPoint : this->Mesh.RasterAt(0, VertexId(vertex)).PointAt(this->Places[vertex]);
-    }
-    this->Mesh.Replace(std::move(sources), this->Heights, triangles);
-  }
-
-  HeightMesh& Mesh;
-  const ColumnRule& Rule;
+  HeightMesh* Mesh;
+  const ColumnRule* Rule;
   GroupOptions Options;
   std::vector<PlanePoint> Places;
   std::vector<GroupVertex> Vertices;
   std::vector<std::vector<double>> Heights; // by horizon, then by vertex
   std::vector<Triangles> Patches;
+  int Passes = 0;
+  bool AreWhole = false; // one group for each patch
 };
+
+double BoundOf(const HeightMesh& mesh, DecimationPriority priority)
+{
+  const double largest = mesh.LargestError() > 0.0 ? mesh.LargestError() : 1.0;
+  return priority == DecimationPriority::LargestError ? largest : FirstBound * largest;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void ImproveInGroups(HeightMesh& mesh, const DecimationOptions& options, const ColumnRule& rule, const Monitor& monitor)
 {
-  MeshGroups(mesh, options, rule).Run(monitor);
+  MeshGroups groups(mesh, options, rule);
+  groups.SetError(options.MaximumError, options.MaximumCrossingError());
+  groups.ImproveWithinError(monitor);
+  groups.GiveBack();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void SmoothInGroups(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  const double bound = BoundOf(mesh, options.Priority);
+  const ColumnRule noRule;
+  MeshGroups groups(mesh, options, noRule);
+  groups.SetError(bound, bound, options.Priority == DecimationPriority::LargestError ? 4 : 2);
+  groups.Smooth(monitor);
+  groups.GiveBack();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor)
+{
+  const double bound = BoundOf(mesh, DecimationPriority::SumOfSquares);
+  const ColumnRule noRule;
+  MeshGroups groups(mesh, options, noRule);
+  groups.SetError(bound, bound, 2);
+  groups.ReduceTo(vertices, monitor);
+  groups.GiveBack();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// An error with too many vertices is found first. From there it grows; errors that leave too few are tried again from the
+// mesh before.
+void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& given, const Monitor& monitor)
+{
+  const ColumnRule noRule;
+  DecimationOptions options = given;
+  options.MaximumNumberOfPoints = 0;
+  options.MaximumError = std::max(mesh.LargestError(), LeastError);
+  std::optional<MeshGroups> fine;
+  std::optional<MeshGroups> coarse;
+  double fineError = 0.0;
+  double coarseError = 0.0;
+  double fineNumber = 0.0;
+  double coarseNumber = 0.0;
+  for (int trial = 0; trial < MostTrials; ++trial)
+  {
+    const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
+    if (!fine)
+    {
+      InsertToError(mesh, options, step.Step(0.0, 0.4));
+      mesh.SortByPlace();
+    }
+    MeshGroups next = fine ? *fine : MeshGroups(mesh, options, noRule);
+    next.SetError(options.MaximumError, options.MaximumCrossingError());
+    next.ImproveWithinError(step.Step(0.4, 1.0));
+    const auto number = double(next.CountVertices());
+    const bool isFine = number > double(vertices);
+    (isFine ? fineError : coarseError) = options.MaximumError;
+    (isFine ? fineNumber : coarseNumber) = number;
+    (isFine ? fine : coarse).emplace(std::move(next));
+    if (coarse && (coarseNumber >= EnoughOfNumber * double(vertices) || coarseError <= NearEnough * fineError))
+    {
+      break;
+    }
+    const double power =
+      fine && coarse ? std::log(fineNumber / coarseNumber) / std::log(coarseError / fineError) : NumberPower;
+    options.MaximumError *= std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
+    constexpr double away = 1.003;
+    if (fine)
+    {
+      options.MaximumError = std::max(options.MaximumError, away * fineError);
+    }
+    if (fine && coarse)
+    {
+      options.MaximumError = std::min(options.MaximumError, coarseError / away);
+    }
+  }
+  if (coarse || fine)
+  {
+    (coarse ? *coarse : *fine).GiveBack();
+  }
 }
 }

@@ -27,6 +27,19 @@ using ColumnRule = std::function<void(const PlanePoint&, std::vector<double>&)>;
 /// vertices stay; others may move to other columns.
 void ImproveInGroups(
   HeightMesh& mesh, const DecimationOptions& options, const ColumnRule& rule, const Monitor& monitor);
+
+/// Flips edges and moves vertices, with the errors of the priority growing nowhere much. Errors of all triangles must be
+/// current.
+void SmoothInGroups(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor);
+
+/// Removes vertices where that adds least to the sum of squares. Stops early if none can go. Errors of all triangles must
+/// be current.
+void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
+
+/// Searches the error within which so many vertices are left, or a few less, from that of the mesh on. Heights must be
+/// those of columns, and errors of all triangles current.
+void ReduceLargestError(
+  HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
 }
 
 #endif

@@ -281,6 +281,8 @@ SEISMICHORIZONS_PART_OF_CALLER StarSums SumStarHere(
             sums[0] += squares;
             sums[1] += products;
             sums[2] += ofWeights;
+            descent[0] += products * slope[0];
+            descent[1] += products * slope[1];
           }
           else
           {

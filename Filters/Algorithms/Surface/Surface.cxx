@@ -360,6 +360,8 @@ private:
   std::vector<Square> Squares;
 };
 
+// The best effort leaves about this share of the inner points of the fast one within an error. Each has two triangles.
+constexpr double ShareOfBest = 0.5;
 // Points kept after the first mesh can leave new slivers.
 constexpr int SliverRounds = 2;
 // Meshes within an error do not keep larger angles (degrees) either.
@@ -386,7 +388,7 @@ public:
     this->Simplify(error, monitor.Step(last, last + 0.3 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
-      this->AddToOutlines(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
+      this->FindOnOutlines(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
       this->Decimate(isByNumber, monitor.Step(last + 0.4 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
@@ -420,9 +422,13 @@ private:
 
   std::size_t CountTriangles(double error, const Monitor& monitor)
   {
-    return this->Result.Kept.empty()
-      ? 0
-      : MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor).Triangles.size() / 3;
+    if (this->Result.Kept.empty())
+    {
+      return 0;
+    }
+    const PlanMesh fast = MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor);
+    const double share = this->Options.Effort == DecimationEffort::Best ? ShareOfBest : 1.0;
+    return fast.Triangles.size() / 3 - std::size_t(2.0 * (1.0 - share) * double(fast.NumberOfInnerPoints));
   }
 
   DecimationOptions FastOptions(double error, bool fitHeights) const
@@ -437,7 +443,7 @@ private:
 
   /// A long outline edge beside rough ground leaves only slivers in between, or edges far from links to points that were
   /// dropped. A mesh near outlines finds them, outlines keep such points, and changed outlines are examined again.
-  void AddToOutlines(const Monitor& monitor)
+  void FindOnOutlines(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
     if (error == 0.0)
@@ -454,11 +460,19 @@ private:
       {
         return;
       }
-      this->Result.AddedToOutlines.insert(this->Result.AddedToOutlines.end(), found.begin(), found.end());
       const Loops before = this->Outlines;
-      this->Simplify(error, step.Step(0.8, 1.0));
+      this->AddToOutlines(found, step.Step(0.8, 1.0));
       changed = FindChanged(before, this->Outlines, this->Columns().size());
     }
+  }
+
+  void AddToOutlines(const std::vector<PointId>& points, const Monitor& monitor)
+  {
+    std::vector<PointId>& all = this->Result.AddedToOutlines;
+    all.insert(all.end(), points.begin(), points.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    this->Simplify(this->Result.Parameters.MaximumError, monitor);
   }
 
   KeptPoints Select(const SquaresNear& squares) const
@@ -501,8 +515,6 @@ private:
         }
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
 
@@ -592,7 +604,7 @@ private:
     { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
     options.Fixed = this->Result.Boundary.OpenCracks.PointsOfOpenEnds();
     options.Fixed.insert(options.Fixed.end(), this->Result.AddedToOutlines.begin(), this->Result.AddedToOutlines.end());
-    options.Index = this->Result.Kept.AreAll() ? &*this->Index : nullptr;
+    options.Index = this->Result.Kept.AreAll() && this->Index ? &*this->Index : nullptr;
     if (!HasSeams(this->Options.Seams))
     {
       return simplify(this->Result.Boundary.Boundary);
@@ -672,7 +684,20 @@ private:
     }
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
     this->Index.reset(); // frees memory for the mesh
-    this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
+    std::optional<Decimation> mesh;
+    for (int round = 0; round < SliverRounds && !isByNumber && !mesh; ++round)
+    {
+      std::vector<PointId> inTheWay;
+      BoundedHorizon horizon = this->MoveHorizon();
+      mesh = DecimateUnlessInTheWay(horizon, options, inTheWay, monitor.Step(0.2, 1.0));
+      if (!mesh)
+      {
+        this->Height() = std::move(horizon.Height);
+        this->AddToOutlines(inTheWay, monitor.Step(0.2, 0.2));
+      }
+    }
+    this->Result.Mesh =
+      mesh ? std::move(*mesh) : SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
     if (this->Seams)

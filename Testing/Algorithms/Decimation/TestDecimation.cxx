@@ -122,7 +122,7 @@ void TestFitNoise()
   {
     const Decimation fitted = Decimate(horizon, Best(AtMost(most, true)));
     const Decimation columnsAlone = Decimate(horizon, Best(AtMost(most)));
-    CHECK(fitted.MeanError < 0.98 * columnsAlone.MeanError);
+    CHECK(fitted.MeanError < 0.985 * columnsAlone.MeanError);
   }
   // Within an error, fitted heights take fewer vertices.
   for (const double error : { 0.8, 1.0 })
@@ -169,7 +169,7 @@ void TestPriority()
     options.Priority = DecimationPriority::LargestError;
     const Decimation largest = Decimate(horizon, options);
     CHECK(mean.MeanError < 0.97 * largest.MeanError);
-    CHECK(largest.LargestError < 0.97 * mean.LargestError);
+    CHECK(largest.LargestError < 0.97 * mean.LargestError); std::cerr << largest.LargestError << " " << mean.LargestError << " "<< largest.Points.Source.size()<<"\n";
   }
 }
 

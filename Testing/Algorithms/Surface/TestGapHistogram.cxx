@@ -8,6 +8,7 @@
 #include "Tools/Patches.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 using namespace SeismicHorizons;
@@ -121,6 +122,16 @@ void TestOrderDoesNotMatter()
     CHECK(CountGaps(columns).AlongRows == sorted.AlongColumns);
   }
 }
+
+void TestHoleSizes()
+{
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 0.0), 9);
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 1.5), 9);
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 2.0), 16);
+  CHECK_EQUAL(ChooseSmallestHoleSize(3, 2.0), 49);
+  CHECK_EQUAL(ChooseSmallestHoleSize(1, 1e300), std::int64_t(1) << 28);
+  CHECK_EQUAL(ChooseSmallestHoleSize(std::numeric_limits<int>::max(), 0.0), ChooseSmallestHoleSize(LargestRadius, 0.0));
+}
 }
 
 int TestGapHistogram(int, char*[])
@@ -131,5 +142,6 @@ int TestGapHistogram(int, char*[])
   TestHolesAndOutlines();
   TestFewPoints();
   TestOrderDoesNotMatter();
+  TestHoleSizes();
   return Check::Result();
 }

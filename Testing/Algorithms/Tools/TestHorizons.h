@@ -93,6 +93,19 @@ inline std::vector<PointId> FindTargets(const BoundarySimplification& simplified
   return targets;
 }
 
+/// On columns, with dropped points that have no patch.
+inline BoundedHorizon Leave(const BoundedHorizon& horizon, const BoundarySimplification& simplified)
+{
+  BoundedHorizon left = OnColumns(horizon);
+  left.Boundary = simplified.Boundary;
+  left.Dropped = simplified.Dropped;
+  for (const DroppedPoint& dropped : simplified.Dropped)
+  {
+    left.Patch[std::size_t(dropped.Point)] = NoPatch;
+  }
+  return left;
+}
+
 /// The horizon without the points that were dropped from its boundary.
 inline BoundedHorizon Drop(const BoundedHorizon& horizon, const BoundarySimplification& simplified)
 {
