@@ -21,7 +21,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr int Steps = 2;
+constexpr int StepsOfFit = 2;
 constexpr double PartOfStep = 1.0 / 3.0;
 
 // Errors below this fraction of the reach weigh alike, so that no weight is 0.
@@ -322,9 +322,9 @@ public:
 
   InnerHeights Run(const Monitor& monitor)
   {
-    for (int step = 0; step < Steps && !this->Inner.Vertices.empty(); ++step)
+    for (int step = 0; step < StepsOfFit && !this->Inner.Vertices.empty(); ++step)
     {
-      monitor.Progress(double(step) / Steps);
+      monitor.Progress(double(step) / StepsOfFit);
       this->Improve();
     }
     return std::move(this->Inner);

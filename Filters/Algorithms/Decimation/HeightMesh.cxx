@@ -232,15 +232,6 @@ void HeightMesh::PutBack(VertexId vertex)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::Remove(VertexId vertex)
-{
-  assert(!this->IsRemoved(vertex) && !this->IsOnLoop(vertex));
-  this->Marks[this->Sources[vertex]] = 0;
-  this->Sources[vertex] = NoPoint;
-  ++this->Removed;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::Replace(
   std::vector<PointId> sources, const std::vector<std::vector<double>>& heights, const RawVector<VertexId>& triangles)
 {
@@ -309,13 +300,6 @@ void HeightMesh::SortByPlace()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::Compact()
-{
-  this->Mesh.Compact();
-  this->SortVertices();
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 std::vector<VertexId> HeightMesh::InnerVertices() const
 {
   std::vector<VertexId> vertices;
@@ -374,14 +358,14 @@ void HeightMesh::MeasureEach(const std::vector<TriangleId>& triangles, const Mon
 
 //----------------------------------------------------------------------------------------------------------------------
 void HeightMesh::Measure(
-  const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor)
+  const std::vector<TriangleId>& triangles, const ErrorSquares& squares, double bound, const Monitor& monitor)
 {
   this->MeasureEach(triangles, monitor,
     [&](TriangleId triangle)
     {
-      if (power.Power > 0)
+      if (squares.AreSummed)
       {
-        return this->RasterOf(triangle).Measure(this->RaisedCorners(triangle), power);
+        return this->RasterOf(triangle).Measure(this->RaisedCorners(triangle), squares);
       }
       HeightError largest;
       for (std::size_t horizon = 0; horizon < this->NumberOfHorizons(); ++horizon)

@@ -90,8 +90,6 @@ public:
 
   /// The point must lie in the triangle or on its edges.
   void Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around);
-  /// No triangle may have the vertex as a corner any more.
-  void Remove(VertexId vertex);
   /// Resets a vertex to the height of its column.
   void PutBack(VertexId vertex);
   /// Gives vertices other points, NoPoint to remove them, other heights by horizon, and other triangles. Kept edges
@@ -101,7 +99,6 @@ public:
   /// Drops removed vertices.
   void SortVertices();
   void SortByPlace();
-  void Compact();
 
   std::vector<InnerHeights> HeightsOf(const std::vector<VertexId>& vertices) const;
   void SetAllHeights(const std::vector<InnerHeights>& heights);
@@ -142,9 +139,10 @@ public:
       this->Raised(this->Mesh.Corner(triangle, edge)), this->Raised(this->Mesh.Corner(triangle, NextCorner(edge))));
   }
 
-  /// Stores errors: only above the bound with power 0, else all with their sums.
-  void Measure(const std::vector<TriangleId>& triangles, const ErrorPower& power, double bound, const Monitor& monitor);
-  /// Finds points of errors that were measured with a power.
+  /// Stores errors: only above the bound, unless squares are summed.
+  void Measure(
+    const std::vector<TriangleId>& triangles, const ErrorSquares& squares, double bound, const Monitor& monitor);
+  /// Finds points of errors that were measured with sums.
   void FindPoints(const std::vector<TriangleId>& triangles, double bound);
   /// Raises stored errors to the errors of inner edges at grid lines, unless both columns there are vertices. With
   /// isEachOnce, an edge counts for one of its triangles.

@@ -27,13 +27,6 @@ double SumOf(const Four& four)
   return (double(four[0]) + four[1]) + (double(four[2]) + four[3]);
 }
 
-template <int Power, typename Four>
-Four RaiseTo(const Four& four)
-{
-  const Four square = four * four;
-  return Power == 2 ? square : Four(square * square);
-}
-
 constexpr std::int64_t ColumnGrain = 1 << 15;
 
 // Measures that may end early are checked after this number of steps.
@@ -181,45 +174,27 @@ bool HeightRaster::IsFloatEnough(double bound) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Ends early if an error exceeds the bound or the sum reaches `most`.
-template <int Power, typename Real>
-HeightError HeightRaster::MeasureAs(const RaisedTriangle& triangle, double perUnit, double bound, double most) const
+// Ends early if an error exceeds the bound.
+template <typename Real>
+HeightError HeightRaster::MeasureAs(const RaisedTriangle& triangle, const ErrorSquares& squares, double bound) const
 {
   using Four = FourColumns<Real>;
+  const auto perUnit = Real(1.0 / squares.Unit);
   Four largest = Four::Zero();
   Four sums = Four::Zero();
-  const bool canEnd = bound < Infinity || most < Infinity;
   int steps = 0;
   this->ForEachHeight<Real>(triangle, EdgeColumns(),
     [&](std::int64_t place, const Four& heights, const Four&, const Four&, const Four& isIn)
     {
       const Four distances = AtLeastZero(Four((heights - this->FourAt<Real>(place)).abs())) * isIn;
       largest = largest.max(distances);
-      if (Power > 0)
+      if (squares.AreSummed)
       {
-        sums += RaiseTo<Power, Four>(distances * Real(perUnit));
+        sums += (distances * perUnit).square();
       }
-      return !canEnd || ++steps % StepsBetweenLooks != 0 ||
-        (LargestOf(largest) <= bound && (Power == 0 || SumOf(sums) < most));
+      return bound == Infinity || ++steps % StepsBetweenLooks != 0 || LargestOf(largest) <= bound;
     });
-  return { LargestOf(largest), NoPoint, Power == 0 ? 0.0 : SumOf(sums) };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Real>
-HeightError HeightRaster::MeasureAs(
-  const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const
-{
-  const double perUnit = 1.0 / power.Unit;
-  switch (power.Power)
-  {
-    case 2:
-      return this->MeasureAs<2, Real>(triangle, perUnit, bound, most);
-    case 4:
-      return this->MeasureAs<4, Real>(triangle, perUnit, bound, most);
-    default:
-      return this->MeasureAs<0, Real>(triangle, perUnit, bound, most);
-  }
+  return { LargestOf(largest), NoPoint, squares.AreSummed ? SumOf(sums) : 0.0 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -247,9 +222,9 @@ PointId HeightRaster::FindPointAs(const RaisedTriangle& triangle, double error) 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HeightError HeightRaster::Measure(const RaisedTriangle& triangle, const ErrorPower& power) const
+HeightError HeightRaster::Measure(const RaisedTriangle& triangle, const ErrorSquares& squares) const
 {
-  return this->MeasureAs<double>(triangle, power, Infinity, Infinity);
+  return this->MeasureAs<double>(triangle, squares, Infinity);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -258,7 +233,7 @@ HeightError HeightRaster::MeasureAbove(const RaisedTriangle& triangle, double bo
 {
   const bool isFloatEnough = this->IsFloatEnough(bound);
   const double rounding = isFloatEnough ? this->FloatRounding(bound) : Infinity;
-  double largest = isFloatEnough ? this->MeasureAs<0, float>(triangle, 1.0, Infinity, Infinity).Largest : bound;
+  double largest = isFloatEnough ? this->MeasureAs<float>(triangle, ErrorSquares(), Infinity).Largest : bound;
   if (std::abs(largest - bound) <= rounding)
   {
     largest = this->Measure(triangle).Largest;
@@ -274,18 +249,18 @@ PointId HeightRaster::FindPoint(const RaisedTriangle& triangle, double error, do
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double HeightRaster::SumWithin(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const
+bool HeightRaster::IsWithin(const RaisedTriangle& triangle, double bound) const
 {
-  const bool isFloatEnough = this->IsFloatEnough(power.Unit);
-  const double rounding = isFloatEnough ? this->FloatRounding(power.Unit) : 0.0;
-  const HeightError error = isFloatEnough ? this->MeasureAs<float>(triangle, power, bound + rounding, most)
-                                          : this->MeasureAs<double>(triangle, power, bound, most);
-  if (error.Largest > bound + rounding || error.Sum >= most)
+  if (this->IsFloatEnough(bound))
   {
-    return Infinity;
+    const double rounding = this->FloatRounding(bound);
+    const double largest = this->MeasureAs<float>(triangle, ErrorSquares(), bound + rounding).Largest;
+    if (std::abs(largest - bound) > rounding)
+    {
+      return largest <= bound;
+    }
   }
-  const bool isInDoubt = error.Largest > bound - rounding;
-  return isInDoubt && this->MeasureAs<0, double>(triangle, 1.0, bound, Infinity).Largest > bound ? Infinity : error.Sum;
+  return this->MeasureAs<double>(triangle, ErrorSquares(), bound).Largest <= bound;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -306,22 +281,6 @@ HeightError HeightRaster::MeasureEdge(
         const PointId point = isFree(near) ? near : far;
         error = isFree(point) ? HeightError{ distance, point } : error;
       }
-      return true;
-    });
-  return error;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-HeightError HeightRaster::MeasureCrossings(
-  const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const
-{
-  HeightError error;
-  this->ForEachCrossing<double>(from, to,
-    [&](const Crossing& crossing)
-    {
-      const double distance = std::abs(crossing.Error);
-      error.Largest = std::max(error.Largest, distance);
-      error.Sum += power.Raise(distance);
       return true;
     });
   return error;
@@ -354,6 +313,6 @@ bool HeightRaster::IsEdgeWithin(const RaisedPoint& from, const RaisedPoint& to, 
       return largest <= bound + rounding;
     });
   const bool isInDoubt = std::abs(largest - bound) <= rounding;
-  return isInDoubt ? this->MeasureCrossings(from, to, ErrorPower()).Largest <= bound : largest <= bound;
+  return isInDoubt ? this->MeasureCrossings(from, to).Largest() <= bound : largest <= bound;
 }
 }

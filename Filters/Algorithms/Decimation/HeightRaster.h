@@ -32,20 +32,14 @@ struct HeightError
 {
   double Largest = 0.0;
   PointId Point = NoPoint;
-  double Sum = 0.0; // of powers, if requested
+  double Sum = 0.0; // of squares, if requested
 };
 
-/// Division by the unit keeps high powers from overflowing.
-struct ErrorPower
+/// Division by the unit keeps squares from overflowing.
+struct ErrorSquares
 {
-  int Power = 0; // 2 or 4; 0 for no sum
+  bool AreSummed = false;
   double Unit = 1.0;
-
-  double Raise(double distance) const
-  {
-    const double square = (distance / this->Unit) * (distance / this->Unit);
-    return this->Power == 2 ? square : square * square;
-  }
 };
 
 /// Place and Beyond are the two columns, which have points or dropped ones.
@@ -63,6 +57,8 @@ struct CrossingErrors
 {
   double Inside = 0.0;
   double BesideLoops = 0.0;
+
+  double Largest() const { return std::max(this->Inside, this->BesideLoops); }
 };
 
 /// Heights are floats relative to the middle height. Where float rounding could change a decision, doubles are read, so
@@ -127,7 +123,7 @@ public:
   double HighestHeight() const { return this->Highest; }
 
   /// Edges of the triangle are included.
-  HeightError Measure(const RaisedTriangle& triangle, const ErrorPower& power = ErrorPower()) const;
+  HeightError Measure(const RaisedTriangle& triangle, const ErrorSquares& squares = ErrorSquares()) const;
 
   /// Returns no error up to the bound.
   HeightError MeasureAbove(const RaisedTriangle& triangle, double bound) const;
@@ -135,19 +131,12 @@ public:
   /// Returns the first point, row by row, with an error that was measured with this bound.
   PointId FindPoint(const RaisedTriangle& triangle, double error, double bound) const;
 
-  bool IsWithin(const RaisedTriangle& triangle, double bound) const
-  {
-    return this->SumWithin(triangle, { 0, bound }, bound) < Infinity;
-  }
-
-  /// Returns infinity if an error exceeds the bound or the sum reaches `most`.
-  double SumWithin(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most = Infinity) const;
+  bool IsWithin(const RaisedTriangle& triangle, double bound) const;
 
   /// Measures crossings that have an unmarked column, and finds the nearer of these columns.
   HeightError MeasureEdge(
     const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const;
 
-  HeightError MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to, const ErrorPower& power) const;
   CrossingErrors MeasureCrossings(const RaisedPoint& from, const RaisedPoint& to) const;
 
   bool IsEdgeWithin(const RaisedPoint& from, const RaisedPoint& to, double bound) const;
@@ -226,10 +215,8 @@ private:
   {
     return std::is_same_v<Real, float> ? 0.5 * this->Lowest + 0.5 * this->Highest : 0.0;
   }
-  template <int Power, typename Real>
-  HeightError MeasureAs(const RaisedTriangle& triangle, double perUnit, double bound, double most) const;
   template <typename Real>
-  HeightError MeasureAs(const RaisedTriangle& triangle, const ErrorPower& power, double bound, double most) const;
+  HeightError MeasureAs(const RaisedTriangle& triangle, const ErrorSquares& squares, double bound) const;
   template <typename Real>
   PointId FindPointAs(const RaisedTriangle& triangle, double error) const;
   /// Calls visit(place, heights, b, c, isIn) until it returns false, with heights of the triangle relative to

@@ -20,17 +20,17 @@ namespace SeismicHorizons
 {
 namespace
 {
-using Steps = std::vector<GroupStep>;
+using GroupSteps = std::vector<GroupStep>;
 
-const Steps Collapses = { GroupStep::Collapse };
-const Steps Rounds = { GroupStep::Collapse, GroupStep::Flip, GroupStep::Move, GroupStep::Collapse };
-const Steps Squares = { GroupStep::FitSquares };
-const Steps Costs = { GroupStep::FindCosts };
-const Steps Choice = { GroupStep::CollapseChosen, GroupStep::FindCosts };
-const Steps Smoothing = { GroupStep::Flip, GroupStep::Move, GroupStep::Flip, GroupStep::Move };
+const GroupSteps CollapseSteps = { GroupStep::Collapse };
+const GroupSteps RoundSteps = { GroupStep::Collapse, GroupStep::Flip, GroupStep::Move, GroupStep::Collapse };
+const GroupSteps SquareSteps = { GroupStep::FitSquares };
+const GroupSteps CostSteps = { GroupStep::FindCosts };
+const GroupSteps ChoiceSteps = { GroupStep::CollapseChosen, GroupStep::FindCosts };
+const GroupSteps SmoothSteps = { GroupStep::Flip, GroupStep::Move, GroupStep::Flip, GroupStep::Move };
 
 // Fractions of a group, so that edges between groups are not between the next ones.
-constexpr std::array<double, 4> Shifts = { 0.0, 0.5, 0.25, 0.75 };
+constexpr std::array<double, 4> ShiftsOfGroups = { 0.0, 0.5, 0.25, 0.75 };
 
 // ---- Numbers of vertices -------------------------------------------------------------------------------------------
 // The bound is this multiple of the largest error before, and is doubled if it prevents the number.
@@ -86,10 +86,10 @@ public:
   void ImproveWithinError(const Monitor& monitor)
   {
     constexpr int rounds = 2;
-    this->RunPass(Collapses, 1, monitor.Step(0.0, 0.4));
-    this->RunPass(Rounds, rounds, monitor.Step(0.4, 0.7));
-    this->RunPass(Rounds, rounds, monitor.Step(0.7, 0.9));
-    this->RunPass(Squares, 1, monitor.Step(0.9, 1.0));
+    this->RunPass(CollapseSteps, 1, monitor.Step(0.0, 0.4));
+    this->RunPass(RoundSteps, rounds, monitor.Step(0.4, 0.7));
+    this->RunPass(RoundSteps, rounds, monitor.Step(0.7, 0.9));
+    this->RunPass(SquareSteps, 1, monitor.Step(0.9, 1.0));
   }
 
   std::size_t CountVertices() const
@@ -104,8 +104,8 @@ public:
     const std::size_t first = this->CountVertices();
     const std::size_t fixed = first - this->CountInner();
     std::size_t aim = fixed + std::size_t(HalfWay * double(number - std::min(number, fixed)));
-    this->RunPass(Smoothing, 1, monitor.Step(0.0, 0.1));
-    this->RunPass(Costs, 1, monitor.Step(0.1, 0.2));
+    this->RunPass(SmoothSteps, 1, monitor.Step(0.0, 0.1));
+    this->RunPass(CostSteps, 1, monitor.Step(0.1, 0.2));
     int halvings = 0;
     int idle = 0;
     for (std::size_t left = first; left > number && halvings <= MostHalvings;)
@@ -113,13 +113,13 @@ public:
       if (left <= aim)
       {
         aim = number;
-        this->RunPass(Smoothing, 1, Monitor());
-        this->RunPass(Costs, 1, Monitor());
+        this->RunPass(SmoothSteps, 1, Monitor());
+        this->RunPass(CostSteps, 1, Monitor());
       }
       // The last ones are not kept back by edges between groups.
       this->AreWhole = double(left - aim) < FractionForWhole * double(left);
       this->Choose(left - aim);
-      this->RunPass(Choice, 1, Monitor());
+      this->RunPass(ChoiceSteps, 1, Monitor());
       const std::size_t before = left;
       left = this->CountVertices();
       monitor.Progress(0.2 + 0.7 * double(first - left) / double(first - number));
@@ -137,8 +137,8 @@ public:
   void Smooth(const Monitor& monitor)
   {
     constexpr int rounds = 2;
-    this->RunPass(Smoothing, rounds, monitor.Step(0.0, 0.5));
-    this->RunPass(Smoothing, rounds, monitor.Step(0.5, 1.0));
+    this->RunPass(SmoothSteps, rounds, monitor.Step(0.0, 0.5));
+    this->RunPass(SmoothSteps, rounds, monitor.Step(0.5, 1.0));
   }
 
   void GiveBack()
@@ -230,12 +230,12 @@ private:
   {
     this->Options.SmallestAngle = halvings < MostHalvings ? 0.5 * this->Options.SmallestAngle : 0.0;
     this->SetError(2.0 * this->Options.Error, 2.0 * this->Options.CrossingError, this->Options.Power);
-    this->RunPass(Costs, 1, Monitor());
+    this->RunPass(CostSteps, 1, Monitor());
   }
 
-  void RunPass(const Steps& steps, int mostRounds, const Monitor& monitor)
+  void RunPass(const GroupSteps& steps, int mostRounds, const Monitor& monitor)
   {
-    const double shift = Shifts[std::size_t(this->Passes++) % Shifts.size()];
+    const double shift = ShiftsOfGroups[std::size_t(this->Passes++) % ShiftsOfGroups.size()];
     std::vector<Triangles> groups;
     std::vector<std::size_t> patchOf;
     for (std::size_t patch = 0; patch < this->Patches.size(); ++patch)
@@ -331,7 +331,7 @@ private:
   }
 
   /// Vertices between groups are in several, and remain as they are; each of the others is in one alone.
-  void Improve(Triangles& triangles, const Steps& steps, int mostRounds, std::vector<VertexId>& between)
+  void Improve(Triangles& triangles, const GroupSteps& steps, int mostRounds, std::vector<VertexId>& between)
   {
     Group group;
     std::vector<VertexId> vertices;

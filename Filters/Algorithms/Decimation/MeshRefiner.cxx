@@ -30,7 +30,7 @@ MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationP
 {
   if (priority == DecimationPriority::SumOfSquares)
   {
-    this->Power = { 2, mesh.HeightRange() };
+    this->Squares = { true, mesh.HeightRange() };
   }
 }
 
@@ -38,7 +38,7 @@ MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationP
 void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
   const double bound = error + this->Mesh.Rounding();
-  this->Mesh.Measure(this->Mesh.AllTriangles(), this->Power, bound, monitor.Step(0.0, 0.1));
+  this->Mesh.Measure(this->Mesh.AllTriangles(), this->Squares, bound, monitor.Step(0.0, 0.1));
   const double first = this->Mesh.LargestError();
   this->StartWith(bound);
   double fraction = 0.1;
@@ -55,7 +55,7 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
         " in several triangles, expected loops that enclose it once");
     }
     this->SortNew();
-    this->Mesh.Measure(this->New, this->Power, bound, Monitor());
+    this->Mesh.Measure(this->New, this->Squares, bound, Monitor());
     this->KeepFar(bound);
   }
 }
@@ -81,7 +81,7 @@ void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
       std::for_each(
         far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
     }
-    this->Mesh.Measure(this->New, ErrorPower(), bound, Monitor());
+    this->Mesh.Measure(this->New, ErrorSquares(), bound, Monitor());
     this->Mesh.MeasureEdges(this->New, bound, false, Monitor());
     this->KeepFar(bound);
   }

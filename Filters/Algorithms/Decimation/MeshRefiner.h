@@ -47,7 +47,7 @@ private:
   HeightMesh& Mesh;
   const std::size_t MostVertices;
   const DecimationPriority Priority;
-  ErrorPower Power;
+  ErrorSquares Squares;
   std::vector<TriangleId> Far; // triangles above the bound
   std::vector<TriangleId> New;
   std::vector<unsigned char> IsNew;

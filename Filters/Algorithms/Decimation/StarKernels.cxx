@@ -16,6 +16,8 @@
 
 namespace SeismicHorizons
 {
+namespace StarLanes // whose short names other files have, too
+{
 namespace
 {
 constexpr int Columns = 8;
@@ -383,13 +385,14 @@ SEISMICHORIZONS_KERNELS(ForAny, )
 SEISMICHORIZONS_KERNELS(ForAvx2, SEISMICHORIZONS_WITH_AVX2)
 #undef SEISMICHORIZONS_KERNELS
 }
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real>
 const StarKernels<Real>& KernelsForStars(bool isForAny)
 {
-  static const StarKernels<Real> forAny = ForAny<Real>::Get();
-  static const StarKernels<Real> forAvx2 = ForAvx2<Real>::Get();
+  static const StarKernels<Real> forAny = StarLanes::ForAny<Real>::Get();
+  static const StarKernels<Real> forAvx2 = StarLanes::ForAvx2<Real>::Get();
   return isForAny || !HasAvx2() ? forAny : forAvx2;
 }
 

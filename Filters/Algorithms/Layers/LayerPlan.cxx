@@ -725,7 +725,7 @@ private:
       const bool isInner = mesh.Triangles().Neighbour(triangle, side) > triangle;
       if (isInner && !raster.IsEdgeWithin(from, to, largest.OfSides))
       {
-        largest.OfSides = raster.MeasureCrossings(from, to, ErrorPower()).Largest;
+        largest.OfSides = raster.MeasureCrossings(from, to).Largest();
       }
     }
   }
