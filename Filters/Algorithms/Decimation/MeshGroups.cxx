@@ -484,6 +484,7 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
     if (!fine)
     {
+      coarse.reset(); // of a mesh with fewer vertices
       InsertToError(mesh, options, step.Step(0.0, 0.4));
       mesh.SortByPlace();
     }

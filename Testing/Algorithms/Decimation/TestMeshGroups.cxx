@@ -65,6 +65,21 @@ void TestFewVertices()
   CHECK(share(MakeHorizon(250, 1.0), 0.5) < 0.35);
 }
 
+/// Whole heights leave few vertices at first, so that points are inserted again within a smaller error.
+void TestLargestErrorOfWholeHeights()
+{
+  BoundedHorizon horizon = MakeHorizon(100, 0.0);
+  std::for_each(horizon.Height.begin(), horizon.Height.end(), [](double& height) { height = std::round(height); });
+  for (const std::size_t most : { 450, 600, 1500 })
+  {
+    DecimationOptions options = Best(AtMost(most, true));
+    options.Priority = DecimationPriority::LargestError;
+    const Decimation result = Decimate(horizon, options);
+    CHECK(result.Points.Source.size() <= most);
+    CHECK_EQUAL(Checker(horizon, result).Check(1e9, MeshChecker::Kind::Any), std::string());
+  }
+}
+
 /// Heights that are far from 0 have the mesh of the same heights around 0.
 void TestOffset()
 {
@@ -162,6 +177,7 @@ int TestMeshGroups(int, char*[])
 {
   TestBound();
   TestFewVertices();
+  TestLargestErrorOfWholeHeights();
   TestOffset();
   TestFarPatches();
   TestWhatStays();
