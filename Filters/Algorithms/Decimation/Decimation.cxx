@@ -14,7 +14,6 @@
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/Types.h"
 #include "HeightMesh.h"
-#include "MeshGroups.h"
 #include "MeshImprover.h"
 #include "MeshRefiner.h"
 
@@ -368,7 +367,8 @@ std::optional<Decimation> DecimateUnlessInTheWay(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+PlanMesh MeshOf(
+  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, std::vector<PointId>* inTheWay)
 {
   Check(options);
   PlanMesh result;
@@ -385,7 +385,10 @@ PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const 
         }
       }
       result.NumberOfInnerPoints = mesh.NumberOfInnerVertices();
-      result.InTheWay = FindInTheWay(mesh, options);
+      if (inTheWay)
+      {
+        *inTheWay = FindInTheWay(mesh, options);
+      }
     });
   return result;
 }

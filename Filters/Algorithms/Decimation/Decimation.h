@@ -114,10 +114,10 @@ struct PlanMesh
 {
   RawVector<PointId> Triangles;
   std::size_t NumberOfInnerPoints = 0; // on no loop
-  std::vector<PointId> InTheWay; // see above
 };
 
-PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor());
+PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor(),
+  std::vector<PointId>* inTheWay = nullptr);
 }
 
 #endif

@@ -76,7 +76,7 @@ template <typename Real>
 bool GroupHeights<Real>::GetColumn(const PlanePoint& place, std::vector<double>& heights) const
 {
   heights.resize(this->Grids.size());
-  bool isKnown = this->CanBeAt(place);
+  bool isKnown = true;
   for (std::size_t horizon = 0; horizon < heights.size() && isKnown; ++horizon)
   {
     heights[horizon] = this->Whole.Horizons[horizon].Raster->HeightAt(this->Column(place));
@@ -169,7 +169,7 @@ void GroupHeights<Real>::Inherit(VertexId from, VertexId to)
   constexpr int inherited = 4;
   for (std::size_t horizon = 0; horizon < this->Grids.size(); ++horizon)
   {
-    const CriticalColumns<Real> own = this->Criticals[std::size_t(from) * this->Grids.size() + horizon];
+    const CriticalColumns<Real> own = this->CriticalsOf(from, horizon);
     for (int n = 1; n <= inherited; ++n)
     {
       const int last = (own.Next + CriticalColumns<Real>::Size - n) % CriticalColumns<Real>::Size;
@@ -225,13 +225,12 @@ Star<Real> GroupHeights<Real>::Pack(const StarTrial& trial, std::size_t horizon,
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real>
-bool GroupHeights<Real>::IsPossible(const StarTrial& trial, std::size_t horizon, const Star<Real>& star) const
+bool GroupHeights<Real>::IsPossible(const StarTrial& trial, std::size_t horizon, const Star<Real>& star)
 {
   for (const VertexId vertex : { trial.Owner, trial.Other })
   {
     if (vertex != NoVertex &&
-      !this->Kernels.IsPossible(
-        this->Criticals[std::size_t(vertex) * this->Grids.size() + horizon], star, trial.IsFree, this->Bound))
+      !this->Kernels.IsPossible(this->CriticalsOf(vertex, horizon), star, trial.IsFree, this->Bound))
     {
       return false;
     }
@@ -250,7 +249,7 @@ void GroupHeights<Real>::AddCritical(VertexId vertex, std::size_t horizon, std::
   const HeightGrid<Real>& grid = this->Grids[horizon];
   const Real x = Real(place % grid.Width);
   const Real y = Real(place / grid.Width);
-  CriticalColumns<Real>& own = this->Criticals[std::size_t(vertex) * this->Grids.size() + horizon];
+  CriticalColumns<Real>& own = this->CriticalsOf(vertex, horizon);
   for (int n = 0; n < CriticalColumns<Real>::Size; ++n)
   {
     if (own.X[n] == x && own.Y[n] == y)

@@ -57,7 +57,7 @@ public:
 
   void SetHeights(VertexId vertex, const std::vector<double>& heights);
 
-  /// Returns false outside the horizon, or where one of several has no height.
+  /// Returns false where one of several horizons has no height.
   bool GetColumn(const PlanePoint& place, std::vector<double>& heights) const;
 
   /// The first horizon has a height wherever a vertex may be.
@@ -94,7 +94,11 @@ private:
   }
   StarCorner<Real> Corner(std::size_t horizon, VertexId vertex) const;
   Star<Real> Pack(const StarTrial& trial, std::size_t horizon, double height);
-  bool IsPossible(const StarTrial& trial, std::size_t horizon, const Star<Real>& star) const;
+  bool IsPossible(const StarTrial& trial, std::size_t horizon, const Star<Real>& star);
+  CriticalColumns<Real>& CriticalsOf(VertexId vertex, std::size_t horizon)
+  {
+    return this->Criticals[std::size_t(vertex) * this->Grids.size() + horizon];
+  }
   void AddCritical(VertexId vertex, std::size_t horizon, std::int64_t place);
   double TryFree(const StarTrial& trial, std::size_t horizon, const Star<Real>& star);
   double TryFixed(std::size_t horizon, const Star<Real>& star, double most) const;

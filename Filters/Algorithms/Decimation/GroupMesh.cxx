@@ -89,14 +89,14 @@ public:
 
   void Run(const std::vector<GroupStep>& steps, int mostRounds)
   {
-    std::size_t before = this->CountInner();
+    std::size_t before = CountInner(this->Vertices);
     for (int round = 0; round < mostRounds; ++round)
     {
       for (const GroupStep step : steps)
       {
         this->Do(step);
       }
-      const std::size_t left = this->CountInner();
+      const std::size_t left = CountInner(this->Vertices);
       if (double(before - left) < LeastFractionOfRound * double(left))
       {
         break;
@@ -144,14 +144,6 @@ private:
         this->FitSquares();
         break;
     }
-  }
-
-  bool IsInner(VertexId vertex) const { return !this->Vertices[vertex].IsFixed && !this->Vertices[vertex].IsGone; }
-
-  std::size_t CountInner() const
-  {
-    return std::size_t(std::count_if(this->Vertices.begin(), this->Vertices.end(),
-      [](const GroupVertex& vertex) { return !vertex.IsFixed && !vertex.IsGone; }));
   }
 
   const PlanePoint& Place(VertexId vertex) const { return this->Mesh.Place(vertex); }
@@ -211,7 +203,7 @@ private:
       for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
       {
         std::uint8_t& marks = this->Vertices[vertex].Marks;
-        if (this->IsInner(vertex) && (marks & TryCollapse) != 0)
+        if (this->Vertices[vertex].IsInner() && (marks & TryCollapse) != 0)
         {
           marks &= std::uint8_t(~TryCollapse);
           isAny = this->CollapseWithin(Never, vertex) || isAny;
@@ -225,7 +217,7 @@ private:
     const double most = this->Options.MostCost + LeastGain * std::abs(this->Options.MostCost); // of another group
     for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
     {
-      if (this->IsInner(vertex) && this->Vertices[vertex].IsChosen)
+      if (this->Vertices[vertex].IsInner() && this->Vertices[vertex].IsChosen)
       {
         this->CollapseWithin(most, vertex);
       }
@@ -237,7 +229,7 @@ private:
     for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
     {
       GroupVertex& own = this->Vertices[vertex];
-      if (this->IsInner(vertex) && (own.Marks & TryCollapse) != 0)
+      if (this->Vertices[vertex].IsInner() && (own.Marks & TryCollapse) != 0)
       {
         own.Marks &= std::uint8_t(~TryCollapse);
         own.Cost = this->FindBest(vertex).Cost;
@@ -377,7 +369,7 @@ private:
     const PlanePoint& there = this->Place(to);
     bool isTried = this->TryAt(there, vertex, to, before, sineBefore, best);
     const PlanePoint middle = { (from.X + there.X) / 2, (from.Y + there.Y) / 2 };
-    if (!IsSame(middle, from) && !IsSame(middle, there))
+    if (middle != from && middle != there)
     {
       isTried = this->TryAt(middle, vertex, to, before, sineBefore, best) || isTried;
     }
@@ -399,19 +391,17 @@ private:
     return true;
   }
 
-  static bool IsSame(const PlanePoint& a, const PlanePoint& b) { return a.X == b.X && a.Y == b.Y; }
-
   /// Returns false where no vertex may be.
   bool SetStart(const PlanePoint& place, VertexId vertex, VertexId to)
   {
     this->Heights.GetHeights(to, this->TrialHeights);
-    if (IsSame(place, this->Place(to)))
+    if (place == this->Place(to))
     {
       return true;
     }
     if (!this->Options.FitHeights)
     {
-      return this->Heights.GetColumn(place, this->TrialHeights);
+      return this->Heights.CanBeAt(place) && this->Heights.GetColumn(place, this->TrialHeights);
     }
     for (std::size_t horizon = 0; horizon < this->TrialHeights.size(); ++horizon)
     {
@@ -458,7 +448,7 @@ private:
     for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
     {
       std::uint8_t& marks = this->Vertices[vertex].Marks;
-      if (this->IsInner(vertex) && (marks & TryMove) != 0)
+      if (this->Vertices[vertex].IsInner() && (marks & TryMove) != 0)
       {
         marks &= std::uint8_t(~TryMove);
         this->Move(vertex);
@@ -516,7 +506,7 @@ private:
   void MoveTo(VertexId vertex, const PlanePoint& place, double cost)
   {
     const double before = this->CostOf(this->Own);
-    const bool isMoved = !IsSame(place, this->Place(vertex));
+    const bool isMoved = place != this->Place(vertex);
     if (!isMoved && !(cost < (1.0 - LeastGain) * before))
     {
       return;
@@ -537,7 +527,7 @@ private:
     this->Heights.SetPower(2);
     for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
     {
-      if (this->IsInner(vertex) && this->Options.FitHeights)
+      if (this->Vertices[vertex].IsInner() && this->Options.FitHeights)
       {
         this->FindRing(vertex, this->Own);
         StarTrial trial;

@@ -17,6 +17,7 @@
 #include "HeightRaster.h"
 #include "PlaneMesh.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -40,7 +41,18 @@ struct GroupVertex
   /// Whether CollapseChosen may remove it, and what that costs.
   bool IsChosen = false;
   double Cost = 0.0;
+
+  bool IsInner() const { return !this->IsFixed && !this->IsGone; }
 };
+
+inline std::size_t CountInner(const std::vector<GroupVertex>& vertices)
+{
+  return std::size_t(
+    std::count_if(vertices.begin(), vertices.end(), [](const GroupVertex& vertex) { return vertex.IsInner(); }));
+}
+
+/// Changes the heights, by horizon, that a vertex in a column would get.
+using ColumnRule = std::function<void(const PlanePoint&, std::vector<double>&)>;
 
 struct Group
 {
@@ -56,8 +68,7 @@ struct Group
   std::vector<Horizon> Horizons;
   PlaneBox Box;
   const LinkCuts* Cuts = nullptr;
-  /// Changes the heights that a vertex in a column of the horizon would get.
-  std::function<void(const PlanePoint&, std::vector<double>&)> Rule;
+  ColumnRule Rule;
 };
 
 enum class GroupStep

@@ -102,7 +102,7 @@ public:
   void ReduceTo(std::size_t number, const Monitor& monitor)
   {
     const std::size_t first = this->CountVertices();
-    const std::size_t fixed = first - this->CountInner();
+    const std::size_t fixed = first - CountInner(this->Vertices);
     std::size_t aim = fixed + std::size_t(HalfWay * double(number - std::min(number, fixed)));
     this->RunPass(SmoothSteps, 1, monitor.Step(0.0, 0.1));
     this->RunPass(CostSteps, 1, monitor.Step(0.1, 0.2));
@@ -197,12 +197,6 @@ private:
     }
   }
 
-  std::size_t CountInner() const
-  {
-    return std::size_t(std::count_if(this->Vertices.begin(), this->Vertices.end(),
-      [](const GroupVertex& vertex) { return !vertex.IsGone && !vertex.IsFixed; }));
-  }
-
   void Choose(std::size_t most)
   {
     std::vector<std::pair<double, std::size_t>> order;
@@ -211,7 +205,7 @@ private:
       GroupVertex& own = this->Vertices[vertex];
       own.IsChosen = false;
       const bool isKnown = (own.Marks & TryCollapse) == 0; // not between groups of the last pass
-      if (!own.IsGone && !own.IsFixed && isKnown && own.Cost < StarTrial::Never)
+      if (own.IsInner() && isKnown && own.Cost < StarTrial::Never)
       {
         order.emplace_back(own.Cost, vertex);
       }

@@ -11,18 +11,14 @@
 #define SeismicHorizonsMeshGroups_h
 
 #include "Common/Base/Monitor.h"
-#include "Common/Horizon/Types.h"
 #include "Decimation.h"
+#include "GroupMesh.h"
 #include "HeightMesh.h"
 
-#include <functional>
-#include <vector>
+#include <cstddef>
 
 namespace SeismicHorizons
 {
-/// Changes the heights of a vertex in a column, by horizon.
-using ColumnRule = std::function<void(const PlanePoint&, std::vector<double>&)>;
-
 /// The mesh must keep the error, at columns and inner edges of all horizons, and still does so. Kept edges and fixed
 /// vertices stay; others may move to other columns.
 void ImproveInGroups(

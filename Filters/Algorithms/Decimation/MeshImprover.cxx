@@ -5,8 +5,6 @@
 
 #include "MeshRefiner.h"
 
-#include <cstddef>
-
 namespace SeismicHorizons
 {
 namespace

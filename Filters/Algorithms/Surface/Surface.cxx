@@ -487,13 +487,10 @@ private:
   {
     const KeptPoints near = this->Select(SquaresNear(this->Columns(), points));
     const std::vector<PlanePoint> places = near.Select(this->Columns());
-    const PlanMesh mesh = this->MeshOfSome(near, places, monitor);
+    const bool isWithinError = this->Options.MaximumNumberOfTriangles == 0; // a number comes before the error of edges
     std::vector<PointId> found;
-    if (this->Options.MaximumNumberOfTriangles == 0) // a number comes before the error of edges
-    {
-      std::transform(mesh.InTheWay.begin(), mesh.InTheWay.end(), std::back_inserter(found),
-        [&near](PointId point) { return near[std::size_t(point)]; });
-    }
+    const PlanMesh mesh = this->MeshOfSome(near, places, isWithinError ? &found : nullptr, monitor);
+    std::for_each(found.begin(), found.end(), [&near](PointId& point) { point = near[std::size_t(point)]; });
     const auto isOneOf = [&](PointId corner)
     { return std::binary_search(points.begin(), points.end(), near[std::size_t(corner)]); };
     const SurfaceParameters& parameters = this->Result.Parameters;
@@ -518,7 +515,8 @@ private:
     return found;
   }
 
-  PlanMesh MeshOfSome(const KeptPoints& points, PlanePoints places, const Monitor& monitor)
+  PlanMesh MeshOfSome(
+    const KeptPoints& points, PlanePoints places, std::vector<PointId>* inTheWay, const Monitor& monitor)
   {
     const std::vector<PointId> numbers = points.Numbers();
     BoundedHorizon horizon;
@@ -536,7 +534,8 @@ private:
     }
     horizon.Boundary = this->Outlines.Renumbered(numbers);
     horizon.Cuts = this->FaultedLinks();
-    return MeshOf(std::move(horizon), this->FastOptions(this->Result.Parameters.MaximumError, false), monitor);
+    return MeshOf(
+      std::move(horizon), this->FastOptions(this->Result.Parameters.MaximumError, false), monitor, inTheWay);
   }
 
   void Simplify(double error, const Monitor& monitor)
