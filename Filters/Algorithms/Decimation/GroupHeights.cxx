@@ -110,6 +110,19 @@ double GroupHeights<Real>::CostOf(const std::array<VertexId, 3>& corners, bool i
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real>
+double GroupHeights<Real>::OwnCost(VertexId vertex) const
+{
+  double cost = 0.0;
+  for (std::size_t horizon = 0; horizon < this->Grids.size(); ++horizon)
+  {
+    const double error = this->OwnError(horizon, this->Corner(horizon, vertex));
+    cost += this->Power == 2 ? error * error : error * error * error * error;
+  }
+  return cost;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real>
 bool GroupHeights<Real>::IsEdgeWithin(VertexId from, VertexId to) const
 {
   for (std::size_t horizon = 0; horizon < this->Grids.size(); ++horizon)
@@ -265,6 +278,23 @@ void GroupHeights<Real>::AddCritical(VertexId vertex, std::size_t horizon, std::
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real>
+StarSums GroupHeights<Real>::SumStar(std::size_t horizon, const Star<Real>& star) const
+{
+  StarSums sums = this->Kernels.SumStar(this->Grids[horizon], star, this->Power, Real(1.0 / this->Error));
+  sums.Add(this->OwnError(horizon, star.Centre), 1.0, 1.0 - star.NumberOfTriangles());
+  return sums;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real>
+double GroupHeights<Real>::OwnError(std::size_t horizon, const StarCorner<Real>& corner) const
+{
+  const double error = double(corner.Height - this->Grids[horizon].At(corner.X, corner.Y)) / this->Error;
+  return std::isnan(error) ? 0.0 : error;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Real>
 double GroupHeights<Real>::TryFree(const StarTrial& trial, std::size_t horizon, const Star<Real>& star)
 {
   const FreeRange<Real> range = this->Kernels.FindRange(this->Grids[horizon], star, this->Bound);
@@ -280,7 +310,7 @@ double GroupHeights<Real>::TryFree(const StarTrial& trial, std::size_t horizon, 
   FreeMove& move = this->Moves[horizon];
   move.Lowest = double(range.Lowest) / this->Error;
   move.Highest = double(range.Highest) / this->Error;
-  move.Sums = this->Kernels.SumStar(this->Grids[horizon], star, this->Power, Real(1.0 / this->Error));
+  move.Sums = this->SumStar(horizon, star);
   return move.Sums.At(move.Sums.FindBest(move.Lowest, move.Highest));
 }
 
@@ -323,16 +353,22 @@ template <typename Real>
 bool GroupHeights<Real>::Narrow(
   std::size_t horizon, const StarCorner<Real>& from, const StarCorner<Real>& to, FreeMove& move) const
 {
+  const auto narrow = [&](double error, double weight)
+  {
+    move.Lowest = std::max(move.Lowest, (-this->EdgeBound - error) / weight);
+    move.Highest = std::min(move.Highest, (this->EdgeBound - error) / weight);
+    return move.Lowest <= move.Highest;
+  };
   return this->EdgeBound == std::numeric_limits<double>::infinity() ||
-    (this->template NarrowAlong<false>(horizon, from, to, move) &&
-      this->template NarrowAlong<true>(horizon, from, to, move));
+    (this->template ForEachCrossing<false>(horizon, from, to, narrow) &&
+      this->template ForEachCrossing<true>(horizon, from, to, narrow));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 template <typename Real>
-template <bool IsTurned>
-bool GroupHeights<Real>::NarrowAlong(
-  std::size_t horizon, const StarCorner<Real>& from, const StarCorner<Real>& to, FreeMove& move) const
+template <bool IsTurned, typename Visitor>
+bool GroupHeights<Real>::ForEachCrossing(
+  std::size_t horizon, const StarCorner<Real>& from, const StarCorner<Real>& to, const Visitor& visit) const
 {
   const std::int32_t start = IsTurned ? from.X : from.Y;
   const std::int32_t end = IsTurned ? to.X : to.Y;
@@ -343,14 +379,18 @@ bool GroupHeights<Real>::NarrowAlong(
     const std::int64_t parts = across * n;
     const std::int64_t whole = parts / lines - (parts % lines < 0 ? 1 : 0);
     const std::int64_t rest = parts - whole * lines;
+    if (rest == 0)
+    {
+      continue;
+    }
     const std::int32_t line = end > start ? start + n : start - n;
     const double fraction = double(n) / lines;
     const double height = double(from.Height) + fraction * (double(to.Height) - double(from.Height));
     const auto beside = std::int32_t((IsTurned ? from.Y : from.X) + whole);
     const PlanePoint column = IsTurned ? PlanePoint{ line, beside } : PlanePoint{ beside, line };
-    if (rest != 0 &&
-      !this->Narrow(
-        height - this->template HeightBetween<IsTurned>(horizon, column, double(rest) / lines), 1.0 - fraction, move))
+    const double error =
+      (height - this->template HeightBetween<IsTurned>(horizon, column, double(rest) / lines)) / this->Error;
+    if (!std::isnan(error) && !visit(error, 1.0 - fraction))
     {
       return false;
     }
@@ -380,20 +420,6 @@ double GroupHeights<Real>::OnLink(std::size_t horizon, const PlanePoint& column)
   return std::isnan(height)
     ? this->Whole.Horizons[horizon].Raster->DroppedHeight(this->Column(column)) - this->Middles[horizon]
     : height;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Real>
-bool GroupHeights<Real>::Narrow(double error, double weight, FreeMove& move) const
-{
-  const double scaled = error / this->Error;
-  if (std::isnan(scaled))
-  {
-    return true;
-  }
-  move.Lowest = std::max(move.Lowest, (-this->EdgeBound - scaled) / weight);
-  move.Highest = std::min(move.Highest, (this->EdgeBound - scaled) / weight);
-  return move.Lowest <= move.Highest;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

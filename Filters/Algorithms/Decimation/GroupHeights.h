@@ -66,6 +66,9 @@ public:
   /// With isBound, too large if an error is.
   double CostOf(const std::array<VertexId, 3>& corners, bool isBound, double most = StarTrial::Never) const;
 
+  /// Of the column of a vertex alone.
+  double OwnCost(VertexId vertex) const;
+
   bool IsEdgeWithin(VertexId from, VertexId to) const;
 
   /// The heights are those to start from and, if the trial is possible, those it gives. Returns the cost, or Never.
@@ -100,6 +103,9 @@ private:
     return this->Criticals[std::size_t(vertex) * this->Grids.size() + horizon];
   }
   void AddCritical(VertexId vertex, std::size_t horizon, std::int64_t place);
+  /// The column of the centre counts once.
+  StarSums SumStar(std::size_t horizon, const Star<Real>& star) const;
+  double OwnError(std::size_t horizon, const StarCorner<Real>& corner) const;
   double TryFree(const StarTrial& trial, std::size_t horizon, const Star<Real>& star);
   double TryFixed(std::size_t horizon, const Star<Real>& star, double most) const;
 
@@ -110,17 +116,17 @@ private:
   /// move is left.
   bool Narrow(std::size_t horizon, const StarCorner<Real>& from, const StarCorner<Real>& to, FreeMove& move) const;
 
-  /// IsTurned exchanges rows and columns.
-  template <bool IsTurned>
-  bool NarrowAlong(std::size_t horizon, const StarCorner<Real>& from, const StarCorner<Real>& to, FreeMove& move) const;
+  /// Calls visit(error, weight of `from`) where the edge crosses links, in units of the error, until it returns false.
+  /// Returns whether it did not. IsTurned exchanges rows and columns.
+  template <bool IsTurned, typename Visitor>
+  bool ForEachCrossing(
+    std::size_t horizon, const StarCorner<Real>& from, const StarCorner<Real>& to, const Visitor& visit) const;
 
   /// NaN if the link is cut or an end has no height.
   template <bool IsTurned>
   double HeightBetween(std::size_t horizon, const PlanePoint& column, double fraction) const;
 
   double OnLink(std::size_t horizon, const PlanePoint& column) const;
-
-  bool Narrow(double error, double weight, FreeMove& move) const;
 
   double Move(const StarTrial& trial, std::vector<double>& heights);
 

@@ -159,9 +159,10 @@ private:
   }
 
   // ---- Costs and angles --------------------------------------------------------------------------------------------
-  double CostOf(const Ring& ring) const
+  /// The column of the vertex counts once.
+  double CostOf(VertexId vertex, const Ring& ring) const
   {
-    double cost = 0.0;
+    double cost = (1.0 - double(ring.Triangles.size())) * this->Heights.OwnCost(vertex);
     for (const TriangleId triangle : ring.Triangles)
     {
       cost += this->Costs[triangle];
@@ -333,7 +334,7 @@ private:
     trial.IsFree = false;
     trial.Owner = vertex;
     this->Heights.GetHeights(to, this->TrialHeights);
-    this->Try(trial, to, this->CostOf(this->Own), best);
+    this->Try(trial, to, this->CostOf(vertex, this->Own), best);
     return true;
   }
 
@@ -363,7 +364,7 @@ private:
     }
     const double shared = this->Costs[this->Own.Triangles[end]] +
       this->Costs[this->Own.Triangles[end == 0 ? this->Own.Triangles.size() - 1 : end - 1]];
-    const double before = this->CostOf(this->Own) + this->CostOf(this->Other) - shared;
+    const double before = this->CostOf(vertex, this->Own) + this->CostOf(to, this->Other) - shared;
     const double sineBefore = std::min(sineOfVertex, this->SineOf(this->Place(to), others, true));
     const PlanePoint& from = this->Place(vertex);
     const PlanePoint& there = this->Place(to);
@@ -505,7 +506,7 @@ private:
 
   void MoveTo(VertexId vertex, const PlanePoint& place, double cost)
   {
-    const double before = this->CostOf(this->Own);
+    const double before = this->CostOf(vertex, this->Own);
     const bool isMoved = place != this->Place(vertex);
     if (!isMoved && !(cost < (1.0 - LeastGain) * before))
     {

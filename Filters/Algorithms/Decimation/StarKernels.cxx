@@ -400,6 +400,20 @@ template const StarKernels<float>& KernelsForStars<float>(bool isForAny);
 template const StarKernels<double>& KernelsForStars<double>(bool isForAny);
 
 //----------------------------------------------------------------------------------------------------------------------
+void StarSums::Add(double error, double weight, double times)
+{
+  for (int n = this->Power; n >= 0; --n)
+  {
+    double product = times;
+    for (int factor = 0; factor < this->Power; ++factor)
+    {
+      product *= factor < n ? weight : error;
+    }
+    this->Sums[std::size_t(n)] += product;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 double StarSums::At(double move) const
 {
   const auto& [a, b, c, d, e] = this->Sums;

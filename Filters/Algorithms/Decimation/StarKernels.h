@@ -79,6 +79,8 @@ struct StarSums
   /// of its triangle.
   std::array<double, 2> Descent = {};
 
+  /// Adds a column, whose error is in units, so often.
+  void Add(double error, double weight, double times = 1.0);
   /// Of a move in units.
   double At(double move) const;
   /// The move between two bounds with the least sum.
