@@ -61,9 +61,9 @@ public:
   vtkHorizonChoice2Macro(Priority, Priorities, LargestErrors, SumOfSquares);
 
   /**
-   * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before; with
-   * the effort Fast, points are inserted beside smaller ones. Larger values need more points: 5 one in twenty, 10 one in
-   * five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before.
+   * Within an error, points are inserted beside smaller ones: all with the effort Fast, those below 2 degrees with Best.
+   * Larger values need more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
    */
   vtkHorizonNumberMacro(SmallestAngle, double);
 

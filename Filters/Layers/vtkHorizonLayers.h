@@ -121,8 +121,8 @@ public:
   vtkHorizonChoice2Macro(Effort, Efforts, Fast, Best);
 
   /**
-   * No flip or removal makes a smaller angle on the map, unless a smaller one was there before; with the effort Fast,
-   * points are inserted beside smaller ones. Unit: degrees. Range: 0 to 60. Default: 10.
+   * No flip or removal makes a smaller angle on the map, unless a smaller one was there before. Points are inserted
+   * beside smaller ones: all with the effort Fast, those below 2 degrees with Best. Unit: degrees. Range: 0 to 60. Default: 10.
    */
   vtkHorizonNumberMacro(SmallestAngle, double);
 

@@ -66,6 +66,7 @@ public:
     , Heights(group, options)
     , SquaredSine(SineOfDegrees(options.SmallestAngle) * SineOfDegrees(options.SmallestAngle))
     , TriangleAt(group.Vertices.size(), NoTriangle)
+    , RoomAt(group.Vertices.size(), options.MostTriangles)
     , Costs(std::size_t(group.Mesh.Size()))
     , IsChanged(std::size_t(group.Mesh.Size()))
   {
@@ -78,10 +79,11 @@ public:
         GroupVertex& vertex = this->Vertices[this->Mesh.Corner(triangle, corner)];
         this->TriangleAt[this->Mesh.Corner(triangle, corner)] = triangle;
         this->IsChanged[triangle] |= vertex.Marks;
+        --this->RoomAt[this->Mesh.Corner(triangle, corner)];
         if (this->Mesh.Neighbour(triangle, corner) == NoTriangle)
         {
-          vertex.IsFixed = true;
-          this->Vertices[this->Mesh.Corner(triangle, NextCorner(corner))].IsFixed = true;
+          this->SetBetween(this->Mesh.Corner(triangle, corner));
+          this->SetBetween(this->Mesh.Corner(triangle, NextCorner(corner)));
         }
       }
     }
@@ -120,6 +122,13 @@ private:
     double Error;
     std::size_t Number;
   };
+
+  /// Two groups have half of the room each.
+  void SetBetween(VertexId vertex)
+  {
+    this->RoomAt[vertex] -= this->Vertices[vertex].IsFixed ? 0 : this->Options.MostTriangles / 2;
+    this->Vertices[vertex].IsFixed = true;
+  }
 
   void Do(GroupStep step)
   {
@@ -324,7 +333,9 @@ private:
   {
     const VertexId to = this->Own.Ends[end];
     this->CutRing(end);
-    if (!this->KeepsAngles(this->SineOf(this->Place(to), this->Outline, false), sineBefore))
+    const int more = int(this->Own.Ends.size()) - 4;
+    if (more > std::max(0, this->RoomAt[to]) ||
+      !this->KeepsAngles(this->SineOf(this->Place(to), this->Outline, false), sineBefore))
     {
       return false;
     }
@@ -361,6 +372,10 @@ private:
     for (std::size_t n = 2; n + 1 < others.size(); ++n)
     {
       this->Outline.push_back(others[(back + n) % others.size()]);
+    }
+    if (int(this->Outline.size()) > std::max(this->Options.MostTriangles, int(others.size())))
+    {
+      return false;
     }
     const double shared = this->Costs[this->Own.Triangles[end]] +
       this->Costs[this->Own.Triangles[end == 0 ? this->Own.Triangles.size() - 1 : end - 1]];
@@ -416,6 +431,9 @@ private:
     const VertexId to = candidate.To;
     const std::vector<VertexId>& ends = this->Own.Ends;
     const auto n = std::size_t(std::find(ends.begin(), ends.end(), to) - ends.begin());
+    this->RoomAt[to] -= int(ends.size()) - 4;
+    ++this->RoomAt[ends[(n + 1) % ends.size()]];
+    ++this->RoomAt[ends[(n + ends.size() - 1) % ends.size()]];
     this->Mesh.Collapse(vertex, this->Own.Triangles, (n + ends.size() - 1) % ends.size());
     this->Vertices[vertex].IsGone = true;
     for (const TriangleId triangle : this->Own.Triangles)
@@ -583,7 +601,7 @@ private:
     std::fill(this->IsChanged.begin(), this->IsChanged.end(), 0);
   }
 
-  /// Triangles a, b, c and b, a, d become a, d, c and d, b, c, if that costs less.
+  /// Triangles a, b, c and b, a, d become a, d, c and d, b, c, if that costs less, or a or b has too many.
   bool Flip(TriangleId triangle, int edge)
   {
     const TriangleId other = this->Mesh.Neighbour(triangle, edge);
@@ -594,11 +612,12 @@ private:
     const auto sineOf = [this](VertexId p, VertexId q, VertexId r)
     { return SquaredSineOf(this->Place(p), this->Place(q), this->Place(r)); };
     if (!this->KeepsAngles(std::min(sineOf(a, d, c), sineOf(d, b, c)), std::min(sineOf(a, b, c), sineOf(b, a, d))) ||
-      this->Mesh.IsKept(a, b))
+      this->Mesh.IsKept(a, b) || std::min(this->RoomAt[c], this->RoomAt[d]) < 1)
     {
       return false;
     }
-    const double most = (1.0 - LeastGain) * (this->Costs[triangle] + this->Costs[other]);
+    const bool areTooMany = std::min(this->RoomAt[a], this->RoomAt[b]) < 0;
+    const double most = areTooMany ? Never : (1.0 - LeastGain) * (this->Costs[triangle] + this->Costs[other]);
     const double one = this->Heights.CostOf({ a, d, c }, true, most);
     const double two = one < most ? this->Heights.CostOf({ d, b, c }, true, most - one) : Never;
     if (!(one + two < most) || !this->Heights.IsEdgeWithin(c, d))
@@ -606,6 +625,10 @@ private:
       return false;
     }
     this->Mesh.Flip(triangle, edge);
+    --this->RoomAt[c];
+    --this->RoomAt[d];
+    ++this->RoomAt[a];
+    ++this->RoomAt[b];
     this->Costs[triangle] = one;
     this->Costs[other] = two;
     for (const VertexId corner : { a, b, c, d })
@@ -622,6 +645,7 @@ private:
   GroupHeights<Real> Heights;
   const double SquaredSine;
   std::vector<TriangleId> TriangleAt; // by vertex: one of its triangles
+  std::vector<int> RoomAt; // by vertex: for how many more triangles
   std::vector<double> Costs; // by triangle
   std::vector<unsigned char> IsChanged; // by triangle: since the last flips
   // Of the vertex that is looked at:

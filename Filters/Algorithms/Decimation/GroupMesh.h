@@ -88,6 +88,8 @@ struct GroupOptions
   double CrossingError = 0.0;
   /// In degrees: no change makes a smaller angle, unless one was smaller before.
   double SmallestAngle = 0.0;
+  /// No change gives a vertex more.
+  int MostTriangles = 16;
   bool FitHeights = true;
   /// The cost is the sum of this power of errors, 2 or 4.
   int Power = 4;

@@ -46,8 +46,9 @@ constexpr int MostIdlePasses = 4;
 constexpr int MostHalvings = 12;
 
 // ---- Largest errors ------------------------------------------------------------------------------------------------
-// The number falls about as the error to this power.
+// The number falls about as the error to this power; much less where a mesh within less is improved again.
 constexpr double NumberPower = 1.5;
+constexpr double LeastPower = 0.25;
 constexpr double EnoughOfNumber = 0.98;
 constexpr double NearEnough = 1.01;
 constexpr int MostTrials = 8;
@@ -219,9 +220,10 @@ private:
     }
   }
 
-  /// Allows for larger errors and smaller angles.
+  /// Allows for larger errors, smaller angles and more triangles around a vertex.
   void Relax(int halvings)
   {
+    this->Options.MostTriangles *= 2;
     this->Options.SmallestAngle = halvings < MostHalvings ? 0.5 * this->Options.SmallestAngle : 0.0;
     this->SetError(2.0 * this->Options.Error, 2.0 * this->Options.CrossingError, this->Options.Power);
     this->RunPass(CostSteps, 1, Monitor());
@@ -473,6 +475,7 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
   double coarseError = 0.0;
   double fineNumber = 0.0;
   double coarseNumber = 0.0;
+  double power = NumberPower;
   for (int trial = 0; trial < MostTrials; ++trial)
   {
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
@@ -487,6 +490,10 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
     next.ImproveWithinError(step.Step(0.4, 1.0));
     const auto number = double(next.CountVertices());
     const bool isFine = number > double(vertices);
+    if (isFine && fine)
+    {
+      power = std::max(LeastPower, std::log(fineNumber / number) / std::log(options.MaximumError / fineError));
+    }
     (isFine ? fineError : coarseError) = options.MaximumError;
     (isFine ? fineNumber : coarseNumber) = number;
     (isFine ? fine : coarse).emplace(std::move(next));
@@ -494,8 +501,7 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
     {
       break;
     }
-    const double power =
-      fine && coarse ? std::log(fineNumber / coarseNumber) / std::log(coarseError / fineError) : NumberPower;
+    power = fine && coarse ? std::log(fineNumber / coarseNumber) / std::log(coarseError / fineError) : power;
     options.MaximumError *= std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
     constexpr double away = 1.003;
     if (fine)

@@ -5,6 +5,8 @@
 
 #include "MeshRefiner.h"
 
+#include <algorithm>
+
 namespace SeismicHorizons
 {
 namespace
@@ -12,6 +14,9 @@ namespace
 // Heights are fitted at a larger error, and move less than the error, to leave room for points that are not fitted.
 constexpr double ErrorBeforeFit = 1.3;
 constexpr double ReachOfFit = 0.9;
+
+// For larger angles (degrees), the best effort would insert more vertices than it removes.
+constexpr double LargestInserted = 2.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -28,10 +33,12 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
   refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.8, 0.9));
-  for (std::size_t before = 0; options.Effort == DecimationEffort::Fast && options.SmallestAngle > 0.0;)
+  const double smallestAngle =
+    options.Effort == DecimationEffort::Fast ? options.SmallestAngle : std::min(options.SmallestAngle, LargestInserted);
+  for (std::size_t before = 0; smallestAngle > 0.0;)
   {
     before = mesh.NumberOfVertices();
-    refiner.InsertAtSlivers(options.SmallestAngle);
+    refiner.InsertAtSlivers(smallestAngle);
     if (mesh.NumberOfVertices() == before)
     {
       break;

@@ -20,6 +20,9 @@ namespace
 // A round refines triangles above this fraction of the largest error; sums of squares take its square.
 constexpr double FractionOfLargest = 0.6;
 constexpr double FractionOfSum = FractionOfLargest * FractionOfLargest;
+
+// Where the boundary is in the way, places beside slivers are tried down to this part of their distance.
+constexpr double LeastPart = 1.0 / 16;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -104,15 +107,21 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
       {
         continue;
       }
-      const PlanePoint place = this->PlaceBeside(sliver, smallestAngle);
-      const TriangleId triangle = mesh.Locate(place, sliver);
-      if (triangle != NoTriangle && this->IsNew[triangle] != 0)
+      bool isDone = false;
+      for (double part = 1.0; part >= LeastPart && !isDone; part *= 0.5)
       {
-        left.push_back(sliver);
-      }
-      else if (triangle != NoTriangle && this->CanInsert(place, triangle))
-      {
-        this->Insert(this->Mesh.RasterOf(triangle).PointAt(place), triangle);
+        const PlanePoint place = this->PlaceBeside(sliver, smallestAngle, part);
+        const TriangleId triangle = mesh.Locate(place, sliver);
+        if (triangle != NoTriangle && this->IsNew[triangle] != 0)
+        {
+          left.push_back(sliver);
+          isDone = true;
+        }
+        else if (triangle != NoTriangle && this->CanInsert(place, triangle))
+        {
+          this->Insert(this->Mesh.RasterOf(triangle).PointAt(place), triangle);
+          isDone = true;
+        }
       }
     }
     slivers = this->New;
@@ -124,7 +133,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
 //----------------------------------------------------------------------------------------------------------------------
 // Takes the column nearest to the circumcentre or, if nearer, to the place that sees the shortest edge under the
 // smallest angle (Ungor 2004, "Off-centers").
-PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle) const
+PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle, double part) const
 {
   const PlaneMesh& mesh = this->Mesh.Triangles();
   const auto place = [&](int corner) { return mesh.Place(mesh.Corner(sliver, corner)); };
@@ -137,7 +146,7 @@ PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle) con
   // Distances from the middle of the edge are in lengths of the edge.
   const double ofCentre = 0.5 * double(ScalarProduct(c, a, b)) / double(SignedArea(a, b, c));
   const double ofAngle = 0.5 / std::tan(0.5 * smallestAngle * std::atan(1.0) / 45.0);
-  const double across = std::min(ofCentre, ofAngle);
+  const double across = part * std::min(ofCentre, ofAngle);
   const double dx = double(b.X) - a.X;
   const double dy = double(b.Y) - a.Y;
   constexpr double farthest = 1 << 30; // beyond all columns

@@ -39,7 +39,7 @@ private:
   bool InsertRound(const std::vector<TriangleId>& triangles);
   void Insert(PointId point, TriangleId triangle);
   void PutBack(VertexId vertex, TriangleId triangle);
-  PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle) const;
+  PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle, double part) const;
   bool CanInsert(const PlanePoint& place, TriangleId triangle) const;
   void AddNew(TriangleId triangle);
   void SortNew();

@@ -83,7 +83,7 @@ void TestLargestErrorOfWholeHeights()
 /// Heights that are far from 0 have the mesh of the same heights around 0.
 void TestOffset()
 {
-  const BoundedHorizon horizon = MakeHorizon(60, 1.0);
+  const BoundedHorizon horizon = MakeHorizon(120, 1.0);
   BoundedHorizon far = horizon;
   for (double& height : far.Height)
   {
