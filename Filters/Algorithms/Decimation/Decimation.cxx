@@ -298,7 +298,8 @@ void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
   const std::size_t most = options.MaximumNumberOfPoints;
   CheckNumberOfPoints(mesh, most);
-  const bool isImproved = options.Effort == DecimationEffort::Best && options.MaximumError > 0.0;
+  const bool isImproved =
+    options.Effort == DecimationEffort::Best && options.MaximumError > 0.0 && options.EdgeLength == 0.0;
   Insert(mesh, options, monitor.Step(0.1, isImproved ? 0.35 : 0.9));
   if (stop(mesh))
   {

@@ -58,6 +58,10 @@ struct DecimationQuality
   /// No change makes a smaller angle in plan (0 to 60 degrees), unless one was smaller before.
   /// It is halved until a number of points can be reached.
   double SmallestAngle = 2.0;
+  /// If not 0, triangles are near equilateral, with inner edges up to this length, in columns (at least 4).
+  double EdgeLength = 0.0;
+  /// Edges grow by at most this part of the distance from loops; 0 for any.
+  double EdgeGrowth = 0.0;
   CrossingTolerance Crossings = CrossingTolerance::Same;
 };
 

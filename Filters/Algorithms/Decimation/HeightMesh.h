@@ -122,6 +122,7 @@ public:
       this->Raised(horizon, this->Mesh.Corner(triangle, 1)), this->Raised(horizon, this->Mesh.Corner(triangle, 2)) };
   }
   RaisedTriangle RaisedCorners(TriangleId triangle) const { return this->RaisedCorners(0, triangle); }
+  const HeightRaster& RasterOfPatch(std::size_t patch) const { return this->Horizons.front().Rasters[patch]; }
   const HeightRaster& RasterAt(std::size_t horizon, VertexId vertex) const
   {
     const std::vector<HeightRaster>& rasters = this->Horizons[horizon].Rasters;

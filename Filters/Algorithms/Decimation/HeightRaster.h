@@ -119,6 +119,7 @@ public:
   /// NaN without a known point.
   double HeightAt(const PlanePoint& column) const { return this->At<double>(this->Place(column.X, column.Y)); }
 
+  const PlaneBox& Area() const { return this->Box; }
   double LowestHeight() const { return this->Lowest; }
   double HighestHeight() const { return this->Highest; }
 

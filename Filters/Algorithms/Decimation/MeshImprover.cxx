@@ -6,6 +6,7 @@
 #include "MeshRefiner.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace SeismicHorizons
 {
@@ -24,6 +25,13 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
 {
   const double error = options.MaximumError;
   MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
+  std::optional<EdgeSizes> sizes;
+  if (options.EdgeLength > 0.0)
+  {
+    sizes.emplace(mesh, options.EdgeLength, options.EdgeGrowth);
+    refiner.InsertMarked(sizes->MarkPoints());
+    refiner.InsertAtSlivers(SmallestAngleOf(options), &*sizes);
+  }
   if (options.FitHeights && error > 0.0)
   {
     refiner.InsertWhereFar(ErrorBeforeFit * error, monitor.Step(0.0, 0.5));
@@ -33,12 +41,12 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
   }
   refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
   refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.8, 0.9));
-  const double smallestAngle =
-    options.Effort == DecimationEffort::Fast ? options.SmallestAngle : std::min(options.SmallestAngle, LargestInserted);
+  const bool isForAll = options.Effort == DecimationEffort::Fast || sizes;
+  const double smallestAngle = isForAll ? SmallestAngleOf(options) : std::min(options.SmallestAngle, LargestInserted);
   for (std::size_t before = 0; smallestAngle > 0.0;)
   {
     before = mesh.NumberOfVertices();
-    refiner.InsertAtSlivers(smallestAngle);
+    refiner.InsertAtSlivers(smallestAngle, sizes ? &*sizes : nullptr);
     if (mesh.NumberOfVertices() == before)
     {
       break;

@@ -91,7 +91,7 @@ void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::InsertAtSlivers(double smallestAngle)
+void MeshRefiner::InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes)
 {
   const PlaneMesh& mesh = this->Mesh.Triangles();
   const double sine = SineOfDegrees(smallestAngle);
@@ -103,7 +103,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
     std::vector<TriangleId> left;
     for (const TriangleId sliver : slivers)
     {
-      if (this->IsNew[sliver] != 0 || mesh.SineOf(sliver) >= sine)
+      if (this->IsNew[sliver] != 0 || (mesh.SineOf(sliver) >= sine && !(sizes && this->IsTooLong(sliver, *sizes))))
       {
         continue;
       }
@@ -117,7 +117,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle)
           left.push_back(sliver);
           isDone = true;
         }
-        else if (triangle != NoTriangle && this->CanInsert(place, triangle))
+        else if (triangle != NoTriangle && this->CanInsert(place, triangle, smallestAngle))
         {
           this->Insert(this->Mesh.RasterOf(triangle).PointAt(place), triangle);
           isDone = true;
@@ -155,9 +155,33 @@ PlanePoint MeshRefiner::PlaceBeside(TriangleId sliver, double smallestAngle, dou
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Refuses a place from which a fixed edge around the cavity would be seen under 90 degrees or more.
-bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle) const
+// Edges that cannot be parted do not count.
+bool MeshRefiner::IsTooLong(TriangleId triangle, const EdgeSizes& sizes) const
 {
+  const PlaneMesh& mesh = this->Mesh.Triangles();
+  double longest = 0.0;
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    if (mesh.Neighbour(triangle, edge) != NoTriangle && !mesh.IsKeptEdge(triangle, edge))
+    {
+      longest = std::max(longest,
+        double(SquaredDistance(
+          mesh.Place(mesh.Corner(triangle, edge)), mesh.Place(mesh.Corner(triangle, NextCorner(edge))))));
+    }
+  }
+  const PlanePoint& a = mesh.Place(mesh.Corner(triangle, 0));
+  const PlanePoint& b = mesh.Place(mesh.Corner(triangle, 1));
+  const PlanePoint& c = mesh.Place(mesh.Corner(triangle, 2));
+  const double most =
+    sizes.At(this->Mesh.PatchOf(mesh.Corner(triangle, 0)), { (a.X + b.X + c.X) / 3, (a.Y + b.Y + c.Y) / 3 });
+  return longest > most * most;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Refuses a place where a triangle at a fixed edge would have smaller angles at its ends, if these were alike.
+bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle, double smallestAngle) const
+{
+  const double leastCosine = -std::cos(2.0 * smallestAngle * std::atan(1.0) / 45.0);
   const PointId point = this->Mesh.RasterOf(triangle).PointAt(place);
   if (point == NoPoint || this->Mesh.IsVertex(point))
   {
@@ -173,7 +197,10 @@ bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle) const
       const TriangleId other = mesh.Neighbour(inCircle[n], edge);
       if (other == NoTriangle || mesh.IsKeptEdge(inCircle[n], edge))
       {
-        if (ScalarProduct(place, corner(inCircle[n], edge), corner(inCircle[n], NextCorner(edge))) <= 0)
+        const PlanePoint& from = corner(inCircle[n], edge);
+        const PlanePoint& to = corner(inCircle[n], NextCorner(edge));
+        const double lengths = std::sqrt(double(SquaredDistance(place, from)) * double(SquaredDistance(place, to)));
+        if (double(ScalarProduct(place, from, to)) <= leastCosine * lengths)
         {
           return false;
         }

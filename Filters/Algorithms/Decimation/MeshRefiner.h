@@ -9,6 +9,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Types.h"
 #include "Decimation.h"
+#include "EdgeSizes.h"
 #include "HeightMesh.h"
 
 #include <cstddef>
@@ -26,7 +27,8 @@ public:
   /// Continues where inner edges cross grid lines, unless the error is infinite.
   void InsertAtEdges(double error, const Monitor& monitor);
   /// Angles, in degrees, remain smaller where fixed edges force them or no column is suitable. Errors may grow.
-  void InsertAtSlivers(double smallestAngle);
+  /// With sizes, edges may not be longer either.
+  void InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes = nullptr);
   /// Ignores errors; the refiner must have no limit of vertices.
   void InsertMarked(const std::vector<unsigned char>& marks);
 
@@ -40,7 +42,8 @@ private:
   void Insert(PointId point, TriangleId triangle);
   void PutBack(VertexId vertex, TriangleId triangle);
   PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle, double part) const;
-  bool CanInsert(const PlanePoint& place, TriangleId triangle) const;
+  bool IsTooLong(TriangleId triangle, const EdgeSizes& sizes) const;
+  bool CanInsert(const PlanePoint& place, TriangleId triangle, double smallestAngle) const;
   void AddNew(TriangleId triangle);
   void SortNew();
 

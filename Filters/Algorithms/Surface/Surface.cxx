@@ -12,6 +12,7 @@
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
+#include "Filters/Algorithms/Decimation/EdgeSizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -312,6 +313,41 @@ std::vector<PointId> FindChanged(const Loops& before, const Loops& after, std::s
   return changed;
 }
 
+/// Ends of outlines, and points of the boundary between that divide edges into partsOf(from, to) parts.
+template <typename PartsOf>
+std::vector<PointId> Divide(const Loops& boundary, const Loops& outlines, PlanePoints columns, const PartsOf& partsOf)
+{
+  std::vector<PointId> found;
+  const std::vector<unsigned char> isEnd = outlines.MarkPoints(columns.size());
+  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+  {
+    std::vector<PointId> points(boundary.begin(loop), boundary.begin(loop) + boundary.Length(loop));
+    const auto first = std::find_if(points.begin(), points.end(), [&](PointId point) { return isEnd[point] != 0; });
+    std::rotate(points.begin(), first, points.end());
+    points.push_back(points.front());
+    for (std::size_t start = 0, end = 0; start + 1 < points.size(); start = end)
+    {
+      for (end = start + 1; end + 1 < points.size() && isEnd[points[end]] == 0; ++end)
+      {
+      }
+      const auto distance = [&](std::size_t n)
+      { return std::sqrt(double(SquaredDistance(columns[points[start]], columns[points[n]]))); };
+      const double parts = partsOf(points[start], points[end]);
+      found.push_back(points[start]);
+      double part = 1.0;
+      for (std::size_t n = start + 1; n < end && part < parts; ++n)
+      {
+        if (distance(n) >= part * distance(end) / parts)
+        {
+          found.push_back(points[n]);
+          part += 1.0;
+        }
+      }
+    }
+  }
+  return found;
+}
+
 /// Columns within 8 of the points are included, and none from 16 on, along both axes.
 class SquaresNear
 {
@@ -364,6 +400,7 @@ private:
 constexpr double ShareOfBest = 0.5;
 // Points kept after the first mesh can leave new slivers.
 constexpr int SliverRounds = 2;
+constexpr int RoundsOfEven = 4;
 // Meshes within an error do not keep larger angles (degrees) either.
 constexpr double LargestKeptAngle = 10.0;
 // Points of outlines this far (columns) do nothing for a sliver.
@@ -450,6 +487,11 @@ private:
     {
       return;
     }
+    if (this->Options.EdgeLength > 0.0)
+    {
+      this->DivideOutlines(monitor);
+      return;
+    }
     std::vector<PointId> changed =
       FindChanged(this->Result.Boundary.Boundary, Loops(), this->Columns().size()); // all points of the boundary
     for (int round = 0; round < SliverRounds; ++round)
@@ -464,6 +506,54 @@ private:
       this->AddToOutlines(found, step.Step(0.8, 1.0));
       changed = FindChanged(before, this->Outlines, this->Columns().size());
     }
+  }
+
+  /// Edges of outlines are as long as those inside, and shorter beside triangles with small angles.
+  void DivideOutlines(const Monitor& monitor)
+  {
+    const double longest = LongestAtLoops(this->Options);
+    const auto divide = [&](auto&& partsOf, const Monitor& step)
+    { this->AddToOutlines(Divide(this->Result.Boundary.Boundary, this->Outlines, this->Columns(), partsOf), step); };
+    divide([&](PointId from, PointId to)
+      { return std::ceil(std::sqrt(double(SquaredDistance(this->Columns()[from], this->Columns()[to]))) / longest); },
+      monitor.Step(0.0, 0.2));
+    bool isAny = true;
+    for (int round = 0; round < RoundsOfEven && isAny; ++round)
+    {
+      const Monitor step = monitor.Step(0.2 + 0.8 * round / RoundsOfEven, 0.2 + 0.8 * (round + 1) / RoundsOfEven);
+      const std::vector<std::array<PointId, 2>> narrow = this->FindNarrow(step.Step(0.0, 0.8));
+      isAny = !narrow.empty();
+      divide(
+        [&](PointId from, PointId to) {
+          return std::binary_search(narrow.begin(), narrow.end(), std::array<PointId, 2>{ from, to }) ? 2.0 : 1.0;
+        },
+        step.Step(0.8, 1.0));
+    }
+  }
+
+  /// Edges of outlines at triangles with small angles, sorted.
+  std::vector<std::array<PointId, 2>> FindNarrow(const Monitor& monitor)
+  {
+    const double error = this->Result.Parameters.MaximumError;
+    const PlanMesh mesh = MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor);
+    const std::vector<unsigned char> isEnd = this->Outlines.MarkPoints(this->Columns().size());
+    const double sine = SineOfDegrees(SmallestAngleOf(this->Options));
+    std::vector<std::array<PointId, 2>> narrow;
+    for (auto corner = mesh.Triangles.begin(); corner != mesh.Triangles.end(); corner += 3)
+    {
+      const auto at = [&](int n) { return this->Columns()[corner[n]]; };
+      for (int edge = 0; edge < 3 && SineOfSmallestAngle(at(0), at(1), at(2)) < sine; ++edge)
+      {
+        const std::array<PointId, 2> ends = { corner[edge], corner[edge == 2 ? 0 : edge + 1] };
+        if (isEnd[ends[0]] != 0 && isEnd[ends[1]] != 0)
+        {
+          narrow.push_back(ends);
+          narrow.push_back({ ends[1], ends[0] });
+        }
+      }
+    }
+    std::sort(narrow.begin(), narrow.end());
+    return narrow;
   }
 
   void AddToOutlines(const std::vector<PointId>& points, const Monitor& monitor)
