@@ -15,7 +15,7 @@ vtkStandardNewMacro(vtkHorizonDecimation);
 void vtkHorizonDecimation::ProcessHorizon(const Horizon& horizon, Outputs& outputs, const Monitor& monitor)
 {
   DecimationStageOptions options;
-  static_cast<ReducedMeshOptions&>(options) = this->MakeMeshOptions();
+  static_cast<ReducedMeshOptions&>(options) = this->MakeMeshOptions(this->Target == LargestError);
   options.Target = static_cast<DecimationTarget>(this->Target);
   options.MaximumNumberOfPoints = this->MaximumNumberOfPoints;
   options.TargetReduction = this->TargetReduction;

@@ -8,7 +8,7 @@
 using namespace SeismicHorizons;
 
 //------------------------------------------------------------------------------
-ReducedMeshOptions vtkHorizonReducedMesh::MakeMeshOptions() const
+ReducedMeshOptions vtkHorizonReducedMesh::MakeMeshOptions(bool isWithinError) const
 {
   ReducedMeshOptions options;
   options.FitHeights = this->FitHeights;
@@ -16,6 +16,8 @@ ReducedMeshOptions vtkHorizonReducedMesh::MakeMeshOptions() const
   options.Priority =
     this->Priority == LargestErrors ? DecimationPriority::LargestError : DecimationPriority::SumOfSquares;
   options.SmallestAngle = this->SmallestAngle;
+  options.EdgeLength = isWithinError ? this->EdgeLength : 0.0;
+  options.EdgeGrowth = this->EdgeGrowth;
   options.Crossings = static_cast<SeismicHorizons::CrossingTolerance>(this->CrossingTolerance);
   options.MaximumError =
     this->MaximumError == AutomaticError ? std::nullopt : std::optional<double>(this->MaximumError);

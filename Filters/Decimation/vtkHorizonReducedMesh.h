@@ -68,6 +68,19 @@ public:
   vtkHorizonNumberMacro(SmallestAngle, double);
 
   /**
+   * For an even mesh within an error, as simulators need it: the longest inner edge. Triangles are near equilateral, and
+   * smaller where the error takes that; angles are at least 25 degrees unless outlines leave less. The effort does not
+   * matter then. 0: as long as the error allows, for few triangles. Unit: columns. Range: 0, or at least 4. Default: 0.
+   */
+  vtkHorizonNumberMacro(EdgeLength, double);
+
+  /**
+   * With an EdgeLength, edges beside outlines and faults are at most three columns long, and grow by this part of the
+   * distance from them. 0: they have the EdgeLength everywhere. Range: 0 to 1. Default: 0.
+   */
+  vtkHorizonNumberMacro(EdgeGrowth, double);
+
+  /**
    * How far inner edges may be, vertically, from the line between two neighbouring columns where they cross it. Same: as
    * far as points. Twice: twice as far, for 5 to 9 % fewer points. Unbounded: triangles between columns may stand up like
    * spikes, for 5 to 15 % fewer points. Default: Same.
@@ -89,7 +102,8 @@ protected:
 
   bool TakesMeshes() override { return true; }
 
-  SeismicHorizons::ReducedMeshOptions MakeMeshOptions() const;
+  /// For other targets, there is no EdgeLength.
+  SeismicHorizons::ReducedMeshOptions MakeMeshOptions(bool isWithinError) const;
 
 private:
   vtkHorizonReducedMesh(const vtkHorizonReducedMesh&) = delete;
@@ -101,6 +115,8 @@ private:
   int Effort = Best;
   int Priority = SumOfSquares;
   double SmallestAngle = 2.0;
+  double EdgeLength = 0.0;
+  double EdgeGrowth = 0.0;
   int CrossingTolerance = Same;
   bool CloseFaults = false;
 };

@@ -60,6 +60,8 @@ LayerOptions MakeLayerOptions(const LayerStageOptions& given, const HorizonStack
   options.FitHeights = given.FitHeights;
   options.Effort = given.Effort;
   options.SmallestAngle = given.SmallestAngle;
+  options.EdgeLength = given.EdgeLength;
+  options.EdgeGrowth = given.EdgeGrowth;
   return options;
 }
 

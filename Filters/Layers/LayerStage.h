@@ -30,6 +30,8 @@ struct LayerStageOptions : StackStageOptions
   int LargestGap = 10;
   DecimationEffort Effort = DecimationEffort::Best;
   double SmallestAngle = 10.0;
+  double EdgeLength = 0.0;
+  double EdgeGrowth = 0.0;
   bool FitHeights = true;
   std::optional<double> Contact; // world z
 };

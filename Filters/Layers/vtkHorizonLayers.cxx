@@ -129,6 +129,8 @@ LayerStageOptions vtkHorizonLayers::MakeOptions() const
   options.LargestGap = this->LargestGap;
   options.Effort = this->Effort == Fast ? DecimationEffort::Fast : DecimationEffort::Best;
   options.SmallestAngle = this->SmallestAngle;
+  options.EdgeLength = this->EdgeLength;
+  options.EdgeGrowth = this->EdgeGrowth;
   options.FitHeights = this->FitHeights;
   if (this->MeasureAboveContact || !std::isfinite(this->Contact)) // The stage refuses other numbers.
   {

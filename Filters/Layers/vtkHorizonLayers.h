@@ -127,6 +127,18 @@ public:
   vtkHorizonNumberMacro(SmallestAngle, double);
 
   /**
+   * For even cells: the longest inner edge of the plan, as in Horizon Surface. 0: as long as the error allows. Unit:
+   * columns. Range: 0, or at least 4. Default: 0.
+   */
+  vtkHorizonNumberMacro(EdgeLength, double);
+
+  /**
+   * How edges grow with the distance from outlines, faults and pinch-out lines, as in Horizon Surface. Range: 0 to 1.
+   * Default: 0.
+   */
+  vtkHorizonNumberMacro(EdgeGrowth, double);
+
+  /**
    * Whether heights of inner vertices are fitted to the points around them. Off: they are those of the points.
    * Default: on.
    */
@@ -174,6 +186,8 @@ private:
   int LargestGap = 10;
   int Effort = Best;
   double SmallestAngle = 10.0;
+  double EdgeLength = 0.0;
+  double EdgeGrowth = 0.0;
   bool FitHeights = true;
   bool MeasureAboveContact = false;
   double Contact = 0.0;

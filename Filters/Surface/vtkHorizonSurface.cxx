@@ -79,7 +79,7 @@ double vtkHorizonSurface::ChooseMaximumError(vtkPolyData* horizon, vtkFieldData*
 void vtkHorizonSurface::ProcessHorizon(const Horizon& horizon, Outputs& outputs, const Monitor& monitor)
 {
   SurfaceStageOptions options;
-  static_cast<ReducedMeshOptions&>(options) = this->MakeMeshOptions();
+  static_cast<ReducedMeshOptions&>(options) = this->MakeMeshOptions(this->Target == LargestError);
   if (this->Target == NumberOfTriangles)
   {
     options.MaximumNumberOfTriangles = this->MaximumNumberOfTriangles;

@@ -49,6 +49,8 @@ nb::tuple FindLayers(const nb::list& given, const nb::dict& chosen, const nb::ob
   Take(chosen, "largest_gap", options.LargestGap);
   TakeChoice(chosen, "effort", { "fast", "best" }, options.Effort);
   Take(chosen, "smallest_angle", options.SmallestAngle);
+  Take(chosen, "edge_length", options.EdgeLength);
+  Take(chosen, "edge_growth", options.EdgeGrowth);
   Take(chosen, "fit_heights", options.FitHeights);
   Take(chosen, "contact", options.Contact);
   const std::vector<NamedHorizon> horizons = TakeNamed(given);

@@ -146,6 +146,8 @@ void TakeMeshOptions(const nb::dict& chosen, ReducedMeshOptions& options)
   TakeChoice(chosen, "effort", { "fast", "best" }, options.Effort);
   TakeChoice(chosen, "priority", { "largest_errors", "sum_of_squares" }, options.Priority);
   Take(chosen, "smallest_angle", options.SmallestAngle);
+  Take(chosen, "edge_length", options.EdgeLength);
+  Take(chosen, "edge_growth", options.EdgeGrowth);
   TakeChoice(chosen, "crossing_tolerance", { "same", "twice", "unbounded" }, options.Crossings);
   Take(chosen, "close_faults", options.CloseFaults);
 }

@@ -157,7 +157,8 @@ def _stack_options(given: Mapping[str, Horizon], crossings: str | Sequence[str],
 def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: float | str | None = None, *, crossings: str | Sequence[str] = "mean",
            minimum_thickness: float | str = 0.0, order: str = "by_height", domain: str = "each_layer", missing: str = "follow",
            largest_hole_size: int = 2500, largest_gap: int = 10, bound_thickness: bool = False, keep_outlines: bool = False,
-           pinch_out_lines: bool = True, smallest_pinch: int = 25, effort: str = "best", smallest_angle: float = 10.0, fit_heights: bool = True,
+           pinch_out_lines: bool = True, smallest_pinch: int = 25, effort: str = "best", smallest_angle: float = 10.0, edge_length: float = 0.0,
+           edge_growth: float = 0.0, fit_heights: bool = True,
            contact: float | None = None, faults: Mapping[str, Faults] | None = None, progress: Progress | None = None) -> Layers:
     """Makes closed volumes of the layers between horizons.
 
@@ -189,7 +190,7 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
         Layers end along lines; otherwise in thin feathers.
     smallest_pinch : int
         The smallest area without a layer that has such a line, in columns.
-    effort, smallest_angle, fit_heights
+    effort, smallest_angle, edge_length, edge_growth, fit_heights
         As in `surface`.
     contact : float, optional
         z, in the direction of the horizons, of a level contact: `figures` get the volume above it.
@@ -216,7 +217,8 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
         maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit),
         domain=domain, missing=missing, largest_hole_size=int(largest_hole_size), largest_gap=int(largest_gap), effort=effort,
         bound_thickness=bool(bound_thickness), keep_outlines=bool(keep_outlines), pinch_out_lines=bool(pinch_out_lines),
-        smallest_pinch=int(smallest_pinch), smallest_angle=float(smallest_angle), fit_heights=bool(fit_heights),
+        smallest_pinch=int(smallest_pinch), smallest_angle=float(smallest_angle), edge_length=float(edge_length),
+        edge_growth=float(edge_growth), fit_heights=bool(fit_heights),
         contact=None if contact is None or first is None else first.sign * float(contact)))
     made = call("layers", _core.layers, named, options, progress)
     volumes, figures = made["volumes"], {snake(name): values for name, values in made["figures"].items()}

@@ -179,7 +179,7 @@ def surface(horizon: Mapping[str, Horizon], largest_error: float | str | None = 
 
 
 def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,  # type: ignore[misc]
-            smallest_angle: float = 2.0, effort: str = "best", fit_heights: bool = True, crossing_tolerance: str = "same",
+            smallest_angle: float = 2.0, edge_length: float = 0.0, edge_growth: float = 0.0, effort: str = "best", fit_heights: bool = True, crossing_tolerance: str = "same",
             radius: int | None = None,
             hole_boundaries: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
             outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
@@ -196,6 +196,11 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         The largest number of triangles, in place of an error.
     smallest_angle : float
         No change makes a smaller angle in plan, in degrees, from 0 to 60.
+    edge_length : float
+        For an even mesh of triangles that are near equilateral: the longest inner edge, in columns, at least 4; 0 for few triangles.
+    edge_growth : float
+        With an `edge_length`, edges beside outlines and faults are short, and grow by this part of the distance, 0 to 1; 0 for
+        edges alike.
     effort : "best" or "fast"
         "fast" takes about a third of the time, for some more triangles.
     fit_heights : bool
@@ -241,7 +246,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     (True, True)
     """
     if isinstance(horizon, Mapping):
-        given = dict(triangles=triangles, smallest_angle=smallest_angle, effort=effort, fit_heights=fit_heights,
+        given = dict(triangles=triangles, smallest_angle=smallest_angle, edge_length=edge_length, edge_growth=edge_growth,
+                     effort=effort, fit_heights=fit_heights,
                      crossing_tolerance=crossing_tolerance, radius=radius,
                      hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
                      outline_tolerance=outline_tolerance, faults=faults,
@@ -251,7 +257,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     if largest_error is not None and triangles is not None:
         raise ValueError("largest_error and triangles, expected one of them")
     options = given_options(
-        smallest_angle=float(smallest_angle), effort=effort, fit_heights=bool(fit_heights), hole_boundaries=bool(hole_boundaries),
+        smallest_angle=float(smallest_angle), edge_length=float(edge_length), edge_growth=float(edge_growth), effort=effort,
+        fit_heights=bool(fit_heights), hole_boundaries=bool(hole_boundaries),
         crossing_tolerance=crossing_tolerance,
         minimum_patch_size=_count("minimum_patch_size", minimum_patch_size), close_faults=bool(close_faults), error_unit="world",
         radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),

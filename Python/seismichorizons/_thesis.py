@@ -160,6 +160,7 @@ def triangulation(outlined: Mesh, *, search: str | None = None, convex_hull: boo
 
 def decimation(outlined: Mesh, largest_error: float | str | None = None, *, points: int | None = None, reduction: float | None = None,
                fit_heights: bool | None = None, effort: str | None = None, priority: str | None = None, smallest_angle: float | None = None,
+               edge_length: float | None = None, edge_growth: float | None = None,
                crossing_tolerance: str | None = None, close_faults: bool | None = None, progress: Progress | None = None) -> Mesh:
     """Makes a mesh of few triangles within an error, with outlines as they are.
 
@@ -173,7 +174,7 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
         The largest number of points, in place of an error.
     reduction : float, optional
         The fraction of points to drop, in place of an error.
-    fit_heights, effort, smallest_angle, crossing_tolerance, close_faults
+    fit_heights, effort, smallest_angle, edge_length, edge_growth, crossing_tolerance, close_faults
         As in `surface`.
     priority : "sum_of_squares" or "largest_errors"
         What is minimised for a number of points.
@@ -182,7 +183,8 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
     if sum(value is not None for value in (largest_error, points, reduction)) > 1:
         raise ValueError("several of largest_error, points and reduction, expected one")
     options = given_options(
-        fit_heights=fit_heights, effort=effort, priority=priority, smallest_angle=smallest_angle, close_faults=close_faults,
+        fit_heights=fit_heights, effort=effort, priority=priority, smallest_angle=smallest_angle, edge_length=edge_length,
+        edge_growth=edge_growth, close_faults=close_faults,
         crossing_tolerance=crossing_tolerance, error_unit="world", maximum_number_of_points=points, target_reduction=reduction,
         target="points" if points is not None else "reduction" if reduction is not None else "error",
         maximum_error=None if largest_error is None else height("largest_error", largest_error, outlined.vertical_unit))

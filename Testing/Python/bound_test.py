@@ -156,6 +156,9 @@ class BoundTest(unittest.TestCase):
                 surface.SetDistanceThreshold(height)
             else:
                 outline = height = error
+            if random.random() < 0.3:
+                surface.SetEdgeLength(float(random.uniform(4.0, 15.0)))
+                surface.SetEdgeGrowth(float(random.choice([0.0, 0.1, 0.5])))
             self.check(seed, horizon, run(surface, horizon), error, outline, height)
 
     def test_stages(self):

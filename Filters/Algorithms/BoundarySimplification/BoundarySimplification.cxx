@@ -556,6 +556,22 @@ private:
   std::vector<LoopSide> Sides; // in the order given
   std::vector<unsigned char> Crossings; // 1 for an odd number since the previous point of the row
 };
+
+double PlanDistance(const SpacePoints& points, PointId a, PointId b)
+{
+  return std::hypot(points[a].X - points[b].X, points[a].Y - points[b].Y);
+}
+
+BoundarySimplification SimplifyDivided(const SpacePoints& points, const Loops& boundary, const Loops& simplified,
+  BoundarySimplificationOptions options, const Monitor& monitor)
+{
+  const double longest = options.LongestEdge;
+  const std::vector<PointId> fixed = DivideEdges(points, boundary, simplified,
+    [&](PointId from, PointId to) { return std::ceil(PlanDistance(points, from, to) / longest); });
+  options.Fixed.insert(options.Fixed.end(), fixed.begin(), fixed.end());
+  options.LongestEdge = 0.0;
+  return SimplifyBoundary(points, boundary, options, monitor);
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -596,6 +612,42 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
   }
   std::sort(result.Dropped.begin(), result.Dropped.end(),
     [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
-  return result;
+  return options.LongestEdge > 0.0 ? SimplifyDivided(points, boundary, result.Boundary, options, monitor) : result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<PointId> DivideEdges(const SpacePoints& points, const Loops& boundary, const Loops& simplified,
+  const std::function<double(PointId, PointId)>& partsOf)
+{
+  std::vector<PointId> found;
+  const std::vector<unsigned char> isEnd = simplified.MarkPoints(points.size());
+  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+  {
+    std::vector<PointId> around(boundary.begin(loop), boundary.end(loop));
+    const auto first = std::find_if(around.begin(), around.end(), [&](PointId point) { return isEnd[point] != 0; });
+    std::rotate(around.begin(), first, around.end());
+    around.push_back(around.front());
+    for (std::size_t start = 0, end = 0; start + 1 < around.size(); start = end)
+    {
+      end = start + 1;
+      while (end + 1 < around.size() && isEnd[around[end]] == 0)
+      {
+        ++end;
+      }
+      found.push_back(around[start]);
+      const double parts = partsOf(around[start], around[end]);
+      const double whole = PlanDistance(points, around[start], around[end]);
+      double part = 1.0;
+      for (std::size_t n = start + 1; n < end && part < parts; ++n)
+      {
+        if (PlanDistance(points, around[start], around[n]) >= part * whole / parts)
+        {
+          found.push_back(around[n]);
+          part += 1.0;
+        }
+      }
+    }
+  }
+  return found;
 }
 }

@@ -28,6 +28,7 @@
 #include "Common/Horizon/Types.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -52,6 +53,8 @@ struct BoundarySimplificationOptions
   OutlineMethod Method = OutlineMethod::Threshold;
   /// These points stay, like points that loops visit more than once.
   std::vector<PointId> Fixed = {};
+  /// Longer edges, in columns, are divided at points that would be dropped; 0 for none.
+  double LongestEdge = 0.0;
   /// This may be an existing index of the points, or null.
   const ColumnIndex* Index = nullptr;
 };
@@ -74,6 +77,11 @@ struct BoundarySimplification
 /// fewest points. A loop may begin at a later point than before.
 BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor = Monitor());
+
+/// Returns the points of simplified loops, and those of the boundary that divide an edge into partsOf(from, to) equal
+/// parts.
+std::vector<PointId> DivideEdges(const SpacePoints& points, const Loops& boundary, const Loops& simplified,
+  const std::function<double(PointId, PointId)>& partsOf);
 
 inline BoundarySimplification SimplifyBoundary(
   const SpacePoints& points, const Loops& boundary, double threshold, const Monitor& monitor = Monitor())

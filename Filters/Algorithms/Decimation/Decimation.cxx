@@ -233,10 +233,18 @@ void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const M
   const bool isForSquares = options.Priority == DecimationPriority::SumOfSquares;
   const std::size_t most =
     mesh.NumberOfVertices() + std::size_t((isForSquares ? Surplus : SurplusForLargest) * double(inside));
-  MeshRefiner(mesh, most, options.Priority).InsertWhereFar(0.0, monitor.Step(0.0, 0.4));
+  MeshRefiner(mesh, options.MaximumNumberOfPoints, options.Priority).InsertWhereFar(0.0, monitor.Step(0.0, 0.2));
+  const double error = mesh.LargestError(); // of as many points
+  MeshRefiner(mesh, most, options.Priority).InsertWhereFar(0.0, monitor.Step(0.2, 0.4));
   mesh.SortByPlace();
-  (isForSquares ? ReduceToNumber : ReduceLargestError)(
-    mesh, options.MaximumNumberOfPoints, options, monitor.Step(0.4, 1.0));
+  if (isForSquares)
+  {
+    ReduceToNumber(mesh, options.MaximumNumberOfPoints, error, options, monitor.Step(0.4, 1.0));
+  }
+  else
+  {
+    ReduceLargestError(mesh, options.MaximumNumberOfPoints, options, monitor.Step(0.4, 1.0));
+  }
 }
 
 /// Within an error, the best effort improves this mesh.
@@ -272,13 +280,18 @@ std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOption
 void Check(const DecimationOptions& options)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
-  CheckWithin("smallest angle", options.SmallestAngle, 0.0, 60.0, " degrees");
+  CheckQuality(options.SmallestAngle, options.EdgeLength, options.EdgeGrowth);
   if (options.MaximumError > 0.0 && options.MaximumNumberOfPoints > 0)
   {
     std::ostringstream message;
     message << "maximum error " << options.MaximumError << " and maximum number of points "
             << options.MaximumNumberOfPoints << ", expected one of them as the target, and 0 for the other one";
     throw InputError(message.str());
+  }
+  if (options.EdgeLength > 0.0 && options.MaximumNumberOfPoints > 0)
+  {
+    throw InputError(
+      "an edge length and a number of points or triangles, expected an error as the target of even meshes");
   }
 }
 
@@ -298,8 +311,7 @@ void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
   const std::size_t most = options.MaximumNumberOfPoints;
   CheckNumberOfPoints(mesh, most);
-  const bool isImproved =
-    options.Effort == DecimationEffort::Best && options.MaximumError > 0.0 && options.EdgeLength == 0.0;
+  const bool isImproved = IsImproved(options);
   Insert(mesh, options, monitor.Step(0.1, isImproved ? 0.35 : 0.9));
   if (stop(mesh))
   {
@@ -343,6 +355,18 @@ bool NeverStop(const HeightMesh& /*mesh*/)
 {
   return false;
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckQuality(double smallestAngle, double edgeLength, double edgeGrowth)
+{
+  constexpr double LeastLength = 4.0; // of triangles whose corners are columns
+  CheckWithin("smallest angle", smallestAngle, 0.0, 60.0, " degrees");
+  CheckWithin("edge growth", edgeGrowth, 0.0, 1.0, "");
+  if (edgeLength != 0.0)
+  {
+    CheckAtLeast("edge length", edgeLength, LeastLength, " columns, or 0 for any");
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -84,6 +84,15 @@ struct DecimationOptions : DecimationQuality
   std::size_t MaximumNumberOfPoints = 0;
 };
 
+/// Even meshes, and those of the fast effort, remain as points were inserted.
+inline bool IsImproved(const DecimationOptions& options)
+{
+  return options.Effort == DecimationEffort::Best && options.MaximumError > 0.0 && options.EdgeLength == 0.0;
+}
+
+/// Throws InputError.
+void CheckQuality(double smallestAngle, double edgeLength, double edgeGrowth);
+
 struct Decimation
 {
   /// A dropped point is represented by the vertex of its triangle with the largest barycentric coordinate.

@@ -12,6 +12,8 @@ namespace
 {
 // Edges of the lattice are shorter, as those between it and loops are longer.
 constexpr double PartOfLongest = 0.75;
+// Where edges grow, the next lattice is this much finer.
+constexpr double StepOfLattices = 0.7;
 // Nearer to loops, points of the lattice would leave flat triangles.
 constexpr double PartFromLoops = 0.6;
 constexpr double LengthAtLoops = 3.0;
@@ -129,7 +131,7 @@ std::vector<unsigned char> EdgeSizes::MarkPoints() const
     do
     {
       this->MarkLattice(patch, spacing, marks);
-      spacing *= 0.5;
+      spacing *= StepOfLattices;
     } while (this->Growth > 0.0 && spacing >= PartOfLongest * LengthAtLoops);
   }
   return marks;
@@ -151,7 +153,7 @@ void EdgeSizes::MarkLattice(std::size_t patch, double spacing, std::vector<unsig
         std::int32_t(std::lround(row * rise)) };
       const PointId point = this->Mesh.RasterOfPatch(patch).PointAt(place);
       const double length = PartOfLongest * (point == NoPoint ? 0.0 : this->At(std::int32_t(patch), place));
-      const bool isHere = spacing <= length && (length < 2.0 * spacing || this->Growth == 0.0);
+      const bool isHere = spacing <= length && (length * StepOfLattices < spacing || this->Growth == 0.0);
       if (isHere && distances.At(place) >= PartFromLoops * spacing)
       {
         marks[std::size_t(point)] = 1;

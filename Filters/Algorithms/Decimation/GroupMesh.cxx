@@ -91,6 +91,7 @@ public:
 
   void Run(const std::vector<GroupStep>& steps, int mostRounds)
   {
+    const bool isToRemove = std::find(steps.begin(), steps.end(), GroupStep::Collapse) != steps.end();
     std::size_t before = CountInner(this->Vertices);
     for (int round = 0; round < mostRounds; ++round)
     {
@@ -99,7 +100,7 @@ public:
         this->Do(step);
       }
       const std::size_t left = CountInner(this->Vertices);
-      if (double(before - left) < LeastFractionOfRound * double(left))
+      if (isToRemove && double(before - left) < LeastFractionOfRound * double(left))
       {
         break;
       }

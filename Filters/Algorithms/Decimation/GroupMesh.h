@@ -97,7 +97,7 @@ struct GroupOptions
   double MostCost = 0.0;
 };
 
-/// Repeats the steps until few vertices go.
+/// Repeats the steps, if there are collapses until few vertices go.
 void ImproveGroup(Group& group, const GroupOptions& options, const std::vector<GroupStep>& steps, int mostRounds);
 }
 

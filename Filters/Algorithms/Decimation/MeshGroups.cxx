@@ -33,7 +33,7 @@ const GroupSteps SmoothSteps = { GroupStep::Flip, GroupStep::Move, GroupStep::Fl
 constexpr std::array<double, 4> ShiftsOfGroups = { 0.0, 0.5, 0.25, 0.75 };
 
 // ---- Numbers of vertices -------------------------------------------------------------------------------------------
-// The bound is this multiple of the largest error before, and is doubled if it prevents the number.
+// The sum of squares may fall where the largest error grows.
 constexpr double FirstBound = 3.0;
 // A pass removes this fraction of the vertices at most, so that the cheaper of two neighbours goes first.
 constexpr double FractionOfPass = 0.5;
@@ -52,7 +52,7 @@ constexpr double LeastPower = 0.25;
 constexpr double EnoughOfNumber = 0.98;
 constexpr double NearEnough = 1.01;
 constexpr int MostTrials = 8;
-constexpr double LeastError = 1e-3;
+constexpr double LeastOfSearch = 1e-3;
 constexpr double OnFineSide = 0.9;
 
 // Large enough that few edges lie between groups, small enough for many threads.
@@ -421,12 +421,6 @@ private:
   int Passes = 0;
   bool AreWhole = false; // one group for each patch
 };
-
-double BoundOf(const HeightMesh& mesh, DecimationPriority priority)
-{
-  const double largest = mesh.LargestError() > 0.0 ? mesh.LargestError() : 1.0;
-  return priority == DecimationPriority::LargestError ? largest : FirstBound * largest;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -441,7 +435,8 @@ void ImproveInGroups(HeightMesh& mesh, const DecimationOptions& options, const C
 //----------------------------------------------------------------------------------------------------------------------
 void SmoothInGroups(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
-  const double bound = BoundOf(mesh, options.Priority);
+  const double largest = std::max(mesh.LargestError(), LeastOfSearch);
+  const double bound = options.Priority == DecimationPriority::LargestError ? largest : FirstBound * largest;
   const ColumnRule noRule;
   MeshGroups groups(mesh, options, noRule);
   groups.SetError(bound, bound, options.Priority == DecimationPriority::LargestError ? 4 : 2);
@@ -450,9 +445,10 @@ void SmoothInGroups(HeightMesh& mesh, const DecimationOptions& options, const Mo
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor)
+void ReduceToNumber(
+  HeightMesh& mesh, std::size_t vertices, double error, const DecimationOptions& options, const Monitor& monitor)
 {
-  const double bound = BoundOf(mesh, DecimationPriority::SumOfSquares);
+  const double bound = std::max(error, LeastOfSearch);
   const ColumnRule noRule;
   MeshGroups groups(mesh, options, noRule);
   groups.SetError(bound, bound, 2);
@@ -468,7 +464,7 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
   const ColumnRule noRule;
   DecimationOptions options = given;
   options.MaximumNumberOfPoints = 0;
-  options.MaximumError = std::max(mesh.LargestError(), LeastError);
+  options.MaximumError = std::max(mesh.LargestError(), LeastOfSearch);
   std::optional<MeshGroups> fine;
   std::optional<MeshGroups> coarse;
   double fineError = 0.0;

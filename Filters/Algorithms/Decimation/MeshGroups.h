@@ -28,9 +28,10 @@ void ImproveInGroups(
 /// current.
 void SmoothInGroups(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor);
 
-/// Removes vertices where that adds least to the sum of squares. Stops early if none can go. Errors of all triangles must
-/// be current.
-void ReduceToNumber(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
+/// Removes vertices where that adds least to the sum of squares, within an error that grows if none can go. Stops early if
+/// none can go at all.
+void ReduceToNumber(
+  HeightMesh& mesh, std::size_t vertices, double error, const DecimationOptions& options, const Monitor& monitor);
 
 /// Searches the error within which so many vertices are left, or a few less, from that of the mesh on. Heights must be
 /// those of columns, and errors of all triangles current.

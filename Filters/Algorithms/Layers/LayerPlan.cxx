@@ -15,6 +15,7 @@
 #include "Common/Horizon/Types.h"
 #include "Crossings.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
+#include "Filters/Algorithms/Decimation/EdgeSizes.h"
 #include "Filters/Algorithms/Decimation/HeightFit.h"
 #include "Filters/Algorithms/Decimation/HeightMesh.h"
 #include "Filters/Algorithms/Decimation/MeshImprover.h"
@@ -402,6 +403,7 @@ private:
     options.Method = OutlineMethod::FewestPoints;
     options.DistanceThreshold = this->Options.MaximumError;
     options.OutlineTolerance = this->OutlineTolerance;
+    options.LongestEdge = LongestAtLoops(this->Quality());
     options.Fixed = std::move(fixed);
     return options;
   }
@@ -420,13 +422,21 @@ private:
       this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
   }
 
-  void Refine(HeightMesh& mesh, KeptLines& lines, const Monitor& monitor)
+  DecimationOptions Quality() const
   {
     DecimationOptions options;
     options.MaximumError = this->Options.MaximumError;
     options.FitHeights = this->Options.FitHeights;
     options.SmallestAngle = this->Options.SmallestAngle;
+    options.EdgeLength = this->Options.EdgeLength;
+    options.EdgeGrowth = this->Options.EdgeGrowth;
     options.Effort = this->Options.Effort;
+    return options;
+  }
+
+  void Refine(HeightMesh& mesh, KeptLines& lines, const Monitor& monitor)
+  {
+    const DecimationOptions options = this->Quality();
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { this->OrderFitted(mesh, heights); };
     lines.DropFar();
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
@@ -436,7 +446,7 @@ private:
       refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.3, 0.3));
       refiner.InsertAtEdges(options.MaximumError, monitor.Step(0.3, 0.3));
     }
-    if (this->Options.Effort == DecimationEffort::Best && options.MaximumError > 0.0)
+    if (IsImproved(options))
     {
       ImproveWithinError(mesh, options, monitor.Step(0.3, 1.0),
         [this](const PlanePoint& column, std::vector<double>& heights)
@@ -801,7 +811,7 @@ private:
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
-  CheckWithin("smallest angle", options.SmallestAngle, 0.0, 60.0, " degrees");
+  CheckQuality(options.SmallestAngle, options.EdgeLength, options.EdgeGrowth);
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
   if (options.Domain == LayerDomain::EachLayer)
   {

@@ -42,6 +42,8 @@ struct LayerOptions : StackOptions
   bool FitHeights = true;
   DecimationEffort Effort = DecimationEffort::Best;
   double SmallestAngle = 10.0;
+  double EdgeLength = 0.0;
+  double EdgeGrowth = 0.0;
   /// Whether the thickness of layers is within the error, too; else within twice the error.
   bool BoundThickness = false;
   /// Whether areas of at least SmallestPinch columns without a thickness have lines around them (PinchOuts.h).

@@ -313,41 +313,6 @@ std::vector<PointId> FindChanged(const Loops& before, const Loops& after, std::s
   return changed;
 }
 
-/// Ends of outlines, and points of the boundary between that divide edges into partsOf(from, to) parts.
-template <typename PartsOf>
-std::vector<PointId> Divide(const Loops& boundary, const Loops& outlines, PlanePoints columns, const PartsOf& partsOf)
-{
-  std::vector<PointId> found;
-  const std::vector<unsigned char> isEnd = outlines.MarkPoints(columns.size());
-  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-  {
-    std::vector<PointId> points(boundary.begin(loop), boundary.begin(loop) + boundary.Length(loop));
-    const auto first = std::find_if(points.begin(), points.end(), [&](PointId point) { return isEnd[point] != 0; });
-    std::rotate(points.begin(), first, points.end());
-    points.push_back(points.front());
-    for (std::size_t start = 0, end = 0; start + 1 < points.size(); start = end)
-    {
-      for (end = start + 1; end + 1 < points.size() && isEnd[points[end]] == 0; ++end)
-      {
-      }
-      const auto distance = [&](std::size_t n)
-      { return std::sqrt(double(SquaredDistance(columns[points[start]], columns[points[n]]))); };
-      const double parts = partsOf(points[start], points[end]);
-      found.push_back(points[start]);
-      double part = 1.0;
-      for (std::size_t n = start + 1; n < end && part < parts; ++n)
-      {
-        if (distance(n) >= part * distance(end) / parts)
-        {
-          found.push_back(points[n]);
-          part += 1.0;
-        }
-      }
-    }
-  }
-  return found;
-}
-
 /// Columns within 8 of the points are included, and none from 16 on, along both axes.
 class SquaresNear
 {
@@ -508,26 +473,23 @@ private:
     }
   }
 
-  /// Edges of outlines are as long as those inside, and shorter beside triangles with small angles.
+  /// Edges of outlines beside triangles with small angles are divided.
   void DivideOutlines(const Monitor& monitor)
   {
-    const double longest = LongestAtLoops(this->Options);
-    const auto divide = [&](auto&& partsOf, const Monitor& step)
-    { this->AddToOutlines(Divide(this->Result.Boundary.Boundary, this->Outlines, this->Columns(), partsOf), step); };
-    divide([&](PointId from, PointId to)
-      { return std::ceil(std::sqrt(double(SquaredDistance(this->Columns()[from], this->Columns()[to]))) / longest); },
-      monitor.Step(0.0, 0.2));
-    bool isAny = true;
-    for (int round = 0; round < RoundsOfEven && isAny; ++round)
+    for (int round = 0; round < RoundsOfEven; ++round)
     {
-      const Monitor step = monitor.Step(0.2 + 0.8 * round / RoundsOfEven, 0.2 + 0.8 * (round + 1) / RoundsOfEven);
+      const Monitor step = monitor.Step(double(round) / RoundsOfEven, double(round + 1) / RoundsOfEven);
       const std::vector<std::array<PointId, 2>> narrow = this->FindNarrow(step.Step(0.0, 0.8));
-      isAny = !narrow.empty();
-      divide(
-        [&](PointId from, PointId to) {
-          return std::binary_search(narrow.begin(), narrow.end(), std::array<PointId, 2>{ from, to }) ? 2.0 : 1.0;
-        },
-        step.Step(0.8, 1.0));
+      if (narrow.empty())
+      {
+        return;
+      }
+      const std::vector<PointId> found =
+        DivideEdges(SpacePoints(this->Columns(), this->Height(), 1), this->Result.Boundary.Boundary, this->Outlines,
+          [&](PointId from, PointId to) {
+            return std::binary_search(narrow.begin(), narrow.end(), std::array<PointId, 2>{ from, to }) ? 2.0 : 1.0;
+          });
+      this->AddToOutlines(found, step.Step(0.8, 1.0));
     }
   }
 
@@ -689,6 +651,7 @@ private:
     options.Method = OutlineMethod::FewestPoints;
     options.OutlineTolerance = parameters.OutlineTolerance;
     options.DistanceThreshold = parameters.DistanceThreshold;
+    options.LongestEdge = LongestAtLoops(this->Options);
     const auto simplify = [&](const Loops& loops)
     { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
     options.Fixed = this->Result.Boundary.OpenCracks.PointsOfOpenEnds();
