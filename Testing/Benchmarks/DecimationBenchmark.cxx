@@ -158,55 +158,79 @@ Bisection Bisect(const Surface& surface, std::size_t vertices, double error)
 }
 
 // ---- Tables of all surfaces ----------------------------------------------------------------------------------------
-std::vector<std::string> RowsBesideCgal;
-std::vector<std::string> RowsOfBisections;
+using Cells = std::vector<std::string>;
 
-std::string Format(const char* format, double number)
+/// A row for each surface, with the values for its numbers of vertices in one cell.
+struct TableOfAll
+{
+  void Add(const std::string& horizon, const Cells& cells)
+  {
+    if (this->Rows.empty() || this->Rows.back().front() != horizon)
+    {
+      this->Rows.push_back({ horizon });
+      this->Rows.back().insert(this->Rows.back().end(), cells.begin(), cells.end());
+      return;
+    }
+    for (std::size_t n = 0; n < cells.size(); ++n)
+    {
+      this->Rows.back()[n + 1] += " / " + cells[n];
+    }
+  }
+
+  void Print(const char* title, const Cells& head) const
+  {
+    if (this->Rows.empty())
+    {
+      return;
+    }
+    std::printf("\n%s\n\n", title);
+    PrintCells(head);
+    PrintCells(Cells(head.size(), "---"));
+    std::for_each(this->Rows.begin(), this->Rows.end(), PrintCells);
+  }
+
+  static void PrintCells(const Cells& cells)
+  {
+    std::for_each(cells.begin(), cells.end(), [](const std::string& cell) { std::printf("| %s ", cell.c_str()); });
+    std::puts("|");
+  }
+
+  std::vector<Cells> Rows;
+};
+
+TableOfAll BesideCgal;
+TableOfAll Bisections;
+
+std::string Format(double number)
 {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, number);
+  std::snprintf(text.data(), text.size(), "%.3g", number);
   return text.data();
-}
-
-std::string Begin(const std::string& name, const Row& own)
-{
-  return "| " + name + " | " + std::to_string(own.Vertices);
 }
 
 void CompareToCgal(const std::string& name, const Row& own, const Row& cgal)
 {
-  RowsBesideCgal.push_back(Begin(name, own) + Format(" | %.4f", own.Own.Mean) +
-    Format(" | %.4f", own.Own.RootMeanSquare) + Format(" | %.3f", cgal.Own.Mean / own.Own.Mean) +
-    Format(" | %.3f", cgal.Own.RootMeanSquare / own.Own.RootMeanSquare) +
-    Format(" | %.2f", cgal.Own.Largest / own.Own.Largest) + Format(" | %.2f", cgal.Seconds / own.Seconds) + " | " +
-    std::to_string(cgal.Own.Folded) + " |");
+  BesideCgal.Add(name,
+    { std::to_string(own.Vertices), Format(cgal.Own.Mean / own.Own.Mean),
+      Format(cgal.Own.RootMeanSquare / own.Own.RootMeanSquare), Format(cgal.Own.Largest / own.Own.Largest),
+      Format(cgal.Seconds / own.Seconds), std::to_string(cgal.Own.Folded) });
 }
 
 void CompareToBisection(const std::string& name, const Surface& surface, std::size_t vertices, const Row& own)
 {
   const Bisection bisection = Bisect(surface, vertices, own.Own.Largest);
-  RowsOfBisections.push_back(Begin(name, own) + Format(" | %.4f", own.Own.Largest) + " | " +
-    std::to_string(bisection.Best.Vertices) + Format(" | %.4f", bisection.Best.Own.Largest) +
-    Format(" | %.3f", own.Own.Largest / bisection.Best.Own.Largest) +
-    Format(" | %.2f", own.Seconds / bisection.Best.Seconds) + Format(" | %.0f |", bisection.Runs));
+  Bisections.Add(name,
+    { std::to_string(own.Vertices), std::to_string(bisection.Best.Vertices), Format(own.Own.Largest),
+      Format(own.Own.Largest / bisection.Best.Own.Largest), Format(own.Seconds / bisection.Best.Seconds),
+      std::to_string(bisection.Runs) });
 }
 
 void PrintTablesOfAll()
 {
-  if (!RowsBesideCgal.empty())
-  {
-    std::printf(
-      "\nCGAL with bounded normal change over the best effort, at as many vertices\n\n"
-      "| horizon | vertices | mean error | rms error | CGAL / mean | / rms | / largest | / seconds | folded |\n"
-      "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
-    std::for_each(RowsBesideCgal.begin(), RowsBesideCgal.end(), [](const std::string& row) { std::puts(row.c_str()); });
-  }
-  std::printf("\nOne call for a number with priority LargestError, and the bisection of the error\n\n"
-              "| horizon | vertices | largest | vertices, bisection | largest, bisection | largest / bisection "
-              "| seconds / one mesh | meshes of the bisection |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
-  std::for_each(
-    RowsOfBisections.begin(), RowsOfBisections.end(), [](const std::string& row) { std::puts(row.c_str()); });
+  BesideCgal.Print("CGAL with bounded normal change over the best effort, for 1, 3 and 10 % of the points",
+    { "horizon", "vertices", "mean error", "rms error", "largest", "seconds", "folded" });
+  Bisections.Print("One call for the largest errors over the bisection of the error, for 1, 3 and 10 % of the points",
+    { "horizon", "vertices", "of the bisection", "largest", "largest / bisection", "seconds / one mesh", "meshes" });
 }
 
 // ---- Horizons ------------------------------------------------------------------------------------------------------
