@@ -133,22 +133,22 @@ Errors Measure(const Surface& surface, const Mesh& mesh)
   errors.Folded = std::min(up, down);
   double sum = 0.0;
   double squares = 0.0;
+  std::size_t covered = 0;
   for (std::size_t point = 0; point < surface.Columns.size(); ++point)
   {
     const double error = measurement.ErrorByPoint()[point];
     if (std::isnan(error))
     {
-      ++errors.NotCovered;
       continue;
     }
+    ++covered;
     sum += error;
     squares += error * error;
     errors.Largest = std::max(errors.Largest, error);
     errors.LargestInside = surface.IsInside[point] ? std::max(errors.LargestInside, error) : errors.LargestInside;
   }
-  const double covered = double(surface.Columns.size() - errors.NotCovered);
-  errors.Mean = sum / covered;
-  errors.RootMeanSquare = std::sqrt(squares / covered);
+  errors.Mean = sum / double(covered);
+  errors.RootMeanSquare = std::sqrt(squares / double(covered));
   return errors;
 }
 }

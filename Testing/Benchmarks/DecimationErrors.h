@@ -44,7 +44,6 @@ struct Errors
   double RootMeanSquare = 0.0;
   double Largest = 0.0;
   double LargestInside = 0.0;
-  std::size_t NotCovered = 0;
   /// Triangles that face the other way in plan than most.
   std::size_t Folded = 0;
 };
