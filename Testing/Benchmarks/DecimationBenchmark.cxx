@@ -10,8 +10,8 @@
 // processor, of all threads together, the least of several runs. Errors are vertical, in voxels, at all points of the
 // horizon that the mesh covers; inside are those with no column without a point nearer than six columns. Folded are
 // triangles that face down. Peers start from what they need: vtkGreedyTerrainDecimation from the filled box, with
-// heights of the nearest point of the row where there is none; meshoptimizer and CGAL from the mesh of all points, whose
-// outline they keep. Of this, meshoptimizer leaves more vertices than asked for: for a number the others get as many.
+// heights of the nearest point of the row where there is none; meshoptimizer and CGAL from the mesh of all points, and
+// they keep its outline. As meshoptimizer leaves more vertices than asked for, the others get as many for a number.
 // Masked greedy insertion is ours on the bounding box in place of the outline.
 //
 // Two tables of all surfaces come last, for numbers of vertices, which --numbers measures alone: CGAL beside the best

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Edge collapse of CGAL with cost and placement of Lindstrom and Turk (1998, 1999). The outline is kept, as by the others.
+// Edge collapse of CGAL with cost and placement of Lindstrom and Turk (1998, 1999), which keeps the outline.
 
 #include "BenchmarkTools.h"
 #include "DecimationPeers.h"
