@@ -31,6 +31,9 @@ struct LayerStageOptions : StackStageOptions
   DecimationEffort Effort = DecimationEffort::Best;
   double SmallestAngle = 10.0;
   bool FitHeights = true;
+  std::string Sublayers; // a number, or one for each layer; empty for 1
+  double LargestSublayerThickness = 0.0; // 0 for any
+  bool Tetrahedra = false;
   std::optional<double> Contact; // world z
 };
 

@@ -50,6 +50,9 @@ nb::tuple FindLayers(const nb::list& given, const nb::dict& chosen, const nb::ob
   TakeChoice(chosen, "effort", { "fast", "best" }, options.Effort);
   Take(chosen, "smallest_angle", options.SmallestAngle);
   Take(chosen, "fit_heights", options.FitHeights);
+  Take(chosen, "sublayers", options.Sublayers);
+  Take(chosen, "largest_sublayer_thickness", options.LargestSublayerThickness);
+  Take(chosen, "tetrahedra", options.Tetrahedra);
   Take(chosen, "contact", options.Contact);
   const std::vector<NamedHorizon> horizons = TakeNamed(given);
   HorizonStack stack;

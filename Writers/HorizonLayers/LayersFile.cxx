@@ -21,10 +21,16 @@ namespace
 {
 constexpr int MostLayers = 1 << 20; // Larger numbers mean something else.
 
-const DataArray& RequireArray(const VolumeGrid& grid, const char* name)
+const DataArray* FindNumbers(const VolumeGrid& grid, const char* name)
 {
   const DataArray* const array = grid.CellData.Find(name);
-  if (!array || array->IsText() || array->Components() != 1)
+  return array && !array->IsText() && array->Components() == 1 ? array : nullptr;
+}
+
+const DataArray& RequireArray(const VolumeGrid& grid, const char* name)
+{
+  const DataArray* const array = FindNumbers(grid, name);
+  if (!array)
   {
     throw InputError(
       std::string("no cell data array ") + name + " of one number, expected layers as Horizon Layers makes them");
@@ -62,6 +68,8 @@ void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monito
   constexpr std::int64_t betweenReports = 1 << 16;
   const DataArray& layers = RequireArray(grid, CellArray::Layer);
   const DataArray& triangles = RequireArray(grid, CellArray::Triangle);
+  const DataArray* const sublayers = FindNumbers(grid, CellArray::Sublayer);
+  const DataArray* const faults = FindNumbers(grid, CellArray::FaultFaces);
   const std::int64_t size = grid.Cells.Size();
   for (std::int64_t cell = 0; cell < size; ++cell)
   {
@@ -78,11 +86,18 @@ void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monito
     }
     cells.Layers.push_back(int(layer));
     cells.Triangles.push_back(std::int64_t(triangles.At(cell)));
+    cells.Sublayers.push_back(sublayers ? int(sublayers->At(cell)) : 0);
+    cells.FaultFaces.push_back(faults ? static_cast<unsigned char>(faults->At(cell)) : 0);
   }
 }
 
 void ReadNames(const VolumeGrid& grid, VolumeCells& cells)
 {
+  const DataArray* const horizons = grid.FieldData.Find(FieldArray::HorizonNames);
+  if (horizons && horizons->IsText())
+  {
+    cells.Horizons = horizons->Texts();
+  }
   const DataArray* const names = grid.FieldData.Find(FieldArray::LayerNames);
   if (names && names->IsText())
   {

@@ -798,6 +798,26 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+FaultSides::FaultSides(const LayerPlan& plan)
+{
+  const RawVector<PointId>& corners = plan.FaultTriangles;
+  for (std::size_t first = 0; first < corners.size(); first += 3)
+  {
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      this->Sides.push_back({ corners[first + side], corners[first + (side + 1) % 3] });
+    }
+  }
+  std::sort(this->Sides.begin(), this->Sides.end());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool FaultSides::Has(PointId begin, PointId end) const
+{
+  return std::binary_search(this->Sides.begin(), this->Sides.end(), std::array<PointId, 2>{ end, begin });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");

@@ -87,6 +87,18 @@ struct LayerPlan
   }
 };
 
+/// Where triangles end at faults.
+class FaultSides
+{
+public:
+  explicit FaultSides(const LayerPlan& plan);
+  /// The triangle is to the left of the side.
+  bool Has(PointId begin, PointId end) const;
+
+private:
+  std::vector<std::array<PointId, 2>> Sides; // ascending, of fault triangles
+};
+
 // The ledgers of layers and their horizons account for all columns.
 
 /// A column is extrapolated where a horizon follows another one, and left out if it has no cell, but would have one if
