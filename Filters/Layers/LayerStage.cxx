@@ -107,7 +107,11 @@ LayerCellOptions MakeCellOptions(
     {
       std::ostringstream found;
       found << "sublayers of " << NamesOfLayers(stack)[layer] << ": " << text;
-      found << (needed > most ? " and more by thickness" : "") << ", expected 1 to " << most;
+      if (needed > most)
+      {
+        found << ", and " << needed << " by thickness";
+      }
+      found << ", expected 1 to " << most;
       throw InputError(found.str());
     }
     options.Sublayers.push_back(int(std::max(number, needed)));

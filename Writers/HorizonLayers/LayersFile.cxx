@@ -63,6 +63,17 @@ void AddCorners(const VolumeGrid& grid, std::int64_t cell, VolumeCells& cells)
   cells.Ends.push_back(std::int64_t(cells.Corners.size()));
 }
 
+int NumberAt(const DataArray& array, std::int64_t cell, const char* what)
+{
+  const double number = array.At(cell);
+  if (!(number >= 0.0 && number < MostLayers))
+  {
+    throw InputError(what + std::to_string(number) + " of cell " + std::to_string(cell) + ", expected 0 to " +
+      std::to_string(MostLayers - 1));
+  }
+  return int(number);
+}
+
 void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monitor)
 {
   constexpr std::int64_t betweenReports = 1 << 16;
@@ -78,15 +89,9 @@ void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monito
       monitor.Progress(double(cell) / double(size));
     }
     AddCorners(grid, cell, cells);
-    const double layer = layers.At(cell);
-    if (!(layer >= 0.0 && layer < MostLayers))
-    {
-      throw InputError("layer " + std::to_string(layer) + " of cell " + std::to_string(cell) + ", expected 0 to " +
-        std::to_string(MostLayers - 1));
-    }
-    cells.Layers.push_back(int(layer));
+    cells.Layers.push_back(NumberAt(layers, cell, "layer "));
+    cells.Sublayers.push_back(sublayers ? NumberAt(*sublayers, cell, "sublayer ") : 0);
     cells.Triangles.push_back(std::int64_t(triangles.At(cell)));
-    cells.Sublayers.push_back(sublayers ? int(sublayers->At(cell)) : 0);
     cells.FaultFaces.push_back(faults ? static_cast<unsigned char>(faults->At(cell)) : 0);
   }
 }
@@ -148,6 +153,12 @@ std::string LengthUnitOf(const SurveyDescription& survey)
   }
   return unit == "m" ? "METERS" : unit == "ft" ? "FEET" : "";
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LayerBoundary FindBoundary(const VolumeGrid& grid)
+{
+  return FindBoundary(ReadLayers(grid, Monitor()));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
