@@ -70,9 +70,12 @@ void Mirror(std::int64_t* corners, std::size_t size)
 /// By cell, with bit n for face n of FacesOfCell. A vertical face has two vertices of the plan.
 std::vector<unsigned char> FindFaultFaces(const LayerPlan& plan, const LayerCells& cells, const std::int64_t* corners)
 {
-  const FaultSides sides(plan);
+  const std::vector<std::array<PointId, 2>> sides = FindFaultSides(plan);
+  const auto has = [&](PointId a, PointId b) {
+    return std::binary_search(sides.begin(), sides.end(), std::array<PointId, 2>{ a, b });
+  };
   std::vector<unsigned char> found(cells.Size(), 0);
-  for (std::size_t cell = 0; !plan.FaultTriangles.empty() && cell < cells.Size(); ++cell)
+  for (std::size_t cell = 0; !sides.empty() && cell < cells.Size(); ++cell)
   {
     const auto& faces = FacesOfCell(cells.SizeOf(cell));
     for (std::size_t face = 0; face < faces.size(); ++face)
@@ -82,7 +85,7 @@ std::vector<unsigned char> FindFaultFaces(const LayerPlan& plan, const LayerCell
       {
         ends.insert(cells.Vertices[std::size_t(corners[cells.Begin(cell) + std::int64_t(corner)])]);
       }
-      if (ends.size() == 2 && (sides.Has(*ends.begin(), *ends.rbegin()) || sides.Has(*ends.rbegin(), *ends.begin())))
+      if (ends.size() == 2 && (has(*ends.begin(), *ends.rbegin()) || has(*ends.rbegin(), *ends.begin())))
       {
         found[cell] = static_cast<unsigned char>(found[cell] | 1U << face);
       }

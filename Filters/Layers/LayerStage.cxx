@@ -81,8 +81,9 @@ ErrorLimit FindErrorLimit(const LayerStageOptions& given, const HorizonStack& st
   return { most.MaximumError(), most };
 }
 
+/// Then `volumes` count cells, not triangles.
 LayerCellOptions MakeCellOptions(
-  const LayerStageOptions& given, const std::vector<LayerVolume>& volumes, const HorizonStack& stack)
+  const LayerStageOptions& given, const HorizonStack& stack, std::vector<LayerVolume>& volumes)
 {
   constexpr double most = 1000.0;
   constexpr double rounding = 1e-9;
@@ -115,6 +116,9 @@ LayerCellOptions MakeCellOptions(
       throw InputError(found.str());
     }
     options.Sublayers.push_back(int(std::max(number, needed)));
+    std::array<std::int64_t, 4>& kinds = volumes[layer].Triangles;
+    kinds = given.Tetrahedra ? std::array<std::int64_t, 4>{ kinds[0], kinds[1] + 2 * kinds[2] + 3 * kinds[3] } : kinds;
+    std::for_each(kinds.begin() + 1, kinds.end(), [&](std::int64_t& count) { count *= options.Sublayers[layer]; });
   }
   return options;
 }
@@ -208,8 +212,7 @@ void WriteLayers(const Layers& layers, const HorizonStack& stack, const LayerSta
   {
     volumes.push_back(MeasureLayer(plan, layer));
   }
-  const LayerCells cells = MakeLayerCells(plan, MakeCellOptions(given, volumes, stack), monitor.Step(0.0, 0.15));
-  CountCells(cells, volumes);
+  const LayerCells cells = MakeLayerCells(plan, MakeCellOptions(given, stack, volumes), monitor.Step(0.0, 0.15));
   WriteLayerCells(cells, plan, stack, result.Layers);
   for (std::size_t layer = 0; layer < plan.NumberOfLayers(); ++layer)
   {

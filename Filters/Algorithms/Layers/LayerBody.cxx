@@ -22,7 +22,7 @@ public:
     : Plan(plan)
     , Layer(layer)
     , Mesh(plan.Columns, plan.Triangles)
-    , Faults(plan)
+    , FaultSides(FindFaultSides(plan))
   {
   }
 
@@ -168,6 +168,12 @@ private:
     this->AddFace(BodyFace::Base, this->Base(triangle, 0), this->Base(triangle, 2), this->Base(triangle, 1));
   }
 
+  bool IsAtFault(TriangleId triangle, int side) const
+  {
+    const std::array<PointId, 2> other = { this->End(triangle, side), this->Begin(triangle, side) };
+    return std::binary_search(this->FaultSides.begin(), this->FaultSides.end(), other);
+  }
+
   void AddWalls(TriangleId triangle)
   {
     for (int side = 0; side < 3; ++side)
@@ -178,8 +184,7 @@ private:
       {
         continue;
       }
-      const BodyFace face =
-        this->Faults.Has(this->Begin(triangle, side), this->End(triangle, side)) ? BodyFace::Fault : BodyFace::Outline;
+      const BodyFace face = this->IsAtFault(triangle, side) ? BodyFace::Fault : BodyFace::Outline;
       if (!this->IsPinched(this->Begin(triangle, side)))
       {
         this->AddFace(face, this->Top(triangle, next), this->Top(triangle, side), this->Base(triangle, side));
@@ -216,7 +221,7 @@ private:
   const LayerPlan& Plan;
   const std::size_t Layer;
   const PlaneMesh Mesh;
-  const FaultSides Faults;
+  const std::vector<std::array<PointId, 2>> FaultSides;
   std::vector<unsigned char> IsKept; // by triangle: 1 for those with a cell
   std::vector<unsigned char> IsClosed; // by vertex
   DisjointSets Sectors; // of corners, three per triangle

@@ -330,19 +330,6 @@ LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CountCells(const LayerCells& cells, std::vector<LayerVolume>& volumes)
-{
-  for (LayerVolume& volume : volumes)
-  {
-    std::fill(volume.Triangles.begin() + 1, volume.Triangles.end(), 0);
-  }
-  for (std::size_t cell = 0; cell < cells.Size(); ++cell)
-  {
-    ++volumes[std::size_t(cells.Layers[cell])].Triangles[cells.SizeOf(cell) - 3];
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 double IntegrateAboveZero(double area, std::array<double, 3> values)
 {
   assert(area >= 0.0);

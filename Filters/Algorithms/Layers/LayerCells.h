@@ -67,9 +67,6 @@ struct LayerVolume
 
 LayerVolume MeasureLayer(const LayerPlan& plan, std::size_t layer);
 
-/// Replaces triangles with a thickness by the number of cells, which sublayers and tetrahedra increase.
-void CountCells(const LayerCells& cells, std::vector<LayerVolume>& volumes);
-
 /// The volume of a layer above a level contact at this height, as of gas above oil.
 double VolumeAbove(const LayerPlan& plan, std::size_t layer, double contact);
 

@@ -798,23 +798,16 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultSides::FaultSides(const LayerPlan& plan)
+std::vector<std::array<PointId, 2>> FindFaultSides(const LayerPlan& plan)
 {
   const RawVector<PointId>& corners = plan.FaultTriangles;
-  for (std::size_t first = 0; first < corners.size(); first += 3)
+  std::vector<std::array<PointId, 2>> sides;
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
   {
-    for (std::size_t side = 0; side < 3; ++side)
-    {
-      this->Sides.push_back({ corners[first + side], corners[first + (side + 1) % 3] });
-    }
+    sides.push_back({ corners[corner], corners[corner % 3 == 2 ? corner - 2 : corner + 1] });
   }
-  std::sort(this->Sides.begin(), this->Sides.end());
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool FaultSides::Has(PointId begin, PointId end) const
-{
-  return std::binary_search(this->Sides.begin(), this->Sides.end(), std::array<PointId, 2>{ end, begin });
+  std::sort(sides.begin(), sides.end());
+  return sides;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -87,17 +87,8 @@ struct LayerPlan
   }
 };
 
-/// Where triangles end at faults.
-class FaultSides
-{
-public:
-  explicit FaultSides(const LayerPlan& plan);
-  /// The triangle is to the left of the side.
-  bool Has(PointId begin, PointId end) const;
-
-private:
-  std::vector<std::array<PointId, 2>> Sides; // ascending, of fault triangles
-};
+/// Both ends of each side of fault triangles, ascending, with the triangle to the left.
+std::vector<std::array<PointId, 2>> FindFaultSides(const LayerPlan& plan);
 
 // The ledgers of layers and their horizons account for all columns.
 
