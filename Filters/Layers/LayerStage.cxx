@@ -106,14 +106,9 @@ LayerCellOptions MakeCellOptions(
     const double needed = largest > 0.0 ? std::ceil(volumes[layer].LargestThickness / largest - rounding) : 1.0;
     if (!isWhole || number < 1.0 || std::max(number, needed) > most)
     {
-      std::ostringstream found;
-      found << "sublayers of " << NamesOfLayers(stack)[layer] << ": " << text;
-      if (needed > most)
-      {
-        found << ", and " << needed << " by thickness";
-      }
-      found << ", expected 1 to " << most;
-      throw InputError(found.str());
+      const std::string found = needed > most ? "more by LargestSublayerThickness" : text;
+      throw InputError(
+        "sublayers of " + NamesOfLayers(stack)[layer] + ": " + found + ", expected 1 to " + std::to_string(int(most)));
     }
     options.Sublayers.push_back(int(std::max(number, needed)));
     std::array<std::int64_t, 4>& kinds = volumes[layer].Triangles;

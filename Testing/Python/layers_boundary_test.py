@@ -266,7 +266,7 @@ class BoundaryTest(unittest.TestCase):
                 ({"Sublayers": "1 1 1.5"}, "sublayers of Shale to Base: 1.5, expected 1 to 1000"),
                 ({"Sublayers": "many"}, "sublayers of Top to Sand: many, expected 1 to 1000"),
                 ({"LargestSublayerThickness": -1}, "largest sublayer thickness -1, expected at least 0, with 0 for any"),
-                ({"LargestSublayerThickness": 1e-3}, "sublayers of Top to Sand: 1, and 10000 by thickness, expected 1 to 1000")):
+                ({"LargestSublayerThickness": 1e-3}, "sublayers of Top to Sand: more by LargestSublayerThickness, expected 1 to 1000")):
             with self.subTest(given), self.assertRaisesRegex(ValueError, message):
                 vtk_inputs.layers(horizons, **properties, **given)
         few = self.made["two_parts", 0][0].cells
