@@ -29,8 +29,8 @@ VARIANTS = ({}, {"Tetrahedra": True}, {"Sublayers": "3"}, {"Sublayers": "2 1 4",
             {"LargestSublayerThickness": 6.0, "HeightUnit": "World"})
 
 
-def stack_with(depths, links=None):
-    survey = {"origin": (5e5, 6e6), "spacing": (25.0, 12.5), "azimuth": 40.0, "VerticalStep": 1.0}
+def stack_with(depths, links=None, **survey):
+    survey = {"origin": (5e5, 6e6), "spacing": (25.0, 12.5), "azimuth": 40.0, "VerticalStep": 1.0, **survey}
     horizons = {name: vtk_inputs.horizon(z, **survey) for name, z in depths.items()}
     if links is not None:
         array = numpy_to_vtk(np.array(links, np.int32), deep=True)
@@ -49,11 +49,12 @@ def pinched():
 
 
 def with_hole():
-    """Two of four layers are absent amid the stack: the first one has a free base there, and the last one a free top."""
+    """Two of four layers are absent amid the stack: the first one has a free base there, and the last one a free top. The
+    lattice is left-handed."""
     depths = {name: np.full(X.shape, 100.0 + 10.0 * n) + 0.1 * X for n, name in enumerate(("Top", "Sand", "Shale", "Coal", "Base"))}
     depths["Shale"][5:15, 8:20] = np.nan
     depths["Coal"][:, 22:] = depths["Shale"][:, 22:]
-    return stack_with(depths, [(j, 16, 1) for j in range(10)]), {"MaximumError": 0.2, "Missing": "Void"}
+    return stack_with(depths, [(j, 16, 1) for j in range(10)], spacing=(25.0, -12.5)), {"MaximumError": 0.2, "Missing": "Void"}
 
 
 def two_parts():

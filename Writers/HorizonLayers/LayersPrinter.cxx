@@ -18,42 +18,22 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t Kinds = 3;
 constexpr int GmshSurface = 2; // dimension
 constexpr int GmshVolume = 3;
 constexpr std::size_t BetweenReports = 1 << 14;
 
-std::size_t KindOf(std::size_t corners)
+/// Cells by number, as of their layers, and by kind: wedges, pyramids and tetrahedra.
+using CellGroups = std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>>;
+
+CellGroups GroupCells(const VolumeCells& cells, const std::vector<int>& numbers)
 {
-  return 6 - corners;
+  CellGroups groups;
+  for (std::size_t cell = 0; cell < cells.Size(); ++cell)
+  {
+    groups[{ std::size_t(numbers[cell]), 6 - cells.SizeOf(cell) }].push_back(cell);
+  }
+  return groups;
 }
-
-class CellGroups
-{
-public:
-  /// `numbers` of the groups by cell.
-  CellGroups(const VolumeCells& cells, const std::vector<int>& numbers, std::size_t count)
-    : Groups(count * Kinds)
-  {
-    for (std::size_t cell = 0; cell < cells.Size(); ++cell)
-    {
-      this->Groups[std::size_t(numbers[cell]) * Kinds + KindOf(cells.SizeOf(cell))].push_back(cell);
-    }
-  }
-
-  const std::vector<std::size_t>& Of(std::size_t number, std::size_t kind) const
-  {
-    return this->Groups[number * Kinds + kind];
-  }
-  std::size_t Size() const
-  {
-    return std::size_t(std::count_if(
-      this->Groups.begin(), this->Groups.end(), [](const std::vector<std::size_t>& group) { return !group.empty(); }));
-  }
-
-private:
-  std::vector<std::vector<std::size_t>> Groups;
-};
 
 using CellNodes = std::vector<std::int64_t>; // from 1
 
@@ -119,16 +99,6 @@ void PrintCells(const VolumeCells& cells, const std::vector<std::size_t>& group,
   }
 }
 
-std::vector<std::string> MakeSetNames(const std::vector<std::string>& names)
-{
-  std::vector<std::string> sets;
-  for (const std::string& name : names)
-  {
-    sets.push_back("L" + std::to_string(sets.size() + 1) + "_" + PlainName(name));
-  }
-  return sets;
-}
-
 void CheckCorners(const VolumeCells& cells, std::size_t cell)
 {
   for (std::int64_t n = cells.FirstCorner(cell); n < cells.Ends[cell]; ++n)
@@ -158,8 +128,7 @@ void PrintGmshNames(const VolumeCells& cells, const LayerBoundary& boundary, Tex
 }
 
 /// Numbers of surfaces around a volume are negative if they look into it. All entities share one bounding box.
-void PrintGmshEntities(
-  const VolumeCells& cells, const std::vector<int>& layers, const LayerBoundary& boundary, TextPrinter& out)
+void PrintGmshEntities(const VolumeCells& cells, const LayerBoundary& boundary, TextPrinter& out)
 {
   std::array<double, 6> box = { HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   for (const std::array<double, 3>& point : cells.Points)
@@ -178,6 +147,11 @@ void PrintGmshEntities(
     std::for_each(around.begin(), around.end(), [&](std::int64_t number) { out.Print(" ", number); });
     out.Print("\n");
   };
+  std::map<int, int> layers; // by region
+  for (std::size_t cell = 0; cell < cells.Size(); ++cell)
+  {
+    layers[boundary.Regions[cell]] = cells.Layers[cell];
+  }
   std::vector<std::vector<std::int64_t>> around(layers.size());
   out.Print("$Entities\n");
   out.PrintLine(" ", 0, 0, boundary.Surfaces.size(), around.size());
@@ -191,9 +165,9 @@ void PrintGmshEntities(
       around[std::size_t(surface.Other)].push_back(-std::int64_t(n) - 1);
     }
   }
-  for (std::size_t region = 0; region < around.size(); ++region)
+  for (const auto [region, layer] : layers)
   {
-    print(region, std::size_t(layers[region]), around[region]);
+    print(std::size_t(region), std::size_t(layer), around[std::size_t(region)]);
   }
   out.Print("$EndEntities\n");
 }
@@ -293,36 +267,24 @@ void CheckCells(const VolumeCells& cells)
 //----------------------------------------------------------------------------------------------------------------------
 void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
 {
-  constexpr std::array<int, Kinds> types = { 6, 7, 4 };
+  constexpr std::array<int, 3> types = { 6, 7, 4 };
   const LayerBoundary boundary = FindBoundary(cells, monitor.Step(0.0, 0.2));
-  std::vector<int> layers; // by region
-  for (std::size_t cell = 0; cell < cells.Size(); ++cell)
-  {
-    layers.resize(std::max(layers.size(), std::size_t(boundary.Regions[cell]) + 1), cells.Layers[cell]);
-  }
-  const CellGroups groups(cells, boundary.Regions, layers.size());
+  const CellGroups groups = GroupCells(cells, boundary.Regions);
   const FaceBlocks faces = MakeBlocks(boundary);
   TextPrinter out(stream);
   out.Print("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
   PrintGmshNames(cells, boundary, out);
-  PrintGmshEntities(cells, layers, boundary, out);
+  PrintGmshEntities(cells, boundary, out);
   PrintGmshNodes(cells, monitor.Step(0.2, 0.5), out);
   std::size_t elements = cells.Size();
   std::for_each(faces.begin(), faces.end(), [&](const auto& block) { elements += block.second.size(); });
   out.Print("$Elements\n");
-  out.PrintLine(" ", groups.Size() + faces.size(), elements, 1, elements);
+  out.PrintLine(" ", groups.size() + faces.size(), elements, 1, elements);
   std::int64_t printed = 0;
-  for (std::size_t region = 0; region < layers.size(); ++region)
+  for (const auto& [place, group] : groups)
   {
-    for (std::size_t kind = 0; kind < Kinds; ++kind)
-    {
-      const std::vector<std::size_t>& group = groups.Of(region, kind);
-      if (!group.empty())
-      {
-        out.PrintLine(" ", GmshVolume, region + 1, types[kind], group.size());
-        PrintCells(cells, group, " ", NodesOf, printed, out, monitor.Step(0.5, 0.9));
-      }
-    }
+    out.PrintLine(" ", GmshVolume, place.first + 1, types[place.second], group.size());
+    PrintCells(cells, group, " ", NodesOf, printed, out, monitor.Step(0.5, 0.9));
   }
   PrintGmshFaces(faces, printed, out);
   out.Print("$EndElements\n");
@@ -333,10 +295,7 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
 //----------------------------------------------------------------------------------------------------------------------
 void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
 {
-  constexpr std::array<std::string_view, Kinds> types = { "C3D6", "C3D6", "C3D4" };
-  const CellGroups groups(cells, cells.Layers, cells.Names.size());
-  const std::vector<std::string> names = MakeSetNames(cells.Names);
-  std::vector<std::int64_t> elements(cells.Size()); // by cell
+  constexpr std::array<std::string_view, 3> types = { "C3D6", "C3D6", "C3D4" };
   TextPrinter out(stream);
   out.Print("*HEADING\nLayers between seismic horizons\n*NODE\n");
   ForEach(cells.Points.size(), monitor.Step(0.0, 0.4),
@@ -346,19 +305,14 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
       out.PrintLine(", ", point + 1, place[0], place[1], place[2]);
     });
   std::int64_t printed = 0;
-  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  std::vector<std::int64_t> elements(cells.Size()); // by cell
+  for (const auto& [place, group] : GroupCells(cells, cells.Layers))
   {
-    for (std::size_t kind = 0; kind < Kinds; ++kind)
-    {
-      const std::vector<std::size_t>& group = groups.Of(layer, kind);
-      if (!group.empty())
-      {
-        out.PrintLine("", "*ELEMENT, TYPE=", types[kind], ", ELSET=", names[layer]);
-        std::int64_t element = printed;
-        std::for_each(group.begin(), group.end(), [&](std::size_t cell) { elements[cell] = ++element; });
-        PrintCells(cells, group, ", ", NodesWithoutPyramids, printed, out, monitor.Step(0.4, 0.8));
-      }
-    }
+    out.Print("*ELEMENT, TYPE=", types[place.second], ", ELSET=L", place.first + 1, "_");
+    out.PrintLine("", PlainName(cells.Names[place.first]));
+    std::int64_t element = printed;
+    std::for_each(group.begin(), group.end(), [&](std::size_t cell) { elements[cell] = ++element; });
+    PrintCells(cells, group, ", ", NodesWithoutPyramids, printed, out, monitor.Step(0.4, 0.8));
   }
   PrintAbaqusSurfaces(cells, elements, out, monitor.Step(0.8, 1.0));
   out.Flush();

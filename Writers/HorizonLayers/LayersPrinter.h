@@ -50,7 +50,7 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
 /// with a repeated node.
 void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 
-/// DISV of MODFLOW 6. Cells are horizontal, at mean heights, which preserves volume; idomain is -1 where a layer
+/// DISV of MODFLOW 6. Each sublayer is a layer of the model. Cells are horizontal, at mean heights, which preserves volume; idomain is -1 where a layer
 /// pinches out, 0 without a cell. Throws InputError if cells of a triangle are not above each other.
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 

@@ -115,19 +115,14 @@ private:
     this->Result.Heights.push_back(height);
   }
 
-  int SublayersOf(std::size_t layer) const
-  {
-    return this->Options.Sublayers.empty() ? 1 : this->Options.Sublayers[layer];
-  }
-
   void AddPointsInside(std::size_t layer, std::size_t vertex)
   {
     const double top = this->Plan.Heights[layer][vertex];
     const double thickness = this->Plan.Heights[layer + 1][vertex] - top;
     this->Inside[layer][vertex] = PointId(this->Result.Vertices.size());
-    for (int n = 1; n < this->SublayersOf(layer); ++n)
+    for (int n = 1; n < this->Options.SublayersOf(layer); ++n)
     {
-      this->AddPoint(vertex, top + thickness * n / this->SublayersOf(layer));
+      this->AddPoint(vertex, top + thickness * n / this->Options.SublayersOf(layer));
     }
   }
 
@@ -135,7 +130,7 @@ private:
   PointId PointAt(std::size_t layer, int level, PointId vertex) const
   {
     const PointId first = this->Inside[layer][std::size_t(vertex)];
-    return level > 0 && level < this->SublayersOf(layer) && first != NoPoint
+    return level > 0 && level < this->Options.SublayersOf(layer) && first != NoPoint
       ? first + level - 1
       : this->Result.PointsOfHorizons[level == 0 ? layer : layer + 1][std::size_t(vertex)];
   }
@@ -176,8 +171,8 @@ private:
       return;
     }
     const bool isTopHigh = !this->Plan.HeightsGrowDownwards;
-    const double mean = MeanOf(thickness) / this->SublayersOf(layer);
-    for (int sublayer = 0; sublayer < this->SublayersOf(layer); ++sublayer)
+    const double mean = MeanOf(thickness) / this->Options.SublayersOf(layer);
+    for (int sublayer = 0; sublayer < this->Options.SublayersOf(layer); ++sublayer)
     {
       std::vector<PointId> cell;
       AddCorners(

@@ -46,6 +46,8 @@ struct LayerCellOptions
   std::vector<int> Sublayers;
   /// Splits all cells through their point with the smallest number, so that those of neighbours fit together.
   bool Tetrahedra = false;
+
+  int SublayersOf(std::size_t layer) const { return this->Sublayers.empty() ? 1 : this->Sublayers[layer]; }
 };
 
 LayerCells MakeLayerCells(
