@@ -92,7 +92,7 @@ void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monito
     cells.Layers.push_back(NumberAt(layers, cell, "layer "));
     cells.Sublayers.push_back(sublayers ? NumberAt(*sublayers, cell, "sublayer ") : 0);
     cells.Triangles.push_back(std::int64_t(triangles.At(cell)));
-    cells.FaultFaces.push_back(faults ? static_cast<unsigned char>(faults->At(cell)) : 0);
+    cells.FaultFaces.push_back(faults ? static_cast<unsigned char>(NumberAt(*faults, cell, "faces ")) : 0);
   }
 }
 
