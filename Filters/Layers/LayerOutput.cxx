@@ -19,6 +19,7 @@
 #include <array>
 #include <cassert>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +65,33 @@ void Mirror(std::int64_t* corners, std::size_t size)
     return;
   }
   std::swap(corners[size - 4], corners[size - 2]); // quadrangle of a pyramid, or triangle
+}
+
+/// By cell, with bit n for face n of FacesOfCell. A vertical face has two vertices of the plan.
+std::vector<unsigned char> FindFaultFaces(const LayerPlan& plan, const LayerCells& cells, const std::int64_t* corners)
+{
+  const std::vector<std::array<PointId, 2>> sides = FindFaultSides(plan);
+  const auto has = [&](PointId a, PointId b) {
+    return std::binary_search(sides.begin(), sides.end(), std::array<PointId, 2>{ a, b });
+  };
+  std::vector<unsigned char> found(cells.Size(), 0);
+  for (std::size_t cell = 0; !sides.empty() && cell < cells.Size(); ++cell)
+  {
+    const auto& faces = FacesOfCell(cells.SizeOf(cell));
+    for (std::size_t face = 0; face < faces.size(); ++face)
+    {
+      std::set<PointId> ends;
+      for (const std::size_t corner : faces[face])
+      {
+        ends.insert(cells.Vertices[std::size_t(corners[cells.Begin(cell) + std::int64_t(corner)])]);
+      }
+      if (ends.size() == 2 && (has(*ends.begin(), *ends.rbegin()) || has(*ends.rbegin(), *ends.begin())))
+      {
+        found[cell] = static_cast<unsigned char>(found[cell] | 1U << face);
+      }
+    }
+  }
+  return found;
 }
 
 /// Vertices of the plan at which a horizon has a height.
@@ -181,12 +209,15 @@ void WriteLayerCells(const LayerCells& cells, const LayerPlan& plan, const Horiz
   const double volume = VolumeOfUnit(stack);
   ArrayTable& data = output.CellData;
   AddArray<int>(data, CellArray::Layer, cells.Layers);
+  AddArray<int>(data, CellArray::Sublayer, cells.Sublayers);
+  AddArray<unsigned char>(data, CellArray::FaultFaces, FindFaultFaces(plan, cells, corners));
   AddArray<std::int64_t>(data, CellArray::Triangle, cells.Triangles);
   AddArray<double>(
     data, CellArray::Thickness, cells.Thickness, [height](double thickness) { return height * thickness; });
   AddArray<double>(data, CellArray::Volume, cells.Volumes, [volume](double own) { return volume * own; });
   data.SetActiveScalars(CellArray::Layer);
   output.FieldData.Add({ FieldArray::LayerNames, NamesOfLayers(stack) });
+  output.FieldData.Add({ FieldArray::HorizonNames, stack.Names() });
   stack.WriteFields(output.FieldData);
 }
 

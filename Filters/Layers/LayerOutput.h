@@ -16,7 +16,7 @@
 
 namespace SeismicHorizons
 {
-/// Cell data are Layer, Triangle, Thickness and Volume.
+/// Cell data are Layer, Sublayer, Triangle, Thickness, Volume and FaultFaces.
 void WriteLayerCells(const LayerCells& cells, const LayerPlan& plan, const HorizonStack& stack, VolumeGrid& output);
 
 /// The surface is closed and faces outwards; cell data are Face and Layer.

@@ -7,6 +7,7 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/HeightNoise.h"
+#include "Common/Text/TextFields.h"
 #include "Filters/Algorithms/Despiking/Despiking.h"
 #include "Filters/Algorithms/Layers/LayerBody.h"
 #include "Filters/Algorithms/Layers/LayerCells.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace SeismicHorizons
@@ -79,6 +81,43 @@ ErrorLimit FindErrorLimit(const LayerStageOptions& given, const HorizonStack& st
     most = noise.Deviation > most.Deviation ? noise : most;
   }
   return { most.MaximumError(), most };
+}
+
+/// Then `volumes` count cells, not triangles.
+LayerCellOptions MakeCellOptions(
+  const LayerStageOptions& given, const HorizonStack& stack, std::vector<LayerVolume>& volumes)
+{
+  constexpr double most = 1000.0;
+  constexpr double rounding = 1e-9;
+  CheckAtLeast("largest sublayer thickness", given.LargestSublayerThickness, 0.0, ", with 0 for any");
+  std::istringstream words(given.Sublayers);
+  const std::vector<std::string> numbers(std::istream_iterator<std::string>(words), {});
+  if (numbers.size() > 1 && numbers.size() != volumes.size())
+  {
+    throw InputError("sublayers of " + std::to_string(numbers.size()) + " layers, expected one number, or " +
+      std::to_string(volumes.size()) + " from the uppermost on");
+  }
+  const double largest = IndicesOf(given, given.LargestSublayerThickness, stack);
+  LayerCellOptions options;
+  options.Tetrahedra = given.Tetrahedra;
+  for (std::size_t layer = 0; layer < volumes.size(); ++layer)
+  {
+    const std::string text = numbers.empty() ? "1" : numbers[std::min(layer, numbers.size() - 1)];
+    double number = 0.0;
+    const bool isWhole = ReadNumber(text, number) == NumberKind::Finite && std::floor(number) == number;
+    const double needed = largest > 0.0 ? std::ceil(volumes[layer].LargestThickness / largest - rounding) : 1.0;
+    if (!isWhole || number < 1.0 || std::max(number, needed) > most)
+    {
+      const std::string found = needed > most ? "more by LargestSublayerThickness" : text;
+      throw InputError(
+        "sublayers of " + NamesOfLayers(stack)[layer] + ": " + found + ", expected 1 to " + std::to_string(int(most)));
+    }
+    options.Sublayers.push_back(int(std::max(number, needed)));
+    std::array<std::int64_t, 4>& kinds = volumes[layer].Triangles;
+    kinds = given.Tetrahedra ? std::array<std::int64_t, 4>{ kinds[0], kinds[1] + 2 * kinds[2] + 3 * kinds[3] } : kinds;
+    std::for_each(kinds.begin() + 1, kinds.end(), [&](std::int64_t& count) { count *= options.Sublayers[layer]; });
+  }
+  return options;
 }
 
 // ---- Warnings -------------------------------------------------------------------------------------------------------
@@ -165,16 +204,19 @@ void WriteLayers(const Layers& layers, const HorizonStack& stack, const LayerSta
   const LayerPlan& plan = layers.Plan;
   const auto numberOf = double(plan.NumberOfHorizons());
   const auto part = [numberOf](std::size_t n) { return double(n) / numberOf; };
-  const LayerCells cells = MakeLayerCells(plan, monitor.Step(0.0, 0.15));
-  WriteLayerCells(cells, plan, stack, result.Layers);
   std::vector<LayerVolume> volumes;
+  for (std::size_t layer = 0; layer < plan.NumberOfLayers(); ++layer)
+  {
+    volumes.push_back(MeasureLayer(plan, layer));
+  }
+  const LayerCells cells = MakeLayerCells(plan, MakeCellOptions(given, stack, volumes), monitor.Step(0.0, 0.15));
+  WriteLayerCells(cells, plan, stack, result.Layers);
   for (std::size_t layer = 0; layer < plan.NumberOfLayers(); ++layer)
   {
     const Monitor step = monitor.Step(0.2, 0.6).Step(part(layer), part(layer + 1));
     Horizon& body = result.Bodies.emplace_back();
     WriteLayerBody(MakeLayerBody(plan, layer, step.Step(0.0, 0.9)), plan, layer, stack, body);
     WriteLayerLedger(layers.Ledgers.OfLayers[layer], stack, body.FieldData);
-    volumes.push_back(MeasureLayer(plan, layer));
     step.Progress(1.0);
   }
   for (std::size_t horizon = 0; horizon < plan.NumberOfHorizons(); ++horizon)

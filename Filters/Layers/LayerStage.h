@@ -33,6 +33,9 @@ struct LayerStageOptions : StackStageOptions
   double EdgeLength = 0.0;
   double EdgeGrowth = 0.0;
   bool FitHeights = true;
+  std::string Sublayers; // a number, or one for each layer; empty for 1
+  double LargestSublayerThickness = 0.0; // 0 for any
+  bool Tetrahedra = false;
   std::optional<double> Contact; // world z
 };
 

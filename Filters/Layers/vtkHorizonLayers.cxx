@@ -63,6 +63,12 @@ vtkHorizonLayers::vtkHorizonLayers()
 }
 
 //------------------------------------------------------------------------------
+vtkHorizonLayers::~vtkHorizonLayers()
+{
+  this->SetSublayers(nullptr);
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonLayers::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const std::array<const char*, 5> types = { "vtkUnstructuredGrid", "vtkPartitionedDataSetCollection",
@@ -132,6 +138,9 @@ LayerStageOptions vtkHorizonLayers::MakeOptions() const
   options.EdgeLength = this->EdgeLength;
   options.EdgeGrowth = this->EdgeGrowth;
   options.FitHeights = this->FitHeights;
+  options.Sublayers = this->Sublayers ? this->Sublayers : "";
+  options.LargestSublayerThickness = this->LargestSublayerThickness;
+  options.Tetrahedra = this->Tetrahedra;
   if (this->MeasureAboveContact || !std::isfinite(this->Contact)) // The stage refuses other numbers.
   {
     options.Contact = this->Contact;

@@ -9,8 +9,10 @@
  * All layers share one triangulation on the map, with a height of each horizon at every vertex, so that layers fit
  * together without gaps. Each known point of each horizon is within MaximumError, vertically. Outputs:
  *  - 0 Layers: a vtkUnstructuredGrid of wedges with shared points; pyramids and tetrahedra where layers pinch out. Cell
- *    data: Layer (int, 0 the uppermost), Triangle (vtkIdType, of the plan), Thickness (the mean) and Volume (double).
- *    Field data: LayerNames, and ChosenMaximumError (double, lattice units) where MaximumError is automatic;
+ *    data: Layer and Sublayer (int, 0 the uppermost), Triangle (vtkIdType, of the plan), Thickness (the mean of the
+ *    sublayer), Volume (double), and FaultFaces (unsigned char, bit n for face n of the cell, which is at a fault).
+ *    Field data: LayerNames, HorizonNames, and ChosenMaximumError (double, lattice units) where MaximumError is
+ *    automatic;
  *  - 1 Bodies: a closed surface for each layer that faces outwards. Cell data: Face (unsigned char: 0 top, 1 base, 2
  *    outline, 3 fault) and Layer;
  *  - 2 Horizons: the horizons on the plan, the uppermost first, with the arrays of their points. Field data:
@@ -145,6 +147,23 @@ public:
   vtkHorizonFlagMacro(FitHeights);
 
   /**
+   * The number of sublayers of each layer: one for all, or one for each layer from the uppermost on, separated by
+   * spaces, such as "1 4 2". They divide its thickness equally at each point on the map, and end where it ends; empty:
+   * 1. Range: numbers from 1 to 1000. Default: empty.
+   */
+  vtkHorizonTextMacro(Sublayers);
+
+  /**
+   * Layers get more sublayers until none is thicker anywhere. 0: any. Unit: HeightUnit. Range: at least 0. Default: 0.
+   */
+  vtkHorizonNumberMacro(LargestSublayerThickness, double);
+
+  /**
+   * Whether all cells are split into tetrahedra, which fit those of neighbours and fill the same volume. Default: off.
+   */
+  vtkHorizonFlagMacro(Tetrahedra);
+
+  /**
    * Whether figures include the volume above Contact (VolumeAboveContact). Default: off.
    */
   vtkHorizonFlagMacro(MeasureAboveContact);
@@ -163,7 +182,7 @@ public:
 
 protected:
   vtkHorizonLayers();
-  ~vtkHorizonLayers() override = default;
+  ~vtkHorizonLayers() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -189,6 +208,9 @@ private:
   double EdgeLength = 0.0;
   double EdgeGrowth = 0.0;
   bool FitHeights = true;
+  char* Sublayers = nullptr;
+  double LargestSublayerThickness = 0.0;
+  bool Tetrahedra = false;
   bool MeasureAboveContact = false;
   double Contact = 0.0;
   std::string Results;

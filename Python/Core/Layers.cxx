@@ -52,6 +52,9 @@ nb::tuple FindLayers(const nb::list& given, const nb::dict& chosen, const nb::ob
   Take(chosen, "edge_length", options.EdgeLength);
   Take(chosen, "edge_growth", options.EdgeGrowth);
   Take(chosen, "fit_heights", options.FitHeights);
+  Take(chosen, "sublayers", options.Sublayers);
+  Take(chosen, "largest_sublayer_thickness", options.LargestSublayerThickness);
+  Take(chosen, "tetrahedra", options.Tetrahedra);
   Take(chosen, "contact", options.Contact);
   const std::vector<NamedHorizon> horizons = TakeNamed(given);
   HorizonStack stack;

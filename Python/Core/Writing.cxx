@@ -174,6 +174,23 @@ void BindWriting(nb::module_& module)
       Run(progress, [&](const Monitor& monitor) { WriteLayersFile(path, grid, monitor); });
     },
     "path"_a, "volumes"_a, "progress"_a.none());
+  module.def(
+    "layer_boundary",
+    [](const nb::dict& volumes)
+    {
+      const LayerBoundary boundary = FindBoundary(TakeVolumes(volumes));
+      std::vector<std::vector<std::vector<std::int64_t>>> faces(boundary.Names.size()); // cell and points, by group
+      for (const BoundarySurface& surface : boundary.Surfaces)
+      {
+        for (const BoundaryFace& face : surface.Faces)
+        {
+          faces[surface.Group].push_back({ face.Cell });
+          faces[surface.Group].back().insert(faces[surface.Group].back().end(), face.Points.begin(), face.Points.end());
+        }
+      }
+      return nb::make_tuple(boundary.Names, boundary.PlainNames, faces);
+    },
+    "volumes"_a);
   module.def("write_contents", &WriteContents, "path"_a, "contents"_a);
   module.def("write_faults", &WriteFaults, "path"_a, "lines"_a, "sense"_a, "progress"_a.none());
   module.def("sample", &Sample, "mesh"_a, "sign"_a, "progress"_a.none());

@@ -8,7 +8,7 @@ import dataclasses
 import functools
 import os
 import pathlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -34,8 +34,8 @@ class Layers:
         x, y and z of the world, z upwards.
     cells : dict of int64 arrays of shape (m, corners) by number of corners
         Tetrahedra (4), pyramids (5) and wedges (6), each kind in the order of VTK.
-    layer, thickness, volume : dict of arrays by number of corners
-        Number of the layer, mean thickness and volume of each cell.
+    layer, sublayer, thickness, volume : dict of arrays by number of corners
+        Number of the layer and of the sublayer in it, mean thickness and volume of each cell.
     bodies : dict of Mesh
         The closed surface of each layer, which faces outwards.
     horizons : dict of Mesh
@@ -51,6 +51,7 @@ class Layers:
     points: Floats
     cells: dict[int, NDArray[np.int64]]
     layer: dict[int, NDArray[np.int32]]
+    sublayer: dict[int, NDArray[np.int32]]
     thickness: dict[int, Floats]
     volume: dict[int, Floats]
     bodies: dict[str, Mesh]
@@ -90,8 +91,22 @@ class Layers:
 
         return pyvista.wrap(self.to_vtk())
 
-    def write(self, path: str | os.PathLike[str], *, progress: Progress | None = None) -> None:
+    @functools.cached_property
+    def boundary(self) -> dict[str, dict[int, NDArray[np.int64]]]:
+        """The faces around the stack and between layers by group, Top, Base, Sides, Faults and horizons, and by number of corners:
+        the cell as in a .vtu file, and its points, counter-clockwise from outside."""
+        return {name: faces for name, _, faces in self._groups()}
+
+    def _groups(self) -> Iterator[tuple[str, str, dict[int, NDArray[np.int64]]]]:
+        for name, plain, found in zip(*_core.layer_boundary(self._core)):
+            rows = {size: [row for row in found if len(row) == 1 + size] for size in (3, 4)}
+            yield name, plain, {size: np.array(of_size, np.int64) for size, of_size in rows.items() if of_size}
+
+    def write(self, path: str | os.PathLike[str], *, boundaries: bool = False, progress: Progress | None = None) -> None:
         """Writes the cells for VTK (.vtu), Gmsh (.msh), Abaqus and CalculiX (.inp) or MODFLOW 6 (.disv).
+
+        With `boundaries`, files are as OpenGeoSys wants: cells have MaterialIDs, the number of the layer, and each group of faces
+        has a .vtu file beside that of the cells, such as layers_Top.vtu, with bulk_node_ids and bulk_element_ids.
 
         Raises ValueError if the format cannot hold them, and OSError if the file cannot be written.
         """
@@ -99,8 +114,19 @@ class Layers:
         if not path.absolute().parent.is_dir():
             raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
         try:
+            if boundaries and path.suffix.lower() != ".vtu":
+                raise ValueError("boundaries of a file with another extension, expected .vtu: .msh and .inp always have them")
             if path.suffix.lower() == ".vtu":
-                _core.write_contents(str(path), [("", _xml.unstructured_grid(self._core))])
+                data = self._core
+                if boundaries:
+                    fields = {name: values for name, values in data["field_data"].items() if not isinstance(values, list)}  # OGS fails with texts
+                    used, corners = np.unique(data["cells"][1], return_inverse=True)  # matrices want no other points
+                    data = {**data, "cell_data": {**data["cell_data"], "MaterialIDs": data["cell_data"]["Layer"]}, "field_data": fields,
+                            "places": self.points[used], "cells": (data["cells"][0], corners.ravel())}
+                _core.write_contents(str(path), [("", _xml.unstructured_grid(data))])
+                for _, plain, faces in self._groups() if boundaries else ():
+                    own = path.with_name("%s_%s.vtu" % (path.stem, plain))
+                    _core.write_contents(str(own), [("", _xml.unstructured_grid(_surface_of(self.points, used, faces)))])
             else:
                 _core.write_layers(str(path), self._core, progress)
         except ValueError as error:
@@ -109,6 +135,16 @@ class Layers:
             raise OSError("%s: %s" % (path, error)) from None
 
 
+def _surface_of(points: Floats, used: NDArray[np.int64], faces: Mapping[int, NDArray[np.int64]]) -> Data:
+    """Faces as cells of their own points, with their numbers among the used ones."""
+    sizes = np.concatenate([np.full(len(rows), size) for size, rows in faces.items()])
+    bulk, own = np.unique(np.concatenate([rows[:, 1:].ravel() for rows in faces.values()]), return_inverse=True)
+    return {"places": points[bulk], "cells": (np.append(0, np.cumsum(sizes)), own.ravel()), "types": np.where(sizes == 3, _TRIANGLE, _QUAD),
+            "point_data": {"bulk_node_ids": np.searchsorted(used, bulk).astype(np.uint64)}, "field_data": {},
+            "cell_data": {"bulk_element_ids": np.concatenate([rows[:, 0] for rows in faces.values()]).astype(np.uint64)}}
+
+
+_TRIANGLE, _QUAD = 5, 9  # VTK_TRIANGLE, VTK_QUAD
 _WEDGE = 13  # VTK_WEDGE
 
 
@@ -159,6 +195,7 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
            largest_hole_size: int = 2500, largest_gap: int = 10, bound_thickness: bool = False, keep_outlines: bool = False,
            pinch_out_lines: bool = True, smallest_pinch: int = 25, effort: str = "best", smallest_angle: float = 10.0, edge_length: float = 0.0,
            edge_growth: float = 0.0, fit_heights: bool = True,
+           sublayers: int | Sequence[int] = 1, largest_sublayer_thickness: float | str = 0.0, tetrahedra: bool = False,
            contact: float | None = None, faults: Mapping[str, Faults] | None = None, progress: Progress | None = None) -> Layers:
     """Makes closed volumes of the layers between horizons.
 
@@ -192,6 +229,13 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
         The smallest area without a layer that has such a line, in columns.
     effort, smallest_angle, edge_length, edge_growth, fit_heights
         As in `surface`.
+    sublayers : int or list of int for each layer from the uppermost on
+        Each layer is divided into this number of sublayers, which are equally thick at each point on the map, and end where it
+        ends.
+    largest_sublayer_thickness : float or str
+        Layers get more sublayers until none is thicker, in the unit of z or with a unit; 0: any.
+    tetrahedra : bool
+        All cells are split into tetrahedra, which fit those of neighbours.
     contact : float, optional
         z, in the direction of the horizons, of a level contact: `figures` get the volume above it.
     faults : dict of Faults by name of the horizon, optional
@@ -218,7 +262,9 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
         domain=domain, missing=missing, largest_hole_size=int(largest_hole_size), largest_gap=int(largest_gap), effort=effort,
         bound_thickness=bool(bound_thickness), keep_outlines=bool(keep_outlines), pinch_out_lines=bool(pinch_out_lines),
         smallest_pinch=int(smallest_pinch), smallest_angle=float(smallest_angle), edge_length=float(edge_length),
-        edge_growth=float(edge_growth), fit_heights=bool(fit_heights),
+        edge_growth=float(edge_growth), fit_heights=bool(fit_heights), tetrahedra=bool(tetrahedra),
+        sublayers=" ".join(map(str, [sublayers] if isinstance(sublayers, (int, np.integer)) else sublayers)),
+        largest_sublayer_thickness=height("largest_sublayer_thickness", largest_sublayer_thickness, first.vertical_unit) if first else None,
         contact=None if contact is None or first is None else first.sign * float(contact)))
     made = call("layers", _core.layers, named, options, progress)
     volumes, figures = made["volumes"], {snake(name): values for name, values in made["figures"].items()}
@@ -227,12 +273,12 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
     kinds = {int(size): np.flatnonzero(sizes == size) for size in np.unique(sizes)}
     names = figures.pop("name")
     unit = figures.pop("volume_unit")[0]
-    of_kind = {name: {size: volumes["cell_data"][name][places] for size, places in kinds.items()} for name in ("Layer", "Thickness", "Volume")}
+    of_kind = {name: {size: volumes["cell_data"][name][places] for size, places in kinds.items()} for name in ("Layer", "Sublayer", "Thickness", "Volume")}
     bodies = {name: mesh_of(name, data, {}, data["field_data"], None) for name, data in zip(names, made["bodies"])}
     meshes = {name: mesh_of(name, data, take_attributes(data["point_data"], given[name].attributes), given[name]._data()["field_data"],
                             given[name].lattice) for name, data in zip(made["names"], made["horizons"])}
     return Layers(names, volumes["places"], {size: corners[offsets[places][:, None] + np.arange(size)] for size, places in kinds.items()},
-                  of_kind["Layer"], of_kind["Thickness"], of_kind["Volume"], bodies, meshes, figures, made["curve"], unit, volumes)
+                  of_kind["Layer"], of_kind["Sublayer"], of_kind["Thickness"], of_kind["Volume"], bodies, meshes, figures, made["curve"], unit, volumes)
 
 
 def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings: str | Sequence[str] = "mean", minimum_thickness: float | str = 0.0,

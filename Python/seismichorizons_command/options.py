@@ -183,7 +183,10 @@ def add_layer_options(group):
                                "--layers; AsGiven: as listed by --horizons or the files, uppermost first"),
             group.add_argument("--missing", choices=("Void", "Interpolate", "Follow"), default=NOT_GIVEN, help="where a "
                                "horizon has no points: no layers; holes and gaps at faults closed; absent horizons also "
-                               "follow a neighbour (default: Follow)"))
+                               "follow a neighbour (default: Follow)"),
+            group.add_argument("--sublayers", action=AddToList, are_names=True, metavar="LIST", default=NOT_GIVEN, help="number of sublayers "
+                               "of each layer, or one for each layer from the top (default: 1)"),
+            group.add_argument("--tetrahedra", action="store_true", default=NOT_GIVEN, help="split the cells of layers into tetrahedra"))
 
 
 def add_stage_options(group):

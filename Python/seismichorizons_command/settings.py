@@ -65,7 +65,8 @@ def _layers(options):
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
     error = given(options, MaximumError="largest_error")
     unit = {"HeightUnit": "World"} if getattr(error.get("MaximumError"), "unit", "") else {}
-    return {**error, **unit, **crossings, **given(options, "Order", "Missing")}
+    sublayers = {"Sublayers": " ".join(options.sublayers).replace(",", " ")} if hasattr(options, "sublayers") else {}
+    return {**error, **unit, **crossings, **sublayers, **given(options, "Order", "Missing", "Tetrahedra")}
 
 
 def make_settings(options):

@@ -5,6 +5,7 @@
 Argument: a folder for files.
 """
 
+import collections
 import importlib.util
 import pathlib
 import re
@@ -16,6 +17,7 @@ import unittest
 import mesh_checks
 import numpy as np
 import vtk_inputs
+from layer_files import areas_of, read_msh
 from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
@@ -85,7 +87,7 @@ class LayersWriterTest(unittest.TestCase):
         try:
             gmsh.option.setNumber("General.Terminal", 0)
             gmsh.open(str(FOLDER / "layers.msh"))
-            groups = {gmsh.model.getPhysicalName(*group): group for group in gmsh.model.getPhysicalGroups()}
+            groups = {gmsh.model.getPhysicalName(*group): group for group in gmsh.model.getPhysicalGroups(3)}
             self.assertEqual(sorted(groups), sorted(self.layers.figures))
             found = {WEDGE: 0, PYRAMID: 0, TETRA: 0}
             for name, (dimension, tag) in groups.items():
@@ -110,6 +112,8 @@ class LayersWriterTest(unittest.TestCase):
             counts = {WEDGE: 0, PYRAMID: 0, TETRA: 0}
             total = 0.0
             for block in mesh.cells:
+                if block.type in ("triangle", "quad"):
+                    continue  # faces
                 counts[{"wedge": WEDGE, "pyramid": PYRAMID, "tetra": TETRA}[block.type]] += len(block.data)
                 for cell in block.data:
                     parts = volume_of(mesh.points[cell])
@@ -124,16 +128,18 @@ class LayersWriterTest(unittest.TestCase):
                 self.assertEqual(list(mesh.cell_sets), ["L1_Top_to_Sand", "L2_Sand_to_Shale", "L3_Shale_to_Base"])
 
     def test_calculix(self):
-        """A solver takes all elements, and has the same volumes."""
+        """A solver takes all elements, and has the same volumes; surfaces have the areas of those in the file of Gmsh."""
         program = shutil.which("ccx")
         if program is None:
             raise unittest.SkipTest("no ccx")
         sets = ["L%d_%s" % (layer + 1, name.replace(" ", "_")) for layer, name in enumerate(self.layers.figures)]
+        surfaces = re.findall(r"SURFACE, NAME=(\w+)", (FOLDER / "layers.inp").read_text())
         (FOLDER / "weight.inp").write_text(
             "*INCLUDE, INPUT=layers.inp\n*NSET, NSET=ALL, GENERATE\n1, %d\n*MATERIAL, NAME=ROCK\n*ELASTIC\n1e10, 0.25\n"
             % self.grid.GetNumberOfPoints()
             + "".join("*SOLID SECTION, ELSET=%s, MATERIAL=ROCK\n" % name for name in sets)
             + "*BOUNDARY\nALL, 1, 2\n1, 3, 3\n*STEP\n*STATIC\n"
+            + "".join("*SECTION PRINT, SURFACE=%s, NAME=P_%s\nSOAREA\n" % (name, name) for name in surfaces)
             + "".join("*EL PRINT, ELSET=%s, TOTALS=ONLY\nEVOL\n" % name for name in sets) + "*END STEP\n")
         run = subprocess.run([program, "weight"], cwd=FOLDER, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              text=True, check=False)
@@ -142,6 +148,14 @@ class LayersWriterTest(unittest.TestCase):
         self.assertEqual([name for name, _ in found], [name.upper() for name in sets])
         for layer, (_, volume) in enumerate(found):
             self.assertAlmostEqual(float(volume) / self.volume(layer), 1.0, delta=1e-6)  # it prints 7 digits
+        points, entities, elements = read_msh(FOLDER / "layers.msh")
+        areas = collections.Counter()
+        for (dimension, tag), faces in elements.items():
+            if dimension == 2:
+                areas[entities[2, tag][0]] += np.linalg.norm(areas_of(points, faces), axis=1).sum()
+        found = re.findall(r"statistics for surface set (\S+).*?area, normal force.*?\s(\d\S+)", (FOLDER / "weight.dat").read_text(), re.DOTALL)
+        self.assertEqual([name for name, _ in found], [name.upper() for name in surfaces])
+        np.testing.assert_allclose(sorted(float(area) for _, area in found), sorted(areas.values()), rtol=1e-6)
 
     def test_flopy(self):
         flopy = module("flopy")

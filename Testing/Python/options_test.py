@@ -190,7 +190,9 @@ class OptionsTest(unittest.TestCase):
                  "--radius", "2", "--outline-tolerance", "1", "--distance-threshold", "1", "--smallest-hole-size", "9")
         of_stages = ("--stages", "--hole-boundaries", "--bound-deviation", "--fewest-outline-points", "--cell-size", "4", "--elaborate",
                      "--elaborate-cell-size", "5", "--flatness-threshold", "1", "--representative", "NearestPoint")
-        of_surface = ("--largest-error", "2 ms", "--layers", "--crossings", "Mean", "--order", "AsGiven", "--missing", "Void")
+        of_surface = ("--largest-error", "2 ms", "--layers", "--crossings", "Mean", "--order", "AsGiven", "--missing", "Void",
+                      "--sublayers", "1,3", "--tetrahedra")
+        self.assertEqual(core.options(self.settings(*of_surface).layers)["sublayers"], "1 3")
         for more in (of_stages, of_surface, ("--triangles", "9")):
             settings = self.settings(*words, *more)
             for given in (*(given for _, _, given in settings.stages()), settings.error, settings.layers or {}):

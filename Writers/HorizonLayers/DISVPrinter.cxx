@@ -36,10 +36,12 @@ public:
     : Cells(cells)
   {
     this->FindVertices();
+    this->NumberLayers();
     this->MakeCells(monitor.Step(0.3, 0.6));
     this->MakeColumns(monitor.Step(0.7, 1.0));
   }
 
+  std::vector<std::string> Names; // of layers of the model
   std::vector<std::array<double, 2>> Vertices;
   std::vector<std::array<std::int64_t, 3>> Triangles; // by column
   std::vector<double> Tops;
@@ -69,6 +71,26 @@ private:
     }
   }
 
+  /// Sublayers are layers of the model.
+  void NumberLayers()
+  {
+    std::vector<int> counts(this->Cells.Names.size(), 1);
+    for (std::size_t cell = 0; cell < this->Cells.Size(); ++cell)
+    {
+      int& count = counts[std::size_t(this->Cells.Layers[cell])];
+      count = std::max(count, this->Cells.Sublayers[cell] + 1);
+    }
+    for (std::size_t layer = 0; layer < counts.size(); ++layer)
+    {
+      this->FirstLayers.push_back(int(this->Names.size()));
+      for (int n = 0; n < counts[layer]; ++n)
+      {
+        const std::string number = counts[layer] > 1 ? ", sublayer " + std::to_string(n + 1) : "";
+        this->Names.push_back(WithoutQuotes(this->Cells.Names[layer]) + number);
+      }
+    }
+  }
+
   void MakeCells(const Monitor& monitor)
   {
     this->Levels.reserve(this->Cells.Size());
@@ -85,7 +107,8 @@ private:
       corners.emplace_back(this->VertexOf[point], this->Cells.Points[point][2]);
     }
     std::sort(corners.begin(), corners.end());
-    LevelCell level = { this->Cells.Triangles[cell], this->Cells.Layers[cell], {}, 0.0, 0.0 };
+    const int layer = this->FirstLayers[std::size_t(this->Cells.Layers[cell])] + this->Cells.Sublayers[cell];
+    LevelCell level = { this->Cells.Triangles[cell], layer, {}, 0.0, 0.0 };
     std::size_t count = 0;
     for (std::size_t n = 0; n < corners.size(); ++count)
     {
@@ -115,9 +138,8 @@ private:
 
   void MakeColumns(const Monitor& monitor)
   {
-    const std::size_t layers = this->Cells.Names.size();
-    this->Bases.resize(layers);
-    this->Domain.resize(layers);
+    this->Bases.resize(this->Names.size());
+    this->Domain.resize(this->Names.size());
     for (std::size_t first = 0; first < this->Levels.size();)
     {
       std::size_t end = first;
@@ -127,7 +149,7 @@ private:
         if (this->Levels[end].Vertices != this->Levels[first].Vertices || isTwice)
         {
           throw InputError("cells of triangle " + std::to_string(this->Levels[first].Triangle) +
-            " that are not over each other, expected layers as Horizon Layers makes them");
+            " that are not over each other, expected layers as Horizon Layers makes them without Tetrahedra");
         }
       }
       if (this->Tops.size() % 1024 == 0)
@@ -168,6 +190,7 @@ private:
   }
 
   const VolumeCells& Cells;
+  std::vector<int> FirstLayers; // of the model, by layer
   std::vector<std::int64_t> VertexOf;
   std::vector<LevelCell> Levels;
 };
@@ -217,9 +240,9 @@ void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
 {
   const LevelGrid grid(cells, monitor.Step(0.0, 0.3));
   TextPrinter out(stream);
-  for (std::size_t layer = 0; layer < cells.Names.size(); ++layer)
+  for (std::size_t layer = 0; layer < grid.Names.size(); ++layer)
   {
-    out.PrintLine("", "# layer ", layer + 1, ": ", WithoutQuotes(cells.Names[layer]));
+    out.PrintLine("", "# layer ", layer + 1, ": ", grid.Names[layer]);
   }
   out.Print("BEGIN OPTIONS\n");
   if (!cells.LengthUnit.empty())
@@ -227,7 +250,7 @@ void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
     out.PrintLine("", "  LENGTH_UNITS ", cells.LengthUnit);
   }
   out.Print("END OPTIONS\n\nBEGIN DIMENSIONS\n");
-  out.PrintLine("", "  NLAY ", cells.Names.size());
+  out.PrintLine("", "  NLAY ", grid.Names.size());
   out.PrintLine("", "  NCPL ", grid.Triangles.size());
   out.PrintLine("", "  NVERT ", grid.Vertices.size());
   out.Print("END DIMENSIONS\n\nBEGIN GRIDDATA\n  TOP\n");

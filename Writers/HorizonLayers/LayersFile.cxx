@@ -21,10 +21,16 @@ namespace
 {
 constexpr int MostLayers = 1 << 20; // Larger numbers mean something else.
 
-const DataArray& RequireArray(const VolumeGrid& grid, const char* name)
+const DataArray* FindNumbers(const VolumeGrid& grid, const char* name)
 {
   const DataArray* const array = grid.CellData.Find(name);
-  if (!array || array->IsText() || array->Components() != 1)
+  return array && !array->IsText() && array->Components() == 1 ? array : nullptr;
+}
+
+const DataArray& RequireArray(const VolumeGrid& grid, const char* name)
+{
+  const DataArray* const array = FindNumbers(grid, name);
+  if (!array)
   {
     throw InputError(
       std::string("no cell data array ") + name + " of one number, expected layers as Horizon Layers makes them");
@@ -57,11 +63,24 @@ void AddCorners(const VolumeGrid& grid, std::int64_t cell, VolumeCells& cells)
   cells.Ends.push_back(std::int64_t(cells.Corners.size()));
 }
 
+int NumberAt(const DataArray& array, std::int64_t cell, const char* what)
+{
+  const double number = array.At(cell);
+  if (!(number >= 0.0 && number < MostLayers))
+  {
+    throw InputError(what + std::to_string(number) + " of cell " + std::to_string(cell) + ", expected 0 to " +
+      std::to_string(MostLayers - 1));
+  }
+  return int(number);
+}
+
 void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monitor)
 {
   constexpr std::int64_t betweenReports = 1 << 16;
   const DataArray& layers = RequireArray(grid, CellArray::Layer);
   const DataArray& triangles = RequireArray(grid, CellArray::Triangle);
+  const DataArray* const sublayers = FindNumbers(grid, CellArray::Sublayer);
+  const DataArray* const faults = FindNumbers(grid, CellArray::FaultFaces);
   const std::int64_t size = grid.Cells.Size();
   for (std::int64_t cell = 0; cell < size; ++cell)
   {
@@ -70,19 +89,20 @@ void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monito
       monitor.Progress(double(cell) / double(size));
     }
     AddCorners(grid, cell, cells);
-    const double layer = layers.At(cell);
-    if (!(layer >= 0.0 && layer < MostLayers))
-    {
-      throw InputError("layer " + std::to_string(layer) + " of cell " + std::to_string(cell) + ", expected 0 to " +
-        std::to_string(MostLayers - 1));
-    }
-    cells.Layers.push_back(int(layer));
+    cells.Layers.push_back(NumberAt(layers, cell, "layer "));
+    cells.Sublayers.push_back(sublayers ? NumberAt(*sublayers, cell, "sublayer ") : 0);
     cells.Triangles.push_back(std::int64_t(triangles.At(cell)));
+    cells.FaultFaces.push_back(faults ? static_cast<unsigned char>(NumberAt(*faults, cell, "faces ")) : 0);
   }
 }
 
 void ReadNames(const VolumeGrid& grid, VolumeCells& cells)
 {
+  const DataArray* const horizons = grid.FieldData.Find(FieldArray::HorizonNames);
+  if (horizons && horizons->IsText())
+  {
+    cells.Horizons = horizons->Texts();
+  }
   const DataArray* const names = grid.FieldData.Find(FieldArray::LayerNames);
   if (names && names->IsText())
   {
@@ -133,6 +153,12 @@ std::string LengthUnitOf(const SurveyDescription& survey)
   }
   return unit == "m" ? "METERS" : unit == "ft" ? "FEET" : "";
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LayerBoundary FindBoundary(const VolumeGrid& grid)
+{
+  return FindBoundary(ReadLayers(grid, Monitor()));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -5,55 +5,35 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Text/TextPrinter.h"
+#include "LayerBoundary.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t Kinds = 3;
-constexpr int GmshVolume = 3; // dimension
+constexpr int GmshSurface = 2; // dimension
+constexpr int GmshVolume = 3;
 constexpr std::size_t BetweenReports = 1 << 14;
 
-std::size_t KindOf(std::size_t corners)
+/// Cells by number, as of their layers, and by kind: wedges, pyramids and tetrahedra.
+using CellGroups = std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>>;
+
+CellGroups GroupCells(const VolumeCells& cells, const std::vector<int>& numbers)
 {
-  return 6 - corners;
+  CellGroups groups;
+  for (std::size_t cell = 0; cell < cells.Size(); ++cell)
+  {
+    groups[{ std::size_t(numbers[cell]), 6 - cells.SizeOf(cell) }].push_back(cell);
+  }
+  return groups;
 }
-
-class CellGroups
-{
-public:
-  explicit CellGroups(const VolumeCells& cells)
-    : Groups(cells.Names.size() * Kinds)
-  {
-    for (std::size_t cell = 0; cell < cells.Size(); ++cell)
-    {
-      this->Groups[std::size_t(cells.Layers[cell]) * Kinds + KindOf(cells.SizeOf(cell))].push_back(cell);
-    }
-  }
-
-  const std::vector<std::size_t>& Of(std::size_t layer, std::size_t kind) const
-  {
-    return this->Groups[layer * Kinds + kind];
-  }
-  bool HasLayer(std::size_t layer) const
-  {
-    return !this->Of(layer, 0).empty() || !this->Of(layer, 1).empty() || !this->Of(layer, 2).empty();
-  }
-  std::size_t Size() const
-  {
-    return std::size_t(std::count_if(
-      this->Groups.begin(), this->Groups.end(), [](const std::vector<std::size_t>& group) { return !group.empty(); }));
-  }
-
-private:
-  std::vector<std::vector<std::size_t>> Groups;
-};
 
 using CellNodes = std::vector<std::int64_t>; // from 1
 
@@ -70,6 +50,13 @@ CellNodes NodesOf(const VolumeCells& cells, std::size_t cell)
   return nodes;
 }
 
+/// True if the first and the last corner of the quadrangle of a pyramid are above each other; otherwise the first two are.
+bool IsFirstOverLast(const VolumeCells& cells, const CellNodes& nodes)
+{
+  const auto at = [&](std::size_t n) { return cells.Points[std::size_t(nodes[n] - 1)]; };
+  return at(0)[0] == at(3)[0] && at(0)[1] == at(3)[1];
+}
+
 /// Pyramids become wedges with a repeated apex, since many solvers have no pyramids.
 CellNodes NodesWithoutPyramids(const VolumeCells& cells, std::size_t cell)
 {
@@ -78,11 +65,19 @@ CellNodes NodesWithoutPyramids(const VolumeCells& cells, std::size_t cell)
   {
     return nodes;
   }
-  const auto at = [&](std::size_t n) { return cells.Points[std::size_t(nodes[n] - 1)]; };
-  const bool areOver =
-    at(0)[0] == at(3)[0] && at(0)[1] == at(3)[1]; // Otherwise the first and the second corner are above each other.
-  return areOver ? CellNodes{ nodes[4], nodes[1], nodes[0], nodes[4], nodes[2], nodes[3] }
-                 : CellNodes{ nodes[4], nodes[0], nodes[3], nodes[4], nodes[1], nodes[2] };
+  return IsFirstOverLast(cells, nodes) ? CellNodes{ nodes[4], nodes[1], nodes[0], nodes[4], nodes[2], nodes[3] }
+                                       : CellNodes{ nodes[4], nodes[0], nodes[3], nodes[4], nodes[1], nodes[2] };
+}
+
+/// The number in the order of Abaqus.
+int NumberOfFace(const VolumeCells& cells, const BoundaryFace& face)
+{
+  const CellNodes nodes = NodesOf(cells, std::size_t(face.Cell));
+  const std::array<int, 5> numbers = nodes.size() == 6 ? std::array{ 2, 1, 3, 4, 5 }
+    : nodes.size() == 4                                ? std::array{ 2, 3, 4, 1, 0 }
+    : IsFirstOverLast(cells, nodes)                    ? std::array{ 4, 1, 3, 2, 5 }
+                                                       : std::array{ 4, 3, 2, 5, 1 };
+  return numbers[face.Number];
 }
 
 template <typename Nodes>
@@ -104,22 +99,6 @@ void PrintCells(const VolumeCells& cells, const std::vector<std::size_t>& group,
   }
 }
 
-std::vector<std::string> MakeSetNames(const std::vector<std::string>& names)
-{
-  constexpr std::size_t longest = 60;
-  std::vector<std::string> sets;
-  for (std::size_t layer = 0; layer < names.size(); ++layer)
-  {
-    std::string name = names[layer].substr(0, longest);
-    std::replace_if(
-      name.begin(), name.end(),
-      [](char c) { return static_cast<unsigned char>(c) >= 0x80 || !std::isalnum(static_cast<unsigned char>(c)); },
-      '_');
-    sets.push_back("L" + std::to_string(layer + 1) + "_" + name);
-  }
-  return sets;
-}
-
 void CheckCorners(const VolumeCells& cells, std::size_t cell)
 {
   for (std::int64_t n = cells.FirstCorner(cell); n < cells.Ends[cell]; ++n)
@@ -133,8 +112,23 @@ void CheckCorners(const VolumeCells& cells, std::size_t cell)
   }
 }
 
-/// Each layer with cells is a physical volume of one entity.
-void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& layers, TextPrinter& out)
+void PrintGmshNames(const VolumeCells& cells, const LayerBoundary& boundary, TextPrinter& out)
+{
+  const std::set<int> layers(cells.Layers.begin(), cells.Layers.end());
+  out.Print("$PhysicalNames\n", layers.size() + boundary.Names.size(), "\n");
+  for (std::size_t group = 0; group < boundary.Names.size(); ++group)
+  {
+    out.PrintLine(" ", GmshSurface, group + 1, '"' + WithoutQuotes(boundary.Names[group]) + '"');
+  }
+  for (const int layer : layers)
+  {
+    out.PrintLine(" ", GmshVolume, layer + 1, '"' + WithoutQuotes(cells.Names[std::size_t(layer)]) + '"');
+  }
+  out.Print("$EndPhysicalNames\n");
+}
+
+/// Numbers of surfaces around a volume are negative if they look into it. All entities share one bounding box.
+void PrintGmshEntities(const VolumeCells& cells, const LayerBoundary& boundary, TextPrinter& out)
 {
   std::array<double, 6> box = { HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   for (const std::array<double, 3>& point : cells.Points)
@@ -145,27 +139,46 @@ void PrintGmshVolumes(const VolumeCells& cells, const std::vector<std::size_t>& 
       box[3 + axis] = std::max(box[3 + axis], point[axis]);
     }
   }
-  out.Print("$PhysicalNames\n", layers.size(), "\n");
-  for (const std::size_t layer : layers)
+  const auto print = [&](std::size_t entity, std::size_t group, const std::vector<std::int64_t>& around)
   {
-    out.PrintLine(" ", GmshVolume, layer + 1, '"' + WithoutQuotes(cells.Names[layer]) + '"');
+    out.Print(std::int64_t(entity) + 1);
+    std::for_each(box.begin(), box.end(), [&](double value) { out.Print(" ", value); });
+    out.Print(" 1 ", group + 1, " ", around.size());
+    std::for_each(around.begin(), around.end(), [&](std::int64_t number) { out.Print(" ", number); });
+    out.Print("\n");
+  };
+  std::map<int, int> layers; // by region
+  for (std::size_t cell = 0; cell < cells.Size(); ++cell)
+  {
+    layers[boundary.Regions[cell]] = cells.Layers[cell];
   }
-  out.Print("$EndPhysicalNames\n$Entities\n");
-  out.PrintLine(" ", 0, 0, 0, layers.size());
-  for (const std::size_t layer : layers) // All entities share one bounding box.
+  std::vector<std::vector<std::int64_t>> around(layers.size());
+  out.Print("$Entities\n");
+  out.PrintLine(" ", 0, 0, boundary.Surfaces.size(), around.size());
+  for (std::size_t n = 0; n < boundary.Surfaces.size(); ++n)
   {
-    out.PrintLine(" ", layer + 1, box[0], box[1], box[2], box[3], box[4], box[5], 1, layer + 1, 0);
+    const BoundarySurface& surface = boundary.Surfaces[n];
+    print(n, surface.Group, {});
+    around[std::size_t(surface.Region)].push_back(std::int64_t(n) + 1);
+    if (surface.Other >= 0)
+    {
+      around[std::size_t(surface.Other)].push_back(-std::int64_t(n) - 1);
+    }
+  }
+  for (const auto [region, layer] : layers)
+  {
+    print(std::size_t(region), std::size_t(layer), around[std::size_t(region)]);
   }
   out.Print("$EndEntities\n");
 }
 
-/// Gmsh wants one owner, although cells of several layers may share the node.
-void PrintGmshNodes(const VolumeCells& cells, std::size_t owner, const Monitor& monitor, TextPrinter& out)
+/// Gmsh wants one owner, although cells of several layers may share the node: the first volume.
+void PrintGmshNodes(const VolumeCells& cells, const Monitor& monitor, TextPrinter& out)
 {
   const std::size_t count = cells.Points.size();
   out.Print("$Nodes\n");
   out.PrintLine(" ", 1, count, 1, count);
-  out.PrintLine(" ", GmshVolume, owner + 1, 0, count);
+  out.PrintLine(" ", GmshVolume, 1, 0, count);
   for (std::size_t point = 1; point <= count; ++point)
   {
     out.PrintLine("", point);
@@ -177,6 +190,55 @@ void PrintGmshNodes(const VolumeCells& cells, std::size_t owner, const Monitor& 
       out.PrintLine(" ", place[0], place[1], place[2]);
     });
   out.Print("$EndNodes\n");
+}
+
+/// By surface and number of corners.
+using FaceBlocks = std::map<std::pair<std::size_t, std::size_t>, std::vector<const BoundaryFace*>>;
+
+FaceBlocks MakeBlocks(const LayerBoundary& boundary)
+{
+  FaceBlocks blocks;
+  for (std::size_t n = 0; n < boundary.Surfaces.size(); ++n)
+  {
+    for (const BoundaryFace& face : boundary.Surfaces[n].Faces)
+    {
+      blocks[{ n, face.Points.size() }].push_back(&face);
+    }
+  }
+  return blocks;
+}
+
+void PrintGmshFaces(const FaceBlocks& blocks, std::int64_t printed, TextPrinter& out)
+{
+  for (const auto& [block, faces] : blocks)
+  {
+    out.PrintLine(" ", GmshSurface, block.first + 1, block.second - 1, faces.size());
+    for (const BoundaryFace* const face : faces)
+    {
+      out.Print(++printed);
+      std::for_each(face->Points.begin(), face->Points.end(), [&](std::int64_t point) { out.Print(" ", point + 1); });
+      out.Print("\n");
+    }
+  }
+}
+
+void PrintAbaqusSurfaces(
+  const VolumeCells& cells, const std::vector<std::int64_t>& elements, TextPrinter& out, const Monitor& monitor)
+{
+  const LayerBoundary boundary = FindBoundary(cells, monitor);
+  std::size_t group = boundary.Names.size();
+  for (const BoundarySurface& surface : boundary.Surfaces)
+  {
+    if (surface.Group != group)
+    {
+      group = surface.Group;
+      out.PrintLine("", "*SURFACE, NAME=", boundary.PlainNames[group], ", TYPE=ELEMENT");
+    }
+    for (const BoundaryFace& face : surface.Faces)
+    {
+      out.PrintLine("", elements[std::size_t(face.Cell)], ", S", NumberOfFace(cells, face));
+    }
+  }
 }
 }
 
@@ -205,35 +267,26 @@ void CheckCells(const VolumeCells& cells)
 //----------------------------------------------------------------------------------------------------------------------
 void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
 {
-  constexpr std::array<int, Kinds> types = { 6, 7, 4 };
-  const CellGroups groups(cells);
-  std::vector<std::size_t> layers;
-  for (std::size_t layer = 0; layer < cells.Names.size(); ++layer)
-  {
-    if (groups.HasLayer(layer))
-    {
-      layers.push_back(layer);
-    }
-  }
+  constexpr std::array<int, 3> types = { 6, 7, 4 };
+  const LayerBoundary boundary = FindBoundary(cells, monitor.Step(0.0, 0.2));
+  const CellGroups groups = GroupCells(cells, boundary.Regions);
+  const FaceBlocks faces = MakeBlocks(boundary);
   TextPrinter out(stream);
   out.Print("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
-  PrintGmshVolumes(cells, layers, out);
-  PrintGmshNodes(cells, layers.front(), monitor.Step(0.0, 0.4), out);
+  PrintGmshNames(cells, boundary, out);
+  PrintGmshEntities(cells, boundary, out);
+  PrintGmshNodes(cells, monitor.Step(0.2, 0.5), out);
+  std::size_t elements = cells.Size();
+  std::for_each(faces.begin(), faces.end(), [&](const auto& block) { elements += block.second.size(); });
   out.Print("$Elements\n");
-  out.PrintLine(" ", groups.Size(), cells.Size(), 1, cells.Size());
+  out.PrintLine(" ", groups.size() + faces.size(), elements, 1, elements);
   std::int64_t printed = 0;
-  for (const std::size_t layer : layers)
+  for (const auto& [place, group] : groups)
   {
-    for (std::size_t kind = 0; kind < Kinds; ++kind)
-    {
-      const std::vector<std::size_t>& group = groups.Of(layer, kind);
-      if (!group.empty())
-      {
-        out.PrintLine(" ", GmshVolume, layer + 1, types[kind], group.size());
-        PrintCells(cells, group, " ", NodesOf, printed, out, monitor.Step(0.4, 1.0));
-      }
-    }
+    out.PrintLine(" ", GmshVolume, place.first + 1, types[place.second], group.size());
+    PrintCells(cells, group, " ", NodesOf, printed, out, monitor.Step(0.5, 0.9));
   }
+  PrintGmshFaces(faces, printed, out);
   out.Print("$EndElements\n");
   out.Flush();
   monitor.Progress(1.0);
@@ -242,9 +295,7 @@ void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& mo
 //----------------------------------------------------------------------------------------------------------------------
 void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor)
 {
-  constexpr std::array<std::string_view, Kinds> types = { "C3D6", "C3D6", "C3D4" };
-  const CellGroups groups(cells);
-  const std::vector<std::string> names = MakeSetNames(cells.Names);
+  constexpr std::array<std::string_view, 3> types = { "C3D6", "C3D6", "C3D4" };
   TextPrinter out(stream);
   out.Print("*HEADING\nLayers between seismic horizons\n*NODE\n");
   ForEach(cells.Points.size(), monitor.Step(0.0, 0.4),
@@ -254,18 +305,16 @@ void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& 
       out.PrintLine(", ", point + 1, place[0], place[1], place[2]);
     });
   std::int64_t printed = 0;
-  for (std::size_t layer = 0; layer < names.size(); ++layer)
+  std::vector<std::int64_t> elements(cells.Size()); // by cell
+  for (const auto& [place, group] : GroupCells(cells, cells.Layers))
   {
-    for (std::size_t kind = 0; kind < Kinds; ++kind)
-    {
-      const std::vector<std::size_t>& group = groups.Of(layer, kind);
-      if (!group.empty())
-      {
-        out.PrintLine("", "*ELEMENT, TYPE=", types[kind], ", ELSET=", names[layer]);
-        PrintCells(cells, group, ", ", NodesWithoutPyramids, printed, out, monitor.Step(0.4, 1.0));
-      }
-    }
+    out.Print("*ELEMENT, TYPE=", types[place.second], ", ELSET=L", place.first + 1, "_");
+    out.PrintLine("", PlainName(cells.Names[place.first]));
+    std::int64_t element = printed;
+    std::for_each(group.begin(), group.end(), [&](std::size_t cell) { elements[cell] = ++element; });
+    PrintCells(cells, group, ", ", NodesWithoutPyramids, printed, out, monitor.Step(0.4, 0.8));
   }
+  PrintAbaqusSurfaces(cells, elements, out, monitor.Step(0.8, 1.0));
   out.Flush();
   monitor.Progress(1.0);
 }

@@ -28,8 +28,11 @@ struct VolumeCells
   std::vector<std::int64_t> Corners;
   std::vector<std::int64_t> Ends;
   std::vector<int> Layers; // Layer of each cell, from 0 at the top.
+  std::vector<int> Sublayers; // the same within its layer
+  std::vector<unsigned char> FaultFaces; // bit n: face n of FacesOfCell is at a fault
   std::vector<std::int64_t> Triangles; // equal for cells above each other
   std::vector<std::string> Names;
+  std::vector<std::string> Horizons; // one more than names; empty if unknown
   std::string LengthUnit; // "METERS", "FEET", or empty if unknown.
 
   std::size_t Size() const { return this->Ends.size(); }
@@ -40,13 +43,14 @@ struct VolumeCells
 /// Throws InputError for no cells, coordinates that are not finite, invalid corners, and layers without a name.
 void CheckCells(const VolumeCells& cells);
 
-/// ASCII of Gmsh 4.1; each layer is a named physical volume.
+/// ASCII of Gmsh 4.1. Each layer is a named physical volume, and each group of LayerBoundary.h a physical surface.
 void PrintGmsh(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 
-/// Each layer is a set of elements. Pyramids are wedges with a repeated node.
+/// Each layer is a set of elements, and each group of LayerBoundary.h a surface of element faces. Pyramids are wedges
+/// with a repeated node.
 void PrintAbaqus(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 
-/// DISV of MODFLOW 6. Cells are horizontal, at mean heights, which preserves volume; idomain is -1 where a layer
+/// DISV of MODFLOW 6. Each sublayer is a layer of the model. Cells are horizontal, at mean heights, which preserves volume; idomain is -1 where a layer
 /// pinches out, 0 without a cell. Throws InputError if cells of a triangle are not above each other.
 void PrintDISV(const VolumeCells& cells, std::ostream& stream, const Monitor& monitor = Monitor());
 

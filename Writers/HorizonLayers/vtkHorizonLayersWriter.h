@@ -5,8 +5,9 @@
  * @brief   writes layers for simulators and meshers (Gmsh .msh, Abaqus .inp, MODFLOW 6 .disv, VTK .vtu)
  *
  * The input is the cells of vtkHorizonLayers. The extension selects the format, each with its own order of corners;
- * coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). .vtu has any cells, with all
- * arrays. A file appears complete or not at all.
+ * coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). .msh and .inp have groups of
+ * faces: Top, Base, Sides, Faults and horizons. .vtu has any cells, with all arrays. A file appears complete or not at
+ * all.
  *
  * Write() returns 1 if the file was written, else 0. Each failure gives one error that starts with the name of the
  * file, and GetErrorCode() is one of vtkErrorCode. If several processes call it, the one that has cells writes.

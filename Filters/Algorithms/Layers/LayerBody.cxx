@@ -22,6 +22,7 @@ public:
     : Plan(plan)
     , Layer(layer)
     , Mesh(plan.Columns, plan.Triangles)
+    , FaultSides(FindFaultSides(plan))
   {
   }
 
@@ -35,7 +36,6 @@ public:
     monitor.Progress(0.6);
     this->MakePoints();
     monitor.Progress(0.8);
-    this->FindFaultSides();
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       if (this->HasCell(triangle))
@@ -168,19 +168,6 @@ private:
     this->AddFace(BodyFace::Base, this->Base(triangle, 0), this->Base(triangle, 2), this->Base(triangle, 1));
   }
 
-  void FindFaultSides()
-  {
-    const RawVector<PointId>& corners = this->Plan.FaultTriangles;
-    for (std::size_t first = 0; first < corners.size(); first += 3)
-    {
-      for (std::size_t side = 0; side < 3; ++side)
-      {
-        this->FaultSides.push_back({ corners[first + side], corners[first + (side + 1) % 3] });
-      }
-    }
-    std::sort(this->FaultSides.begin(), this->FaultSides.end());
-  }
-
   bool IsAtFault(TriangleId triangle, int side) const
   {
     const std::array<PointId, 2> other = { this->End(triangle, side), this->Begin(triangle, side) };
@@ -234,11 +221,11 @@ private:
   const LayerPlan& Plan;
   const std::size_t Layer;
   const PlaneMesh Mesh;
+  const std::vector<std::array<PointId, 2>> FaultSides;
   std::vector<unsigned char> IsKept; // by triangle: 1 for those with a cell
   std::vector<unsigned char> IsClosed; // by vertex
   DisjointSets Sectors; // of corners, three per triangle
   std::vector<std::array<PointId, 2>> Points; // by corner
-  std::vector<std::array<PointId, 2>> FaultSides; // ascending, with the strip to their left
   LayerBody Result;
 };
 }

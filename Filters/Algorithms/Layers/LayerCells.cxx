@@ -4,6 +4,9 @@
 #include "LayerCells.h"
 
 #include "Common/Horizon/Predicates.h"
+#include "Common/Horizon/VolumeGrid.h"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cassert>
@@ -54,8 +57,10 @@ void MeasureFaults(const LayerPlan& plan, std::size_t layer, LayerVolume& result
 class CellMaker
 {
 public:
-  explicit CellMaker(const LayerPlan& plan)
+  CellMaker(const LayerPlan& plan, const LayerCellOptions& options)
     : Plan(plan)
+    , Options(options)
+    , Inside(plan.NumberOfLayers(), std::vector<PointId>(plan.Columns.size(), NoPoint))
   {
   }
 
@@ -67,7 +72,7 @@ public:
       monitor.Progress(double(layer + 1) / double(this->Plan.NumberOfHorizons()));
       for (std::size_t triangle = 0; triangle < this->Plan.NumberOfTriangles(); ++triangle)
       {
-        this->AddCell(layer, triangle);
+        this->AddCells(layer, triangle);
       }
     }
     return std::move(this->Result);
@@ -84,26 +89,57 @@ private:
       bool isAny = false;
       for (std::size_t horizon = 0; horizon < this->Plan.NumberOfHorizons(); ++horizon)
       {
-        if (isUsed[horizon][vertex] == 0)
+        const bool isTop = horizon < this->Plan.NumberOfLayers() && isUsed[horizon][vertex] != 0;
+        if (!isTop && (horizon == 0 || isUsed[horizon - 1][vertex] == 0))
         {
           continue;
         }
         const double height = this->Plan.Heights[horizon][vertex];
         if (!isAny || height != this->Result.Heights.back())
         {
-          this->Result.Vertices.push_back(PointId(vertex));
-          this->Result.Heights.push_back(height);
+          this->AddPoint(vertex, height);
         }
         isAny = true;
         this->Result.PointsOfHorizons[horizon][vertex] = PointId(this->Result.Vertices.size() - 1);
+        if (isTop && this->Plan.Thickness(horizon, PointId(vertex)) > 0.0)
+        {
+          this->AddPointsInside(horizon, vertex);
+        }
       }
     }
   }
 
+  void AddPoint(std::size_t vertex, double height)
+  {
+    this->Result.Vertices.push_back(PointId(vertex));
+    this->Result.Heights.push_back(height);
+  }
+
+  void AddPointsInside(std::size_t layer, std::size_t vertex)
+  {
+    const double top = this->Plan.Heights[layer][vertex];
+    const double thickness = this->Plan.Heights[layer + 1][vertex] - top;
+    this->Inside[layer][vertex] = PointId(this->Result.Vertices.size());
+    for (int n = 1; n < this->Options.SublayersOf(layer); ++n)
+    {
+      this->AddPoint(vertex, top + thickness * n / this->Options.SublayersOf(layer));
+    }
+  }
+
+  /// `level` is 0 for the top of the layer, and the number of sublayers for its base.
+  PointId PointAt(std::size_t layer, int level, PointId vertex) const
+  {
+    const PointId first = this->Inside[layer][std::size_t(vertex)];
+    return level > 0 && level < this->Options.SublayersOf(layer) && first != NoPoint
+      ? first + level - 1
+      : this->Result.PointsOfHorizons[level == 0 ? layer : layer + 1][std::size_t(vertex)];
+  }
+
+  /// By layer and vertex.
   std::vector<std::vector<unsigned char>> FindUsed() const
   {
     std::vector<std::vector<unsigned char>> isUsed(
-      this->Plan.NumberOfHorizons(), std::vector<unsigned char>(this->Plan.Columns.size(), 0));
+      this->Plan.NumberOfLayers(), std::vector<unsigned char>(this->Plan.Columns.size(), 0));
     for (std::size_t layer = 0; layer < this->Plan.NumberOfLayers(); ++layer)
     {
       for (std::size_t triangle = 0; triangle < this->Plan.NumberOfTriangles(); ++triangle)
@@ -115,14 +151,13 @@ private:
         for (const PointId vertex : CornersOf(this->Plan.Triangles, triangle))
         {
           isUsed[layer][std::size_t(vertex)] = 1;
-          isUsed[layer + 1][std::size_t(vertex)] = 1;
         }
       }
     }
     return isUsed;
   }
 
-  void AddCell(std::size_t layer, std::size_t triangle)
+  void AddCells(std::size_t layer, std::size_t triangle)
   {
     if (!this->Plan.HasLayer(layer, triangle))
     {
@@ -136,14 +171,61 @@ private:
       return;
     }
     const bool isTopHigh = !this->Plan.HeightsGrowDownwards;
-    const std::vector<PointId>& high = this->Result.PointsOfHorizons[isTopHigh ? layer : layer + 1];
-    const std::vector<PointId>& low = this->Result.PointsOfHorizons[isTopHigh ? layer + 1 : layer];
-    this->AddCorners(corners, thickness, int(thick), high, low);
-    this->Result.Ends.push_back(std::int64_t(this->Result.Corners.size()));
-    this->Result.Layers.push_back(std::int32_t(layer));
-    this->Result.Triangles.push_back(std::int32_t(triangle));
-    this->Result.Thickness.push_back(MeanOf(thickness));
-    this->Result.Volumes.push_back(AreaOf(this->Plan, corners) * MeanOf(thickness));
+    const double mean = MeanOf(thickness) / this->Options.SublayersOf(layer);
+    for (int sublayer = 0; sublayer < this->Options.SublayersOf(layer); ++sublayer)
+    {
+      std::vector<PointId> cell;
+      AddCorners(
+        corners, thickness, int(thick),
+        [&](PointId vertex) { return this->PointAt(layer, isTopHigh ? sublayer : sublayer + 1, vertex); },
+        [&](PointId vertex) { return this->PointAt(layer, isTopHigh ? sublayer + 1 : sublayer, vertex); }, cell);
+      const auto add = [&](const std::vector<PointId>& points, double volume)
+      {
+        this->Result.Corners.insert(this->Result.Corners.end(), points.begin(), points.end());
+        this->Result.Ends.push_back(std::int64_t(this->Result.Corners.size()));
+        this->Result.Layers.push_back(std::int32_t(layer));
+        this->Result.Sublayers.push_back(sublayer);
+        this->Result.Triangles.push_back(std::int32_t(triangle));
+        this->Result.Thickness.push_back(mean);
+        this->Result.Volumes.push_back(volume);
+      };
+      if (this->Options.Tetrahedra && thick > 1)
+      {
+        this->Split(cell, add);
+        continue;
+      }
+      add(cell, AreaOf(this->Plan, corners) * mean);
+    }
+  }
+
+  /// Tetrahedra from the point with the smallest number to the faces without it. Neighbours split a quadrangle alike,
+  /// through its smallest number.
+  template <typename Visitor>
+  void Split(const std::vector<PointId>& cell, Visitor&& visit) const
+  {
+    const PointId apex = *std::min_element(cell.begin(), cell.end());
+    for (std::vector<std::size_t> face : FacesOfCell(cell.size()))
+    {
+      std::rotate(face.begin(),
+        std::min_element(face.begin(), face.end(), [&](std::size_t a, std::size_t b) { return cell[a] < cell[b]; }),
+        face.end());
+      for (std::size_t n = 2; n < face.size() && cell[face[0]] != apex; ++n)
+      {
+        const std::vector<PointId> corners = { cell[face[0]], cell[face[n]], cell[face[n - 1]], apex };
+        visit(corners, this->VolumeOf(corners));
+      }
+    }
+  }
+
+  double VolumeOf(const std::vector<PointId>& corners) const
+  {
+    const auto at = [&](std::size_t n)
+    {
+      const auto point = std::size_t(corners[n]);
+      const PlanePoint& column = this->Plan.Columns[std::size_t(this->Result.Vertices[point])];
+      return Eigen::Vector3d(column.X, column.Y, this->Result.Heights[point]);
+    };
+    return (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) / 6.0;
   }
 
   //       wedge            pyramid           tetrahedron
@@ -156,12 +238,11 @@ private:
   //       \  |  /          \  |  /              \   \ /
   //        \ | /            \ | /                \   /
   //          4                4                    1
-  void AddCorners(const TriangleCorners& corners, const std::array<double, 3>& thickness, int thick,
-    const std::vector<PointId>& high, const std::vector<PointId>& low)
+  template <typename High, typename Low>
+  static void AddCorners(const TriangleCorners& corners, const std::array<double, 3>& thickness, int thick, High&& high,
+    Low&& low, std::vector<PointId>& result)
   {
-    RawVector<PointId>& result = this->Result.Corners;
-    const auto add = [&result](const std::vector<PointId>& points, PointId vertex)
-    { result.push_back(points[std::size_t(vertex)]); };
+    const auto add = [&result](const auto& pointAt, PointId vertex) { result.push_back(pointAt(vertex)); };
     if (thick == 3)
     {
       std::for_each(corners.begin(), corners.end(), [&](PointId vertex) { add(high, vertex); });
@@ -193,17 +274,19 @@ private:
   }
 
   const LayerPlan& Plan;
+  const LayerCellOptions& Options;
+  std::vector<std::vector<PointId>> Inside; // the first point between sublayers, by layer and vertex
   LayerCells Result;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-LayerCells MakeLayerCells(const LayerPlan& plan, const Monitor& monitor)
+LayerCells MakeLayerCells(const LayerPlan& plan, const LayerCellOptions& options, const Monitor& monitor)
 {
   assert(HaveAll(plan.Heights, plan.Columns.size()));
   assert(plan.Triangles.size() % 3 == 0 && plan.FaultTriangles.size() % 3 == 0);
   assert(plan.IsIn.empty() || plan.IsIn.size() == plan.NumberOfLayers());
-  return CellMaker(plan).Run(monitor);
+  return CellMaker(plan, options).Run(monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

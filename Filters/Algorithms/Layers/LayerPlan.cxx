@@ -808,6 +808,19 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<std::array<PointId, 2>> FindFaultSides(const LayerPlan& plan)
+{
+  const RawVector<PointId>& corners = plan.FaultTriangles;
+  std::vector<std::array<PointId, 2>> sides;
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+  {
+    sides.push_back({ corners[corner], corners[corner % 3 == 2 ? corner - 2 : corner + 1] });
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");

@@ -89,6 +89,9 @@ struct LayerPlan
   }
 };
 
+/// Both ends of each side of fault triangles, ascending, with the triangle to the left.
+std::vector<std::array<PointId, 2>> FindFaultSides(const LayerPlan& plan);
+
 // The ledgers of layers and their horizons account for all columns.
 
 /// A column is extrapolated where a horizon follows another one, and left out if it has no cell, but would have one if

@@ -46,7 +46,7 @@ public:
         ? wrong
         : "error " + std::to_string(largest[horizon]) + ", said " + std::to_string(said);
     }
-    return wrong;
+    return wrong.empty() ? DivisionChecker::Check(this->Plan, cells) : wrong;
   }
 
   /// How many blocks layers have halves of that others have cut along the other diagonal.

@@ -7,6 +7,7 @@
 #define SeismicHorizonsLayerChecker_h
 
 #include "ClosedBodies.h"
+#include "DivisionChecker.h"
 #include "FaultWallChecker.h"
 #include "Filters/Algorithms/Layers/LayerCells.h"
 
@@ -39,7 +40,7 @@ public:
       wrong = wrong.empty() ? this->CheckCells(cells, layer) : wrong;
       wrong = wrong.empty() ? this->CheckBody(layer) : wrong;
     }
-    return wrong;
+    return wrong.empty() ? DivisionChecker::Check(this->Plan, cells) : wrong;
   }
 
   /// For outlines that are kept as they are: area and volume against blocks of the lattice.

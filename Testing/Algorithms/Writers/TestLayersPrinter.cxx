@@ -39,8 +39,11 @@ VolumeCells MakeThree()
   cells.Corners = { 0, 1, 2, 3, 4, 5, /* */ 3, 4, 7, 6, 5, /* */ 6, 5, 7, 8 };
   cells.Ends = { 6, 11, 15 };
   cells.Layers = { 0, 1, 2 };
+  cells.Sublayers = { 0, 0, 0 };
+  cells.FaultFaces = { 1 << 3, 1 << 2, 0 };
   cells.Triangles = { 7, 7, 7 };
   cells.Names = { "Top to \"B\"", "B to C", "C to Base" };
+  cells.Horizons = { "Top", "\"B\"", "C", "Base" };
   return cells;
 }
 
@@ -61,6 +64,8 @@ void AddWedge(std::int64_t triangle, int layer, double top, double base, VolumeC
   }
   cells.Ends.push_back(std::int64_t(cells.Corners.size()));
   cells.Layers.push_back(layer);
+  cells.Sublayers.push_back(0);
+  cells.FaultFaces.push_back(0);
   cells.Triangles.push_back(triangle);
 }
 
@@ -129,11 +134,17 @@ void GmshHasThem()
   const std::string text = TextOf(PrintGmsh, cells);
   CHECK_EQUAL(text,
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
-    "$PhysicalNames\n3\n3 1 \"Top to _B_\"\n3 2 \"B to C\"\n3 3 \"C to Base\"\n$EndPhysicalNames\n"
-    "$Entities\n0 0 0 3\n1 0 0 0 4 3 12 1 1 0\n2 0 0 0 4 3 12 1 2 0\n3 0 0 0 4 3 12 1 3 0\n$EndEntities\n"
+    "$PhysicalNames\n9\n2 1 \"Top\"\n2 2 \"Base\"\n2 3 \"Sides\"\n2 4 \"Faults\"\n2 5 \"_B_\"\n2 6 \"C\"\n"
+    "3 1 \"Top to _B_\"\n3 2 \"B to C\"\n3 3 \"C to Base\"\n$EndPhysicalNames\n"
+    "$Entities\n0 0 9 3\n1 0 0 0 4 3 12 1 1 0\n2 0 0 0 4 3 12 1 2 0\n3 0 0 0 4 3 12 1 3 0\n4 0 0 0 4 3 12 1 3 0\n"
+    "5 0 0 0 4 3 12 1 3 0\n6 0 0 0 4 3 12 1 4 0\n7 0 0 0 4 3 12 1 4 0\n8 0 0 0 4 3 12 1 5 0\n9 0 0 0 4 3 12 1 6 0\n"
+    "1 0 0 0 4 3 12 1 1 4 1 3 6 8\n2 0 0 0 4 3 12 1 2 4 4 7 -8 9\n3 0 0 0 4 3 12 1 3 3 2 5 -9\n$EndEntities\n"
     "$Nodes\n1 9 1 9\n3 1 0 9\n1\n2\n3\n4\n5\n6\n7\n8\n9\n"
     "0 0 12\n4 0 12\n0 3 12\n0 0 9\n4 0 9\n0 3 9\n0 0 6\n4 0 6\n0 0 0\n$EndNodes\n"
-    "$Elements\n3 3 1 3\n3 1 6 1\n1 4 5 6 1 2 3\n3 2 7 1\n2 4 5 8 7 6\n3 3 4 1\n3 7 6 8 9\n$EndElements\n");
+    "$Elements\n13 15 1 15\n3 1 6 1\n1 4 5 6 1 2 3\n3 2 7 1\n2 4 5 8 7 6\n3 3 4 1\n3 7 6 8 9\n"
+    "2 1 2 1\n4 1 2 3\n2 2 2 1\n5 6 8 9\n2 3 3 2\n6 1 4 5 2\n7 3 6 4 1\n2 4 2 1\n8 7 4 6\n2 4 3 1\n9 4 7 8 5\n"
+    "2 5 2 2\n10 7 6 9\n11 8 7 9\n2 6 3 1\n12 2 5 6 3\n2 7 2 1\n13 5 8 6\n2 8 2 1\n14 4 6 5\n2 9 2 1\n15 8 7 6\n"
+    "$EndElements\n");
   CheckVolumes(cells, text, { "1 4 5", "2 4 5 8", "3 7 6" });
 }
 
@@ -147,7 +158,11 @@ void AbaqusHasThem()
     "9, 0, 0, 0\n"
     "*ELEMENT, TYPE=C3D6, ELSET=L1_Top_to__B_\n1, 4, 5, 6, 1, 2, 3\n"
     "*ELEMENT, TYPE=C3D6, ELSET=L2_B_to_C\n2, 6, 5, 4, 6, 8, 7\n"
-    "*ELEMENT, TYPE=C3D4, ELSET=L3_C_to_Base\n3, 7, 6, 8, 9\n");
+    "*ELEMENT, TYPE=C3D4, ELSET=L3_C_to_Base\n3, 7, 6, 8, 9\n"
+    "*SURFACE, NAME=Top, TYPE=ELEMENT\n1, S2\n*SURFACE, NAME=Base, TYPE=ELEMENT\n3, S3\n"
+    "*SURFACE, NAME=Sides, TYPE=ELEMENT\n1, S3\n1, S5\n2, S4\n2, S5\n3, S2\n3, S4\n"
+    "*SURFACE, NAME=Faults, TYPE=ELEMENT\n1, S4\n2, S3\n*SURFACE, NAME=H2__B_, TYPE=ELEMENT\n1, S1\n"
+    "*SURFACE, NAME=H3_C, TYPE=ELEMENT\n2, S2\n");
   CheckVolumes(cells, text, { "1, 4, 5", "2, 6, 5", "3, 7, 6" });
 }
 
