@@ -280,18 +280,13 @@ std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOption
 void Check(const DecimationOptions& options)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
-  CheckQuality(options.SmallestAngle, options.EdgeLength, options.EdgeGrowth);
+  CheckQuality(options, options.MaximumNumberOfPoints > 0);
   if (options.MaximumError > 0.0 && options.MaximumNumberOfPoints > 0)
   {
     std::ostringstream message;
     message << "maximum error " << options.MaximumError << " and maximum number of points "
             << options.MaximumNumberOfPoints << ", expected one of them as the target, and 0 for the other one";
     throw InputError(message.str());
-  }
-  if (options.EdgeLength > 0.0 && options.MaximumNumberOfPoints > 0)
-  {
-    throw InputError(
-      "an edge length and a number of points or triangles, expected an error as the target of even meshes");
   }
 }
 
@@ -358,14 +353,19 @@ bool NeverStop(const HeightMesh& /*mesh*/)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckQuality(double smallestAngle, double edgeLength, double edgeGrowth)
+void CheckQuality(const DecimationQuality& quality, bool isByNumber)
 {
   constexpr double LeastLength = 4.0; // of triangles whose corners are columns
-  CheckWithin("smallest angle", smallestAngle, 0.0, 60.0, " degrees");
-  CheckWithin("edge growth", edgeGrowth, 0.0, 1.0, "");
-  if (edgeLength != 0.0)
+  CheckWithin("smallest angle", quality.SmallestAngle, 0.0, 60.0, " degrees");
+  CheckWithin("edge growth", quality.EdgeGrowth, 0.0, 1.0, "");
+  if (quality.EdgeLength != 0.0)
   {
-    CheckAtLeast("edge length", edgeLength, LeastLength, " columns, or 0 for any");
+    CheckAtLeast("edge length", quality.EdgeLength, LeastLength, " columns, or 0 for any");
+  }
+  if (quality.EdgeLength > 0.0 && isByNumber)
+  {
+    throw InputError(
+      "an edge length and a number of points or triangles, expected an error as the target of even meshes");
   }
 }
 

@@ -48,6 +48,14 @@ enum class CrossingTolerance
   Unbounded
 };
 
+/// Infinite without a bound.
+inline double MaximumCrossingError(double maximumError, CrossingTolerance crossings)
+{
+  return crossings == CrossingTolerance::Same ? maximumError
+    : crossings == CrossingTolerance::Twice   ? 2.0 * maximumError
+                                              : std::numeric_limits<double>::infinity();
+}
+
 struct DecimationQuality
 {
   /// Inner vertices may leave their columns' heights to fit the points around them (HeightFit.h), which needs fewer
@@ -73,12 +81,9 @@ struct DecimationOptions : DecimationQuality
 {
   /// This bounds vertical errors of points, in lattice units.
   double MaximumError = ErrorOfWholeVoxels;
-  /// Infinite without a bound.
   double MaximumCrossingError() const
   {
-    return this->Crossings == CrossingTolerance::Same ? this->MaximumError
-      : this->Crossings == CrossingTolerance::Twice   ? 2.0 * this->MaximumError
-                                                      : std::numeric_limits<double>::infinity();
+    return SeismicHorizons::MaximumCrossingError(this->MaximumError, this->Crossings);
   }
   /// If not 0, it is the target instead of MaximumError, which must be 0. Points of loops are kept.
   std::size_t MaximumNumberOfPoints = 0;
@@ -91,7 +96,7 @@ inline bool IsImproved(const DecimationOptions& options)
 }
 
 /// Throws InputError.
-void CheckQuality(double smallestAngle, double edgeLength, double edgeGrowth);
+void CheckQuality(const DecimationQuality& quality, bool isByNumber);
 
 struct Decimation
 {

@@ -66,6 +66,7 @@ public:
   MeshGroups(HeightMesh& mesh, const DecimationOptions& options, const ColumnRule& rule)
     : Mesh(&mesh)
     , Rule(&rule)
+    , Crossings(options.Crossings)
     , Vertices(std::size_t(mesh.EndOfVertices()))
   {
     this->Options.SmallestAngle = options.SmallestAngle;
@@ -73,10 +74,10 @@ public:
     this->TakeMesh();
   }
 
-  void SetError(double error, double crossingError, int power = 4)
+  void SetError(double error, int power = 4)
   {
     this->Options.Error = error;
-    this->Options.CrossingError = crossingError;
+    this->Options.CrossingError = MaximumCrossingError(error, this->Crossings);
     this->Options.Power = power;
     for (GroupVertex& vertex : this->Vertices)
     {
@@ -225,7 +226,7 @@ private:
   {
     this->Options.MostTriangles *= 2;
     this->Options.SmallestAngle = halvings < MostHalvings ? 0.5 * this->Options.SmallestAngle : 0.0;
-    this->SetError(2.0 * this->Options.Error, 2.0 * this->Options.CrossingError, this->Options.Power);
+    this->SetError(2.0 * this->Options.Error, this->Options.Power);
     this->RunPass(CostSteps, 1, Monitor());
   }
 
@@ -413,6 +414,7 @@ private:
 
   HeightMesh* Mesh;
   const ColumnRule* Rule;
+  CrossingTolerance Crossings;
   GroupOptions Options;
   std::vector<PlanePoint> Places;
   std::vector<GroupVertex> Vertices;
@@ -427,7 +429,7 @@ private:
 void ImproveInGroups(HeightMesh& mesh, const DecimationOptions& options, const ColumnRule& rule, const Monitor& monitor)
 {
   MeshGroups groups(mesh, options, rule);
-  groups.SetError(options.MaximumError, options.MaximumCrossingError());
+  groups.SetError(options.MaximumError);
   groups.ImproveWithinError(monitor);
   groups.GiveBack();
 }
@@ -439,7 +441,7 @@ void SmoothInGroups(HeightMesh& mesh, const DecimationOptions& options, const Mo
   const double bound = options.Priority == DecimationPriority::LargestError ? largest : FirstBound * largest;
   const ColumnRule noRule;
   MeshGroups groups(mesh, options, noRule);
-  groups.SetError(bound, bound, options.Priority == DecimationPriority::LargestError ? 4 : 2);
+  groups.SetError(bound, options.Priority == DecimationPriority::LargestError ? 4 : 2);
   groups.Smooth(monitor);
   groups.GiveBack();
 }
@@ -451,7 +453,7 @@ void ReduceToNumber(
   const double bound = std::max(error, LeastOfSearch);
   const ColumnRule noRule;
   MeshGroups groups(mesh, options, noRule);
-  groups.SetError(bound, bound, 2);
+  groups.SetError(bound, 2);
   groups.ReduceTo(vertices, monitor);
   groups.GiveBack();
 }
@@ -482,7 +484,7 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
       mesh.SortByPlace();
     }
     MeshGroups next = fine ? *fine : MeshGroups(mesh, options, noRule);
-    next.SetError(options.MaximumError, options.MaximumCrossingError());
+    next.SetError(options.MaximumError);
     next.ImproveWithinError(step.Step(0.4, 1.0));
     const auto number = double(next.CountVertices());
     const bool isFine = number > double(vertices);

@@ -21,7 +21,13 @@ namespace
 constexpr double FractionOfLargest = 0.6;
 constexpr double FractionOfSum = FractionOfLargest * FractionOfLargest;
 
-// Where the boundary is in the way, places beside slivers are tried down to this part of their distance.
+// A place may see fixed edges under 90 degrees (Ruppert 1995, "A Delaunay refinement algorithm for quality 2-dimensional
+// mesh generation"); those of even meshes, which are short, under 130.
+constexpr double CosineOfEven = -0.642787609686539;
+
+// Where the boundary is in the way, places beside slivers below this angle (degrees) are tried down to this part of their
+// distance; for others this would add more triangles than it mends.
+constexpr double AngleOfMoreTries = 2.0;
 constexpr double LeastPart = 1.0 / 16;
 }
 
@@ -108,7 +114,8 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes)
         continue;
       }
       bool isDone = false;
-      for (double part = 1.0; part >= LeastPart && !isDone; part *= 0.5)
+      const bool hasMoreTries = sizes || mesh.SineOf(sliver) < SineOfDegrees(AngleOfMoreTries);
+      for (double part = 1.0; part >= (hasMoreTries ? LeastPart : 1.0) && !isDone; part *= 0.5)
       {
         const PlanePoint place = this->PlaceBeside(sliver, smallestAngle, part);
         const TriangleId triangle = mesh.Locate(place, sliver);
@@ -117,7 +124,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes)
           left.push_back(sliver);
           isDone = true;
         }
-        else if (triangle != NoTriangle && this->CanInsert(place, triangle, smallestAngle))
+        else if (triangle != NoTriangle && this->CanInsert(place, triangle, sizes ? CosineOfEven : 0.0))
         {
           this->Insert(this->Mesh.RasterOf(triangle).PointAt(place), triangle);
           isDone = true;
@@ -178,10 +185,9 @@ bool MeshRefiner::IsTooLong(TriangleId triangle, const EdgeSizes& sizes) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Refuses a place where a triangle at a fixed edge would have smaller angles at its ends, if these were alike.
-bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle, double smallestAngle) const
+// Refuses a place that sees a fixed edge under a large angle.
+bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle, double leastCosine) const
 {
-  const double leastCosine = -std::cos(2.0 * smallestAngle * std::atan(1.0) / 45.0);
   const PointId point = this->Mesh.RasterOf(triangle).PointAt(place);
   if (point == NoPoint || this->Mesh.IsVertex(point))
   {

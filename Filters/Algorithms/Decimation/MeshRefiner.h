@@ -43,7 +43,7 @@ private:
   void PutBack(VertexId vertex, TriangleId triangle);
   PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle, double part) const;
   bool IsTooLong(TriangleId triangle, const EdgeSizes& sizes) const;
-  bool CanInsert(const PlanePoint& place, TriangleId triangle, double smallestAngle) const;
+  bool CanInsert(const PlanePoint& place, TriangleId triangle, double leastCosine) const;
   void AddNew(TriangleId triangle);
   void SortNew();
 

@@ -56,6 +56,18 @@ struct MeshErrors
   }
 };
 
+DecimationOptions QualityOf(const LayerOptions& layers)
+{
+  DecimationOptions options;
+  options.MaximumError = layers.MaximumError;
+  options.FitHeights = layers.FitHeights;
+  options.SmallestAngle = layers.SmallestAngle;
+  options.EdgeLength = layers.EdgeLength;
+  options.EdgeGrowth = layers.EdgeGrowth;
+  options.Effort = layers.Effort;
+  return options;
+}
+
 RawVector<PointId> CornersOf(const PlaneMesh& triangles)
 {
   RawVector<PointId> corners;
@@ -403,7 +415,7 @@ private:
     options.Method = OutlineMethod::FewestPoints;
     options.DistanceThreshold = this->Options.MaximumError;
     options.OutlineTolerance = this->OutlineTolerance;
-    options.LongestEdge = LongestAtLoops(this->Quality());
+    options.LongestEdge = LongestAtLoops(QualityOf(this->Options));
     options.Fixed = std::move(fixed);
     return options;
   }
@@ -422,21 +434,9 @@ private:
       this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
   }
 
-  DecimationOptions Quality() const
-  {
-    DecimationOptions options;
-    options.MaximumError = this->Options.MaximumError;
-    options.FitHeights = this->Options.FitHeights;
-    options.SmallestAngle = this->Options.SmallestAngle;
-    options.EdgeLength = this->Options.EdgeLength;
-    options.EdgeGrowth = this->Options.EdgeGrowth;
-    options.Effort = this->Options.Effort;
-    return options;
-  }
-
   void Refine(HeightMesh& mesh, KeptLines& lines, const Monitor& monitor)
   {
-    const DecimationOptions options = this->Quality();
+    const DecimationOptions options = QualityOf(this->Options);
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { this->OrderFitted(mesh, heights); };
     lines.DropFar();
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
@@ -824,7 +824,7 @@ std::vector<std::array<PointId, 2>> FindFaultSides(const LayerPlan& plan)
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
-  CheckQuality(options.SmallestAngle, options.EdgeLength, options.EdgeGrowth);
+  CheckQuality(QualityOf(options), false);
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
   if (options.Domain == LayerDomain::EachLayer)
   {

@@ -822,6 +822,7 @@ int ChooseLongestSeamEdge(std::int64_t smallestHoleSize)
 //----------------------------------------------------------------------------------------------------------------------
 Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const Monitor& monitor)
 {
+  CheckQuality(options, options.MaximumNumberOfTriangles > 0);
   if (options.MaximumNumberOfTriangles == 0)
   {
     CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
