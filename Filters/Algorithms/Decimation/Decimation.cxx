@@ -260,9 +260,8 @@ void Insert(HeightMesh& mesh, const DecimationOptions& options, const Monitor& m
 
 std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOptions& options)
 {
-  std::vector<PointId> found;
   const PlaneMesh& plane = mesh.Triangles();
-  for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
+  const auto find = [&](TriangleId triangle, std::vector<PointId>& found)
   {
     for (int edge = 0; edge < 3; ++edge)
     {
@@ -272,6 +271,22 @@ std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOption
           mesh.Raised(plane.Corner(triangle, NextCorner(edge))), options.MaximumCrossingError() + mesh.Rounding(),
           found);
       }
+    }
+  };
+  std::vector<unsigned char> isAny(std::size_t(plane.Size()));
+  mesh.ForEachTriangle(Monitor(),
+    [&](TriangleId triangle)
+    {
+      std::vector<PointId> found;
+      find(triangle, found);
+      isAny[triangle] = found.empty() ? 0 : 1;
+    });
+  std::vector<PointId> found;
+  for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
+  {
+    if (isAny[triangle] != 0)
+    {
+      find(triangle, found);
     }
   }
   return found;

@@ -13,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -54,6 +56,7 @@ constexpr double NearEnough = 1.01;
 constexpr int MostTrials = 8;
 constexpr double LeastOfSearch = 1e-3;
 constexpr double OnFineSide = 0.9;
+constexpr double LeastStep = 0.5;
 
 // Large enough that few edges lie between groups, small enough for many threads.
 constexpr double TrianglesOfGroup = 1500.0;
@@ -282,14 +285,24 @@ private:
     const double width = double(box.Greatest.X) - box.Least.X + 1.0;
     const double height = double(box.Greatest.Y) - box.Least.Y + 1.0;
     const double strips = std::max(1.0, std::round(std::sqrt(number * width / height)));
-    std::vector<Triangles> groups;
-    for (const Triangles& strip : this->Cut(triangles, strips, shift, [](const PlanePoint& place) { return place.X; }))
+    const std::vector<Triangles> cut =
+      this->Cut(triangles, strips, shift, [](const PlanePoint& place) { return place.X; });
+    std::vector<std::vector<Triangles>> groups(cut.size());
+    ParallelFor(std::int64_t(cut.size()), 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (auto strip = std::size_t(first); strip < std::size_t(last); ++strip)
+        {
+          groups[strip] = this->Cut(cut[strip], std::max(1.0, std::round(number / strips)), shift,
+            [](const PlanePoint& place) { return place.Y; });
+        }
+      });
+    std::vector<Triangles> all;
+    for (std::vector<Triangles>& strip : groups)
     {
-      std::vector<Triangles> some = this->Cut(
-        strip, std::max(1.0, std::round(number / strips)), shift, [](const PlanePoint& place) { return place.Y; });
-      std::move(some.begin(), some.end(), std::back_inserter(groups));
+      std::move(strip.begin(), strip.end(), std::back_inserter(all));
     }
-    return groups;
+    return all;
   }
 
   double WorkOf(const Corners& corners) const
@@ -302,26 +315,29 @@ private:
   template <typename Coordinate>
   std::vector<Triangles> Cut(const Triangles& triangles, double parts, double shift, Coordinate&& coordinate) const
   {
-    std::vector<std::pair<std::int64_t, std::int32_t>> order;
-    order.reserve(triangles.size());
-    double work = 0.0;
-    for (std::size_t n = 0; n < triangles.size(); ++n)
+    const auto sumOf = [&](const Corners& corners)
     {
-      std::int64_t sum = 0;
-      for (const VertexId corner : triangles[n])
-      {
-        sum += coordinate(this->Places[corner]);
-      }
-      order.emplace_back(sum, std::int32_t(n));
-      work += this->WorkOf(triangles[n]);
+      return std::int64_t(coordinate(this->Places[corners[0]])) + coordinate(this->Places[corners[1]]) +
+        coordinate(this->Places[corners[2]]);
+    };
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    std::int64_t greatest = std::numeric_limits<std::int64_t>::min();
+    for (const Corners& corners : triangles)
+    {
+      least = std::min(least, sumOf(corners));
+      greatest = std::max(greatest, sumOf(corners));
     }
-    std::sort(order.begin(), order.end());
-    std::vector<Triangles> cut(std::size_t(parts) + 1);
-    double before = 0.0;
-    for (const auto& [sum, n] : order)
+    std::vector<double> before(std::size_t(greatest - least) + 2, 0.0); // work of smaller sums
+    for (const Corners& corners : triangles)
     {
-      cut[std::size_t(std::min(before / work * parts + shift, parts))].push_back(triangles[std::size_t(n)]);
-      before += this->WorkOf(triangles[std::size_t(n)]);
+      before[std::size_t(sumOf(corners) - least) + 1] += this->WorkOf(corners);
+    }
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    std::vector<Triangles> cut(std::size_t(parts) + 1);
+    for (const Corners& corners : triangles)
+    {
+      const double part = before[std::size_t(sumOf(corners) - least)] / before.back();
+      cut[std::size_t(std::min(part * parts + shift, parts))].push_back(corners);
     }
     cut.erase(std::remove_if(cut.begin(), cut.end(), [](const Triangles& one) { return one.empty(); }), cut.end());
     return cut;
@@ -500,7 +516,8 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
       break;
     }
     power = fine && coarse ? std::log(fineNumber / coarseNumber) / std::log(coarseError / fineError) : power;
-    options.MaximumError *= std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
+    const double factor = std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
+    options.MaximumError *= std::clamp(factor, LeastStep, 1.0 / LeastStep);
     constexpr double away = 1.003;
     if (fine)
     {
