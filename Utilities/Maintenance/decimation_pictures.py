@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the picture of the page on the decimation: a horizon within one, a half and a quarter of a voxel.
+"""Draws the pictures of the page on the decimation: a horizon within one, a half and a quarter of a voxel; and eight single
+columns, with and without a bound where edges cross lines between columns.
 
     decimation_pictures.py GENERATOR FOLDER
 
@@ -11,6 +12,8 @@ GENERATOR is the program generate_horizons. Needs an X server, and the package s
 import pathlib
 import sys
 
+import numpy as np
+import seismichorizons as sh
 from seismichorizons.vtk import (apply, vtkHorizonBoundarySimplification, vtkHorizonDecimation,
                                  vtkHorizonExteriorBoundary, vtkHorizonSurfaceDistance, vtkHorizonTriangulation)
 from seismichorizons_command import pictures
@@ -28,6 +31,18 @@ def decimate(outlined, error):
     return apply(vtkHorizonDecimation(), straight, MaximumError=error)
 
 
+def draw_crossings(path):
+    row, column = np.mgrid[0:22, 0:28]
+    z = 100.0 + 1.5 * np.sin(column / 7.0) * np.cos(row / 6.0)
+    z[(row % 2 == 1) & (row > 2) & (row < 18) & (3 * (row - 1) == 2 * column)] += 7.0
+    horizon = sh.horizon(z, vertical_step=1.0, direction="up")
+    shown = []
+    for tolerance in ("same", "unbounded"):
+        mesh = sh.surface(horizon, 1.0, crossing_tolerance=tolerance)
+        shown.append(pictures.Panel(tolerance.capitalize(), "{} triangles".format(len(mesh)), from_vtk(mesh.to_vtk()), pictures.MESH))
+    pictures.write(pictures.draw([shown]), path)
+
+
 def main():
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     surface = make_surface(generator, SURFACE, ZFrom="RealZ")
@@ -43,6 +58,7 @@ def main():
         distances.append(pictures.Panel("", "mean error %.2g" % mean, measured, pictures.DISTANCE))
     folder.mkdir(parents=True, exist_ok=True)
     pictures.write(pictures.draw([shown, distances]), folder / "DecimationErrors.png")
+    draw_crossings(folder / "DecimationCrossings.png")
 
 
 main()
