@@ -616,38 +616,54 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void ForEachChain(const Loops& boundary, const Loops& simplified, std::size_t points,
+  const std::function<void(const std::vector<PointId>&)>& visit)
+{
+  const std::vector<unsigned char> isEnd = simplified.MarkPoints(points);
+  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+  {
+    const auto first = std::find_if(
+      boundary.begin(loop), boundary.end(loop), [&](PointId point) { return isEnd[std::size_t(point)] != 0; });
+    if (first == boundary.end(loop)) // the loop was dropped
+    {
+      continue;
+    }
+    std::vector<PointId> around(first, boundary.end(loop));
+    around.insert(around.end(), boundary.begin(loop), first + 1);
+    std::vector<PointId> chain(1, around.front());
+    for (std::size_t n = 1; n < around.size(); ++n)
+    {
+      chain.push_back(around[n]);
+      if (isEnd[std::size_t(around[n])] != 0)
+      {
+        visit(chain);
+        chain.assign(1, around[n]);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<PointId> DivideEdges(const SpacePoints& points, const Loops& boundary, const Loops& simplified,
   const std::function<double(PointId, PointId)>& partsOf)
 {
   std::vector<PointId> found;
-  const std::vector<unsigned char> isEnd = simplified.MarkPoints(points.size());
-  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
-  {
-    std::vector<PointId> around(boundary.begin(loop), boundary.end(loop));
-    const auto first = std::find_if(around.begin(), around.end(), [&](PointId point) { return isEnd[point] != 0; });
-    std::rotate(around.begin(), first, around.end());
-    around.push_back(around.front());
-    for (std::size_t start = 0, end = 0; start + 1 < around.size(); start = end)
+  ForEachChain(boundary, simplified, points.size(),
+    [&](const std::vector<PointId>& chain)
     {
-      end = start + 1;
-      while (end + 1 < around.size() && isEnd[around[end]] == 0)
-      {
-        ++end;
-      }
-      found.push_back(around[start]);
-      const double parts = partsOf(around[start], around[end]);
-      const double whole = PlanDistance(points, around[start], around[end]);
+      found.push_back(chain.front());
+      const double parts = partsOf(chain.front(), chain.back());
+      const double whole = PlanDistance(points, chain.front(), chain.back());
       double part = 1.0;
-      for (std::size_t n = start + 1; n < end && part < parts; ++n)
+      for (std::size_t n = 1; n + 1 < chain.size() && part < parts; ++n)
       {
-        if (PlanDistance(points, around[start], around[n]) >= part * whole / parts)
+        if (PlanDistance(points, chain.front(), chain[n]) >= part * whole / parts)
         {
-          found.push_back(around[n]);
+          found.push_back(chain[n]);
           part += 1.0;
         }
       }
-    }
-  }
+    });
   return found;
 }
 }

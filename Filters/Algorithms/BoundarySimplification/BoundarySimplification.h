@@ -78,6 +78,10 @@ struct BoundarySimplification
 BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor = Monitor());
 
+/// Calls visit(points) for each edge of simplified loops, with its ends and all points of the boundary between them.
+void ForEachChain(const Loops& boundary, const Loops& simplified, std::size_t points,
+  const std::function<void(const std::vector<PointId>&)>& visit);
+
 /// Returns the points of simplified loops, and those of the boundary that divide an edge into partsOf(from, to) equal
 /// parts.
 std::vector<PointId> DivideEdges(const SpacePoints& points, const Loops& boundary, const Loops& simplified,

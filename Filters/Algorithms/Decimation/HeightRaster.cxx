@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
 
 namespace SeismicHorizons
@@ -101,18 +102,21 @@ double HeightRaster::DroppedHeight(const PlanePoint& column) const
 void HeightRaster::FindDropped(
   const RaisedPoint& from, const RaisedPoint& to, double bound, std::vector<PointId>& found) const
 {
+  double largest = bound;
+  std::array<PointId, 2> farthest = { NoPoint, NoPoint };
   this->ForEachCrossing<double>(from, to,
     [&](const Crossing& crossing)
     {
-      for (const std::int64_t place : { crossing.Place, crossing.Beyond })
+      const std::array<PointId, 2> dropped = { this->DroppedAt(crossing.Place), this->DroppedAt(crossing.Beyond) };
+      if (std::abs(crossing.Error) > largest && (dropped[0] != NoPoint || dropped[1] != NoPoint))
       {
-        if (std::abs(crossing.Error) > bound && this->DroppedAt(place) != NoPoint)
-        {
-          found.push_back(this->DroppedAt(place));
-        }
+        largest = std::abs(crossing.Error);
+        farthest = dropped;
       }
       return true;
     });
+  std::copy_if(
+    farthest.begin(), farthest.end(), std::back_inserter(found), [](PointId point) { return point != NoPoint; });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -364,7 +364,8 @@ private:
 // The best effort leaves about this share of the inner points of the fast one within an error. Each has two triangles.
 constexpr double ShareOfBest = 0.5;
 // Points kept after the first mesh can leave new slivers.
-constexpr int SliverRounds = 2;
+constexpr int SliverRounds = 6;
+constexpr int LastRounds = 2;
 constexpr int RoundsOfEven = 4;
 // Meshes within an error do not keep larger angles (degrees) either.
 constexpr double LargestKeptAngle = 10.0;
@@ -462,14 +463,18 @@ private:
     for (int round = 0; round < SliverRounds; ++round)
     {
       const Monitor step = monitor.Step(double(round) / SliverRounds, double(round + 1) / SliverRounds);
-      const std::vector<PointId> found = this->FindMissing(changed, step.Step(0.0, 0.8));
+      std::vector<PointId> found = this->FindMissing(changed, step.Step(0.0, 0.8));
       if (found.empty())
       {
         return;
       }
       const Loops before = this->Outlines;
+      const std::vector<PointId> ends =
+        round + LastRounds < SliverRounds ? this->KeepMiddle(found) : std::vector<PointId>();
       this->AddToOutlines(found, step.Step(0.8, 1.0));
       changed = FindChanged(before, this->Outlines, this->Columns().size());
+      changed.insert(changed.end(), ends.begin(), ends.end());
+      std::sort(changed.begin(), changed.end());
     }
   }
 
@@ -516,6 +521,28 @@ private:
     }
     std::sort(narrow.begin(), narrow.end());
     return narrow;
+  }
+
+  /// Of several on one edge, only the middle one stays, which may do for the others. Returns the ends of these edges.
+  std::vector<PointId> KeepMiddle(std::vector<PointId>& found)
+  {
+    std::vector<unsigned char> isFound(this->Columns().size(), 0);
+    std::for_each(found.begin(), found.end(), [&](PointId point) { isFound[std::size_t(point)] = 1; });
+    found.clear();
+    std::vector<PointId> ends;
+    ForEachChain(this->Result.Boundary.Boundary, this->Outlines, isFound.size(),
+      [&](const std::vector<PointId>& chain)
+      {
+        std::vector<PointId> here;
+        std::copy_if(chain.begin(), chain.end(), std::back_inserter(here),
+          [&](PointId point) { return isFound[std::size_t(point)] != 0; });
+        if (!here.empty())
+        {
+          found.push_back(here[here.size() / 2]);
+          ends.insert(ends.end(), { chain.front(), chain.back() });
+        }
+      });
+    return ends;
   }
 
   void AddToOutlines(const std::vector<PointId>& points, const Monitor& monitor)
@@ -737,19 +764,21 @@ private:
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
     this->Index.reset(); // frees memory for the mesh
     std::optional<Decimation> mesh;
-    for (int round = 0; round < SliverRounds && !isByNumber && !mesh; ++round)
+    for (int round = 0; round < LastRounds && !isByNumber && !mesh; ++round)
     {
       std::vector<PointId> inTheWay;
       BoundedHorizon horizon = this->MoveHorizon();
-      mesh = DecimateUnlessInTheWay(horizon, options, inTheWay, monitor.Step(0.2, 1.0));
+      const double start = 0.2 + 0.2 * round; // a mesh in whose way points are is only inserted
+      mesh = DecimateUnlessInTheWay(horizon, options, inTheWay, monitor.Step(start, start + 0.5));
       if (!mesh)
       {
         this->Height() = std::move(horizon.Height);
-        this->AddToOutlines(inTheWay, monitor.Step(0.2, 0.2));
+        this->AddToOutlines(inTheWay, monitor.Step(start + 0.2, start + 0.2));
       }
     }
-    this->Result.Mesh =
-      mesh ? std::move(*mesh) : SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0));
+    this->Result.Mesh = mesh
+      ? std::move(*mesh)
+      : SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(isByNumber ? 0.2 : 0.6, 1.0));
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
     if (this->Seams)
