@@ -56,7 +56,7 @@ constexpr double NearEnough = 1.01;
 constexpr int MostTrials = 8;
 constexpr double LeastOfSearch = 1e-3;
 constexpr double OnFineSide = 0.9;
-constexpr double LeastStep = 0.5;
+constexpr double LeastStepOfSearch = 0.5;
 
 // Large enough that few edges lie between groups, small enough for many threads.
 constexpr double TrianglesOfGroup = 1500.0;
@@ -517,7 +517,7 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
     }
     power = fine && coarse ? std::log(fineNumber / coarseNumber) / std::log(coarseError / fineError) : power;
     const double factor = std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
-    options.MaximumError *= std::clamp(factor, LeastStep, 1.0 / LeastStep);
+    options.MaximumError *= std::clamp(factor, LeastStepOfSearch, 1.0 / LeastStepOfSearch);
     constexpr double away = 1.003;
     if (fine)
     {
