@@ -5,11 +5,14 @@
 columns, with and without a bound where edges cross lines between columns.
 
     decimation_pictures.py GENERATOR FOLDER
+    decimation_pictures.py HORIZON.ijz FOLDER   even meshes of a part of horizon B of Penobscot: EvenMeshes.png
 
-GENERATOR is the program generate_horizons. Needs an X server, and the package seismichorizons in PYTHONPATH.
+GENERATOR is the program generate_horizons. Needs an X server, and the package seismichorizons in PYTHONPATH; even meshes
+need the program convert.
 """
 
 import pathlib
+import subprocess
 import sys
 
 import numpy as np
@@ -23,6 +26,11 @@ from generated import make_surface
 
 SURFACE = ("--size", "150", "120", "40", "--horizons", "1", "--holes", "2", "--islands", "0", "--dropouts", "0.005")
 ERRORS = (1.0, 0.5, 0.25)
+WINDOW = ((150, 260), (20, 115))  # lines i and j of the part that even meshes show
+EVEN = {"Few triangles": {}, "EdgeLength 10": {"edge_length": 10.0},
+        "EdgeLength 25, EdgeGrowth 0.3": {"edge_length": 25.0, "edge_growth": 0.3}}
+EVEN_ERROR = 5.0
+EVEN_SIZE = (420, 340)
 
 
 def decimate(outlined, error):
@@ -43,7 +51,28 @@ def draw_crossings(path):
     pictures.write(pictures.draw([shown]), path)
 
 
+def draw_even(path, folder):
+    values = np.loadtxt(path, skiprows=sum(line.startswith("#") for line in open(path, encoding="utf-8")) + 1)
+    (i_low, i_high), (j_low, j_high) = WINDOW
+    values = values[(values[:, 0] >= i_low) & (values[:, 0] < i_high) & (values[:, 1] >= j_low) & (values[:, 1] < j_high)]
+    heights = np.full((j_high - j_low, i_high - i_low), np.nan)
+    heights[values[:, 1].astype(int) - j_low, values[:, 0].astype(int) - i_low] = values[:, 2]
+    horizon = sh.horizon(heights, vertical_unit="ms", direction="down")
+    panels = []
+    for title, options in EVEN.items():
+        mesh = sh.surface(horizon, EVEN_ERROR, **options)
+        caption = "{:,} triangles, smallest angle {:.0f} degrees".format(len(mesh), mesh.details["smallest_angle"])
+        panels.append(pictures.Panel(title, caption, from_vtk(mesh.to_vtk()), pictures.MESH))
+    picture = folder / "EvenMeshes.png"
+    pictures.write(pictures.draw([panels], panel_size=EVEN_SIZE), picture)
+    subprocess.run(["convert", picture, "-dither", "None", "-colors", "64", "-strip", "-define", "png:compression-level=9",
+                    picture], check=True)
+
+
 def main():
+    if sys.argv[1].endswith(".ijz"):
+        draw_even(sys.argv[1], pathlib.Path(sys.argv[2]))
+        return
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     surface = make_surface(generator, SURFACE, ZFrom="RealZ")
     outlined = apply(vtkHorizonExteriorBoundary(), surface, HoleBoundaries=True, SmallestHoleSize=9)
