@@ -248,23 +248,24 @@ class EvenTest(unittest.TestCase):
         self.assertGreaterEqual(even.angles.min(), ANGLE - SLACK)
 
     def test_layers(self):
-        """The plan of layers, without lines where they pinch out."""
+        """The plan of layers, without and with lines where they pinch out."""
         waves = 40.0 + 5.0 * numpy.sin(0.1 * I)
         upper = horizon_of(numpy.ones(SQUARE, bool), waves)
         for heights in (3.0 * numpy.cos(0.07 * J), numpy.minimum(waves, 30.0 + 0.2 * I + 0.1 * J)):
             lower = horizon_of(numpy.ones(SQUARE, bool), heights)
-            for domain, length, growth in ((0, 8.0, 0.0), (0, 20.0, 0.3), (1, 8.0, 0.0)):
+            for domain, length, growth, lines in ((0, 8.0, 0.0, False), (0, 20.0, 0.3, False), (1, 8.0, 0.0, False), (0, 8.0, 0.0, True)):
                 layers = sh.vtkHorizonLayers()
                 for name, value in {"HeightUnit": 0, "MaximumError": 1.0, "EdgeLength": length, "EdgeGrowth": growth,
-                                    "Domain": domain, "PinchOutLines": False}.items():
+                                    "Domain": domain, "PinchOutLines": lines}.items():
                     getattr(layers, "Set" + name)(value)
                 sh.apply(layers, vtk_inputs.collect({"upper": upper, "lower": lower}))
                 plans = [EvenMesh(mesh) for mesh in sh.horizons_of(layers.GetOutputDataObject(2)).values()]
                 self.assertEqual(len(plans), 2)
                 for even in plans:
                     self.check_lengths(even, length, growth, "layers")
-                    self.assertGreaterEqual(even.smallest_inside(), ANGLE - SLACK)
-                    self.assertLess((even.angles < ANGLE - SLACK).mean(), 0.01)
+                    if not lines:
+                        self.assertGreaterEqual(even.smallest_inside(), ANGLE - SLACK)
+                    self.assertLess((even.angles < ANGLE - SLACK).mean(), 0.04 if lines else 0.01)
 
     @unittest.skipUnless(REAL.is_dir(), "no real horizons")
     def test_real(self):

@@ -430,6 +430,7 @@ private:
     options.SmallestPinch = this->Options.SmallestPinch;
     options.Tolerance = this->OutlineTolerance;
     options.MaximumError = this->Options.MaximumError;
+    options.LongestEdge = LongestAtLoops(QualityOf(this->Options));
     return FindPinchOutLines(
       this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
   }

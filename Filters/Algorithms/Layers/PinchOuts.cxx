@@ -78,6 +78,7 @@ private:
     options.Method = OutlineMethod::FewestPoints;
     options.OutlineTolerance = this->Options.Tolerance;
     options.DistanceThreshold = this->Options.MaximumError;
+    options.LongestEdge = this->Options.LongestEdge;
     loops.ForEachEdge(
       [&](PointId from, PointId to)
       {

@@ -25,6 +25,7 @@ struct PinchOutOptions
   std::int64_t SmallestPinch = 25; // columns of areas with lines, and of holes in them: at least 1
   double Tolerance = 0.0; // from the line to the columns around the area in plan, in columns
   double MaximumError = 0.0; // from the line to the upper horizon, in lattice units
+  double LongestEdge = 0.0; // of lines, in columns; 0 for any
 };
 
 struct PinchOutLines

@@ -449,13 +449,12 @@ private:
   void FindOnOutlines(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
-    if (error == 0.0)
-    {
-      return;
-    }
     if (this->Options.EdgeLength > 0.0)
     {
       this->DivideOutlines(monitor);
+    }
+    if (error == 0.0 || this->Options.EdgeLength > 0.0)
+    {
       return;
     }
     std::vector<PointId> changed =
