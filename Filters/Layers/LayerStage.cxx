@@ -59,11 +59,7 @@ LayerOptions MakeLayerOptions(const LayerStageOptions& given, const HorizonStack
   }
   options.PinchOutLines = given.PinchOutLines;
   options.SmallestPinch = given.SmallestPinch;
-  options.FitHeights = given.FitHeights;
-  options.Effort = given.Effort;
-  options.SmallestAngle = given.SmallestAngle;
-  options.EdgeLength = given.EdgeLength;
-  options.EdgeGrowth = given.EdgeGrowth;
+  static_cast<LayerQuality&>(options) = given;
   return options;
 }
 

@@ -16,7 +16,9 @@
 
 namespace SeismicHorizons
 {
-struct LayerStageOptions : StackStageOptions
+struct LayerStageOptions
+  : StackStageOptions
+  , LayerQuality
 {
   std::optional<double> MaximumError; // Without a value six times the largest noise.
   bool BoundThickness = false;
@@ -28,11 +30,6 @@ struct LayerStageOptions : StackStageOptions
   MissingPolicy Missing = MissingPolicy::Follow;
   int LargestHoleSize = 2500;
   int LargestGap = 10;
-  DecimationEffort Effort = DecimationEffort::Best;
-  double SmallestAngle = 10.0;
-  double EdgeLength = 0.0;
-  double EdgeGrowth = 0.0;
-  bool FitHeights = true;
   std::string Sublayers; // a number, or one for each layer; empty for 1
   double LargestSublayerThickness = 0.0; // 0 for any
   bool Tetrahedra = false;

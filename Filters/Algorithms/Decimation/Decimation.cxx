@@ -368,7 +368,7 @@ bool NeverStop(const HeightMesh& /*mesh*/)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CheckQuality(const DecimationQuality& quality, bool isByNumber)
+void CheckQuality(const MeshQuality& quality, bool isByNumber)
 {
   constexpr double LeastLength = 4.0; // of triangles whose corners are columns
   CheckWithin("smallest angle", quality.SmallestAngle, 0.0, 60.0, " degrees");

@@ -56,13 +56,13 @@ inline double MaximumCrossingError(double maximumError, CrossingTolerance crossi
                                               : std::numeric_limits<double>::infinity();
 }
 
-struct DecimationQuality
+/// What meshes of one horizon and plans of layers have in common.
+struct MeshQuality
 {
   /// Inner vertices may leave their columns' heights to fit the points around them (HeightFit.h), which needs fewer
   /// vertices.
   bool FitHeights = true;
   DecimationEffort Effort = DecimationEffort::Best;
-  DecimationPriority Priority = DecimationPriority::SumOfSquares;
   /// No change makes a smaller angle in plan (0 to 60 degrees), unless one was smaller before.
   /// It is halved until a number of points can be reached.
   double SmallestAngle = 2.0;
@@ -70,6 +70,11 @@ struct DecimationQuality
   double EdgeLength = 0.0;
   /// Edges grow by at most this part of the distance from loops; 0 for any.
   double EdgeGrowth = 0.0;
+};
+
+struct DecimationQuality : MeshQuality
+{
+  DecimationPriority Priority = DecimationPriority::SumOfSquares;
   CrossingTolerance Crossings = CrossingTolerance::Same;
 };
 
@@ -96,7 +101,7 @@ inline bool IsImproved(const DecimationOptions& options)
 }
 
 /// Throws InputError.
-void CheckQuality(const DecimationQuality& quality, bool isByNumber);
+void CheckQuality(const MeshQuality& quality, bool isByNumber);
 
 struct Decimation
 {

@@ -21,13 +21,13 @@ constexpr double AngleOfEvenMeshes = 25.0; // degrees
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double SmallestAngleOf(const DecimationQuality& options)
+double SmallestAngleOf(const MeshQuality& options)
 {
   return options.EdgeLength > 0.0 ? std::max(options.SmallestAngle, AngleOfEvenMeshes) : options.SmallestAngle;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double LongestAtLoops(const DecimationQuality& options)
+double LongestAtLoops(const MeshQuality& options)
 {
   const double longest = PartOfLongest * options.EdgeLength;
   return options.EdgeGrowth == 0.0 ? longest : std::min(longest, LengthAtLoops);

@@ -19,10 +19,10 @@
 namespace SeismicHorizons
 {
 /// Below which points are inserted beside triangles.
-double SmallestAngleOf(const DecimationQuality& options);
+double SmallestAngleOf(const MeshQuality& options);
 
 /// 0 for any length.
-double LongestAtLoops(const DecimationQuality& options);
+double LongestAtLoops(const MeshQuality& options);
 
 class EdgeSizes
 {
@@ -45,14 +45,12 @@ private:
     std::int64_t Width = 0;
     std::vector<float> Values;
 
-    float& At(std::int64_t x, std::int64_t y)
+    std::size_t Place(std::int64_t x, std::int64_t y) const
     {
-      return this->Values[std::size_t((y - this->Box.Least.Y) * this->Width + (x - this->Box.Least.X))];
+      return std::size_t((y - this->Box.Least.Y) * this->Width + (x - this->Box.Least.X));
     }
-    float At(const PlanePoint& place) const
-    {
-      return this->Values[std::size_t((place.Y - this->Box.Least.Y) * this->Width + (place.X - this->Box.Least.X))];
-    }
+    float& At(std::int64_t x, std::int64_t y) { return this->Values[this->Place(x, y)]; }
+    float At(const PlanePoint& place) const { return this->Values[this->Place(place.X, place.Y)]; }
   };
 
   void MarkLoops();

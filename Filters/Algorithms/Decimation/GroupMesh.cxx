@@ -240,7 +240,7 @@ private:
     for (VertexId vertex = 0; vertex < VertexId(this->Vertices.size()); ++vertex)
     {
       GroupVertex& own = this->Vertices[vertex];
-      if (this->Vertices[vertex].IsInner() && (own.Marks & TryCollapse) != 0)
+      if (own.IsInner() && (own.Marks & TryCollapse) != 0)
       {
         own.Marks &= std::uint8_t(~TryCollapse);
         own.Cost = this->FindBest(vertex).Cost;

@@ -56,18 +56,6 @@ struct MeshErrors
   }
 };
 
-DecimationOptions QualityOf(const LayerOptions& layers)
-{
-  DecimationOptions options;
-  options.MaximumError = layers.MaximumError;
-  options.FitHeights = layers.FitHeights;
-  options.SmallestAngle = layers.SmallestAngle;
-  options.EdgeLength = layers.EdgeLength;
-  options.EdgeGrowth = layers.EdgeGrowth;
-  options.Effort = layers.Effort;
-  return options;
-}
-
 RawVector<PointId> CornersOf(const PlaneMesh& triangles)
 {
   RawVector<PointId> corners;
@@ -415,7 +403,7 @@ private:
     options.Method = OutlineMethod::FewestPoints;
     options.DistanceThreshold = this->Options.MaximumError;
     options.OutlineTolerance = this->OutlineTolerance;
-    options.LongestEdge = LongestAtLoops(QualityOf(this->Options));
+    options.LongestEdge = LongestAtLoops(this->Options);
     options.Fixed = std::move(fixed);
     return options;
   }
@@ -430,14 +418,16 @@ private:
     options.SmallestPinch = this->Options.SmallestPinch;
     options.Tolerance = this->OutlineTolerance;
     options.MaximumError = this->Options.MaximumError;
-    options.LongestEdge = LongestAtLoops(QualityOf(this->Options));
+    options.LongestEdge = LongestAtLoops(this->Options);
     return FindPinchOutLines(
       this->Columns, this->Heights, boundary.Boundary.MarkPoints(this->Columns.size()), options, monitor);
   }
 
   void Refine(HeightMesh& mesh, KeptLines& lines, const Monitor& monitor)
   {
-    const DecimationOptions options = QualityOf(this->Options);
+    DecimationOptions options;
+    static_cast<MeshQuality&>(options) = this->Options;
+    options.MaximumError = this->Options.MaximumError;
     const HeightRule rule = [&](std::vector<InnerHeights>& heights) { this->OrderFitted(mesh, heights); };
     lines.DropFar();
     InsertToError(mesh, options, monitor.Step(0.0, 0.3), rule);
@@ -825,7 +815,7 @@ std::vector<std::array<PointId, 2>> FindFaultSides(const LayerPlan& plan)
 Layers MakeLayers(const std::vector<HorizonView>& horizons, const LayerOptions& options, const Monitor& monitor)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
-  CheckQuality(QualityOf(options), false);
+  CheckQuality(options, false);
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
   if (options.Domain == LayerDomain::EachLayer)
   {

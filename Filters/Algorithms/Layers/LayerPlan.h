@@ -29,8 +29,16 @@
 
 namespace SeismicHorizons
 {
+/// With the larger angles that simulators want.
+struct LayerQuality : MeshQuality
+{
+  LayerQuality() { this->SmallestAngle = 10.0; }
+};
+
 /// With the domain EachLayer, only a radius and a smallest hole of 1 and an outline tolerance of 0 are allowed.
-struct LayerOptions : StackOptions
+struct LayerOptions
+  : StackOptions
+  , LayerQuality
 {
   /// In lattice units: at least 0.
   double MaximumError = ErrorOfWholeVoxels;
@@ -38,12 +46,6 @@ struct LayerOptions : StackOptions
   std::optional<double> OutlineTolerance;
   std::optional<int> Radius;
   std::optional<std::int64_t> SmallestHoleSize;
-  /// As in DecimationQuality, with the larger angles that simulators want.
-  bool FitHeights = true;
-  DecimationEffort Effort = DecimationEffort::Best;
-  double SmallestAngle = 10.0;
-  double EdgeLength = 0.0;
-  double EdgeGrowth = 0.0;
   /// Whether the thickness of layers is within the error, too; else within twice the error.
   bool BoundThickness = false;
   /// Whether areas of at least SmallestPinch columns without a thickness have lines around them (PinchOuts.h).

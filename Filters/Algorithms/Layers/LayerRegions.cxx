@@ -53,7 +53,7 @@ public:
       this->Options.Fixed.insert(this->Options.Fixed.end(), far.begin(), far.end());
       simplified = SimplifyBoundary(points, boundary.Boundary, this->Options, step);
       step = monitor.Step(1.0, 1.0);
-      far = this->FindFar(boundary.Boundary, simplified.Boundary.MarkPoints(this->Columns.size()));
+      far = this->FindFar(boundary.Boundary, simplified.Boundary);
     } while (!far.empty());
     LayerOutline outline;
     outline.Boundary = std::move(simplified.Boundary);
@@ -66,32 +66,20 @@ public:
   }
 
 private:
-  std::vector<PointId> FindFar(const Loops& loops, const std::vector<unsigned char>& isKept) const
+  std::vector<PointId> FindFar(const Loops& loops, const Loops& simplified) const
   {
     std::vector<PointId> far;
-    for (std::size_t loop = 0; loop < loops.Size(); ++loop)
-    {
-      const PointId* const points = loops.begin(loop);
-      const std::size_t length = loops.Length(loop);
-      const auto at = [&](std::size_t n) { return points[n % length]; };
-      const auto first = std::size_t(
-        std::find_if(points, points + length, [&](PointId point) { return isKept[std::size_t(point)] != 0; }) - points);
-      for (std::size_t from = first; from < first + length && first < length;)
+    ForEachChain(loops, simplified, this->Columns.size(),
+      [&](const std::vector<PointId>& chain)
       {
-        std::size_t to = from + 1;
-        while (isKept[std::size_t(at(to))] == 0)
-        {
-          ++to;
-        }
-        std::size_t farthest = this->FindFarthest(at, from, to);
-        farthest = farthest == from ? this->FindBesidePassed(at, from, to) : farthest;
-        if (farthest != from)
+        const auto at = [&chain](std::size_t n) { return chain[n]; };
+        std::size_t farthest = this->FindFarthest(at, 0, chain.size() - 1);
+        farthest = farthest == 0 ? this->FindBesidePassed(at, 0, chain.size() - 1) : farthest;
+        if (farthest != 0)
         {
           far.push_back(at(farthest));
         }
-        from = to;
-      }
-    }
+      });
     return far;
   }
 

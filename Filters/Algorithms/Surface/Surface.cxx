@@ -452,8 +452,9 @@ private:
     if (this->Options.EdgeLength > 0.0)
     {
       this->DivideOutlines(monitor);
+      return;
     }
-    if (error == 0.0 || this->Options.EdgeLength > 0.0)
+    if (error == 0.0)
     {
       return;
     }
@@ -508,7 +509,8 @@ private:
     for (auto corner = mesh.Triangles.begin(); corner != mesh.Triangles.end(); corner += 3)
     {
       const auto at = [&](int n) { return this->Columns()[corner[n]]; };
-      for (int edge = 0; edge < 3 && SineOfSmallestAngle(at(0), at(1), at(2)) < sine; ++edge)
+      const bool isNarrow = SineOfSmallestAngle(at(0), at(1), at(2)) < sine;
+      for (int edge = 0; edge < 3 && isNarrow; ++edge)
       {
         const std::array<PointId, 2> ends = { corner[edge], corner[edge == 2 ? 0 : edge + 1] };
         if (isEnd[ends[0]] != 0 && isEnd[ends[1]] != 0)
