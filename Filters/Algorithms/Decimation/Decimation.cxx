@@ -206,10 +206,10 @@ private:
 };
 
 // ---- From the loops to the mesh ------------------------------------------------------------------------------------
-// The best effort inserts this multiple of inner vertices; twice as many lower the mean error by only 1 to 2 %.
+// The best effort inserts these multiples of inner vertices. Twice as many lower the mean error by only 1 to 2 %.
 constexpr double Surplus = 4.0;
-// The error of as many is near that of the number that is left.
-constexpr double SurplusForLargest = 2.0;
+// The error of as many leaves few more than the number.
+constexpr double SurplusForLargest = 3.3;
 
 void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
@@ -229,22 +229,25 @@ bool IsFlipped(const DecimationOptions& options)
 
 void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {
-  const std::size_t inside = options.MaximumNumberOfPoints - mesh.NumberOfVertices();
-  const bool isForSquares = options.Priority == DecimationPriority::SumOfSquares;
-  const std::size_t most =
-    mesh.NumberOfVertices() + std::size_t((isForSquares ? Surplus : SurplusForLargest) * double(inside));
-  MeshRefiner(mesh, options.MaximumNumberOfPoints, options.Priority).InsertWhereFar(0.0, monitor.Step(0.0, 0.2));
-  const double error = mesh.LargestError(); // of as many points
-  MeshRefiner(mesh, most, options.Priority).InsertWhereFar(0.0, monitor.Step(0.2, 0.4));
+  const std::size_t most = options.MaximumNumberOfPoints;
+  const std::size_t onLoops = mesh.NumberOfVertices();
+  const auto insert = [&](double times, const Monitor& step)
+  {
+    MeshRefiner(mesh, onLoops + std::size_t(times * double(most - onLoops)), options.Priority)
+      .InsertWhereFar(0.0, step);
+  };
+  if (options.Priority == DecimationPriority::LargestError)
+  {
+    insert(SurplusForLargest, monitor.Step(0.0, 0.4));
+    mesh.SortByPlace();
+    ReduceLargestError(mesh, most, options, monitor.Step(0.4, 1.0));
+    return;
+  }
+  insert(1.0, monitor.Step(0.0, 0.2));
+  const double error = mesh.LargestError();
+  insert(Surplus, monitor.Step(0.2, 0.4));
   mesh.SortByPlace();
-  if (isForSquares)
-  {
-    ReduceToNumber(mesh, options.MaximumNumberOfPoints, error, options, monitor.Step(0.4, 1.0));
-  }
-  else
-  {
-    ReduceLargestError(mesh, options.MaximumNumberOfPoints, options, monitor.Step(0.4, 1.0));
-  }
+  ReduceToNumber(mesh, most, error, options, monitor.Step(0.4, 1.0));
 }
 
 /// Within an error, the best effort improves this mesh.
