@@ -209,7 +209,7 @@ private:
 // The best effort inserts these multiples of inner vertices. Twice as many lower the mean error by only 1 to 2 %.
 constexpr double Surplus = 4.0;
 // The error of as many leaves few more than the number.
-constexpr double SurplusForLargest = 3.3;
+constexpr double SurplusForLargest = 2.0;
 
 void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
 {

@@ -48,20 +48,15 @@ constexpr int MostIdlePasses = 4;
 constexpr int MostHalvings = 12;
 
 // ---- Largest errors ------------------------------------------------------------------------------------------------
+// The number falls about as the error to this power; much less where a mesh within less is improved again.
+constexpr double NumberPower = 1.5;
+constexpr double LeastPower = 0.25;
+constexpr double EnoughOfNumber = 0.98;
+constexpr double NearEnough = 1.01;
 constexpr int MostTrials = 8;
 constexpr double LeastOfSearch = 1e-3;
-// The errors of this fraction of the inserted triangles say nothing about the error that a number needs.
-constexpr double FractionOfUnusual = 0.01;
-// The number falls about as the error to this power; much less where a mesh within less is improved again, and much more
-// for whole heights.
-constexpr double NumberPower = 1.4;
-constexpr double LeastPower = 0.25;
-constexpr double SteepPower = 4.0;
 constexpr double OnFineSide = 0.9;
 constexpr double LeastStepOfSearch = 0.5;
-constexpr double StepAway = 1.003;
-constexpr double EnoughOfNumber = 0.975;
-constexpr double NearEnough = 1.015;
 
 // Large enough that few edges lie between groups, small enough for many threads.
 constexpr double TrianglesOfGroup = 1500.0;
@@ -481,104 +476,32 @@ void ReduceToNumber(
 
 namespace
 {
-/// All but few triangles are within it.
-double UsualError(const HeightMesh& mesh)
+/// The number falls as the error to this power.
+double PowerBetween(double fineError, double fineNumber, double coarseError, double coarseNumber)
 {
-  std::vector<double> errors = { 0.0 }; // there may be no triangles
-  for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
-  {
-    errors.push_back(mesh.Error(triangle).Largest);
-  }
-  const auto usual = errors.end() - 1 - std::ptrdiff_t(FractionOfUnusual * double(errors.size()));
-  std::nth_element(errors.begin(), usual, errors.end());
-  return *usual;
+  return std::max(LeastPower, std::log(fineNumber / coarseNumber) / std::log(coarseError / fineError));
 }
-
-/// Searches the error that leaves a number of vertices.
-class ErrorSearch
-{
-public:
-  ErrorSearch(double first, std::size_t most)
-    : Most(double(most))
-    , Next(std::max(first, LeastOfSearch))
-  {
-  }
-
-  double NextError() const { return this->Next; }
-
-  /// Of the next error. Returns whether it is more than wanted.
-  bool Add(double number)
-  {
-    const bool isFine = number > this->Most;
-    Side& side = isFine ? this->Fine : this->Coarse;
-    const Side before = side;
-    side = { this->Next, number };
-    if (this->Fine.IsKnown() && this->Coarse.IsKnown())
-    {
-      this->Power = PowerBetween(this->Fine, this->Coarse);
-    }
-    else if (before.IsKnown())
-    {
-      this->Power = PowerBetween(before, side);
-    }
-    this->Next = this->ErrorFrom(side);
-    return isFine;
-  }
-
-  bool IsDone() const
-  {
-    return this->Coarse.IsKnown() &&
-      (this->Coarse.Number >= EnoughOfNumber * this->Most || this->Coarse.Error <= NearEnough * this->Fine.Error);
-  }
-
-private:
-  struct Side
-  {
-    double Error = 0.0;
-    double Number = 0.0;
-
-    bool IsKnown() const { return this->Error > 0.0; }
-  };
-
-  static double PowerBetween(const Side& one, const Side& other)
-  {
-    return std::max(LeastPower, std::log(one.Number / other.Number) / std::log(other.Error / one.Error));
-  }
-
-  double ErrorFrom(const Side& side) const
-  {
-    const double ratio = side.Number / (0.5 * (1.0 + EnoughOfNumber) * this->Most);
-    const double factor =
-      this->Fine.IsKnown() ? std::pow(ratio, 1.0 / this->Power) : OnFineSide * std::pow(ratio, 1.0 / SteepPower);
-    const double error = side.Error * std::clamp(factor, LeastStepOfSearch, 1.0 / LeastStepOfSearch);
-    const double least = StepAway * this->Fine.Error;
-    return this->Coarse.IsKnown() ? std::max(least, std::min(error, this->Coarse.Error / StepAway))
-                                  : std::max(least, error);
-  }
-
-  const double Most;
-  double Next;
-  double Power = NumberPower;
-  Side Fine; // largest error with too many
-  Side Coarse; // least error with few enough
-};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Vertices are inserted for an error with too many of them. From there it grows; errors that leave too few are tried
-// again from the mesh before.
+// An error with too many vertices is found first. From there it grows; errors that leave too few are tried again from the
+// mesh before.
 void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& given, const Monitor& monitor)
 {
   const ColumnRule noRule;
   DecimationOptions options = given;
   options.MaximumNumberOfPoints = 0;
-  ErrorSearch search(UsualError(mesh), vertices);
+  options.MaximumError = std::max(mesh.LargestError(), LeastOfSearch);
   std::optional<MeshGroups> fine;
   std::optional<MeshGroups> coarse;
-  for (int trial = 0; trial < MostTrials && !(coarse && search.IsDone()); ++trial)
+  double fineError = 0.0;
+  double coarseError = 0.0;
+  double fineNumber = 0.0;
+  double coarseNumber = 0.0;
+  double power = NumberPower;
+  for (int trial = 0; trial < MostTrials; ++trial)
   {
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
-    options.MaximumError = search.NextError();
     if (!fine)
     {
       coarse.reset(); // of a mesh with fewer vertices
@@ -588,9 +511,36 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
     MeshGroups next = fine ? *fine : MeshGroups(mesh, options, noRule);
     next.SetError(options.MaximumError);
     next.ImproveWithinError(step.Step(0.4, 1.0));
-    const bool isFine = search.Add(double(next.CountVertices()));
+    const auto number = double(next.CountVertices());
+    const bool isFine = number > double(vertices);
+    if (isFine && trial > 0)
+    {
+      power = fine ? PowerBetween(fineError, fineNumber, options.MaximumError, number)
+                   : PowerBetween(options.MaximumError, number, coarseError, coarseNumber);
+    }
+    (isFine ? fineError : coarseError) = options.MaximumError;
+    (isFine ? fineNumber : coarseNumber) = number;
     (isFine ? fine : coarse).emplace(std::move(next));
+    if (coarse && (coarseNumber >= EnoughOfNumber * double(vertices) || coarseError <= NearEnough * fineError))
+    {
+      break;
+    }
+    power = fine && coarse ? PowerBetween(fineError, fineNumber, coarseError, coarseNumber) : power;
+    const double factor = std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
+    options.MaximumError *= std::clamp(factor, LeastStepOfSearch, 1.0 / LeastStepOfSearch);
+    constexpr double away = 1.003;
+    if (fine)
+    {
+      options.MaximumError = std::max(options.MaximumError, away * fineError);
+    }
+    if (fine && coarse)
+    {
+      options.MaximumError = std::min(options.MaximumError, coarseError / away);
+    }
   }
-  (coarse ? *coarse : *fine).GiveBack();
+  if (coarse || fine)
+  {
+    (coarse ? *coarse : *fine).GiveBack();
+  }
 }
 }
