@@ -66,6 +66,9 @@ void RunOnThreads(std::int64_t size, std::int64_t grain, const std::function<voi
 
 /// Applies to programs without VTK.
 int& NumberOfThreads();
+
+/// Counts for the calling thread, in programs without VTK, for benchmarks: what more threads cannot share is the rest.
+double& SecondsInLoops();
 }
 
 /// Calls work(first, last) for ranges of about `grain` or more indices, which cover 0 to `size`, `last` excluded, in

@@ -4,6 +4,7 @@
 #include "Parallel.h"
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -19,8 +20,39 @@ int& NumberOfThreads()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double& SecondsInLoops()
+{
+  thread_local double seconds = 0.0;
+  return seconds;
+}
+
+namespace
+{
+/// Loops inside loops do not count again.
+class LoopClock
+{
+public:
+  LoopClock() { ++Depth; }
+  LoopClock(const LoopClock&) = delete;
+  LoopClock& operator=(const LoopClock&) = delete;
+  ~LoopClock()
+  {
+    if (--Depth == 0)
+    {
+      SecondsInLoops() += std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+    }
+  }
+
+private:
+  inline static thread_local int Depth = 0;
+  const std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void RunOnThreads(std::int64_t size, std::int64_t grain, const std::function<void(std::int64_t, std::int64_t)>& range)
 {
+  const LoopClock clock;
   std::atomic<std::int64_t> next(0);
   const auto run = [&]()
   {
