@@ -102,16 +102,23 @@ double HeightRaster::DroppedHeight(const PlanePoint& column) const
 void HeightRaster::FindDropped(
   const RaisedPoint& from, const RaisedPoint& to, double bound, std::vector<PointId>& found) const
 {
+  if (this->Dropped.empty() || this->IsEdgeWithin(from, to, bound))
+  {
+    return;
+  }
   double largest = bound;
   std::array<PointId, 2> farthest = { NoPoint, NoPoint };
   this->ForEachCrossing<double>(from, to,
     [&](const Crossing& crossing)
     {
-      const std::array<PointId, 2> dropped = { this->DroppedAt(crossing.Place), this->DroppedAt(crossing.Beyond) };
-      if (std::abs(crossing.Error) > largest && (dropped[0] != NoPoint || dropped[1] != NoPoint))
+      if (std::abs(crossing.Error) > largest)
       {
-        largest = std::abs(crossing.Error);
-        farthest = dropped;
+        const std::array<PointId, 2> dropped = { this->DroppedAt(crossing.Place), this->DroppedAt(crossing.Beyond) };
+        if (dropped[0] != NoPoint || dropped[1] != NoPoint)
+        {
+          largest = std::abs(crossing.Error);
+          farthest = dropped;
+        }
       }
       return true;
     });

@@ -58,28 +58,37 @@ void PlaneMesh::Replace(std::vector<PlanePoint> places, const RawVector<VertexId
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+VertexId PlaneMesh::HigherEnd(TriangleId triangle, int edge) const
+{
+  return std::max(this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge)));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Connect()
 {
-  // Sorting brings the two triangles of an edge together.
-  std::vector<std::tuple<VertexId, VertexId, TriangleId, int>> edges;
-  edges.reserve(3 * this->Triangles.size());
+  // Edges that wait for their second triangle, listed at the lower of their ends.
+  constexpr std::int32_t None = -1;
+  std::vector<std::int32_t> first(this->Places.size(), None);
+  std::vector<std::int32_t> next(3 * this->Triangles.size(), None);
   for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
   {
     for (int edge = 0; edge < 3; ++edge)
     {
-      const auto ends = std::minmax({ this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge)) });
-      edges.emplace_back(ends.first, ends.second, triangle, edge);
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t n = 1; n < edges.size(); ++n)
-  {
-    const auto& [a, b, triangle, edge] = edges[n - 1];
-    const auto& [c, d, neighbour, otherEdge] = edges[n];
-    if (a == c && b == d)
-    {
-      this->Triangles[triangle].Neighbours[edge] = neighbour;
-      this->Triangles[neighbour].Neighbours[otherEdge] = triangle;
+      const auto [low, high] = std::minmax({ this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge)) });
+      std::int32_t* waiting = &first[std::size_t(low)];
+      while (*waiting != None && this->HigherEnd(*waiting / 3, *waiting % 3) != high)
+      {
+        waiting = &next[std::size_t(*waiting)];
+      }
+      if (*waiting == None)
+      {
+        *waiting = 3 * triangle + edge;
+        continue;
+      }
+      const std::int32_t other = *waiting;
+      this->Triangles[triangle].Neighbours[edge] = other / 3;
+      this->Triangles[other / 3].Neighbours[other % 3] = triangle;
+      *waiting = next[std::size_t(other)];
     }
   }
 }

@@ -116,6 +116,7 @@ private:
     return std::uint64_t(std::uint32_t(std::min(a, b))) << 32U | std::uint32_t(std::max(a, b));
   }
 
+  VertexId HigherEnd(TriangleId triangle, int edge) const;
   void Connect();
   void CutKept(VertexId a, VertexId b, VertexId between);
   void Reorder(const std::vector<TriangleId>& order);
