@@ -216,7 +216,8 @@ public:
           points.Columns(), 1, HasLongEdges(points, boundary) ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
       }
       this->Fewest.emplace(points, options.Index ? *options.Index : *this->OwnIndex, this->Visits,
-        options.OutlineTolerance, options.DistanceThreshold, [this]() { this->Watch.Progress(this->Part); });
+        options.OutlineTolerance, options.DistanceThreshold, options.Known ? *options.Known : this->OwnKnown,
+        [this]() { this->Watch.Progress(this->Part); });
     }
     else if (options.OutlineTolerance > 0.0)
     {
@@ -451,6 +452,7 @@ private:
   std::vector<unsigned char> Visits; // 2 for more than one
   std::optional<LoopGuard> Guard;
   std::optional<ColumnIndex> OwnIndex;
+  KeptOfChains OwnKnown;
   std::optional<FewestPoints> Fewest;
   std::vector<PointId> Loop;
   std::vector<std::size_t> Run;

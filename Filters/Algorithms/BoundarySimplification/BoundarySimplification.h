@@ -26,6 +26,7 @@
 #include "Common/Horizon/DroppedPoints.h"
 #include "Common/Horizon/SpacePoints.h"
 #include "Common/Horizon/Types.h"
+#include "FewestPoints.h"
 
 #include <cstdint>
 #include <functional>
@@ -57,6 +58,8 @@ struct BoundarySimplificationOptions
   double LongestEdge = 0.0;
   /// This may be an existing index of the points, or null.
   const ColumnIndex* Index = nullptr;
+  /// What earlier calls with the same points, boundary and tolerances found (FewestPoints.h), or null.
+  KeptOfChains* Known = nullptr;
 };
 
 struct BoundarySimplification

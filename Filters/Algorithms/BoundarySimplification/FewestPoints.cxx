@@ -336,11 +336,13 @@ bool ShortcutGuard::IsClearAt(std::int64_t x, std::int64_t y) const
 
 //----------------------------------------------------------------------------------------------------------------------
 FewestPoints::FewestPoints(const SpacePoints& points, const ColumnIndex& index,
-  const std::vector<unsigned char>& visits, double outlineTolerance, double heightTolerance, std::function<void()> goOn)
+  const std::vector<unsigned char>& visits, double outlineTolerance, double heightTolerance, KeptOfChains& known,
+  std::function<void()> goOn)
   : Points(points)
   , Visits(visits)
   , OutlineTolerance(outlineTolerance)
   , HeightTolerance(heightTolerance)
+  , Known(known)
   , GoOn(std::move(goOn))
   , Guard(index, visits)
 {
@@ -387,6 +389,11 @@ std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& 
 std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
 {
   assert(!chain.empty());
+  const auto [known, isNew] = this->Known.try_emplace({ chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() });
+  if (!isNew)
+  {
+    return known->second;
+  }
   this->SetChain(std::move(chain));
   const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 1;
   bool isDone = this->Chain.size() <= leastEdges + 1;
@@ -395,6 +402,7 @@ std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
     const std::size_t before = this->Nodes.size();
     isDone = this->FindPath() || this->Nodes.size() == before;
   }
+  known->second = this->Nodes;
   return this->Nodes;
 }
 

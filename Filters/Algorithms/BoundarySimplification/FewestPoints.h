@@ -28,6 +28,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <tuple>
 #include <vector>
 
 namespace SeismicHorizons
@@ -132,19 +134,24 @@ private:
   std::size_t NextBar = 0;
 };
 
+/// Positions that chains keep, by their first two points and their length, which tell the chains of one boundary apart.
+/// Tolerances must remain the same.
+using KeptOfChains = std::map<std::tuple<PointId, PointId, std::size_t>, std::vector<std::size_t>>;
+
 class FewestPoints
 {
 public:
   /// `visits` saturates at 2. Tolerances are in columns and, vertically, in lattice units. `goOn` is called regularly
   /// and may throw to abort.
   FewestPoints(const SpacePoints& points, const ColumnIndex& index, const std::vector<unsigned char>& visits,
-    double outlineTolerance, double heightTolerance, std::function<void()> goOn);
+    double outlineTolerance, double heightTolerance, KeptOfChains& known, std::function<void()> goOn);
 
   /// Returns the positions that a loop keeps, ascending. A loop without fixed points is processed twice, from its first
   /// point and from a point kept about half-way round.
   std::vector<std::size_t> Simplify(const std::vector<PointId>& loop);
 
-  /// Returns the positions that the chain keeps, ascending. Its ends stay; they may be the same point.
+  /// Returns the positions that the chain keeps, ascending, from an earlier call if it is known. Its ends stay; they may
+  /// be the same point.
   std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
 
 private:
@@ -182,6 +189,7 @@ private:
   const std::vector<unsigned char>& Visits;
   const double OutlineTolerance;
   const double HeightTolerance;
+  KeptOfChains& Known;
   const std::function<void()> GoOn;
   ShortcutGuard Guard;
   std::vector<PointId> Chain;

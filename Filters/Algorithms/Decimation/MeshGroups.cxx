@@ -50,13 +50,16 @@ constexpr int MostHalvings = 12;
 // ---- Largest errors ------------------------------------------------------------------------------------------------
 // The number falls about as the error to this power; much less where a mesh within less is improved again.
 constexpr double NumberPower = 1.5;
-constexpr double LeastPower = 0.25;
+constexpr double LeastPower = 0.1;
 constexpr double EnoughOfNumber = 0.98;
 constexpr double NearEnough = 1.01;
-constexpr int MostTrials = 8;
+constexpr double FarFromNumber = 1.05;
+constexpr int MostTrials = 12;
 constexpr double LeastOfSearch = 1e-3;
 constexpr double OnFineSide = 0.9;
-constexpr double LeastStepOfSearch = 0.5;
+// Steps that lead to too many vertices again may be larger, by the square: whole heights need as many vertices for any
+// error below a half.
+constexpr double FarthestStep = 2.0;
 
 // Large enough that few edges lie between groups, small enough for many threads.
 constexpr double TrianglesOfGroup = 1500.0;
@@ -499,6 +502,8 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
   double fineNumber = 0.0;
   double coarseNumber = 0.0;
   double power = NumberPower;
+  double farthest = FarthestStep;
+  bool wasFine = false;
   for (int trial = 0; trial < MostTrials; ++trial)
   {
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
@@ -527,7 +532,8 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
     }
     power = fine && coarse ? PowerBetween(fineError, fineNumber, coarseError, coarseNumber) : power;
     const double factor = std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
-    options.MaximumError *= std::clamp(factor, LeastStepOfSearch, 1.0 / LeastStepOfSearch);
+    options.MaximumError *= std::clamp(factor, 1.0 / farthest, farthest);
+    farthest *= isFine && !coarse ? farthest : 1.0;
     constexpr double away = 1.003;
     if (fine)
     {
@@ -535,8 +541,11 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
     }
     if (fine && coarse)
     {
-      options.MaximumError = std::min(options.MaximumError, coarseError / away);
+      const bool isSlow = isFine && wasFine && number > FarFromNumber * double(vertices);
+      options.MaximumError =
+        isSlow ? std::sqrt(fineError * coarseError) : std::min(options.MaximumError, coarseError / away);
     }
+    wasFine = isFine;
   }
   if (coarse || fine)
   {

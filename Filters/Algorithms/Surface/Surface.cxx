@@ -621,6 +621,10 @@ private:
   void Simplify(double error, const Monitor& monitor)
   {
     SurfaceParameters& parameters = this->Result.Parameters;
+    if (parameters.MaximumError != error)
+    {
+      this->KnownChains.clear();
+    }
     parameters.MaximumError = error;
     const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
     parameters.OutlineTolerance =
@@ -685,6 +689,7 @@ private:
     options.Fixed = this->Result.Boundary.OpenCracks.PointsOfOpenEnds();
     options.Fixed.insert(options.Fixed.end(), this->Result.AddedToOutlines.begin(), this->Result.AddedToOutlines.end());
     options.Index = this->Result.Kept.AreAll() && this->Index ? &*this->Index : nullptr;
+    options.Known = &this->KnownChains;
     if (!HasSeams(this->Options.Seams))
     {
       return simplify(this->Result.Boundary.Boundary);
@@ -828,6 +833,7 @@ private:
   std::vector<double> KeptHeight;
   DroppedPoints Dropped;
   Loops Outlines;
+  KeptOfChains KnownChains; // within this error
   std::optional<SeamChains> Seams;
 };
 }

@@ -77,7 +77,8 @@ public:
     const std::vector<unsigned char> visits(places.size(), Stays);
     const SpacePoints points(places, heights, 1);
     const ColumnIndex index(places);
-    FewestPoints fewest(points, index, visits, 0.0, heightTolerance, []() {});
+    KeptOfChains known;
+    FewestPoints fewest(points, index, visits, 0.0, heightTolerance, known, []() {});
     for (std::size_t from = 0; from < this->Points.size();)
     {
       std::size_t to = from + 1;

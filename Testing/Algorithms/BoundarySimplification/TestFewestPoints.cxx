@@ -273,6 +273,37 @@ void TestNumberIsLeast()
   CHECK(beyondLeast * 100 < loops);
 }
 
+std::vector<std::vector<PointId>> ToVectors(const Loops& loops)
+{
+  std::vector<std::vector<PointId>> vectors;
+  for (std::size_t loop = 0; loop < loops.Size(); ++loop)
+  {
+    vectors.emplace_back(loops.begin(loop), loops.end(loop));
+  }
+  return vectors;
+}
+
+/// What earlier calls found changes nothing, whichever points are fixed meanwhile.
+void TestKnownChains()
+{
+  Patches::Random random(45);
+  for (int n = 0; n < 300; ++n)
+  {
+    const BoundedHorizon horizon = RandomHorizon(n, random);
+    BoundarySimplificationOptions options = Options(2.0 * random.Fraction(), 1.5 * random.Fraction());
+    KeptOfChains known;
+    for (int call = 0; call < 4; ++call)
+    {
+      options.Known = nullptr;
+      const BoundarySimplification anew = SimplifyBoundary(OnColumns(horizon), horizon.Boundary, options);
+      options.Known = &known;
+      const BoundarySimplification again = SimplifyBoundary(OnColumns(horizon), horizon.Boundary, options);
+      CHECK(ToVectors(again.Boundary) == ToVectors(anew.Boundary));
+      options.Fixed.push_back(*(horizon.Boundary.begin(0) + random.Below(int(horizon.Boundary.Length(0)))));
+    }
+  }
+}
+
 /// With tolerances as large as the horizon any edge would be near enough, and only points in the way bar it: there are
 /// fewer edges than with a small one.
 void TestHugeTolerance()
@@ -333,6 +364,7 @@ int TestFewestPoints(int, char*[])
   TestRandomPatches();
   TestNothingIsLost();
   TestNumberIsLeast();
+  TestKnownChains();
   TestHugeTolerance();
   TestErrors();
   TestMonitor();
