@@ -21,7 +21,7 @@ import sys
 import tempfile
 
 from benchmark_page import page
-from benchmark_programs import HUGE, measure_programs, measure_reading
+from benchmark_programs import HUGE, measure_programs, measure_reading, measure_scaling
 from text import report
 
 SIZES = (15626, 148317, 886639, 10000000)
@@ -89,6 +89,7 @@ def measure(options):
     if not options.no_peers:
         others += measure_programs(options.programs, sizes)
     return {"processors": os.cpu_count(), "stages": stages,
+            "scaling": measure_scaling(options.programs, options.threads, options.sizes),
             "peers": [dict(r, ratio=r["seconds"] / r["our_seconds"]) for r in others]}
 
 

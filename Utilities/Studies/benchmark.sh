@@ -19,7 +19,7 @@ esac
 if [ -z "${SEISMICHORIZONS_BUILD:-}" ]; then
   "$utilities/setup.sh" >&2
   # The CGAL program exists only if CGAL was found.
-  for program in BoundaryBenchmark ReadingBenchmark SurfaceDistanceBenchmark TriangulationBenchmark; do
+  for program in BoundaryBenchmark ReadingBenchmark ScalingBenchmark SurfaceDistanceBenchmark TriangulationBenchmark; do
     if ninja -C "$build_folder" -t query "$program" >/dev/null 2>&1; then
       cmake --build "$build_folder" --target "$program" -- --quiet >&2
     fi

@@ -60,6 +60,12 @@ point of the largest horizon.
 *Error* measures the mesh of rough. *Whole chain* is read, boundary, its simplification, rough and triangulation.
 *File to mesh* is read and Horizon Surface with its defaults.
 
+## Threads
+
+Our algorithms alone, on generated horizons, and on a cube with the given number of samples for *extraction*. *Inside* is
+the part of the time on one thread that loops over threads take; from it follows what 16 threads gain at most.
+
+{scaling}
 ## Other programs
 
 Their time divided by ours on as many threads: above 1, ours is faster. Programs that would take longer than
@@ -81,5 +87,6 @@ def page(results, most_seconds):
     stages = results["stages"]
     threads = " / ".join(map(str, sorted({r["threads"] for r in stages})))
     peers = peer_table(results) if results["peers"] else "None were run.\n"
+    scaling = "\n".join(results["scaling"] or ["The program was not built."]) + "\n"
     return wrapped(PAGE.format(processors=results["processors"], threads=threads, most_seconds=most_seconds,
-                               stages=stage_table(stages), peers=peers))
+                               stages=stage_table(stages), scaling=scaling, peers=peers))

@@ -7,6 +7,7 @@ import subprocess
 from text import cells, report
 
 HUGE = 50000000  # points, more than the limit for OpenCV
+SIZE_OF_SCALING = 886639
 PEERS_UP_TO = 1000000  # limit for CGAL and VTK's locator
 
 
@@ -22,6 +23,15 @@ def run_program(folder, name, *arguments):
 
 def program_result(stage, peer, points, theirs, ours):
     return {"stage": stage, "peer": peer, "points": points, "threads": 1, "seconds": theirs, "our_seconds": ours}
+
+
+def measure_scaling(folder, threads, sizes):
+    """Returns the table of how our algorithms gain from threads: all at one size, and surfaces at the largest."""
+    words = ["--threads", ",".join(map(str, threads))]
+    lines = run_program(folder, "ScalingBenchmark", *words, min(sizes, key=lambda size: abs(size - SIZE_OF_SCALING)))
+    if lines and max(sizes) > SIZE_OF_SCALING:
+        lines += run_program(folder, "ScalingBenchmark", *words, "--stage", "surface, best", max(sizes))[2:]
+    return lines
 
 
 def measure_reading(folder, path, size):
