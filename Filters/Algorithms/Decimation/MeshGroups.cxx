@@ -54,6 +54,7 @@ constexpr double LeastPower = 0.1;
 constexpr double EnoughOfNumber = 0.98;
 constexpr double NearEnough = 1.01;
 constexpr double FarFromNumber = 1.05;
+constexpr double Away = 1.003; // of errors that were tried
 constexpr int MostTrials = 12;
 constexpr double LeastOfSearch = 1e-3;
 constexpr double OnFineSide = 0.9;
@@ -479,11 +480,87 @@ void ReduceToNumber(
 
 namespace
 {
-/// The number falls as the error to this power.
-double PowerBetween(double fineError, double fineNumber, double coarseError, double coarseNumber)
+/// Searches the error that leaves a number of vertices, or a few less.
+class ErrorSearch
 {
-  return std::max(LeastPower, std::log(fineNumber / coarseNumber) / std::log(coarseError / fineError));
-}
+public:
+  ErrorSearch(double first, std::size_t most)
+    : Most(double(most))
+    , Next(first)
+  {
+  }
+
+  double NextError() const { return this->Next; }
+
+  /// Takes what the next error leaves. Returns whether it is more than wanted.
+  bool Add(double number)
+  {
+    const Trial trial = { this->Next, number };
+    const bool isFine = number > this->Most;
+    const bool isSlow = isFine && this->Last.Number > this->Most && number > FarFromNumber * this->Most;
+    if (isFine && this->Fine.Error > 0.0)
+    {
+      this->Power = PowerBetween(this->Fine, trial);
+    }
+    else if (isFine && this->Coarse.Error > 0.0)
+    {
+      this->Power = PowerBetween(trial, this->Coarse);
+      this->Coarse = Trial(); // of a mesh with fewer vertices
+    }
+    (isFine ? this->Fine : this->Coarse) = trial;
+    this->Last = trial;
+    if (this->Fine.Error > 0.0 && this->Coarse.Error > 0.0)
+    {
+      this->Next = isSlow ? std::sqrt(this->Fine.Error * this->Coarse.Error) : this->FindBetween();
+    }
+    else
+    {
+      this->Next = this->FindFrom(trial, isFine ? 1.0 : OnFineSide);
+      this->Farthest *= isFine ? this->Farthest : 1.0;
+    }
+    return isFine;
+  }
+
+  bool IsDone() const
+  {
+    return this->Coarse.Number >= EnoughOfNumber * this->Most ||
+      (this->Coarse.Error > 0.0 && this->Coarse.Error <= NearEnough * this->Fine.Error);
+  }
+
+private:
+  struct Trial
+  {
+    double Error = 0.0; // 0 for none yet
+    double Number = 0.0;
+  };
+
+  /// The number falls as the error to this power.
+  static double PowerBetween(const Trial& fine, const Trial& coarse)
+  {
+    return std::max(LeastPower, std::log(fine.Number / coarse.Number) / std::log(coarse.Error / fine.Error));
+  }
+
+  double FindFrom(const Trial& trial, double part) const
+  {
+    const double factor = part * std::pow(trial.Number / this->Most, 1.0 / this->Power);
+    const double error = trial.Error * std::clamp(factor, 1.0 / this->Farthest, this->Farthest);
+    return std::max(error, Away * this->Fine.Error);
+  }
+
+  double FindBetween()
+  {
+    this->Power = PowerBetween(this->Fine, this->Coarse);
+    return std::min(this->FindFrom(this->Last, 1.0), this->Coarse.Error / Away);
+  }
+
+  const double Most;
+  double Next;
+  double Power = NumberPower;
+  double Farthest = FarthestStep;
+  Trial Last;
+  Trial Fine; // largest error with too many
+  Trial Coarse; // least error with few enough
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -494,62 +571,25 @@ void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const Decimation
   const ColumnRule noRule;
   DecimationOptions options = given;
   options.MaximumNumberOfPoints = 0;
-  options.MaximumError = std::max(mesh.LargestError(), LeastOfSearch);
+  ErrorSearch search(std::max(mesh.LargestError(), LeastOfSearch), vertices);
   std::optional<MeshGroups> fine;
   std::optional<MeshGroups> coarse;
-  double fineError = 0.0;
-  double coarseError = 0.0;
-  double fineNumber = 0.0;
-  double coarseNumber = 0.0;
-  double power = NumberPower;
-  double farthest = FarthestStep;
-  bool wasFine = false;
-  for (int trial = 0; trial < MostTrials; ++trial)
+  for (int trial = 0; trial < MostTrials && !search.IsDone(); ++trial)
   {
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
+    options.MaximumError = search.NextError();
     if (!fine)
     {
-      coarse.reset(); // of a mesh with fewer vertices
+      coarse.reset();
       InsertToError(mesh, options, step.Step(0.0, 0.4));
       mesh.SortByPlace();
     }
     MeshGroups next = fine ? *fine : MeshGroups(mesh, options, noRule);
     next.SetError(options.MaximumError);
     next.ImproveWithinError(step.Step(0.4, 1.0));
-    const auto number = double(next.CountVertices());
-    const bool isFine = number > double(vertices);
-    if (isFine && trial > 0)
-    {
-      power = fine ? PowerBetween(fineError, fineNumber, options.MaximumError, number)
-                   : PowerBetween(options.MaximumError, number, coarseError, coarseNumber);
-    }
-    (isFine ? fineError : coarseError) = options.MaximumError;
-    (isFine ? fineNumber : coarseNumber) = number;
+    const bool isFine = search.Add(double(next.CountVertices()));
     (isFine ? fine : coarse).emplace(std::move(next));
-    if (coarse && (coarseNumber >= EnoughOfNumber * double(vertices) || coarseError <= NearEnough * fineError))
-    {
-      break;
-    }
-    power = fine && coarse ? PowerBetween(fineError, fineNumber, coarseError, coarseNumber) : power;
-    const double factor = std::pow(number / double(vertices), 1.0 / power) * (fine ? 1.0 : OnFineSide);
-    options.MaximumError *= std::clamp(factor, 1.0 / farthest, farthest);
-    farthest *= isFine && !coarse ? farthest : 1.0;
-    constexpr double away = 1.003;
-    if (fine)
-    {
-      options.MaximumError = std::max(options.MaximumError, away * fineError);
-    }
-    if (fine && coarse)
-    {
-      const bool isSlow = isFine && wasFine && number > FarFromNumber * double(vertices);
-      options.MaximumError =
-        isSlow ? std::sqrt(fineError * coarseError) : std::min(options.MaximumError, coarseError / away);
-    }
-    wasFine = isFine;
   }
-  if (coarse || fine)
-  {
-    (coarse ? *coarse : *fine).GiveBack();
-  }
+  (coarse ? *coarse : *fine).GiveBack();
 }
 }
