@@ -38,7 +38,7 @@ def skip(reason):
 shutil.rmtree(FOLDER, ignore_errors=True)
 try:
     venv.create(FOLDER / "use", with_pip=True)
-except subprocess.CalledProcessError:
+except (subprocess.CalledProcessError, SystemExit):  # Debian's venv exits
     skip("This Python has no ensurepip (package python3-venv).")
 python = FOLDER / "use/bin/python"
 words = [python, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", FOLDER / "found", "nanobind"]

@@ -66,7 +66,8 @@ VertexId PlaneMesh::HigherEnd(TriangleId triangle, int edge) const
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Connect()
 {
-  // Edges that wait for their second triangle, listed at the lower of their ends.
+  // The last triangle at each edge, listed at the lower end of the edge. Edges of meshes that cover a place twice may have
+  // more than two, which are refused once all points are in triangles.
   constexpr std::int32_t None = -1;
   std::vector<std::int32_t> first(this->Places.size(), None);
   std::vector<std::int32_t> next(3 * this->Triangles.size(), None);
@@ -75,20 +76,19 @@ void PlaneMesh::Connect()
     for (int edge = 0; edge < 3; ++edge)
     {
       const auto [low, high] = std::minmax({ this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge)) });
-      std::int32_t* waiting = &first[std::size_t(low)];
-      while (*waiting != None && this->HigherEnd(*waiting / 3, *waiting % 3) != high)
+      std::int32_t* last = &first[std::size_t(low)];
+      while (*last != None && this->HigherEnd(*last / 3, *last % 3) != high)
       {
-        waiting = &next[std::size_t(*waiting)];
+        last = &next[std::size_t(*last)];
       }
-      if (*waiting == None)
+      const std::int32_t other = *last;
+      *last = 3 * triangle + edge;
+      if (other != None)
       {
-        *waiting = 3 * triangle + edge;
-        continue;
+        this->Triangles[triangle].Neighbours[edge] = other / 3;
+        this->Triangles[other / 3].Neighbours[other % 3] = triangle;
+        next[std::size_t(*last)] = next[std::size_t(other)];
       }
-      const std::int32_t other = *waiting;
-      this->Triangles[triangle].Neighbours[edge] = other / 3;
-      this->Triangles[other / 3].Neighbours[other % 3] = triangle;
-      *waiting = next[std::size_t(other)];
     }
   }
 }
