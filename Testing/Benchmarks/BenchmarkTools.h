@@ -72,6 +72,16 @@ double PeakBytes(Work&& work)
   return ProcessBytes("VmHWM") - before;
 }
 
+inline std::vector<SeismicHorizons::PlanePoint> ColumnsOf(const SeismicHorizons::LatticeHorizon& voxels)
+{
+  std::vector<SeismicHorizons::PlanePoint> columns;
+  for (const auto& column : voxels.Column)
+  {
+    columns.push_back({ column.X, column.Y });
+  }
+  return columns;
+}
+
 inline SeismicHorizons::BoundedHorizon MakeGenerated(std::int64_t numberOfPoints)
 {
   using namespace SeismicHorizons;
@@ -79,12 +89,7 @@ inline SeismicHorizons::BoundedHorizon MakeGenerated(std::int64_t numberOfPoints
   options.NumberOfHorizons = 1;
   options.Size = HorizonGenerator::FindSize(options, numberOfPoints);
   const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(0);
-  std::vector<PlanePoint> columns;
-  for (std::size_t voxel = 0; voxel < voxels.Column.size(); ++voxel)
-  {
-    columns.push_back({ voxels.Column[voxel].X, voxels.Column[voxel].Y });
-  }
-  return TestHorizons::MakeHorizon(columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));
+  return TestHorizons::MakeHorizon(ColumnsOf(voxels), std::vector<double>(voxels.K.begin(), voxels.K.end()));
 }
 
 /// After the boundary simplification with its default.

@@ -309,11 +309,7 @@ void RunGenerated(std::int64_t points)
   options.NumberOfHorizons = 1;
   options.Size = HorizonGenerator::FindSize(options, points);
   const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(0);
-  Patches::Columns columns;
-  for (std::size_t n = 0; n < voxels.Column.size(); ++n)
-  {
-    columns.push_back({ voxels.Column[n].X, voxels.Column[n].Y });
-  }
+  const Patches::Columns columns = BenchmarkTools::ColumnsOf(voxels);
   const std::string name = "generated, " + std::to_string(columns.size()) + " points, ";
   Run(name + "real heights", columns, std::vector<double>(voxels.RealZ.begin(), voxels.RealZ.end()));
   Run(name + "whole heights", columns, std::vector<double>(voxels.K.begin(), voxels.K.end()));

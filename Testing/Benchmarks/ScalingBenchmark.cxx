@@ -119,13 +119,7 @@ HorizonGeneratorOptions OptionsFor(std::int64_t points, int horizons)
 Points MakePoints(const HorizonGeneratorOptions& options, int horizon)
 {
   const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(horizon);
-  Points points;
-  for (const auto& column : voxels.Column)
-  {
-    points.Columns.push_back({ column.X, column.Y });
-  }
-  points.Heights.assign(voxels.K.begin(), voxels.K.end());
-  return points;
+  return { BenchmarkTools::ColumnsOf(voxels), { voxels.K.begin(), voxels.K.end() } };
 }
 
 void MeasureReading(std::int64_t size)
@@ -141,31 +135,16 @@ void MeasureReading(std::int64_t size)
     });
 }
 
-TriangleSurface ToSurface(const Points& points, const RawVector<PointId>& triangles)
+TriangleSurface ToSurface(PlanePoints columns, const std::vector<double>& heights, const RawVector<PointId>& triangles)
 {
   TriangleSurface surface;
-  for (std::size_t n = 0; n < points.Size(); ++n)
+  for (std::size_t n = 0; n < columns.size(); ++n)
   {
-    surface.Points.emplace_back(points.Columns[n].X, points.Columns[n].Y, points.Heights[n]);
+    surface.Points.emplace_back(columns[n].X, columns[n].Y, heights[n]);
   }
   for (std::size_t corner = 0; corner < triangles.size(); corner += 3)
   {
     surface.Triangles.push_back({ triangles[corner], triangles[corner + 1], triangles[corner + 2] });
-  }
-  return surface;
-}
-
-TriangleSurface ToSurface(const Surface& mesh)
-{
-  TriangleSurface surface;
-  for (std::size_t n = 0; n < mesh.Mesh.Points.Plane.size(); ++n)
-  {
-    surface.Points.emplace_back(mesh.Mesh.Points.Plane[n].X, mesh.Mesh.Points.Plane[n].Y, mesh.Mesh.Points.Height[n]);
-  }
-  for (std::size_t corner = 0; corner < mesh.Mesh.Triangles.size(); corner += 3)
-  {
-    const auto* const own = mesh.Mesh.Triangles.data() + corner;
-    surface.Triangles.push_back({ own[0], own[1], own[2] });
   }
   return surface;
 }
@@ -195,8 +174,9 @@ void MeasureHorizon(std::int64_t size)
   if (OnlyStage.empty() || OnlyStage == "surface distance")
   {
     all = all.empty() ? Triangulate(horizon).Triangles : all;
-    const TriangleSurface reference = ToSurface(points, all);
-    const TriangleSurface coarse = ToSurface(mesh(DecimationEffort::Fast));
+    const TriangleSurface reference = ToSurface(points.Columns, points.Heights, all);
+    const Decimation fast = mesh(DecimationEffort::Fast).Mesh;
+    const TriangleSurface coarse = ToSurface(fast.Points.Plane, fast.Points.Height, fast.Triangles);
     Print("surface distance", count, [&]() { MeasureSurfaceDistance(reference, coarse); });
   }
   Print("hole filling", count,

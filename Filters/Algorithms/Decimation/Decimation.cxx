@@ -5,6 +5,7 @@
 
 #include "Decimation.h"
 
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Base/Parallel.h"
@@ -263,36 +264,24 @@ void Insert(HeightMesh& mesh, const DecimationOptions& options, const Monitor& m
 
 std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOptions& options)
 {
+  constexpr std::int64_t trianglesPerChunk = 1024;
   const PlaneMesh& plane = mesh.Triangles();
-  const auto find = [&](TriangleId triangle, std::vector<PointId>& found)
-  {
-    for (int edge = 0; edge < 3; ++edge)
+  return CollectChunks<PointId>(plane.Size(), trianglesPerChunk, Monitor(),
+    [&](std::vector<PointId>& found, std::int64_t first, std::int64_t last)
     {
-      if (plane.Neighbour(triangle, edge) < triangle) // each edge once
+      for (auto triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
       {
-        mesh.RasterOf(triangle).FindDropped(mesh.Raised(plane.Corner(triangle, edge)),
-          mesh.Raised(plane.Corner(triangle, NextCorner(edge))), options.MaximumCrossingError() + mesh.Rounding(),
-          found);
+        for (int edge = 0; edge < 3; ++edge)
+        {
+          if (plane.Neighbour(triangle, edge) < triangle) // each edge once
+          {
+            mesh.RasterOf(triangle).FindDropped(mesh.Raised(plane.Corner(triangle, edge)),
+              mesh.Raised(plane.Corner(triangle, NextCorner(edge))), options.MaximumCrossingError() + mesh.Rounding(),
+              found);
+          }
+        }
       }
-    }
-  };
-  std::vector<unsigned char> isAny(std::size_t(plane.Size()));
-  mesh.ForEachTriangle(Monitor(),
-    [&](TriangleId triangle)
-    {
-      std::vector<PointId> found;
-      find(triangle, found);
-      isAny[triangle] = found.empty() ? 0 : 1;
     });
-  std::vector<PointId> found;
-  for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
-  {
-    if (isAny[triangle] != 0)
-    {
-      find(triangle, found);
-    }
-  }
-  return found;
 }
 
 void Check(const DecimationOptions& options)

@@ -11,7 +11,6 @@
 #include <cassert>
 #include <iterator>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace SeismicHorizons
