@@ -18,6 +18,9 @@ using PointId = std::int32_t;
 
 constexpr PointId NoPoint = -1;
 
+/// Of points outside all patches, in patches below the minimum size, or dropped.
+constexpr std::int32_t NoPatch = -1;
+
 constexpr double NoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Coordinates are columns or sub-voxels (Lattice.h), with absolute values below 2^29, so that products of differences

@@ -76,9 +76,6 @@ struct BoundaryOptions
 /// which is 8 MB here.
 constexpr int LargestRadius = 32;
 
-/// This marks points in patches below the minimum size.
-constexpr std::int32_t NoPatch = -1;
-
 struct ExteriorBoundary
 {
   /// Outlines come first, one per patch, clockwise seen from +z, then holes, counter-clockwise. A loop starts at its

@@ -251,29 +251,21 @@ void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const M
   ReduceToNumber(mesh, most, error, options, monitor.Step(0.4, 1.0));
 }
 
-/// Within an error, the best effort improves this mesh.
-void Insert(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
-{
-  if (options.MaximumNumberOfPoints == 0)
-  {
-    InsertToError(mesh, options, monitor);
-    return;
-  }
-  (options.Effort == DecimationEffort::Best ? InsertAndRemove : InsertToNumber)(mesh, options, monitor);
-}
-
-std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOptions& options)
+std::vector<PointId> FindInTheWay(
+  const HeightMesh& mesh, const std::vector<TriangleId>& triangles, const DecimationOptions& options)
 {
   constexpr std::int64_t trianglesPerChunk = 1024;
   const PlaneMesh& plane = mesh.Triangles();
-  return CollectChunks<PointId>(plane.Size(), trianglesPerChunk, Monitor(),
+  const bool areAll = triangles.size() == std::size_t(plane.Size());
+  return CollectChunks<PointId>(std::int64_t(triangles.size()), trianglesPerChunk, Monitor(),
     [&](std::vector<PointId>& found, std::int64_t first, std::int64_t last)
     {
-      for (auto triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+      for (std::int64_t n = first; n < last; ++n)
       {
+        const TriangleId triangle = triangles[n];
         for (int edge = 0; edge < 3; ++edge)
         {
-          if (plane.Neighbour(triangle, edge) < triangle) // each edge once
+          if (!areAll || plane.Neighbour(triangle, edge) < triangle) // each edge once
           {
             mesh.RasterOf(triangle).FindDropped(mesh.Raised(plane.Corner(triangle, edge)),
               mesh.Raised(plane.Corner(triangle, NextCorner(edge))), options.MaximumCrossingError() + mesh.Rounding(),
@@ -282,6 +274,78 @@ std::vector<PointId> FindInTheWay(const HeightMesh& mesh, const DecimationOption
         }
       }
     });
+}
+
+LoopTriangles ViewLoops(
+  const HeightMesh& mesh, const std::vector<TriangleId>& triangles, const DecimationOptions& options)
+{
+  LoopTriangles view{ {}, FindInTheWay(mesh, triangles, options), mesh.HeightsOfPoints() };
+  for (const TriangleId triangle : triangles)
+  {
+    const auto& [a, b, c] = mesh.Triangles().Corners(triangle);
+    if (mesh.IsOnLoop(a) || mesh.IsOnLoop(b) || mesh.IsOnLoop(c))
+    {
+      view.Corners.push_back({ mesh.SourceOf(a), mesh.SourceOf(b), mesh.SourceOf(c) });
+    }
+  }
+  return view;
+}
+
+std::vector<TriangleId> FindSlivers(const HeightMesh& mesh, double smallestAngle)
+{
+  const double sine = SineOfDegrees(smallestAngle);
+  std::vector<TriangleId> slivers = mesh.AllTriangles();
+  slivers.erase(std::remove_if(slivers.begin(), slivers.end(),
+                  [&](TriangleId triangle) { return mesh.Triangles().SineOf(triangle) >= sine; }),
+    slivers.end());
+  return slivers;
+}
+
+/// The best effort improves this mesh. Loops move before points are inserted at slivers, which they may mend.
+void InsertUntilGood(
+  HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
+{
+  DecimationOptions now = options;
+  now.SmallestAngle = review ? 0.0 : options.SmallestAngle;
+  InsertToError(mesh, now, monitor.Step(0.0, 0.8));
+  std::vector<TriangleId> changed = mesh.AllTriangles();
+  while (review)
+  {
+    monitor.Progress(0.8);
+    std::optional<std::vector<TriangleId>> triangles;
+    if (std::optional<MovedLoops> moved = review(ViewLoops(mesh, changed, options)))
+    {
+      triangles = mesh.ChangeLoops(std::move(moved->Boundary), std::move(moved->Dropped), moved->Reviewed);
+    }
+    else if (now.SmallestAngle < options.SmallestAngle)
+    {
+      now = options;
+      triangles = FindSlivers(mesh, options.SmallestAngle);
+    }
+    else
+    {
+      return;
+    }
+    if (triangles)
+    {
+      changed = InsertWhereChanged(mesh, now, std::move(*triangles), monitor.Step(0.8, 0.8));
+    }
+    else
+    {
+      InsertToError(mesh, now, monitor.Step(0.8, 0.8));
+      changed = mesh.AllTriangles();
+    }
+  }
+}
+
+void Insert(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
+{
+  if (options.MaximumNumberOfPoints == 0)
+  {
+    InsertUntilGood(mesh, options, monitor, review);
+    return;
+  }
+  (options.Effort == DecimationEffort::Best ? InsertAndRemove : InsertToNumber)(mesh, options, monitor);
 }
 
 void Check(const DecimationOptions& options)
@@ -306,19 +370,15 @@ void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
   }
 }
 
-/// Ends if `stop` returns true for a mesh within the error.
-template <typename Stop, typename Finish>
-void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Stop&& stop, Finish&& finish)
+template <typename Finish>
+void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review,
+  Finish&& finish)
 {
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
   const std::size_t most = options.MaximumNumberOfPoints;
   CheckNumberOfPoints(mesh, most);
   const bool isImproved = IsImproved(options);
-  Insert(mesh, options, monitor.Step(0.1, isImproved ? 0.35 : 0.9));
-  if (stop(mesh))
-  {
-    return;
-  }
+  Insert(mesh, options, monitor.Step(0.1, isImproved ? 0.35 : 0.9), review);
   if (isImproved)
   {
     ImproveWithinError(mesh, options, monitor.Step(0.35, 0.9));
@@ -328,34 +388,11 @@ void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor
     // Rarely, no vertex can be collapsed, as no neighbour sees all of its ring.
     DecimationOptions fast = options;
     fast.Effort = DecimationEffort::Fast;
-    Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), stop, finish);
+    Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), review, finish);
     return;
   }
   mesh.SortVertices();
   finish(mesh, monitor.Step(0.9, 1.0));
-}
-
-template <typename Stop>
-std::optional<Decimation> Decimate(
-  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, Stop&& stop)
-{
-  assert(horizon.SubVoxelsPerColumn == 1);
-  Check(options);
-  std::optional<Decimation> result;
-  Run(std::move(horizon), options, monitor, stop,
-    [&](const HeightMesh& mesh, const Monitor& step) { result = Collector(mesh, options.SmallestAngle).Run(step); });
-  if (result && MeshChecker::IsOn)
-  {
-    const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
-    MeshChecker::Require("Decimate", result->Points.Plane, result->Points.Boundary, result->Triangles,
-      isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
-  }
-  return result;
-}
-
-bool NeverStop(const HeightMesh& /*mesh*/)
-{
-  return false;
 }
 }
 
@@ -377,34 +414,30 @@ void CheckQuality(const MeshQuality& quality, bool isByNumber)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor)
+Decimation Decimate(
+  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
 {
-  return *Decimate(std::move(horizon), options, monitor, NeverStop);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::optional<Decimation> DecimateUnlessInTheWay(
-  BoundedHorizon& horizon, const DecimationOptions& options, std::vector<PointId>& inTheWay, const Monitor& monitor)
-{
-  return Decimate(std::move(horizon), options, monitor,
-    [&](HeightMesh& mesh)
-    {
-      inTheWay = FindInTheWay(mesh, options);
-      if (!inTheWay.empty())
-      {
-        horizon = mesh.TakeHorizon();
-      }
-      return !inTheWay.empty();
-    });
+  assert(horizon.SubVoxelsPerColumn == 1);
+  Check(options);
+  Decimation result;
+  Run(std::move(horizon), options, monitor, review,
+    [&](const HeightMesh& mesh, const Monitor& step) { result = Collector(mesh, options.SmallestAngle).Run(step); });
+  if (MeshChecker::IsOn)
+  {
+    const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
+    MeshChecker::Require("Decimate", result.Points.Plane, result.Points.Boundary, result.Triangles,
+      isDelaunay ? MeshChecker::Kind::Delaunay : MeshChecker::Kind::Any);
+  }
+  return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 PlanMesh MeshOf(
-  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, std::vector<PointId>* inTheWay)
+  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
 {
   Check(options);
   PlanMesh result;
-  Run(std::move(horizon), options, monitor, NeverStop,
+  Run(std::move(horizon), options, monitor, review,
     [&](const HeightMesh& mesh, const Monitor&)
     {
       const PlaneMesh& plane = mesh.Triangles();
@@ -417,10 +450,6 @@ PlanMesh MeshOf(
         }
       }
       result.NumberOfInnerPoints = mesh.NumberOfInnerVertices();
-      if (inTheWay)
-      {
-        *inTheWay = FindInTheWay(mesh, options);
-      }
     });
   return result;
 }

@@ -19,7 +19,9 @@
 #include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/Types.h"
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -122,15 +124,33 @@ struct Decimation
   std::size_t NumberOfSlivers = 0;
 };
 
-/// Points must lie in distinct columns inside the loops of their patch, else InputError. Points of negative patches are
-/// ignored. Takes about 28 bytes per point and 16 per column of the patches' bounding boxes.
-Decimation Decimate(
-  BoundedHorizon horizon, const DecimationOptions& options = DecimationOptions(), const Monitor& monitor = Monitor());
+/// A mesh within the error, before it is improved, as seen from its loops.
+struct LoopTriangles
+{
+  /// At least those with a corner on a loop that have changed.
+  std::vector<std::array<PointId, 3>> Corners;
+  /// Changed edges are farther from links to these dropped points than the error, as no point inside could part them.
+  std::vector<PointId> InTheWay;
+  const std::vector<double>& Heights; // of all points
+};
 
-/// Returns nothing, and gives the horizon back, if edges of a mesh within the error would be farther than that from links
-/// to these dropped points, because no point inside could part them.
-std::optional<Decimation> DecimateUnlessInTheWay(BoundedHorizon& horizon, const DecimationOptions& options,
-  std::vector<PointId>& inTheWay, const Monitor& monitor = Monitor());
+struct MovedLoops
+{
+  Loops Boundary;
+  DroppedPoints Dropped;
+  /// Triangles beside these points are shown again.
+  std::vector<PointId> Reviewed;
+};
+
+/// Returns other loops, in which dropped points are kept or others dropped, until the mesh is good. Then it returns
+/// nothing.
+using LoopReview = std::function<std::optional<MovedLoops>(const LoopTriangles&)>;
+
+/// Points must lie in distinct columns inside the loops of their patch, else InputError. Points of negative patches are
+/// ignored. Takes about 28 bytes per point and 16 per column of the patches' bounding boxes. Within an error, loops are
+/// reviewed.
+Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options = DecimationOptions(),
+  const Monitor& monitor = Monitor(), const LoopReview& review = {});
 
 /// A mesh without its errors.
 struct PlanMesh
@@ -140,7 +160,7 @@ struct PlanMesh
 };
 
 PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor(),
-  std::vector<PointId>* inTheWay = nullptr);
+  const LoopReview& review = {});
 }
 
 #endif

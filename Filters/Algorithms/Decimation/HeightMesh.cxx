@@ -4,10 +4,12 @@
 #include "HeightMesh.h"
 
 #include "Common/Base/CountingSort.h"
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/HeapArray.h"
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
+#include "LoopChange.h"
 
 #include <algorithm>
 #include <cassert>
@@ -58,21 +60,10 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const dou
   , Patches(Renumber(std::move(this->Horizon.Patch)))
   , Points(std::size_t(
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
-  , Marks(this->Horizon.Boundary.MarkPoints(this->Patches.size()))
 {
-  this->MeshLoops(monitor);
+  this->SetTriangles(this->MeshLoops(monitor));
   const double* const own = heights ? heights : this->Horizon.Height.data();
-  std::vector<HeightRaster> rasters = this->MakeRasters(own);
-  std::vector<std::vector<PointId>> dropped(rasters.size());
-  for (const DroppedPoint& one : this->Horizon.Dropped)
-  {
-    dropped[rasters.size() == 1 ? 0 : this->Patches[one.Target]].push_back(one.Point);
-  }
-  for (std::size_t patch = 0; patch < rasters.size(); ++patch)
-  {
-    rasters[patch].AddDropped(dropped[patch], this->Places);
-  }
-  this->Add(std::move(rasters), own);
+  this->Add(this->MakeRasters(own), own);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -96,11 +87,19 @@ void HeightMesh::Add(std::vector<HeightRaster> rasters, const double* heights)
     const double largest = std::max(std::abs(raster.LowestHeight()), std::abs(raster.HighestHeight()));
     this->RoundingError = std::max(this->RoundingError, UnitsOfRounding * largest);
   }
-  this->Horizons.push_back({ std::move(rasters), {}, heights });
-  for (const PointId source : this->Sources)
-  {
-    this->Horizons.back().Vertices.push_back({ this->Places[source], heights[source] });
-  }
+  this->Horizons.push_back({ std::move(rasters), this->RaisedSources(heights), heights });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<RaisedPoint> HeightMesh::RaisedSources(const double* heights) const
+{
+  std::vector<RaisedPoint> raised;
+  raised.reserve(this->Sources.size());
+  std::transform(this->Sources.begin(), this->Sources.end(), std::back_inserter(raised),
+    [&](PointId source) {
+      return RaisedPoint{ this->Places[source], heights[source] };
+    });
+  return raised;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -111,26 +110,171 @@ BoundedHorizon HeightMesh::TakeHorizon()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::MeshLoops(const Monitor& monitor)
+RawVector<PointId> HeightMesh::MeshLoops(const Monitor& monitor) const
 {
   BoundedHorizon outline;
-  std::vector<PointId> numbers = LargeVector(this->Marks.size(), NoPoint);
-  for (std::size_t point = 0; point < this->Marks.size(); ++point)
+  std::vector<PointId> points;
+  std::vector<PointId> numbers = LargeVector(this->Patches.size(), NoPoint);
+  const std::vector<unsigned char> isOnLoop = this->Boundary().MarkPoints(numbers.size());
+  for (std::size_t point = 0; point < numbers.size(); ++point)
   {
-    if (this->Marks[point] != 0)
+    if (isOnLoop[point] != 0)
     {
-      numbers[point] = PointId(this->Sources.size());
-      this->Sources.push_back(PointId(point));
+      numbers[point] = PointId(points.size());
+      points.push_back(PointId(point));
       outline.Plane.push_back(this->Places[point]);
       outline.Patch.push_back(this->Patches[point]);
     }
   }
-  this->OnLoops = this->Sources.size();
-  this->AreOnLoops.assign(this->OnLoops, 1);
+  outline.Boundary = this->Boundary().Renumbered(numbers);
+  RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
+  std::transform(
+    triangles.begin(), triangles.end(), triangles.begin(), [&points](PointId corner) { return points[corner]; });
+  return triangles;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Corners, and points of loops without a triangle, become the vertices. Inner vertices keep their heights.
+void HeightMesh::SetTriangles(RawVector<PointId> triangles)
+{
+  const std::vector<unsigned char> isOnLoop = this->Boundary().MarkPoints(this->Patches.size());
+  this->Marks = isOnLoop;
+  std::for_each(triangles.begin(), triangles.end(), [this](PointId corner) { this->Marks[corner] = 1; });
+  const std::vector<PointId> before = std::move(this->Sources);
+  std::vector<VertexId> numbers = LargeVector(this->Marks.size(), NoVertex);
+  std::vector<PlanePoint> places;
+  this->Sources.clear();
+  this->AreOnLoops.clear();
+  for (std::size_t point = 0; point < this->Marks.size(); ++point)
+  {
+    if (this->Marks[point] != 0)
+    {
+      numbers[point] = VertexId(this->Sources.size());
+      this->Sources.push_back(PointId(point));
+      places.push_back(this->Places[point]);
+      this->AreOnLoops.push_back(isOnLoop[point]);
+    }
+  }
+  this->OnLoops = std::size_t(std::count(this->AreOnLoops.begin(), this->AreOnLoops.end(), 1));
   this->AreFixed = this->AreOnLoops;
-  outline.Boundary = this->Horizon.Boundary.Renumbered(numbers);
-  const RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
-  this->Mesh = PlaneMesh(std::move(outline.Plane), triangles);
+  for (RaisedHorizon& horizon : this->Horizons)
+  {
+    const std::vector<RaisedPoint> raised = std::move(horizon.Vertices);
+    horizon.Vertices = this->RaisedSources(horizon.Heights);
+    for (std::size_t vertex = 0; vertex < before.size(); ++vertex)
+    {
+      const VertexId number = numbers[before[vertex]];
+      if (number != NoVertex && this->AreOnLoops[number] == 0)
+      {
+        horizon.Vertices[number] = raised[vertex];
+      }
+    }
+  }
+  std::transform(
+    triangles.begin(), triangles.end(), triangles.begin(), [&numbers](PointId corner) { return numbers[corner]; });
+  this->Mesh = PlaneMesh(std::move(places), triangles);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Per point: 1 on loops, 2 if dropped.
+std::vector<unsigned char> HeightMesh::MarkStates() const
+{
+  std::vector<unsigned char> states = this->Boundary().MarkPoints(this->Patches.size());
+  for (const DroppedPoint& one : this->Horizon.Dropped)
+  {
+    states[one.Point] = 2;
+  }
+  return states;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<std::vector<TriangleId>> HeightMesh::ChangeLoops(
+  Loops boundary, DroppedPoints dropped, const std::vector<PointId>& others)
+{
+  assert(this->NumberOfHorizons() == 1 && this->Removed == 0);
+  const std::vector<unsigned char> before = this->MarkStates();
+  for (const DroppedPoint& one : this->Horizon.Dropped)
+  {
+    this->Patches[one.Point] = this->Patches[one.Target];
+  }
+  for (const DroppedPoint& one : dropped)
+  {
+    this->Patches[one.Point] = NoPatch;
+  }
+  this->Points += this->Horizon.Dropped.size();
+  this->Points -= dropped.size();
+  this->Horizon.Boundary = std::move(boundary);
+  this->Horizon.Dropped = std::move(dropped);
+  std::vector<HeightRaster>& rasters = this->Horizons.front().Rasters;
+  const std::vector<std::vector<PointId>> byPatch = this->DroppedByPatch(rasters.size());
+  for (std::size_t patch = 0; patch < rasters.size(); ++patch)
+  {
+    rasters[patch].SetDropped(byPatch[patch], this->Places);
+  }
+  const std::vector<unsigned char> now = this->MarkStates();
+  std::vector<unsigned char> isLeft(this->Sources.size());
+  for (std::size_t vertex = 0; vertex < isLeft.size(); ++vertex)
+  {
+    const PointId point = this->Sources[vertex];
+    isLeft[vertex] = now[point] == before[point] ? 1 : 0;
+  }
+  std::optional<ChangedMesh> changed =
+    SeismicHorizons::ChangeLoops(this->Mesh, this->Sources, isLeft, this->Places, this->Boundary());
+  this->SetTriangles(changed ? std::move(changed->Triangles) : this->MeshLoops(Monitor()));
+  this->Errors.assign(std::size_t(this->Mesh.Size()), HeightError());
+  if (!changed)
+  {
+    return {};
+  }
+  std::vector<TriangleId> triangles(std::size_t(this->Mesh.Size() - changed->FirstNew));
+  std::iota(triangles.begin(), triangles.end(), changed->FirstNew);
+  this->Mesh.MakeDelaunay(triangles);
+  std::vector<PlanePoint> columns;
+  std::transform(
+    others.begin(), others.end(), std::back_inserter(columns), [this](PointId point) { return this->Places[point]; });
+  for (std::size_t point = 0; point < now.size(); ++point)
+  {
+    if (before[point] != now[point])
+    {
+      columns.push_back(this->Places[point]);
+    }
+  }
+  const std::vector<TriangleId> beside = this->FindBeside(std::move(columns));
+  triangles.insert(triangles.end(), beside.begin(), beside.end());
+  return triangles;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Edges of these triangles may cross links to the columns.
+std::vector<TriangleId> HeightMesh::FindBeside(std::vector<PlanePoint> columns) const
+{
+  std::sort(columns.begin(), columns.end(), PrecedesByRow);
+  const auto isBeside = [&](const PlaneBox& box)
+  {
+    auto column = std::lower_bound(columns.begin(), columns.end(), box.Least, PrecedesByRow);
+    column = std::find_if(column, columns.end(),
+      [&](const PlanePoint& one)
+      { return one.Y > box.Greatest.Y || (one.X >= box.Least.X && one.X <= box.Greatest.X); });
+    return column != columns.end() && column->Y <= box.Greatest.Y;
+  };
+  return CollectChunks<TriangleId>(this->Mesh.Size(), Grain, Monitor(),
+    [&](std::vector<TriangleId>& found, std::int64_t first, std::int64_t last)
+    {
+      for (auto triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
+      {
+        PlaneBox box;
+        for (const VertexId corner : this->Mesh.Corners(triangle))
+        {
+          const PlanePoint& place = this->Mesh.Place(corner);
+          box.Add({ place.X - 1, place.Y - 1 });
+          box.Add({ place.X + 1, place.Y + 1 });
+        }
+        if (isBeside(box))
+        {
+          found.push_back(triangle);
+        }
+      }
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -153,6 +297,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const double* heights) const
   std::vector<HeightRaster> rasters;
   const std::vector<std::int32_t>& patch = this->Patches;
   const std::int32_t patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
+  const std::vector<std::vector<PointId>> dropped = this->DroppedByPatch(std::size_t(patches));
   const auto forEachPoint = [&patch](auto&& add)
   {
     for (std::size_t point = 0; point < patch.size(); ++point)
@@ -166,7 +311,7 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const double* heights) const
   if (patches == 1)
   {
     rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Places, heights, this->Horizon.Cuts.get());
+      this->Places, heights, this->Horizon.Cuts.get(), dropped.front());
     return rasters;
   }
   const ItemLists<PointId> points(patches, forEachPoint);
@@ -174,9 +319,20 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const double* heights) const
   for (std::int32_t number = 0; number < patches; ++number)
   {
     rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Places, heights, this->Horizon.Cuts.get());
+      this->Places, heights, this->Horizon.Cuts.get(), dropped[std::size_t(number)]);
   }
   return rasters;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::vector<PointId>> HeightMesh::DroppedByPatch(std::size_t patches) const
+{
+  std::vector<std::vector<PointId>> dropped(patches);
+  for (const DroppedPoint& one : this->Horizon.Dropped)
+  {
+    dropped[std::size_t(this->Patches[one.Target])].push_back(one.Point);
+  }
+  return dropped;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

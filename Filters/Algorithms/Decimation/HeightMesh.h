@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,13 @@ public:
 
   /// Invalidates the mesh.
   BoundedHorizon TakeHorizon();
+
+  /// Moves the loops: points may be dropped, or no longer be. Triangles away from the changes stay, and errors of all are
+  /// forgotten. Returns the other triangles, and those with links to points that changed and to `others`, or nothing if they cannot be found; then only the loops are meshed. There must
+  /// be one horizon, and no kept edges.
+  std::optional<std::vector<TriangleId>> ChangeLoops(
+    Loops boundary, DroppedPoints dropped, const std::vector<PointId>& others = {});
+  const std::vector<double>& HeightsOfPoints() const { return this->Horizon.Height; }
 
   std::size_t NumberOfPoints() const { return this->Points; }
   /// Includes points without a patch.
@@ -175,8 +183,13 @@ private:
     const double* Heights; // by point
   };
 
-  void MeshLoops(const Monitor& monitor);
+  RawVector<PointId> MeshLoops(const Monitor& monitor) const;
+  void SetTriangles(RawVector<PointId> triangles);
+  std::vector<RaisedPoint> RaisedSources(const double* heights) const;
+  std::vector<unsigned char> MarkStates() const;
+  std::vector<TriangleId> FindBeside(std::vector<PlanePoint> columns) const;
   std::vector<HeightRaster> MakeRasters(const double* heights) const;
+  std::vector<std::vector<PointId>> DroppedByPatch(std::size_t patches) const;
   void Add(std::vector<HeightRaster> rasters, const double* heights);
   HeightError EdgesError(TriangleId triangle, double bound, bool isEachOnce) const;
   template <typename Measuring>

@@ -67,9 +67,9 @@ RawVector<PointId> HeightRaster::MakePlaces()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightRaster::Add(PointId point, const PlanePoint& column, RawVector<PointId>& points) const
+void HeightRaster::Add(PointId point, const PlanePoint& column)
 {
-  PointId& place = points[std::size_t(this->Place(column.X, column.Y))];
+  PointId& place = (*this->Points)[std::size_t(this->Place(column.X, column.Y))];
   if (place != NoPoint)
   {
     throw SameColumnError(place, point, column);
@@ -78,17 +78,35 @@ void HeightRaster::Add(PointId point, const PlanePoint& column, RawVector<PointI
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightRaster::AddDropped(const std::vector<PointId>& points, PlanePoints columns)
+std::vector<std::pair<std::int64_t, PointId>> HeightRaster::PlacesOf(
+  const std::vector<PointId>& points, PlanePoints columns) const
 {
-  for (const PointId point : points)
+  std::vector<std::pair<std::int64_t, PointId>> places;
+  std::transform(points.begin(), points.end(), std::back_inserter(places),
+    [&](PointId point) { return std::make_pair(this->Place(columns[point].X, columns[point].Y), point); });
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightRaster::SetDropped(const std::vector<PointId>& points, PlanePoints columns)
+{
+  assert(this->Points.use_count() == 1);
+  for (const auto& [place, point] : this->Dropped)
   {
-    const PlanePoint& column = columns[point];
-    if (this->Box.Contains(column))
-    {
-      this->Dropped.emplace_back(this->Place(column.X, column.Y), point);
-    }
+    const double height = this->Heights[point];
+    (*this->Points)[std::size_t(place)] = point;
+    this->Floats[std::size_t(place)] = float(height - this->Middle);
+    this->Lowest = std::min(this->Lowest, height);
+    this->Highest = std::max(this->Highest, height);
   }
-  std::sort(this->Dropped.begin(), this->Dropped.end());
+  this->Dropped = this->PlacesOf(points, columns);
+  for (const auto& [place, point] : this->Dropped)
+  {
+    assert((*this->Points)[std::size_t(place)] == point);
+    (*this->Points)[std::size_t(place)] = NoPoint;
+    this->Floats[std::size_t(place)] = std::numeric_limits<float>::quiet_NaN();
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -144,8 +162,8 @@ void HeightRaster::SetFloats(const std::vector<unsigned char>* isKnown)
     });
   this->Lowest = range.Lowest;
   this->Highest = range.Highest;
+  this->Middle = 0.5 * range.Lowest + 0.5 * range.Highest;
   this->Floats.resize(points.size());
-  const double middle = this->MiddleAs<float>();
   ParallelFor(size, ColumnGrain,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -154,7 +172,7 @@ void HeightRaster::SetFloats(const std::vector<unsigned char>* isKnown)
         const PointId point = points[place];
         const bool hasHeight = point != NoPoint && (!isKnown || (*isKnown)[point] != 0);
         this->Floats[place] =
-          hasHeight ? float(this->Heights[point] - middle) : std::numeric_limits<float>::quiet_NaN();
+          hasHeight ? float(this->Heights[point] - this->Middle) : std::numeric_limits<float>::quiet_NaN();
       }
     });
 }

@@ -68,16 +68,19 @@ class HeightRaster
 public:
   /// forEachPoint(add) calls add(point) for at least one point, and is run twice. Heights must be finite and, like
   /// cuts, outlive the raster. Throws InputError if two points share a column. Crossings of cut links are not measured.
+  /// Dropped points, of loops, are no points of the raster, but their heights count on links.
   template <typename ForEachPoint>
-  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const double* heights, const LinkCuts* cuts = nullptr)
+  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const double* heights, const LinkCuts* cuts = nullptr,
+    const std::vector<PointId>& dropped = {})
     : Heights(heights)
     , Cuts(cuts)
   {
     forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
-    RawVector<PointId> points = this->MakePlaces();
-    forEachPoint([&](PointId point) { this->Add(point, columns[point], points); });
-    this->Points = std::make_shared<const RawVector<PointId>>(std::move(points));
+    std::for_each(dropped.begin(), dropped.end(), [&](PointId point) { this->Box.Add(columns[point]); });
+    this->Points = std::make_shared<RawVector<PointId>>(this->MakePlaces());
+    forEachPoint([&](PointId point) { this->Add(point, columns[point]); });
     this->SetFloats(nullptr);
+    this->Dropped = this->PlacesOf(dropped, columns);
   }
 
   /// Shares points with `other`. Columns not marked in isKnown, if given, have no height.
@@ -91,8 +94,8 @@ public:
     this->SetFloats(isKnown);
   }
 
-  /// Adds points that were dropped from loops, whose heights count on links alone. Those outside the raster are ignored.
-  void AddDropped(const std::vector<PointId>& points, PlanePoints columns);
+  /// Drops these points alone, which must have been dropped or in the raster. It must not be shared.
+  void SetDropped(const std::vector<PointId>& points, PlanePoints columns);
   /// NaN without a dropped point.
   double DroppedHeight(const PlanePoint& column) const;
   /// Appends dropped points on links that an edge crosses farther away than the bound.
@@ -164,7 +167,8 @@ private:
   static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
   RawVector<PointId> MakePlaces();
-  void Add(PointId point, const PlanePoint& column, RawVector<PointId>& points) const;
+  void Add(PointId point, const PlanePoint& column);
+  std::vector<std::pair<std::int64_t, PointId>> PlacesOf(const std::vector<PointId>& points, PlanePoints columns) const;
   void SetFloats(const std::vector<unsigned char>* isKnown);
 
   /// Returns NaN without a known point.
@@ -214,7 +218,7 @@ private:
   template <typename Real>
   double MiddleAs() const
   {
-    return std::is_same_v<Real, float> ? 0.5 * this->Lowest + 0.5 * this->Highest : 0.0;
+    return std::is_same_v<Real, float> ? this->Middle : 0.0;
   }
   template <typename Real>
   HeightError MeasureAs(const RaisedTriangle& triangle, const ErrorSquares& squares, double bound) const;
@@ -237,12 +241,13 @@ private:
 
   PlaneBox Box;
   std::int64_t Width = 0;
-  std::shared_ptr<const RawVector<PointId>> Points; // by Place()
+  std::shared_ptr<RawVector<PointId>> Points; // by Place()
   const double* Heights; // by point
   RawVector<float> Floats; // by Place(), relative to the middle; NaN without a known point
   std::vector<std::pair<std::int64_t, PointId>> Dropped; // by Place(), ascending
   double Lowest = Infinity;
   double Highest = -Infinity;
+  double Middle = 0.0;
   const LinkCuts* Cuts;
 };
 

@@ -3,10 +3,13 @@
 
 #include "MeshImprover.h"
 
+#include "EdgeSizes.h"
 #include "MeshRefiner.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -18,6 +21,27 @@ constexpr double ReachOfFit = 0.9;
 
 // For larger angles (degrees), the best effort would insert more vertices than it removes.
 constexpr double LargestInserted = 2.0;
+
+void InsertRest(HeightMesh& mesh, MeshRefiner& refiner, const DecimationOptions& options, const EdgeSizes* sizes,
+  const Monitor& monitor)
+{
+  const bool isForAll = options.Effort == DecimationEffort::Fast || sizes;
+  const double smallestAngle = isForAll ? SmallestAngleOf(options) : std::min(options.SmallestAngle, LargestInserted);
+  std::size_t before = 0;
+  double done = 0.0; // later rounds are short
+  do
+  {
+    const Monitor step = monitor.Step(done, 0.2 * done + 0.8);
+    done = 0.2 * done + 0.8;
+    refiner.InsertWhereFar(options.MaximumError, step.Step(0.0, 0.6));
+    refiner.InsertAtEdges(options.MaximumCrossingError(), step.Step(0.6, 1.0));
+    before = mesh.NumberOfVertices();
+    if (smallestAngle > 0.0)
+    {
+      refiner.InsertAtSlivers(smallestAngle, sizes);
+    }
+  } while (mesh.NumberOfVertices() > before);
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -39,21 +63,21 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
     mesh.SetAllHeights(FitAllHeights(
       mesh, ReachOfFit * error, options.Crossings != CrossingTolerance::Unbounded, rule, monitor.Step(0.5, 0.6)));
   }
-  refiner.InsertWhereFar(error, monitor.Step(0.6, 0.8));
-  refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.8, 0.9));
-  const bool isForAll = options.Effort == DecimationEffort::Fast || sizes;
-  const double smallestAngle = isForAll ? SmallestAngleOf(options) : std::min(options.SmallestAngle, LargestInserted);
-  for (std::size_t before = 0; smallestAngle > 0.0;)
+  InsertRest(mesh, refiner, options, sizes ? &*sizes : nullptr, monitor.Step(0.6, 1.0));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<TriangleId> InsertWhereChanged(
+  HeightMesh& mesh, const DecimationOptions& options, std::vector<TriangleId> changed, const Monitor& monitor)
+{
+  std::optional<EdgeSizes> sizes;
+  if (options.EdgeLength > 0.0)
   {
-    before = mesh.NumberOfVertices();
-    refiner.InsertAtSlivers(smallestAngle, sizes ? &*sizes : nullptr);
-    if (mesh.NumberOfVertices() == before)
-    {
-      break;
-    }
-    refiner.InsertWhereFar(error, monitor.Step(0.9, 0.95));
-    refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.95, 1.0));
+    sizes.emplace(mesh, options.EdgeLength, options.EdgeGrowth);
   }
+  MeshRefiner refiner(mesh, std::move(changed));
+  InsertRest(mesh, refiner, options, sizes ? &*sizes : nullptr, monitor);
+  return refiner.Examined();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

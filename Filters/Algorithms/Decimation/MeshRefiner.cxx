@@ -12,6 +12,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -44,10 +45,30 @@ MeshRefiner::MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationP
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+MeshRefiner::MeshRefiner(HeightMesh& mesh, std::vector<TriangleId> examined)
+  : MeshRefiner(mesh, 0, DecimationPriority::LargestError)
+{
+  this->AreAllExamined = false;
+  this->Seen = std::move(examined);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const std::vector<TriangleId>& MeshRefiner::Examined()
+{
+  if (this->AreAllExamined)
+  {
+    this->Seen = this->Mesh.AllTriangles();
+  }
+  std::sort(this->Seen.begin(), this->Seen.end());
+  this->Seen.erase(std::unique(this->Seen.begin(), this->Seen.end()), this->Seen.end());
+  return this->Seen;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
   const double bound = error + this->Mesh.Rounding();
-  this->Mesh.Measure(this->Mesh.AllTriangles(), this->Squares, bound, monitor.Step(0.0, 0.1));
+  this->Mesh.Measure(this->Examined(), this->Squares, bound, monitor.Step(0.0, 0.1));
   const double first = this->Mesh.LargestError();
   this->StartWith(bound);
   double fraction = 0.1;
@@ -77,7 +98,7 @@ void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
     return;
   }
   const double bound = error + this->Mesh.Rounding();
-  this->Mesh.MeasureEdges(this->Mesh.AllTriangles(), bound, true, monitor.Step(0.0, 0.8));
+  this->Mesh.MeasureEdges(this->Examined(), bound, this->AreAllExamined, monitor.Step(0.0, 0.8));
   this->StartWith(bound);
   double limit = 0.0;
   for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(limit, far);)
@@ -101,7 +122,7 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes)
 {
   const PlaneMesh& mesh = this->Mesh.Triangles();
   const double sine = SineOfDegrees(smallestAngle);
-  std::vector<TriangleId> slivers = this->Mesh.AllTriangles();
+  std::vector<TriangleId> slivers = this->Examined();
   while (!slivers.empty())
   {
     this->New.clear();
@@ -368,6 +389,10 @@ void MeshRefiner::AddNew(TriangleId triangle)
   {
     this->IsNew[triangle] = 1;
     this->New.push_back(triangle);
+    if (!this->AreAllExamined)
+    {
+      this->Seen.push_back(triangle);
+    }
   }
 }
 }

@@ -22,6 +22,8 @@ class MeshRefiner
 public:
   /// The mesh must be constrained Delaunay and remains so. A limit of 0 vertices means none.
   MeshRefiner(HeightMesh& mesh, std::size_t mostVertices, DecimationPriority priority);
+  /// Without a limit. Only these triangles and those that change are examined; the others must be within the errors.
+  MeshRefiner(HeightMesh& mesh, std::vector<TriangleId> examined);
 
   void InsertWhereFar(double error, const Monitor& monitor);
   /// Continues where inner edges cross grid lines, unless the error is infinite.
@@ -31,6 +33,9 @@ public:
   void InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes = nullptr);
   /// Ignores errors; the refiner must have no limit of vertices.
   void InsertMarked(const std::vector<unsigned char>& marks);
+
+  /// The triangles given, and all that have changed since.
+  const std::vector<TriangleId>& Examined();
 
 private:
   bool IsFull() const { return this->MostVertices > 0 && this->Mesh.NumberOfVertices() >= this->MostVertices; }
@@ -51,6 +56,8 @@ private:
   const std::size_t MostVertices;
   const DecimationPriority Priority;
   ErrorSquares Squares;
+  bool AreAllExamined = true;
+  std::vector<TriangleId> Seen; // examined, several times if changed again
   std::vector<TriangleId> Far; // triangles above the bound
   std::vector<TriangleId> New;
   std::vector<unsigned char> IsNew;

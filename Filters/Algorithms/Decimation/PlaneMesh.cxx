@@ -274,6 +274,24 @@ void PlaneMesh::Legalize(std::vector<TriangleId>& around)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::MakeDelaunay(std::vector<TriangleId>& triangles)
+{
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (!this->IsDelaunay(triangles[n], edge))
+      {
+        const TriangleId other = this->Neighbour(triangles[n], edge);
+        this->Flip(triangles[n], edge);
+        triangles.insert(triangles.end(), { triangles[n], other });
+        break;
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::FindRing(VertexId vertex, TriangleId first, std::vector<TriangleId>& ring) const
 {
   ring.clear();
@@ -579,27 +597,6 @@ void KeptEdges::Flip(const Edge& edge)
     for (const VertexId corner : this->Mesh.Corners(triangle))
     {
       this->TriangleAt[std::size_t(corner)] = triangle;
-    }
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void KeptEdges::Legalize()
-{
-  bool isAnyFlipped = true;
-  while (isAnyFlipped)
-  {
-    isAnyFlipped = false;
-    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
-    {
-      for (int edge = 0; edge < 3; ++edge)
-      {
-        if (!this->Mesh.IsDelaunay(triangle, edge))
-        {
-          this->Flip({ triangle, edge });
-          isAnyFlipped = true;
-        }
-      }
     }
   }
 }

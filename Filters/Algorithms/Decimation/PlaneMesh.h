@@ -78,6 +78,9 @@ public:
   /// interpolation"). The vertex is the third corner of all triangles in `around`, which grows.
   void Legalize(std::vector<TriangleId>& around);
 
+  /// Flips edges of these triangles until all are Delaunay. Adds triangles that change.
+  void MakeDelaunay(std::vector<TriangleId>& triangles);
+
   /// The ring is counter-clockwise, and empty at the boundary.
   void FindRing(VertexId vertex, TriangleId first, std::vector<TriangleId>& ring) const;
 
@@ -129,8 +132,7 @@ private:
   std::unordered_set<std::uint64_t> Kept; // edges
 };
 
-// Forces lines between vertices into the mesh, which remains constrained Delaunay: crossed edges are flipped until the
-// line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
+// Forces lines between vertices into the mesh: crossed edges are flipped until the line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
 class KeptEdges
 {
 public:
@@ -140,8 +142,6 @@ public:
   /// Splits the line at vertices on it. Returns false, and keeps the segments so far, if it crosses the boundary or a
   /// kept edge.
   bool Keep(VertexId from, VertexId to);
-
-  void Legalize();
 
 private:
   struct Edge

@@ -352,7 +352,8 @@ private:
           std::to_string(place.Y) + ") is not an edge of the plan, expected layers whose borders do not cross");
       }
     }
-    sides.Legalize();
+    std::vector<TriangleId> triangles = mesh.AllTriangles();
+    mesh.Triangles().MakeDelaunay(triangles);
   }
 
   void FindTriangles()

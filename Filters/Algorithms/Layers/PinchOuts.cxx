@@ -192,8 +192,15 @@ void KeptLines::Keep(const PinchOutLines& lines)
     this->Lost += isKept ? 0 : 1;
   }
   this->Pieces = edges.size();
-  sides.Legalize();
+  this->MakeDelaunay();
   this->MarkAlong(edges);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void KeptLines::MakeDelaunay()
+{
+  std::vector<TriangleId> triangles = this->Mesh.AllTriangles();
+  this->Mesh.Triangles().MakeDelaunay(triangles);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -214,7 +221,7 @@ bool KeptLines::DropFar()
   }
   if (dropped > 0)
   {
-    KeptEdges(triangles, std::size_t(this->Mesh.EndOfVertices())).Legalize();
+    this->MakeDelaunay();
   }
   this->Lost += dropped;
   return dropped > 0;

@@ -298,74 +298,11 @@ PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
   return { (here.X + end.X) / 2, (here.Y + end.Y) / 2 };
 }
 
-std::vector<PointId> FindChanged(const Loops& before, const Loops& after, std::size_t points)
-{
-  const std::vector<unsigned char> were = before.MarkPoints(points);
-  const std::vector<unsigned char> are = after.MarkPoints(points);
-  std::vector<PointId> changed;
-  for (std::size_t point = 0; point < points; ++point)
-  {
-    if (were[point] != are[point])
-    {
-      changed.push_back(PointId(point));
-    }
-  }
-  return changed;
-}
-
-/// Columns within 8 of the points are included, and none from 16 on, along both axes.
-class SquaresNear
-{
-public:
-  SquaresNear(PlanePoints columns, const std::vector<PointId>& points)
-  {
-    for (const PointId point : points)
-    {
-      const Square middle = SquareOf(columns[point]);
-      for (int n = 0; n < 9; ++n)
-      {
-        this->Squares.emplace_back(middle.first + n / 3 - 1, middle.second + n % 3 - 1);
-      }
-    }
-    std::sort(this->Squares.begin(), this->Squares.end());
-    this->Squares.erase(std::unique(this->Squares.begin(), this->Squares.end()), this->Squares.end());
-  }
-
-  std::vector<unsigned char> Mark(PlanePoints columns) const
-  {
-    std::vector<unsigned char> marks(columns.size());
-    ParallelFor(std::int64_t(columns.size()), Grain,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        marks[first] = this->Has(columns[first]) ? 1 : 0;
-        for (std::int64_t n = first + 1; n < last; ++n) // most columns share the square of the one before
-        {
-          const bool isSame = SquareOf(columns[n]) == SquareOf(columns[n - 1]);
-          marks[n] = isSame ? marks[n - 1] : this->Has(columns[n]) ? 1 : 0;
-        }
-      });
-    return marks;
-  }
-
-private:
-  using Square = std::pair<std::int32_t, std::int32_t>;
-
-  static constexpr int Bits = 3; // of the columns along a side
-
-  static Square SquareOf(const PlanePoint& column) { return { column.Y >> Bits, column.X >> Bits }; }
-  bool Has(const PlanePoint& column) const
-  {
-    return std::binary_search(this->Squares.begin(), this->Squares.end(), SquareOf(column));
-  }
-
-  std::vector<Square> Squares;
-};
-
 // The best effort leaves about this share of the inner points of the fast one within an error. Each has two triangles.
 constexpr double ShareOfBest = 0.5;
-// Points kept after the first mesh can leave new slivers.
-constexpr int SliverRounds = 6;
-constexpr int LastRounds = 2;
+// Points that outlines keep can leave new slivers. The last rounds keep all that were found.
+constexpr int MostReviews = 6;
+constexpr int LastReviews = 2;
 constexpr int RoundsOfEven = 4;
 // Meshes within an error do not keep larger angles (degrees) either.
 constexpr double LargestKeptAngle = 10.0;
@@ -391,7 +328,10 @@ public:
     this->Simplify(error, monitor.Step(last, last + 0.3 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
-      this->FindOnOutlines(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
+      if (this->Options.EdgeLength > 0.0)
+      {
+        this->DivideOutlines(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
+      }
       this->Decimate(isByNumber, monitor.Step(last + 0.4 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
@@ -429,53 +369,39 @@ private:
     {
       return 0;
     }
-    const PlanMesh fast = MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor);
+    const PlanMesh fast = MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor);
     const double share = this->Options.Effort == DecimationEffort::Best ? ShareOfBest : 1.0;
     return fast.Triangles.size() / 3 - std::size_t(2.0 * (1.0 - share) * double(fast.NumberOfInnerPoints));
   }
 
-  DecimationOptions FastOptions(double error, bool fitHeights) const
+  DecimationOptions FastOptions(double error) const
   {
     DecimationOptions options = this->MakeDecimationOptions();
     options.Effort = DecimationEffort::Fast;
     options.SmallestAngle = 0.0; // the best effort leaves other slivers
-    options.FitHeights = fitHeights;
     options.MaximumError = error;
     return options;
   }
 
   /// A long outline edge beside rough ground leaves only slivers in between, or edges far from links to points that were
-  /// dropped. A mesh near outlines finds them, outlines keep such points, and changed outlines are examined again.
-  void FindOnOutlines(const Monitor& monitor)
+  /// dropped. Outlines keep such points, until the mesh is good.
+  std::optional<MovedLoops> Review(const LoopTriangles& seen)
   {
-    const double error = this->Result.Parameters.MaximumError;
-    if (this->Options.EdgeLength > 0.0)
+    std::vector<PointId> found = this->FindMissing(seen);
+    if (found.empty() || this->Reviews == MostReviews)
     {
-      this->DivideOutlines(monitor);
-      return;
+      return {};
     }
-    if (error == 0.0)
+    ++this->Reviews;
+    const std::size_t before = this->Result.AddedToOutlines.size();
+    this->Heights = &seen.Heights;
+    this->AddToOutlines(this->Reviews <= MostReviews - LastReviews ? this->MiddleOf(found) : found, Monitor());
+    this->Heights = nullptr;
+    if (this->Result.AddedToOutlines.size() == before)
     {
-      return;
+      return {};
     }
-    std::vector<PointId> changed =
-      FindChanged(this->Result.Boundary.Boundary, Loops(), this->Columns().size()); // all points of the boundary
-    for (int round = 0; round < SliverRounds; ++round)
-    {
-      const Monitor step = monitor.Step(double(round) / SliverRounds, double(round + 1) / SliverRounds);
-      std::vector<PointId> found = this->FindMissing(changed, step.Step(0.0, 0.8));
-      if (found.empty())
-      {
-        return;
-      }
-      const Loops before = this->Outlines;
-      const std::vector<PointId> ends =
-        round + LastRounds < SliverRounds ? this->KeepMiddle(found) : std::vector<PointId>();
-      this->AddToOutlines(found, step.Step(0.8, 1.0));
-      changed = FindChanged(before, this->Outlines, this->Columns().size());
-      changed.insert(changed.end(), ends.begin(), ends.end());
-      std::sort(changed.begin(), changed.end());
-    }
+    return MovedLoops{ this->Outlines, this->Dropped, std::move(found) };
   }
 
   /// Edges of outlines beside triangles with small angles are divided.
@@ -502,7 +428,7 @@ private:
   std::vector<std::array<PointId, 2>> FindNarrow(const Monitor& monitor)
   {
     const double error = this->Result.Parameters.MaximumError;
-    const PlanMesh mesh = MeshOf(this->CopyHorizon(), this->FastOptions(error, this->Options.FitHeights), monitor);
+    const PlanMesh mesh = MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor);
     const std::vector<unsigned char> isEnd = this->Outlines.MarkPoints(this->Columns().size());
     const double sine = SineOfDegrees(SmallestAngleOf(this->Options));
     std::vector<std::array<PointId, 2>> narrow;
@@ -524,13 +450,12 @@ private:
     return narrow;
   }
 
-  /// Of several on one edge, only the middle one stays, which may do for the others. Returns the ends of these edges.
-  std::vector<PointId> KeepMiddle(std::vector<PointId>& found)
+  /// Of several on one edge, only the middle one, which may do for the others.
+  std::vector<PointId> MiddleOf(const std::vector<PointId>& found) const
   {
     std::vector<unsigned char> isFound(this->Columns().size(), 0);
     std::for_each(found.begin(), found.end(), [&](PointId point) { isFound[std::size_t(point)] = 1; });
-    found.clear();
-    std::vector<PointId> ends;
+    std::vector<PointId> middle;
     ForEachChain(this->Result.Boundary.Boundary, this->Outlines, isFound.size(),
       [&](const std::vector<PointId>& chain)
       {
@@ -539,11 +464,10 @@ private:
           [&](PointId point) { return isFound[std::size_t(point)] != 0; });
         if (!here.empty())
         {
-          found.push_back(here[here.size() / 2]);
-          ends.insert(ends.end(), { chain.front(), chain.back() });
+          middle.push_back(here[here.size() / 2]);
         }
       });
-    return ends;
+    return middle;
   }
 
   void AddToOutlines(const std::vector<PointId>& points, const Monitor& monitor)
@@ -555,35 +479,24 @@ private:
     this->Simplify(this->Result.Parameters.MaximumError, monitor);
   }
 
-  KeptPoints Select(const SquaresNear& squares) const
+  /// Meshes by number come before the error of edges, and even meshes have no slivers.
+  std::vector<PointId> FindMissing(const LoopTriangles& seen) const
   {
-    std::vector<unsigned char> isKept = squares.Mark(this->Columns());
-    this->Outlines.ForEachPoint([&](PointId point) { isKept[std::size_t(point)] = 1; });
-    return KeptPoints::If(isKept.size(), [&isKept](std::size_t point) { return isKept[point] != 0; });
-  }
-
-  /// Slivers need a corner at one of `points`.
-  std::vector<PointId> FindMissing(const std::vector<PointId>& points, const Monitor& monitor)
-  {
-    const KeptPoints near = this->Select(SquaresNear(this->Columns(), points));
-    const std::vector<PlanePoint> places = near.Select(this->Columns());
-    const bool isWithinError = this->Options.MaximumNumberOfTriangles == 0; // a number comes before the error of edges
-    std::vector<PointId> found;
-    const PlanMesh mesh = this->MeshOfSome(near, places, isWithinError ? &found : nullptr, monitor);
-    std::for_each(found.begin(), found.end(), [&near](PointId& point) { point = near[std::size_t(point)]; });
-    const auto isOneOf = [&](PointId corner)
-    { return std::binary_search(points.begin(), points.end(), near[std::size_t(corner)]); };
+    std::vector<PointId> found = this->Options.MaximumNumberOfTriangles == 0 ? seen.InTheWay : std::vector<PointId>();
+    if (this->Options.EdgeLength > 0.0)
+    {
+      return found;
+    }
     const SurfaceParameters& parameters = this->Result.Parameters;
     const double reach = std::min(parameters.OutlineTolerance, FarthestReach) + 2.0 * parameters.Radius;
     const double sine = SineOfDegrees(this->Options.Effort == DecimationEffort::Best
         ? std::min(this->Options.SmallestAngle, LargestKeptAngle)
         : this->Options.SmallestAngle);
     const DroppedPlaces dropped(this->Columns(), this->Result.Boundary.Boundary, this->Outlines);
-    for (auto vertex = mesh.Triangles.begin(); vertex != mesh.Triangles.end(); vertex += 3)
+    for (const auto& [a, b, c] : seen.Corners)
     {
-      const auto place = [&](int corner) { return places[std::size_t(vertex[corner])]; };
-      const std::array<PlanePoint, 3> corners = { place(0), place(1), place(2) };
-      if (SineOfSmallestAngle(corners[0], corners[1], corners[2]) < sine && std::any_of(vertex, vertex + 3, isOneOf))
+      const std::array<PlanePoint, 3> corners = { this->Columns()[a], this->Columns()[b], this->Columns()[c] };
+      if (SineOfSmallestAngle(corners[0], corners[1], corners[2]) < sine)
       {
         const PointId nearest = dropped.FindNearest(PlaceToSplit(corners), std::int32_t(std::ceil(reach)));
         if (nearest != NoPoint)
@@ -593,29 +506,6 @@ private:
       }
     }
     return found;
-  }
-
-  PlanMesh MeshOfSome(
-    const KeptPoints& points, PlanePoints places, std::vector<PointId>* inTheWay, const Monitor& monitor)
-  {
-    const std::vector<PointId> numbers = points.Numbers();
-    BoundedHorizon horizon;
-    horizon.Columns = places;
-    horizon.Height = points.Select(this->Height());
-    horizon.Patch = points.Select(this->Result.Boundary.Patch);
-    for (const DroppedPoint& dropped : this->Dropped)
-    {
-      const PointId number = numbers[std::size_t(dropped.Point)];
-      if (number != NoPoint)
-      {
-        horizon.Patch[std::size_t(number)] = NoPatch;
-        horizon.Dropped.push_back({ number, numbers[std::size_t(dropped.Target)] });
-      }
-    }
-    horizon.Boundary = this->Outlines.Renumbered(numbers);
-    horizon.Cuts = this->FaultedLinks();
-    return MeshOf(
-      std::move(horizon), this->FastOptions(this->Result.Parameters.MaximumError, false), monitor, inTheWay);
   }
 
   void Simplify(double error, const Monitor& monitor)
@@ -649,6 +539,8 @@ private:
     return this->Result.Kept.AreAll() ? this->Points.Columns : PlanePoints(this->KeptColumns);
   }
   std::vector<double>& Height() { return this->Result.Kept.AreAll() ? this->Points.Height : this->KeptHeight; }
+  /// The mesh has taken them while it is reviewed.
+  const std::vector<double>& HeightNow() { return this->Heights ? *this->Heights : this->Height(); }
 
   /// Points dropped from outlines have no patch.
   BoundedHorizon MakeHorizon(std::vector<double> height) const
@@ -685,7 +577,7 @@ private:
     options.DistanceThreshold = parameters.DistanceThreshold;
     options.LongestEdge = LongestAtLoops(this->Options);
     const auto simplify = [&](const Loops& loops)
-    { return SimplifyBoundary(SpacePoints(this->Columns(), this->Height(), 1), loops, options, monitor); };
+    { return SimplifyBoundary(SpacePoints(this->Columns(), this->HeightNow(), 1), loops, options, monitor); };
     options.Fixed = this->Result.Boundary.OpenCracks.PointsOfOpenEnds();
     options.Fixed.insert(options.Fixed.end(), this->Result.AddedToOutlines.begin(), this->Result.AddedToOutlines.end());
     options.Index = this->Result.Kept.AreAll() && this->Index ? &*this->Index : nullptr;
@@ -758,33 +650,24 @@ private:
   void Decimate(bool isByNumber, const Monitor& monitor)
   {
     SurfaceParameters& parameters = this->Result.Parameters;
+    const double error = parameters.MaximumError;
     DecimationOptions options = this->MakeDecimationOptions();
+    const LoopReview review = [this](const LoopTriangles& seen) { return this->Review(seen); };
     if (isByNumber)
     {
-      parameters.MaximumNumberOfPoints = this->FindNumberOfPoints(monitor.Step(0.0, 0.2));
+      if (error > 0.0)
+      {
+        MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor.Step(0.0, 0.1), review);
+      }
+      parameters.MaximumNumberOfPoints = this->FindNumberOfPoints(monitor.Step(0.1, 0.2));
     }
     else
     {
-      options.MaximumError = parameters.MaximumError;
+      options.MaximumError = error;
     }
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
-    this->Index.reset(); // frees memory for the mesh
-    std::optional<Decimation> mesh;
-    for (int round = 0; round < LastRounds && !isByNumber && !mesh; ++round)
-    {
-      std::vector<PointId> inTheWay;
-      BoundedHorizon horizon = this->MoveHorizon();
-      const double start = 0.2 + 0.2 * round; // a mesh in whose way points are is only inserted
-      mesh = DecimateUnlessInTheWay(horizon, options, inTheWay, monitor.Step(start, start + 0.5));
-      if (!mesh)
-      {
-        this->Height() = std::move(horizon.Height);
-        this->AddToOutlines(inTheWay, monitor.Step(start + 0.2, start + 0.2));
-      }
-    }
-    this->Result.Mesh = mesh
-      ? std::move(*mesh)
-      : SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(isByNumber ? 0.2 : 0.6, 1.0));
+    this->Result.Mesh = SeismicHorizons::Decimate(
+      this->MoveHorizon(), options, monitor.Step(0.2, 1.0), error > 0.0 ? review : LoopReview());
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
     if (this->Seams)
@@ -834,6 +717,8 @@ private:
   DroppedPoints Dropped;
   Loops Outlines;
   KeptOfChains KnownChains; // within this error
+  const std::vector<double>* Heights = nullptr;
+  int Reviews = 0;
   std::optional<SeamChains> Seams;
 };
 }

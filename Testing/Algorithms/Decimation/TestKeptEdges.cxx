@@ -71,7 +71,8 @@ public:
         return; // pieces before the crossing are kept as well, which ones is told by nothing
       }
     }
-    sides.Legalize();
+    std::vector<TriangleId> triangles = this->Mesh.AllTriangles();
+    this->Mesh.Triangles().MakeDelaunay(triangles);
   }
 
   void InsertPoints()

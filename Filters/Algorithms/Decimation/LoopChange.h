@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Moves the boundary of a mesh. Triangles that no new edge of a loop enters stay; the rest of the new inside, between
+// these triangles and the new loops, is triangulated without inner vertices.
+
+#ifndef SeismicHorizonsLoopChange_h
+#define SeismicHorizonsLoopChange_h
+
+#include "Common/Base/RawVector.h"
+#include "Common/Horizon/Types.h"
+#include "PlaneMesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// Corners are points. The first triangles are of the mesh before.
+struct ChangedMesh
+{
+  RawVector<PointId> Triangles;
+  TriangleId FirstNew = 0;
+};
+
+/// `sources` has the point of each vertex, and `isLeft` 0 for vertices that may not remain. Returns nothing if the new
+/// inside cannot be covered once.
+std::optional<ChangedMesh> ChangeLoops(const PlaneMesh& mesh, const std::vector<PointId>& sources,
+  const std::vector<unsigned char>& isLeft, PlanePoints places, const Loops& boundary);
+}
+
+#endif
