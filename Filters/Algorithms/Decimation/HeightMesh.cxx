@@ -9,7 +9,6 @@
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
-#include "LoopChange.h"
 
 #include <algorithm>
 #include <cassert>
@@ -18,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace SeismicHorizons
@@ -61,7 +61,7 @@ HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const dou
   , Points(std::size_t(
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
 {
-  this->SetTriangles(this->MeshLoops(monitor));
+  this->SetLoops(monitor);
   const double* const own = heights ? heights : this->Horizon.Height.data();
   this->Add(this->MakeRasters(own), own);
 }
@@ -110,89 +110,42 @@ BoundedHorizon HeightMesh::TakeHorizon()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-RawVector<PointId> HeightMesh::MeshLoops(const Monitor& monitor) const
+// Only points of loops become vertices.
+void HeightMesh::SetLoops(const Monitor& monitor)
 {
   BoundedHorizon outline;
-  std::vector<PointId> points;
-  std::vector<PointId> numbers = LargeVector(this->Patches.size(), NoPoint);
-  const std::vector<unsigned char> isOnLoop = this->Boundary().MarkPoints(numbers.size());
-  for (std::size_t point = 0; point < numbers.size(); ++point)
-  {
-    if (isOnLoop[point] != 0)
-    {
-      numbers[point] = PointId(points.size());
-      points.push_back(PointId(point));
-      outline.Plane.push_back(this->Places[point]);
-      outline.Patch.push_back(this->Patches[point]);
-    }
-  }
-  outline.Boundary = this->Boundary().Renumbered(numbers);
-  RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
-  std::transform(
-    triangles.begin(), triangles.end(), triangles.begin(), [&points](PointId corner) { return points[corner]; });
-  return triangles;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Corners, and points of loops without a triangle, become the vertices. Inner vertices keep their heights.
-void HeightMesh::SetTriangles(RawVector<PointId> triangles)
-{
-  const std::vector<unsigned char> isOnLoop = this->Boundary().MarkPoints(this->Patches.size());
-  this->Marks = isOnLoop;
-  std::for_each(triangles.begin(), triangles.end(), [this](PointId corner) { this->Marks[corner] = 1; });
-  const std::vector<PointId> before = std::move(this->Sources);
-  std::vector<VertexId> numbers = LargeVector(this->Marks.size(), NoVertex);
-  std::vector<PlanePoint> places;
+  this->Marks = this->Boundary().MarkPoints(this->Patches.size());
   this->Sources.clear();
-  this->AreOnLoops.clear();
+  std::vector<PointId> numbers = LargeVector(this->Marks.size(), NoPoint);
   for (std::size_t point = 0; point < this->Marks.size(); ++point)
   {
     if (this->Marks[point] != 0)
     {
-      numbers[point] = VertexId(this->Sources.size());
+      numbers[point] = PointId(this->Sources.size());
       this->Sources.push_back(PointId(point));
-      places.push_back(this->Places[point]);
-      this->AreOnLoops.push_back(isOnLoop[point]);
+      outline.Plane.push_back(this->Places[point]);
+      outline.Patch.push_back(this->Patches[point]);
     }
   }
-  this->OnLoops = std::size_t(std::count(this->AreOnLoops.begin(), this->AreOnLoops.end(), 1));
+  this->OnLoops = this->Sources.size();
+  this->Removed = 0;
+  this->AreOnLoops.assign(this->OnLoops, 1);
   this->AreFixed = this->AreOnLoops;
-  for (RaisedHorizon& horizon : this->Horizons)
+  outline.Boundary = this->Boundary().Renumbered(numbers);
+  const RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
+  this->Mesh = PlaneMesh(std::move(outline.Plane), triangles);
+  for (RaisedHorizon& raised : this->Horizons)
   {
-    const std::vector<RaisedPoint> raised = std::move(horizon.Vertices);
-    horizon.Vertices = this->RaisedSources(horizon.Heights);
-    for (std::size_t vertex = 0; vertex < before.size(); ++vertex)
-    {
-      const VertexId number = numbers[before[vertex]];
-      if (number != NoVertex && this->AreOnLoops[number] == 0)
-      {
-        horizon.Vertices[number] = raised[vertex];
-      }
-    }
+    raised.Vertices = this->RaisedSources(raised.Heights);
   }
-  std::transform(
-    triangles.begin(), triangles.end(), triangles.begin(), [&numbers](PointId corner) { return numbers[corner]; });
-  this->Mesh = PlaneMesh(std::move(places), triangles);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Per point: 1 on loops, 2 if dropped.
-std::vector<unsigned char> HeightMesh::MarkStates() const
-{
-  std::vector<unsigned char> states = this->Boundary().MarkPoints(this->Patches.size());
-  for (const DroppedPoint& one : this->Horizon.Dropped)
-  {
-    states[one.Point] = 2;
-  }
-  return states;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<std::vector<TriangleId>> HeightMesh::ChangeLoops(
   Loops boundary, DroppedPoints dropped, const std::vector<PointId>& others)
 {
-  assert(this->NumberOfHorizons() == 1 && this->Removed == 0);
-  const std::vector<unsigned char> before = this->MarkStates();
+  assert(this->NumberOfHorizons() == 1);
+  const std::vector<PointState> before = this->PointStates();
   for (const DroppedPoint& one : this->Horizon.Dropped)
   {
     this->Patches[one.Point] = this->Patches[one.Target];
@@ -211,43 +164,109 @@ std::optional<std::vector<TriangleId>> HeightMesh::ChangeLoops(
   {
     rasters[patch].SetDropped(byPatch[patch], this->Places);
   }
-  const std::vector<unsigned char> now = this->MarkStates();
-  std::vector<unsigned char> isLeft(this->Sources.size());
-  for (std::size_t vertex = 0; vertex < isLeft.size(); ++vertex)
-  {
-    const PointId point = this->Sources[vertex];
-    isLeft[vertex] = now[point] == before[point] ? 1 : 0;
-  }
-  std::optional<ChangedMesh> changed =
+  const std::vector<PointState> now = this->PointStates();
+  std::vector<PointState> changes;
+  std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(changes));
+  std::vector<PointId> moved;
+  std::transform(
+    changes.begin(), changes.end(), std::back_inserter(moved), [](const PointState& one) { return one.first; });
+  std::vector<unsigned char> isLeft;
+  std::transform(this->Sources.begin(), this->Sources.end(), std::back_inserter(isLeft),
+    [&](PointId point) { return std::binary_search(moved.begin(), moved.end(), point) ? 0 : 1; });
+  const std::optional<LoopChange> change =
     SeismicHorizons::ChangeLoops(this->Mesh, this->Sources, isLeft, this->Places, this->Boundary());
-  this->SetTriangles(changed ? std::move(changed->Triangles) : this->MeshLoops(Monitor()));
-  this->Errors.assign(std::size_t(this->Mesh.Size()), HeightError());
-  if (!changed)
+  if (!change)
   {
+    this->SetLoops(Monitor());
+    this->Errors.assign(std::size_t(this->Mesh.Size()), HeightError());
     return {};
   }
-  std::vector<TriangleId> triangles(std::size_t(this->Mesh.Size() - changed->FirstNew));
-  std::iota(triangles.begin(), triangles.end(), changed->FirstNew);
+  std::vector<TriangleId> triangles = this->Exchange(*change);
+  this->Errors.assign(std::size_t(this->Mesh.Size()), HeightError());
   this->Mesh.MakeDelaunay(triangles);
-  std::vector<PlanePoint> columns;
-  std::transform(
-    others.begin(), others.end(), std::back_inserter(columns), [this](PointId point) { return this->Places[point]; });
-  for (std::size_t point = 0; point < now.size(); ++point)
-  {
-    if (before[point] != now[point])
-    {
-      columns.push_back(this->Places[point]);
-    }
-  }
-  const std::vector<TriangleId> beside = this->FindBeside(std::move(columns));
+  moved.insert(moved.end(), others.begin(), others.end());
+  const std::vector<TriangleId> beside = this->FindBeside(moved);
   triangles.insert(triangles.end(), beside.begin(), beside.end());
   return triangles;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Edges of these triangles may cross links to the columns.
-std::vector<TriangleId> HeightMesh::FindBeside(std::vector<PlanePoint> columns) const
+// Points on loops and dropped points, sorted.
+std::vector<HeightMesh::PointState> HeightMesh::PointStates() const
 {
+  std::vector<PointState> states;
+  this->Boundary().ForEachPoint([&](PointId point) { states.emplace_back(point, State::OnLoop); });
+  for (const DroppedPoint& one : this->Horizon.Dropped)
+  {
+    states.emplace_back(one.Point, State::Dropped);
+  }
+  std::sort(states.begin(), states.end());
+  states.erase(std::unique(states.begin(), states.end()), states.end());
+  return states;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Vertices of triangles that go remain only as corners of others, or on loops.
+std::vector<TriangleId> HeightMesh::Exchange(const LoopChange& change)
+{
+  std::map<PointId, VertexId> vertices;
+  for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
+  {
+    if (this->IsOnLoop(vertex))
+    {
+      vertices.emplace(this->Sources[vertex], vertex);
+    }
+  }
+  for (const TriangleId triangle : change.Gone)
+  {
+    for (const VertexId vertex : this->Mesh.Corners(triangle))
+    {
+      vertices.emplace(this->Sources[vertex], vertex);
+    }
+  }
+  std::set<PointId> points(change.Added.begin(), change.Added.end());
+  this->Boundary().ForEachPoint([&points](PointId point) { points.insert(point); });
+  for (const auto& [point, vertex] : vertices)
+  {
+    this->AreOnLoops[vertex] = 0;
+    this->AreFixed[vertex] = 0;
+    if (points.count(point) == 0)
+    {
+      this->Sources[vertex] = NoPoint;
+      this->Marks[point] = 0;
+      ++this->Removed;
+    }
+  }
+  for (const PointId point : points)
+  {
+    if (vertices.count(point) == 0)
+    {
+      vertices.emplace(point, this->Mesh.Add(this->Places[point]));
+      this->AddVertex(point);
+    }
+  }
+  this->Boundary().ForEachPoint(
+    [&](PointId point)
+    {
+      const VertexId vertex = vertices.at(point);
+      this->AreOnLoops[vertex] = 1;
+      this->AreFixed[vertex] = 1;
+      this->PutBack(vertex);
+    });
+  this->OnLoops = std::size_t(std::count(this->AreOnLoops.begin(), this->AreOnLoops.end(), 1));
+  RawVector<VertexId> added;
+  std::transform(change.Added.begin(), change.Added.end(), std::back_inserter(added),
+    [&vertices](PointId point) { return vertices.at(point); });
+  return this->Mesh.Exchange(change.Gone, added);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Edges of these triangles may cross links to the points.
+std::vector<TriangleId> HeightMesh::FindBeside(const std::vector<PointId>& points) const
+{
+  std::vector<PlanePoint> columns;
+  std::transform(points.begin(), points.end(), std::back_inserter(columns),
+    [this](PointId point) { return this->Places[std::size_t(point)]; });
   std::sort(columns.begin(), columns.end(), PrecedesByRow);
   const auto isBeside = [&](const PlaneBox& box)
   {
@@ -367,14 +386,20 @@ void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<Triangle
   this->Mesh.Insert(this->Places[point], triangle, around);
   if (!around.empty())
   {
-    this->Marks[point] = 1;
-    this->Sources.push_back(point);
-    this->AreOnLoops.push_back(0);
-    this->AreFixed.push_back(0);
-    for (RaisedHorizon& raised : this->Horizons)
-    {
-      raised.Vertices.push_back({ this->Places[point], raised.Heights[point] });
-    }
+    this->AddVertex(point);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::AddVertex(PointId point)
+{
+  this->Marks[point] = 1;
+  this->Sources.push_back(point);
+  this->AreOnLoops.push_back(0);
+  this->AreFixed.push_back(0);
+  for (RaisedHorizon& raised : this->Horizons)
+  {
+    raised.Vertices.push_back({ this->Places[point], raised.Heights[point] });
   }
 }
 

@@ -11,6 +11,7 @@
 #include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/Types.h"
 #include "HeightRaster.h"
+#include "LoopChange.h"
 #include "PlaneMesh.h"
 
 #include <algorithm>
@@ -183,11 +184,19 @@ private:
     const double* Heights; // by point
   };
 
-  RawVector<PointId> MeshLoops(const Monitor& monitor) const;
-  void SetTriangles(RawVector<PointId> triangles);
+  enum class State : unsigned char
+  {
+    OnLoop,
+    Dropped
+  };
+  using PointState = std::pair<PointId, State>;
+
+  void SetLoops(const Monitor& monitor);
+  std::vector<PointState> PointStates() const;
+  std::vector<TriangleId> Exchange(const LoopChange& change);
+  void AddVertex(PointId point);
+  std::vector<TriangleId> FindBeside(const std::vector<PointId>& points) const;
   std::vector<RaisedPoint> RaisedSources(const double* heights) const;
-  std::vector<unsigned char> MarkStates() const;
-  std::vector<TriangleId> FindBeside(std::vector<PlanePoint> columns) const;
   std::vector<HeightRaster> MakeRasters(const double* heights) const;
   std::vector<std::vector<PointId>> DroppedByPatch(std::size_t patches) const;
   void Add(std::vector<HeightRaster> rasters, const double* heights);

@@ -4,6 +4,8 @@
 #include "LoopChange.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/Monitor.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/Predicates.h"
@@ -142,10 +144,10 @@ public:
   {
   }
 
-  std::optional<ChangedMesh> Run(const std::vector<unsigned char>& isLeft)
+  std::optional<LoopChange> Run(const std::vector<unsigned char>& isLeft)
   {
-    this->FindStaying(isLeft);
-    this->Take();
+    this->FindGone(isLeft);
+    this->FindOpen();
     try
     {
       this->Fill();
@@ -168,66 +170,85 @@ private:
       this->Sources[this->Mesh.Corner(triangle, NextCorner(edge))] };
   }
 
-  Sides NewSides() const
+  template <typename Visitor>
+  void ForEachOuterSide(Visitor&& visit) const
   {
-    Sides before;
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
       for (int edge = 0; edge < 3; ++edge)
       {
         if (this->Mesh.Neighbour(triangle, edge) == NoTriangle)
         {
-          before.push_back(this->SideOf(triangle, edge));
+          visit(triangle, this->SideOf(triangle, edge));
         }
       }
     }
+  }
+
+  void FindGone(const std::vector<unsigned char>& isLeft)
+  {
+    Sides before;
+    this->ForEachOuterSide([&](TriangleId, const Side& side) { before.push_back(side); });
     std::sort(before.begin(), before.end());
     Sides added;
     std::set_difference(
       this->Boundary.begin(), this->Boundary.end(), before.begin(), before.end(), std::back_inserter(added));
-    return added;
-  }
-
-  void FindStaying(const std::vector<unsigned char>& isLeft)
-  {
-    const LineList lines(this->NewSides(), this->Places);
-    this->Stays.resize(std::size_t(this->Mesh.Size()));
-    ParallelFor(this->Mesh.Size(), Grain,
-      [&](std::int64_t first, std::int64_t last)
+    const LineList lines(added, this->Places);
+    this->Result.Gone = CollectChunks<TriangleId>(this->Mesh.Size(), Grain, Monitor(),
+      [&](std::vector<TriangleId>& gone, std::int64_t first, std::int64_t last)
       {
         for (auto triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
         {
           const auto& [a, b, c] = this->Mesh.Corners(triangle);
           const bool areLeft = isLeft[a] != 0 && isLeft[b] != 0 && isLeft[c] != 0;
-          this->Stays[triangle] =
-            areLeft && !lines.AnyEnters({ this->Mesh.Place(a), this->Mesh.Place(b), this->Mesh.Place(c) }) ? 1 : 0;
+          if (!areLeft || lines.AnyEnters({ this->Mesh.Place(a), this->Mesh.Place(b), this->Mesh.Place(c) }))
+          {
+            gone.push_back(triangle);
+          }
         }
       });
   }
 
-  /// Finds the boundary of the rest, too.
-  void Take()
+  bool Stays(TriangleId triangle) const
+  {
+    return !std::binary_search(this->Result.Gone.begin(), this->Result.Gone.end(), triangle);
+  }
+
+  /// Around the rest, that is beside triangles that stay, and on the new boundary elsewhere.
+  void FindOpen()
   {
     Sides covered;
-    for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
+    const auto add = [&](const Side& ofStaying)
     {
-      if (this->Stays[triangle] == 0)
+      if (IsIn(this->Boundary, ofStaying))
       {
-        continue;
+        covered.push_back(ofStaying);
       }
+      else
+      {
+        this->Open.emplace_back(ofStaying.second, ofStaying.first);
+      }
+    };
+    this->ForEachOuterSide(
+      [&](TriangleId triangle, const Side& side)
+      {
+        if (this->Stays(triangle))
+        {
+          add(side);
+        }
+      });
+    for (const TriangleId triangle : this->Result.Gone)
+    {
       for (int edge = 0; edge < 3; ++edge)
       {
-        const Side side = this->SideOf(triangle, edge);
-        this->Result.Triangles.push_back(side.first);
         const TriangleId beyond = this->Mesh.Neighbour(triangle, edge);
-        if (beyond == NoTriangle || this->Stays[beyond] == 0)
+        if (beyond != NoTriangle && this->Stays(beyond))
         {
-          const bool isOnBoundary = IsIn(this->Boundary, side);
-          (isOnBoundary ? covered : this->Open).push_back(isOnBoundary ? side : Side(side.second, side.first));
+          const Side side = this->SideOf(triangle, edge);
+          add({ side.second, side.first });
         }
       }
     }
-    this->Result.FirstNew = TriangleId(this->Result.Triangles.size() / 3);
     std::sort(covered.begin(), covered.end());
     std::set_difference(
       this->Boundary.begin(), this->Boundary.end(), covered.begin(), covered.end(), std::back_inserter(this->Open));
@@ -253,20 +274,20 @@ private:
                         { return PointId(std::lower_bound(points.begin(), points.end(), point) - points.begin()); });
     for (const PointId corner : Triangulate(rest).Triangles)
     {
-      this->Result.Triangles.push_back(points[std::size_t(corner)]);
+      this->Result.Added.push_back(points[std::size_t(corner)]);
     }
   }
 
-  /// No triangle has a negative area, so that the sum is right only if all cover the inside once.
+  /// No triangle has a negative area, so that the sum is right only if all cover the rest once.
   bool IsCovered() const
   {
     const PlanePoint origin = this->Places.front();
     std::int64_t area = 0;
-    for (const auto& [from, to] : this->Boundary)
+    for (const auto& [from, to] : this->Open)
     {
       area += SignedArea(origin, this->Places[from], this->Places[to]);
     }
-    const RawVector<PointId>& corners = this->Result.Triangles;
+    const RawVector<PointId>& corners = this->Result.Added;
     for (std::size_t n = 0; n < corners.size(); n += 3)
     {
       area -= SignedArea(this->Places[corners[n]], this->Places[corners[n + 1]], this->Places[corners[n + 2]]);
@@ -278,14 +299,13 @@ private:
   const std::vector<PointId>& Sources;
   const PlanePoints Places;
   const Sides Boundary;
-  std::vector<unsigned char> Stays; // per triangle
-  Sides Open; // around the rest
-  ChangedMesh Result;
+  Sides Open;
+  LoopChange Result;
 };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::optional<ChangedMesh> ChangeLoops(const PlaneMesh& mesh, const std::vector<PointId>& sources,
+std::optional<LoopChange> ChangeLoops(const PlaneMesh& mesh, const std::vector<PointId>& sources,
   const std::vector<unsigned char>& isLeft, PlanePoints places, const Loops& boundary)
 {
   return LoopChanger(mesh, sources, places, boundary).Run(isLeft);

@@ -16,16 +16,15 @@
 
 namespace SeismicHorizons
 {
-/// Corners are points. The first triangles are of the mesh before.
-struct ChangedMesh
+struct LoopChange
 {
-  RawVector<PointId> Triangles;
-  TriangleId FirstNew = 0;
+  std::vector<TriangleId> Gone;
+  RawVector<PointId> Added; // corners of triangles, which are points
 };
 
 /// `sources` has the point of each vertex, and `isLeft` 0 for vertices that may not remain. Returns nothing if the new
 /// inside cannot be covered once.
-std::optional<ChangedMesh> ChangeLoops(const PlaneMesh& mesh, const std::vector<PointId>& sources,
+std::optional<LoopChange> ChangeLoops(const PlaneMesh& mesh, const std::vector<PointId>& sources,
   const std::vector<unsigned char>& isLeft, PlanePoints places, const Loops& boundary);
 }
 

@@ -93,6 +93,97 @@ void PlaneMesh::Connect()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+VertexId PlaneMesh::Add(const PlanePoint& place)
+{
+  this->Places.push_back(place);
+  return VertexId(this->Places.size() - 1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<TriangleId> PlaneMesh::Exchange(const std::vector<TriangleId>& gone, const RawVector<VertexId>& added)
+{
+  struct OpenEdge
+  {
+    std::uint64_t Key;
+    TriangleId Triangle;
+    int Number;
+  };
+  std::vector<OpenEdge> open;
+  const auto addEdge = [&](TriangleId triangle, int edge)
+  {
+    open.push_back({ EdgeKey(this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge))), triangle, edge });
+  };
+  const auto isGone = [&gone](TriangleId triangle) { return std::binary_search(gone.begin(), gone.end(), triangle); };
+  for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (this->Neighbour(triangle, edge) == NoTriangle && !isGone(triangle))
+      {
+        addEdge(triangle, edge);
+      }
+    }
+  }
+  for (const TriangleId triangle : gone)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      const TriangleId beyond = this->Neighbour(triangle, edge);
+      if (beyond != NoTriangle && !isGone(beyond))
+      {
+        const int back = this->EdgeTo(beyond, triangle);
+        addEdge(beyond, back);
+        this->Triangles[beyond].Neighbours[back] = NoTriangle;
+      }
+    }
+  }
+  std::vector<TriangleId> numbers(gone.begin(), gone.begin() + std::min(gone.size(), added.size() / 3));
+  while (3 * numbers.size() < added.size())
+  {
+    numbers.push_back(this->Size());
+    this->Triangles.emplace_back();
+  }
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+  {
+    this->Triangles[numbers[n]] = { { added[3 * n], added[3 * n + 1], added[3 * n + 2] },
+      { NoTriangle, NoTriangle, NoTriangle } };
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      addEdge(numbers[n], edge);
+    }
+  }
+  std::sort(open.begin(), open.end(), [](const OpenEdge& a, const OpenEdge& b) { return a.Key < b.Key; });
+  for (std::size_t n = 1; n < open.size(); ++n)
+  {
+    if (open[n].Key == open[n - 1].Key)
+    {
+      this->Triangles[open[n].Triangle].Neighbours[open[n].Number] = open[n - 1].Triangle;
+      this->Triangles[open[n - 1].Triangle].Neighbours[open[n - 1].Number] = open[n].Triangle;
+    }
+  }
+  for (std::size_t n = gone.size(); n > numbers.size(); --n)
+  {
+    this->MoveLastTo(gone[n - 1]);
+  }
+  return numbers;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::MoveLastTo(TriangleId triangle)
+{
+  const TriangleId last = this->Size() - 1;
+  if (triangle != last)
+  {
+    this->Triangles[triangle] = this->Triangles[last];
+    for (const TriangleId beyond : this->Triangles[triangle].Neighbours)
+    {
+      this->Replace(beyond, last, triangle);
+    }
+  }
+  this->Triangles.pop_back();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::int64_t PlaneMesh::AreaAt(const PlanePoint& place, TriangleId triangle, int edge) const
 {
   return SignedArea(

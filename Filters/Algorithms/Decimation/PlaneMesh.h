@@ -100,6 +100,10 @@ public:
   /// Kept and boundary edges count as Delaunay.
   bool IsDelaunay(TriangleId triangle, int edge) const;
 
+  VertexId Add(const PlanePoint& place);
+  /// Replaces triangles, ascending, by others that fill their place or extend the mesh, and returns these. The last
+  /// triangles may get other numbers.
+  std::vector<TriangleId> Exchange(const std::vector<TriangleId>& gone, const RawVector<VertexId>& added);
   /// Kept edges remain.
   void Replace(std::vector<PlanePoint> places, const RawVector<VertexId>& triangles);
   void Compact();
@@ -121,6 +125,7 @@ private:
 
   VertexId HigherEnd(TriangleId triangle, int edge) const;
   void Connect();
+  void MoveLastTo(TriangleId triangle);
   void CutKept(VertexId a, VertexId b, VertexId between);
   void Reorder(const std::vector<TriangleId>& order);
   void Replace(TriangleId triangle, TriangleId neighbour, TriangleId by);

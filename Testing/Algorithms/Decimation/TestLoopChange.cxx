@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -91,9 +92,8 @@ public:
       CHECK(before.count(corners) + told.count(corners) > 0);
     }
     this->CheckAgainst(HeightMesh(TestHorizons::Leave(this->Given, simplified), Monitor()), now);
-    for (VertexId vertex = 0; vertex < this->Mesh.EndOfVertices(); ++vertex)
+    for (const auto& [point, vertex] : this->Vertices())
     {
-      const PointId point = this->Mesh.SourceOf(vertex);
       CHECK_EQUAL(this->Mesh.Height(vertex),
         this->Mesh.IsOnLoop(vertex) ? this->Given.Height[std::size_t(point)] : heights[std::size_t(point)]);
     }
@@ -104,11 +104,24 @@ private:
   std::vector<double> HeightsByPoint() const
   {
     std::vector<double> heights(this->Given.Height.size(), NoValue);
-    for (VertexId vertex = 0; vertex < this->Mesh.EndOfVertices(); ++vertex)
+    for (const auto& [point, vertex] : this->Vertices())
     {
-      heights[std::size_t(this->Mesh.SourceOf(vertex))] = this->Mesh.Height(vertex);
+      heights[std::size_t(point)] = this->Mesh.Height(vertex);
     }
     return heights;
+  }
+
+  std::map<PointId, VertexId> Vertices() const
+  {
+    std::map<PointId, VertexId> vertices;
+    for (VertexId vertex = 0; vertex < this->Mesh.EndOfVertices(); ++vertex)
+    {
+      if (!this->Mesh.IsRemoved(vertex))
+      {
+        CHECK(vertices.emplace(this->Mesh.SourceOf(vertex), vertex).second);
+      }
+    }
+    return vertices;
   }
 
   /// The point, and the height of the dropped point, there; patches are numbered in any order.
