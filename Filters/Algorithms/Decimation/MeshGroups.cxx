@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -66,6 +67,72 @@ constexpr double FarthestStep = 2.0;
 constexpr double TrianglesOfGroup = 1500.0;
 // This number of columns takes as long as a triangle.
 constexpr double ColumnsPerTriangle = 32.0;
+
+/// Numbers the vertices of some triangles in ascending order. A bit per vertex is faster than to sort and to search.
+class VertexNumbers
+{
+public:
+  explicit VertexNumbers(const std::vector<std::array<VertexId, 3>>& triangles)
+  {
+    VertexId last = triangles.front()[0];
+    this->First = last;
+    ForEachCorner(triangles,
+      [&](VertexId vertex)
+      {
+        this->First = std::min(this->First, vertex);
+        last = std::max(last, vertex);
+      });
+    this->Words.resize(std::size_t(last - this->First) / BitsOfWord + 1);
+    ForEachCorner(triangles, [this](VertexId vertex) { this->WordOf(vertex).Bits.set(this->BitOf(vertex)); });
+    for (std::size_t n = 1; n < this->Words.size(); ++n)
+    {
+      this->Words[n].Before = this->Words[n - 1].Before + VertexId(this->Words[n - 1].Bits.count());
+    }
+  }
+
+  std::vector<VertexId> Vertices() const
+  {
+    std::vector<VertexId> vertices;
+    for (std::size_t n = 0; n < BitsOfWord * this->Words.size(); ++n)
+    {
+      if (this->Words[n / BitsOfWord].Bits[n % BitsOfWord])
+      {
+        vertices.push_back(this->First + VertexId(n));
+      }
+    }
+    return vertices;
+  }
+
+  VertexId operator[](VertexId vertex) const
+  {
+    const Word& word = this->Words[std::size_t(vertex - this->First) / BitsOfWord];
+    return word.Before + VertexId((word.Bits << (BitsOfWord - 1 - this->BitOf(vertex))).count()) - 1;
+  }
+
+private:
+  static constexpr std::size_t BitsOfWord = 64;
+
+  struct Word
+  {
+    std::bitset<BitsOfWord> Bits;
+    VertexId Before = 0;
+  };
+
+  template <typename Visitor>
+  static void ForEachCorner(const std::vector<std::array<VertexId, 3>>& triangles, Visitor&& visit)
+  {
+    for (const auto& corners : triangles)
+    {
+      std::for_each(corners.begin(), corners.end(), visit);
+    }
+  }
+
+  Word& WordOf(VertexId vertex) { return this->Words[std::size_t(vertex - this->First) / BitsOfWord]; }
+  std::size_t BitOf(VertexId vertex) const { return std::size_t(vertex - this->First) % BitsOfWord; }
+
+  VertexId First;
+  std::vector<Word> Words;
+};
 
 class MeshGroups
 {
@@ -351,19 +418,13 @@ private:
   void Improve(Triangles& triangles, const GroupSteps& steps, int mostRounds, std::vector<VertexId>& between)
   {
     Group group;
-    std::vector<VertexId> vertices;
-    vertices.reserve(3 * triangles.size());
-    std::for_each(triangles.begin(), triangles.end(),
-      [&](const Corners& corners) { vertices.insert(vertices.end(), corners.begin(), corners.end()); });
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const auto numberOf = [&](VertexId vertex)
-    { return VertexId(std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin()); };
+    const VertexNumbers numbers(triangles);
+    const std::vector<VertexId> vertices = numbers.Vertices();
     RawVector<VertexId> corners;
     corners.reserve(3 * triangles.size());
     for (const Corners& own : triangles)
     {
-      std::for_each(own.begin(), own.end(), [&](VertexId vertex) { corners.push_back(numberOf(vertex)); });
+      std::for_each(own.begin(), own.end(), [&](VertexId vertex) { corners.push_back(numbers[vertex]); });
     }
     this->Fill(group, vertices, corners);
     ImproveGroup(group, this->Options, steps, mostRounds);
