@@ -102,41 +102,7 @@ VertexId PlaneMesh::Add(const PlanePoint& place)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<TriangleId> PlaneMesh::Exchange(const std::vector<TriangleId>& gone, const RawVector<VertexId>& added)
 {
-  struct OpenEdge
-  {
-    std::uint64_t Key;
-    TriangleId Triangle;
-    int Number;
-  };
-  std::vector<OpenEdge> open;
-  const auto addEdge = [&](TriangleId triangle, int edge)
-  {
-    open.push_back({ EdgeKey(this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge))), triangle, edge });
-  };
-  const auto isGone = [&gone](TriangleId triangle) { return std::binary_search(gone.begin(), gone.end(), triangle); };
-  for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
-  {
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      if (this->Neighbour(triangle, edge) == NoTriangle && !isGone(triangle))
-      {
-        addEdge(triangle, edge);
-      }
-    }
-  }
-  for (const TriangleId triangle : gone)
-  {
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      const TriangleId beyond = this->Neighbour(triangle, edge);
-      if (beyond != NoTriangle && !isGone(beyond))
-      {
-        const int back = this->EdgeTo(beyond, triangle);
-        addEdge(beyond, back);
-        this->Triangles[beyond].Neighbours[back] = NoTriangle;
-      }
-    }
-  }
+  std::vector<OpenEdge> open = this->OpenAround(gone);
   std::vector<TriangleId> numbers(gone.begin(), gone.begin() + std::min(gone.size(), added.size() / 3));
   while (3 * numbers.size() < added.size())
   {
@@ -149,7 +115,7 @@ std::vector<TriangleId> PlaneMesh::Exchange(const std::vector<TriangleId>& gone,
       { NoTriangle, NoTriangle, NoTriangle } };
     for (int edge = 0; edge < 3; ++edge)
     {
-      addEdge(numbers[n], edge);
+      open.push_back(this->OpenEdgeOf(numbers[n], edge));
     }
   }
   std::sort(open.begin(), open.end(), [](const OpenEdge& a, const OpenEdge& b) { return a.Key < b.Key; });
@@ -166,6 +132,44 @@ std::vector<TriangleId> PlaneMesh::Exchange(const std::vector<TriangleId>& gone,
     this->MoveLastTo(gone[n - 1]);
   }
   return numbers;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PlaneMesh::OpenEdge PlaneMesh::OpenEdgeOf(TriangleId triangle, int edge) const
+{
+  return { EdgeKey(this->Corner(triangle, edge), this->Corner(triangle, NextCorner(edge))), triangle, edge };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Detaches the other triangles, and finds their edges there and on the boundary.
+std::vector<PlaneMesh::OpenEdge> PlaneMesh::OpenAround(const std::vector<TriangleId>& gone)
+{
+  std::vector<OpenEdge> open;
+  const auto isGone = [&gone](TriangleId triangle) { return std::binary_search(gone.begin(), gone.end(), triangle); };
+  for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (this->Neighbour(triangle, edge) == NoTriangle && !isGone(triangle))
+      {
+        open.push_back(this->OpenEdgeOf(triangle, edge));
+      }
+    }
+  }
+  for (const TriangleId triangle : gone)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      const TriangleId beyond = this->Neighbour(triangle, edge);
+      if (beyond != NoTriangle && !isGone(beyond))
+      {
+        const int back = this->EdgeTo(beyond, triangle);
+        open.push_back(this->OpenEdgeOf(beyond, back));
+        this->Triangles[beyond].Neighbours[back] = NoTriangle;
+      }
+    }
+  }
+  return open;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

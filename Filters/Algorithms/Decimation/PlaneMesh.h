@@ -118,6 +118,13 @@ private:
     std::array<TriangleId, 3> Neighbours;
   };
 
+  struct OpenEdge
+  {
+    std::uint64_t Key;
+    TriangleId Triangle;
+    int Number;
+  };
+
   static std::uint64_t EdgeKey(VertexId a, VertexId b)
   {
     return std::uint64_t(std::uint32_t(std::min(a, b))) << 32U | std::uint32_t(std::max(a, b));
@@ -125,6 +132,8 @@ private:
 
   VertexId HigherEnd(TriangleId triangle, int edge) const;
   void Connect();
+  OpenEdge OpenEdgeOf(TriangleId triangle, int edge) const;
+  std::vector<OpenEdge> OpenAround(const std::vector<TriangleId>& gone);
   void MoveLastTo(TriangleId triangle);
   void CutKept(VertexId a, VertexId b, VertexId between);
   void Reorder(const std::vector<TriangleId>& order);

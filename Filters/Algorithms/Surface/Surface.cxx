@@ -303,7 +303,6 @@ constexpr double ShareOfBest = 0.5;
 // Points that outlines keep can leave new slivers. The last rounds keep all that were found.
 constexpr int MostReviews = 6;
 constexpr int LastReviews = 2;
-constexpr int RoundsOfEven = 4;
 // Meshes within an error do not keep larger angles (degrees) either.
 constexpr double LargestKeptAngle = 10.0;
 // Points of outlines this far (columns) do nothing for a sliver.
@@ -328,11 +327,7 @@ public:
     this->Simplify(error, monitor.Step(last, last + 0.3 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
-      if (this->Options.EdgeLength > 0.0)
-      {
-        this->DivideOutlines(monitor.Step(last + 0.3 * (1.0 - last), last + 0.4 * (1.0 - last)));
-      }
-      this->Decimate(isByNumber, monitor.Step(last + 0.4 * (1.0 - last), 1.0));
+      this->Decimate(isByNumber, monitor.Step(last + 0.3 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
   }
@@ -384,18 +379,24 @@ private:
   }
 
   /// A long outline edge beside rough ground leaves only slivers in between, or edges far from links to points that were
-  /// dropped. Outlines keep such points, until the mesh is good.
+  /// dropped. Outlines keep such points, until the mesh is good. Meshes by number come before the error of edges.
   std::optional<MovedLoops> Review(const LoopTriangles& seen)
   {
-    std::vector<PointId> found = this->FindMissing(seen);
+    const bool isEven = this->Options.EdgeLength > 0.0;
+    std::vector<PointId> found = isEven ? this->DivideNarrow(seen) : this->FindAtSlivers(seen);
+    if (this->Options.MaximumNumberOfTriangles == 0)
+    {
+      found.insert(found.end(), seen.InTheWay.begin(), seen.InTheWay.end());
+    }
     if (found.empty() || this->Reviews == MostReviews)
     {
       return {};
     }
     ++this->Reviews;
+    const bool isForMiddle = !isEven && this->Reviews <= MostReviews - LastReviews;
     const std::size_t before = this->Result.AddedToOutlines.size();
     this->Heights = &seen.Heights;
-    this->AddToOutlines(this->Reviews <= MostReviews - LastReviews ? this->MiddleOf(found) : found, Monitor());
+    this->AddToOutlines(isForMiddle ? this->MiddleOf(found) : found, Monitor());
     this->Heights = nullptr;
     if (this->Result.AddedToOutlines.size() == before)
     {
@@ -404,41 +405,19 @@ private:
     return MovedLoops{ this->Outlines, this->Dropped, std::move(found) };
   }
 
-  /// Edges of outlines beside triangles with small angles are divided.
-  void DivideOutlines(const Monitor& monitor)
+  /// For even meshes, points that part edges of outlines at triangles with small angles.
+  std::vector<PointId> DivideNarrow(const LoopTriangles& seen)
   {
-    for (int round = 0; round < RoundsOfEven; ++round)
-    {
-      const Monitor step = monitor.Step(double(round) / RoundsOfEven, double(round + 1) / RoundsOfEven);
-      const std::vector<std::array<PointId, 2>> narrow = this->FindNarrow(step.Step(0.0, 0.8));
-      if (narrow.empty())
-      {
-        return;
-      }
-      const std::vector<PointId> found =
-        DivideEdges(SpacePoints(this->Columns(), this->Height(), 1), this->Result.Boundary.Boundary, this->Outlines,
-          [&](PointId from, PointId to) {
-            return std::binary_search(narrow.begin(), narrow.end(), std::array<PointId, 2>{ from, to }) ? 2.0 : 1.0;
-          });
-      this->AddToOutlines(found, step.Step(0.8, 1.0));
-    }
-  }
-
-  /// Edges of outlines at triangles with small angles, sorted.
-  std::vector<std::array<PointId, 2>> FindNarrow(const Monitor& monitor)
-  {
-    const double error = this->Result.Parameters.MaximumError;
-    const PlanMesh mesh = MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor);
     const std::vector<unsigned char> isEnd = this->Outlines.MarkPoints(this->Columns().size());
     const double sine = SineOfDegrees(SmallestAngleOf(this->Options));
     std::vector<std::array<PointId, 2>> narrow;
-    for (auto corner = mesh.Triangles.begin(); corner != mesh.Triangles.end(); corner += 3)
+    for (const std::array<PointId, 3>& corners : seen.Corners)
     {
-      const auto at = [&](int n) { return this->Columns()[corner[n]]; };
+      const auto at = [&](std::size_t n) { return this->Columns()[corners[n]]; };
       const bool isNarrow = SineOfSmallestAngle(at(0), at(1), at(2)) < sine;
-      for (int edge = 0; edge < 3 && isNarrow; ++edge)
+      for (std::size_t edge = 0; edge < 3 && isNarrow; ++edge)
       {
-        const std::array<PointId, 2> ends = { corner[edge], corner[edge == 2 ? 0 : edge + 1] };
+        const std::array<PointId, 2> ends = { corners[edge], corners[edge == 2 ? 0 : edge + 1] };
         if (isEnd[ends[0]] != 0 && isEnd[ends[1]] != 0)
         {
           narrow.push_back(ends);
@@ -446,8 +425,15 @@ private:
         }
       }
     }
+    if (narrow.empty())
+    {
+      return {};
+    }
     std::sort(narrow.begin(), narrow.end());
-    return narrow;
+    return DivideEdges(SpacePoints(this->Columns(), seen.Heights, 1), this->Result.Boundary.Boundary, this->Outlines,
+      [&](PointId from, PointId to) {
+        return std::binary_search(narrow.begin(), narrow.end(), std::array<PointId, 2>{ from, to }) ? 2.0 : 1.0;
+      });
   }
 
   /// Of several on one edge, only the middle one, which may do for the others.
@@ -479,14 +465,9 @@ private:
     this->Simplify(this->Result.Parameters.MaximumError, monitor);
   }
 
-  /// Meshes by number come before the error of edges, and even meshes have no slivers.
-  std::vector<PointId> FindMissing(const LoopTriangles& seen) const
+  std::vector<PointId> FindAtSlivers(const LoopTriangles& seen) const
   {
-    std::vector<PointId> found = this->Options.MaximumNumberOfTriangles == 0 ? seen.InTheWay : std::vector<PointId>();
-    if (this->Options.EdgeLength > 0.0)
-    {
-      return found;
-    }
+    std::vector<PointId> found;
     const SurfaceParameters& parameters = this->Result.Parameters;
     const double reach = std::min(parameters.OutlineTolerance, FarthestReach) + 2.0 * parameters.Radius;
     const double sine = SineOfDegrees(this->Options.Effort == DecimationEffort::Best
@@ -653,12 +634,15 @@ private:
     const double error = parameters.MaximumError;
     DecimationOptions options = this->MakeDecimationOptions();
     const LoopReview review = [this](const LoopTriangles& seen) { return this->Review(seen); };
+    // Triangles that were small beside other outlines would stay in an even mesh.
+    const bool isMadeAnew = isByNumber || this->Options.EdgeLength > 0.0;
+    if (isMadeAnew && error > 0.0)
+    {
+      MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor.Step(0.0, 0.1), review);
+      this->Reviews = 0;
+    }
     if (isByNumber)
     {
-      if (error > 0.0)
-      {
-        MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor.Step(0.0, 0.1), review);
-      }
       parameters.MaximumNumberOfPoints = this->FindNumberOfPoints(monitor.Step(0.1, 0.2));
     }
     else

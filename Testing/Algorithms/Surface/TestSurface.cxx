@@ -5,7 +5,6 @@
 // no more triangles than there may be.
 
 #include "Common/Base/Parallel.h"
-#include "Common/Horizon/Predicates.h"
 #include "SurfaceParts.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
@@ -251,54 +250,6 @@ void TestNumberOfTriangles()
   CHECK(MakeSurface(points, AtMost(1000000)).Mesh.LargestError < 1e-3);
 }
 
-/// The least angle of a mesh in plan, in degrees.
-double SmallestAngle(const Surface& surface)
-{
-  double sine = 1.0;
-  for (std::size_t first = 0; first < surface.Mesh.Triangles.size(); first += 3)
-  {
-    const auto corner = [&](std::size_t n)
-    { return surface.Mesh.Points.Plane[std::size_t(surface.Mesh.Triangles[first + n])]; };
-    sine = std::min(sine, SineOfSmallestAngle(corner(0), corner(1), corner(2)));
-  }
-  return std::asin(sine) * 45.0 / std::atan(1.0);
-}
-
-/// A level rim around ground that takes a vertex in every column: sides of outlines that are as long as the rim would
-/// leave nothing but slivers. They are kept only to get rid of those, and only as long as the number allows it.
-void TestBesideSlivers()
-{
-  const auto rough = [](const PlanePoint& column)
-  {
-    const bool isRim = column.X == 0 || column.X == 79 || column.Y == 0 || column.Y == 39;
-    return isRim ? 5.0 : 5.0 + 2.0 * ((column.X + column.Y) % 2) + (column.X * 7 + column.Y * 3) % 4;
-  };
-  const Points points = MakePoints(Rectangle(80, 40), rough);
-  SurfaceOptions options = Within(0.75);
-  options.SmallestAngle = 0.0;
-  options.Crossings = CrossingTolerance::Unbounded;
-  const Surface before = MakeSurface(points, options);
-  CHECK(before.AddedToOutlines.empty());
-  CHECK_EQUAL(before.Mesh.Points.Boundary.TotalLength(), 4u);
-  CHECK(SmallestAngle(before) < 2.0);
-  for (const double angle : { 2.0, 5.0 })
-  {
-    options.SmallestAngle = angle;
-    const Surface after = MakeSurface(points, options);
-    CHECK_EQUAL(after.Mesh.NumberOfSlivers, 0u);
-    CHECK(SmallestAngle(after) >= angle);
-    CHECK(after.Mesh.LargestError <= 0.75 + 1e-9);
-    CHECK_EQUAL(after.Mesh.Points.Boundary.TotalLength(), 4 + after.AddedToOutlines.size());
-  }
-  const auto plane = [](const PlanePoint& column) { return 1.0 + 0.5 * column.X; };
-  CHECK(MakeSurface(MakePoints(Rectangle(80, 40), plane), Within(0.75)).AddedToOutlines.empty());
-  const Surface strip = MakeSurface(MakePoints(Rectangle(80, 2), plane), Within(0.75));
-  CHECK(strip.Mesh.NumberOfSlivers == 0 && CountTriangles(strip) < 10);
-  options = AtMost(CountTriangles(before) / 2);
-  CHECK(MakeSurface(points, options).Mesh.NumberOfSlivers < 20);
-  CHECK_EQUAL(CountTriangles(MakeSurface(points, AtMost(2))), 2u);
-}
-
 /// So many triangles as the coarsest outlines take are enough, and one less is refused, which names that number. So do
 /// all below it, while any number above it is kept.
 void TestNumberOnRandomPatches()
@@ -418,7 +369,6 @@ int TestSurface(int, char*[])
   TestGivenParameters();
   TestHoles();
   TestNumberOfTriangles();
-  TestBesideSlivers();
   TestNumberOnRandomPatches();
   TestPlaneAndFewPoints();
   TestSmallPatches();
