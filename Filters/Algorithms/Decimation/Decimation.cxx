@@ -255,6 +255,11 @@ std::vector<PointId> FindInTheWay(
   const HeightMesh& mesh, const std::vector<TriangleId>& triangles, const DecimationOptions& options)
 {
   constexpr std::int64_t trianglesPerChunk = 1024;
+  const double bound = options.MaximumCrossingError() + mesh.Rounding();
+  if (bound == std::numeric_limits<double>::infinity())
+  {
+    return {};
+  }
   const PlaneMesh& plane = mesh.Triangles();
   const bool areAll = triangles.size() == std::size_t(plane.Size());
   return CollectChunks<PointId>(std::int64_t(triangles.size()), trianglesPerChunk, Monitor(),
@@ -268,8 +273,7 @@ std::vector<PointId> FindInTheWay(
           if (!areAll || plane.Neighbour(triangle, edge) < triangle) // each edge once
           {
             mesh.RasterOf(triangle).FindDropped(mesh.Raised(plane.Corner(triangle, edge)),
-              mesh.Raised(plane.Corner(triangle, NextCorner(edge))), options.MaximumCrossingError() + mesh.Rounding(),
-              found);
+              mesh.Raised(plane.Corner(triangle, NextCorner(edge))), bound, found);
           }
         }
       }
@@ -301,7 +305,8 @@ std::vector<TriangleId> FindSlivers(const HeightMesh& mesh, double smallestAngle
   return slivers;
 }
 
-/// The best effort improves this mesh. Loops move before points are inserted at slivers, which they may mend.
+/// The best effort improves this mesh. Unless it is even, loops move before points are inserted at slivers, which they may
+/// mend.
 void InsertUntilGood(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
 {
@@ -315,7 +320,7 @@ void InsertUntilGood(
     std::optional<std::vector<TriangleId>> triangles;
     if (std::optional<MovedLoops> moved = review(ViewLoops(mesh, changed, options)))
     {
-      triangles = mesh.ChangeLoops(std::move(moved->Boundary), std::move(moved->Dropped), moved->Reviewed);
+      triangles = mesh.ChangeLoops(std::move(moved->Boundary), std::move(moved->Dropped), moved->ShownAgain);
     }
     else if (now.SmallestAngle < options.SmallestAngle)
     {

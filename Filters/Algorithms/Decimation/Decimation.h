@@ -124,7 +124,7 @@ struct Decimation
   std::size_t NumberOfSlivers = 0;
 };
 
-/// A mesh within the error, before it is improved, as seen from its loops.
+/// What a review sees of a mesh within the error, before it is improved.
 struct LoopTriangles
 {
   /// At least those with a corner on a loop that have changed.
@@ -138,8 +138,8 @@ struct MovedLoops
 {
   Loops Boundary;
   DroppedPoints Dropped;
-  /// Triangles beside these points are shown again.
-  std::vector<PointId> Reviewed;
+  /// Triangles beside these points will be seen again.
+  std::vector<PointId> ShownAgain;
 };
 
 /// Returns other loops, in which dropped points are kept or others dropped, until the mesh is good. Then it returns

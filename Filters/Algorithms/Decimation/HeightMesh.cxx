@@ -80,13 +80,19 @@ void HeightMesh::AddHorizon(const std::vector<double>& heights, const std::vecto
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::Add(std::vector<HeightRaster> rasters, const double* heights)
+void HeightMesh::AllowRounding(const std::vector<HeightRaster>& rasters)
 {
   for (const HeightRaster& raster : rasters)
   {
     const double largest = std::max(std::abs(raster.LowestHeight()), std::abs(raster.HighestHeight()));
     this->RoundingError = std::max(this->RoundingError, UnitsOfRounding * largest);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::Add(std::vector<HeightRaster> rasters, const double* heights)
+{
+  this->AllowRounding(rasters);
   this->Horizons.push_back({ std::move(rasters), this->RaisedSources(heights), heights });
 }
 
@@ -164,17 +170,18 @@ std::optional<std::vector<TriangleId>> HeightMesh::ChangeLoops(
   {
     rasters[patch].SetDropped(byPatch[patch], this->Places);
   }
+  this->AllowRounding(rasters);
   const std::vector<PointState> now = this->PointStates();
   std::vector<PointState> changes;
   std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(changes));
   std::vector<PointId> moved;
   std::transform(
     changes.begin(), changes.end(), std::back_inserter(moved), [](const PointState& one) { return one.first; });
-  std::vector<unsigned char> isLeft;
-  std::transform(this->Sources.begin(), this->Sources.end(), std::back_inserter(isLeft),
+  std::vector<unsigned char> mayStay;
+  std::transform(this->Sources.begin(), this->Sources.end(), std::back_inserter(mayStay),
     [&](PointId point) { return std::binary_search(moved.begin(), moved.end(), point) ? 0 : 1; });
   const std::optional<LoopChange> change =
-    SeismicHorizons::ChangeLoops(this->Mesh, this->Sources, isLeft, this->Places, this->Boundary());
+    SeismicHorizons::ChangeLoops(this->Mesh, this->Sources, mayStay, this->Places, this->Boundary());
   if (!change)
   {
     this->SetLoops(Monitor());
@@ -284,10 +291,10 @@ std::vector<TriangleId> HeightMesh::FindBeside(const std::vector<PointId>& point
         PlaneBox box;
         for (const VertexId corner : this->Mesh.Corners(triangle))
         {
-          const PlanePoint& place = this->Mesh.Place(corner);
-          box.Add({ place.X - 1, place.Y - 1 });
-          box.Add({ place.X + 1, place.Y + 1 });
+          box.Add(this->Mesh.Place(corner));
         }
+        box.Add(PlanePoint{ box.Least.X - 1, box.Least.Y - 1 });
+        box.Add(PlanePoint{ box.Greatest.X + 1, box.Greatest.Y + 1 });
         if (isBeside(box))
         {
           found.push_back(triangle);
@@ -360,7 +367,10 @@ std::vector<VertexId> HeightMesh::VerticesByPoint() const
   std::vector<VertexId> vertices(this->Marks.size(), NoVertex);
   for (VertexId vertex = 0; vertex < this->EndOfVertices(); ++vertex)
   {
-    vertices[std::size_t(this->Sources[vertex])] = vertex;
+    if (!this->IsRemoved(vertex))
+    {
+      vertices[std::size_t(this->Sources[vertex])] = vertex;
+    }
   }
   return vertices;
 }

@@ -46,7 +46,7 @@ struct InnerHeights
   }
 };
 
-/// Vertices are numbered by insertion, loops first, until SortVertices() orders them by point.
+/// Vertices are numbered by insertion, loops first unless they changed, until SortVertices() orders them by point.
 class HeightMesh
 {
 public:
@@ -61,9 +61,10 @@ public:
   /// Invalidates the mesh.
   BoundedHorizon TakeHorizon();
 
-  /// Moves the loops: points may be dropped, or no longer be. Triangles away from the changes stay, and errors of all are
-  /// forgotten. Returns the other triangles, and those with links to points that changed and to `others`, or nothing if they cannot be found; then only the loops are meshed. There must
-  /// be one horizon, and no kept edges.
+  /// Moves the loops, and drops or puts back points beside them. Triangles away from the changes stay, errors of all are
+  /// forgotten. Returns the triangles to examine again: new ones, and those within a column of moved points or of `others`;
+  /// nothing if the mesh could not be changed, which then has the loops alone. There must be one horizon, and no kept edges
+  /// or fixed vertices inside.
   std::optional<std::vector<TriangleId>> ChangeLoops(
     Loops boundary, DroppedPoints dropped, const std::vector<PointId>& others = {});
   const std::vector<double>& HeightsOfPoints() const { return this->Horizon.Height; }
@@ -199,6 +200,7 @@ private:
   std::vector<RaisedPoint> RaisedSources(const double* heights) const;
   std::vector<HeightRaster> MakeRasters(const double* heights) const;
   std::vector<std::vector<PointId>> DroppedByPatch(std::size_t patches) const;
+  void AllowRounding(const std::vector<HeightRaster>& rasters);
   void Add(std::vector<HeightRaster> rasters, const double* heights);
   HeightError EdgesError(TriangleId triangle, double bound, bool isEachOnce) const;
   template <typename Measuring>

@@ -63,7 +63,7 @@ bool Enters(const std::array<PlanePoint, 2>& line, const Corners& corners)
   return enters;
 }
 
-/// Lines by their least row.
+/// Lines by bands of rows.
 class LineList
 {
 public:
@@ -71,24 +71,27 @@ public:
   {
     for (const auto& [from, to] : sides)
     {
-      const bool isUp = places[from].Y <= places[to].Y;
-      this->Lines.push_back({ places[isUp ? from : to], places[isUp ? to : from] });
-      this->Tallest = std::max(this->Tallest, std::int64_t(this->Lines.back()[1].Y) - this->Lines.back()[0].Y);
+      const auto [low, high] = std::minmax({ BandOf(places[from]), BandOf(places[to]) });
+      for (std::int32_t band = low; band <= high; ++band)
+      {
+        this->Bands.emplace_back(band, this->Lines.size());
+      }
+      this->Lines.push_back({ places[from], places[to] });
     }
-    std::sort(
-      this->Lines.begin(), this->Lines.end(), [](const Line& a, const Line& b) { return PrecedesByRow(a[0], b[0]); });
+    std::sort(this->Bands.begin(), this->Bands.end());
   }
 
   bool AnyEnters(const Corners& corners) const
   {
-    const auto [left, right] = std::minmax({ corners[0].X, corners[1].X, corners[2].X });
-    const auto [low, high] = std::minmax({ corners[0].Y, corners[1].Y, corners[2].Y });
-    auto line = std::lower_bound(this->Lines.begin(), this->Lines.end(), std::int64_t(low) - this->Tallest,
-      [](const Line& one, std::int64_t row) { return one[0].Y < row; });
-    for (; line != this->Lines.end() && (*line)[0].Y <= high; ++line)
+    PlaneBox box;
+    std::for_each(corners.begin(), corners.end(), [&box](const PlanePoint& corner) { box.Add(corner); });
+    auto band =
+      std::lower_bound(this->Bands.begin(), this->Bands.end(), std::make_pair(BandOf(box.Least), std::size_t(0)));
+    for (; band != this->Bands.end() && band->first <= BandOf(box.Greatest); ++band)
     {
-      const auto [first, last] = std::minmax((*line)[0].X, (*line)[1].X);
-      if ((*line)[1].Y >= low && last >= left && first <= right && Enters(*line, corners))
+      const Line& line = this->Lines[band->second];
+      const auto [left, right] = std::minmax({ line[0].X, line[1].X });
+      if (right >= box.Least.X && left <= box.Greatest.X && Enters(line, corners))
       {
         return true;
       }
@@ -99,8 +102,10 @@ public:
 private:
   using Line = std::array<PlanePoint, 2>;
 
+  static std::int32_t BandOf(const PlanePoint& place) { return place.Y >> 6; }
+
   std::vector<Line> Lines;
-  std::int64_t Tallest = 0;
+  std::vector<std::pair<std::int32_t, std::size_t>> Bands; // and numbers of lines
 };
 
 /// Joins sides to closed loops, at vertices with several in any order.
@@ -144,9 +149,9 @@ public:
   {
   }
 
-  std::optional<LoopChange> Run(const std::vector<unsigned char>& isLeft)
+  std::optional<LoopChange> Run(const std::vector<unsigned char>& mayStay)
   {
-    this->FindGone(isLeft);
+    this->FindGone(mayStay);
     this->FindOpen();
     try
     {
@@ -185,7 +190,7 @@ private:
     }
   }
 
-  void FindGone(const std::vector<unsigned char>& isLeft)
+  void FindGone(const std::vector<unsigned char>& mayStay)
   {
     Sides before;
     this->ForEachOuterSide([&](TriangleId, const Side& side) { before.push_back(side); });
@@ -200,8 +205,8 @@ private:
         for (auto triangle = TriangleId(first); triangle < TriangleId(last); ++triangle)
         {
           const auto& [a, b, c] = this->Mesh.Corners(triangle);
-          const bool areLeft = isLeft[a] != 0 && isLeft[b] != 0 && isLeft[c] != 0;
-          if (!areLeft || lines.AnyEnters({ this->Mesh.Place(a), this->Mesh.Place(b), this->Mesh.Place(c) }))
+          const bool mayAllStay = mayStay[a] != 0 && mayStay[b] != 0 && mayStay[c] != 0;
+          if (!mayAllStay || lines.AnyEnters({ this->Mesh.Place(a), this->Mesh.Place(b), this->Mesh.Place(c) }))
           {
             gone.push_back(triangle);
           }
@@ -278,7 +283,7 @@ private:
     }
   }
 
-  /// No triangle has a negative area, so that the sum is right only if all cover the rest once.
+  /// A check: triangles that cover a place twice, or miss one, have another area.
   bool IsCovered() const
   {
     const PlanePoint origin = this->Places.front();
@@ -306,8 +311,8 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<LoopChange> ChangeLoops(const PlaneMesh& mesh, const std::vector<PointId>& sources,
-  const std::vector<unsigned char>& isLeft, PlanePoints places, const Loops& boundary)
+  const std::vector<unsigned char>& mayStay, PlanePoints places, const Loops& boundary)
 {
-  return LoopChanger(mesh, sources, places, boundary).Run(isLeft);
+  return LoopChanger(mesh, sources, places, boundary).Run(mayStay);
 }
 }

@@ -22,10 +22,10 @@ struct LoopChange
   RawVector<PointId> Added; // corners of triangles, which are points
 };
 
-/// `sources` has the point of each vertex, and `isLeft` 0 for vertices that may not remain. Returns nothing if the new
+/// `sources` has the point of each vertex, and `mayStay` 0 for vertices that may not remain. Returns nothing if the new
 /// inside cannot be covered once.
 std::optional<LoopChange> ChangeLoops(const PlaneMesh& mesh, const std::vector<PointId>& sources,
-  const std::vector<unsigned char>& isLeft, PlanePoints places, const Loops& boundary);
+  const std::vector<unsigned char>& mayStay, PlanePoints places, const Loops& boundary);
 }
 
 #endif

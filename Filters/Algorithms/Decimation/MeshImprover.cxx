@@ -34,7 +34,7 @@ void InsertRest(HeightMesh& mesh, MeshRefiner& refiner, const DecimationOptions&
     const Monitor step = monitor.Step(done, 0.2 * done + 0.8);
     done = 0.2 * done + 0.8;
     refiner.InsertWhereFar(options.MaximumError, step.Step(0.0, 0.6));
-    refiner.InsertAtEdges(options.MaximumCrossingError(), step.Step(0.6, 1.0));
+    refiner.InsertAtEdges(options.MaximumError, options.MaximumCrossingError(), step.Step(0.6, 1.0));
     before = mesh.NumberOfVertices();
     if (smallestAngle > 0.0)
     {
@@ -73,7 +73,8 @@ std::vector<TriangleId> InsertWhereChanged(
   std::optional<EdgeSizes> sizes;
   if (options.EdgeLength > 0.0)
   {
-    sizes.emplace(mesh, options.EdgeLength, options.EdgeGrowth);
+    sizes.emplace(mesh, options.EdgeLength, options.EdgeGrowth); // of other loops
+    changed = mesh.AllTriangles();
   }
   MeshRefiner refiner(mesh, std::move(changed));
   InsertRest(mesh, refiner, options, sizes ? &*sizes : nullptr, monitor);
@@ -89,6 +90,6 @@ void ImproveWithinError(
   // Groups leave room for rounding, so this changes nothing; but the bound is measured before it is promised.
   MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
   refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.9, 0.95));
-  refiner.InsertAtEdges(options.MaximumCrossingError(), monitor.Step(0.95, 1.0));
+  refiner.InsertAtEdges(options.MaximumError, options.MaximumCrossingError(), monitor.Step(0.95, 1.0));
 }
 }

@@ -58,6 +58,7 @@ const std::vector<TriangleId>& MeshRefiner::Examined()
   if (this->AreAllExamined)
   {
     this->Seen = this->Mesh.AllTriangles();
+    return this->Seen;
   }
   std::sort(this->Seen.begin(), this->Seen.end());
   this->Seen.erase(std::unique(this->Seen.begin(), this->Seen.end()), this->Seen.end());
@@ -91,15 +92,16 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
+void MeshRefiner::InsertAtEdges(double error, double crossingError, const Monitor& monitor)
 {
-  if (error == std::numeric_limits<double>::infinity())
+  if (crossingError == std::numeric_limits<double>::infinity())
   {
     return;
   }
   const double bound = error + this->Mesh.Rounding();
-  this->Mesh.MeasureEdges(this->Examined(), bound, this->AreAllExamined, monitor.Step(0.0, 0.8));
-  this->StartWith(bound);
+  const double boundOfEdges = crossingError + this->Mesh.Rounding();
+  this->Mesh.MeasureEdges(this->Examined(), boundOfEdges, this->AreAllExamined, monitor.Step(0.0, 0.8));
+  this->StartWith(0.0); // only errors above their bounds are stored
   double limit = 0.0;
   for (std::vector<TriangleId> far; !this->IsFull() && this->FindUrgent(limit, far);)
   {
@@ -112,8 +114,8 @@ void MeshRefiner::InsertAtEdges(double error, const Monitor& monitor)
         far.begin(), far.end(), [this](TriangleId triangle) { this->Mesh.SetError(triangle, HeightError()); });
     }
     this->Mesh.Measure(this->New, ErrorSquares(), bound, Monitor());
-    this->Mesh.MeasureEdges(this->New, bound, false, Monitor());
-    this->KeepFar(bound);
+    this->Mesh.MeasureEdges(this->New, boundOfEdges, false, Monitor());
+    this->KeepFar(0.0);
   }
 }
 

@@ -26,8 +26,9 @@ public:
   MeshRefiner(HeightMesh& mesh, std::vector<TriangleId> examined);
 
   void InsertWhereFar(double error, const Monitor& monitor);
-  /// Continues where inner edges cross grid lines, unless the error is infinite.
-  void InsertAtEdges(double error, const Monitor& monitor);
+  /// Continues, in a mesh within the error, where inner edges cross grid lines farther away than the second one, unless
+  /// it is infinite.
+  void InsertAtEdges(double error, double crossingError, const Monitor& monitor);
   /// Angles, in degrees, remain smaller where fixed edges force them or no column is suitable. Errors may grow.
   /// With sizes, edges may not be longer either.
   void InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes = nullptr);

@@ -11,6 +11,7 @@
 #include <cassert>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
@@ -384,6 +385,14 @@ void PlaneMesh::MakeDelaunay(std::vector<TriangleId>& triangles)
       }
     }
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::MakeDelaunay()
+{
+  std::vector<TriangleId> all(this->Triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  this->MakeDelaunay(all);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangulation in plan that is edited step by step. Boundary edges stay, and so do edges kept on request
+// A triangulation in plan that is edited step by step. Boundary edges stay until Exchange, and so do edges kept on request
 // (KeptEdges); inserting a vertex on a kept edge leaves two of them.
 //
 // Insert makes a point the third corner of three triangles, Flip exchanges a diagonal, and Collapse moves a point to
@@ -80,6 +80,7 @@ public:
 
   /// Flips edges of these triangles until all are Delaunay. Adds triangles that change.
   void MakeDelaunay(std::vector<TriangleId>& triangles);
+  void MakeDelaunay();
 
   /// The ring is counter-clockwise, and empty at the boundary.
   void FindRing(VertexId vertex, TriangleId first, std::vector<TriangleId>& ring) const;
@@ -146,7 +147,7 @@ private:
   std::unordered_set<std::uint64_t> Kept; // edges
 };
 
-// Forces lines between vertices into the mesh: crossed edges are flipped until the line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
+// Forces lines between vertices into the mesh, which is to be made Delaunay afterwards: crossed edges are flipped until the line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
 class KeptEdges
 {
 public:

@@ -352,8 +352,7 @@ private:
           std::to_string(place.Y) + ") is not an edge of the plan, expected layers whose borders do not cross");
       }
     }
-    std::vector<TriangleId> triangles = mesh.AllTriangles();
-    mesh.Triangles().MakeDelaunay(triangles);
+    mesh.Triangles().MakeDelaunay();
   }
 
   void FindTriangles()
@@ -436,7 +435,7 @@ private:
     {
       MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
       refiner.InsertWhereFar(options.MaximumError, monitor.Step(0.3, 0.3));
-      refiner.InsertAtEdges(options.MaximumError, monitor.Step(0.3, 0.3));
+      refiner.InsertAtEdges(options.MaximumError, options.MaximumError, monitor.Step(0.3, 0.3));
     }
     if (IsImproved(options))
     {

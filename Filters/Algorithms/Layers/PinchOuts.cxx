@@ -192,15 +192,8 @@ void KeptLines::Keep(const PinchOutLines& lines)
     this->Lost += isKept ? 0 : 1;
   }
   this->Pieces = edges.size();
-  this->MakeDelaunay();
+  this->Mesh.Triangles().MakeDelaunay();
   this->MarkAlong(edges);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void KeptLines::MakeDelaunay()
-{
-  std::vector<TriangleId> triangles = this->Mesh.AllTriangles();
-  this->Mesh.Triangles().MakeDelaunay(triangles);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -221,7 +214,7 @@ bool KeptLines::DropFar()
   }
   if (dropped > 0)
   {
-    this->MakeDelaunay();
+    triangles.MakeDelaunay();
   }
   this->Lost += dropped;
   return dropped > 0;

@@ -64,7 +64,6 @@ public:
   std::size_t LeftOut() const { return this->Lost; } // pieces that are not edges of the plan
 
 private:
-  void MakeDelaunay();
   void InsertEnds(const std::vector<Edge>& edges);
   std::vector<Edge> SplitFar(const PinchOutLines& lines) const;
   bool IsFar(VertexId vertex, PointId from, PointId to) const;

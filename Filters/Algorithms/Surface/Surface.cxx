@@ -6,7 +6,6 @@
 #include "Surface.h"
 
 #include "Common/Base/CountingSort.h"
-#include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/PlaneGeometry.h"
@@ -300,7 +299,8 @@ PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
 
 // The best effort leaves about this share of the inner points of the fast one within an error. Each has two triangles.
 constexpr double ShareOfBest = 0.5;
-// Points that outlines keep can leave new slivers. The last rounds keep all that were found.
+// Points that outlines keep can leave new slivers. The last reviews of slivers keep all points that were found; as many
+// more are for points in the way alone.
 constexpr int MostReviews = 6;
 constexpr int LastReviews = 2;
 // Meshes within an error do not keep larger angles (degrees) either.
@@ -383,12 +383,17 @@ private:
   std::optional<MovedLoops> Review(const LoopTriangles& seen)
   {
     const bool isEven = this->Options.EdgeLength > 0.0;
-    std::vector<PointId> found = isEven ? this->DivideNarrow(seen) : this->FindAtSlivers(seen);
+    std::vector<PointId> found;
+    std::vector<PointId> corners;
+    if (this->Reviews < MostReviews)
+    {
+      found = isEven ? this->DivideNarrow(seen) : this->FindAtSlivers(seen, corners);
+    }
     if (this->Options.MaximumNumberOfTriangles == 0)
     {
       found.insert(found.end(), seen.InTheWay.begin(), seen.InTheWay.end());
     }
-    if (found.empty() || this->Reviews == MostReviews)
+    if (found.empty() || this->Reviews == MostReviews + LastReviews)
     {
       return {};
     }
@@ -402,7 +407,8 @@ private:
     {
       return {};
     }
-    return MovedLoops{ this->Outlines, this->Dropped, std::move(found) };
+    corners.insert(corners.end(), found.begin(), found.end());
+    return MovedLoops{ this->Outlines, this->Dropped, std::move(corners) };
   }
 
   /// For even meshes, points that part edges of outlines at triangles with small angles.
@@ -465,9 +471,14 @@ private:
     this->Simplify(this->Result.Parameters.MaximumError, monitor);
   }
 
-  std::vector<PointId> FindAtSlivers(const LoopTriangles& seen) const
+  /// Finds a corner of each of these slivers, too.
+  std::vector<PointId> FindAtSlivers(const LoopTriangles& seen, std::vector<PointId>& cornersOfSlivers) const
   {
     std::vector<PointId> found;
+    if (this->Result.Parameters.MaximumError == 0.0)
+    {
+      return found;
+    }
     const SurfaceParameters& parameters = this->Result.Parameters;
     const double reach = std::min(parameters.OutlineTolerance, FarthestReach) + 2.0 * parameters.Radius;
     const double sine = SineOfDegrees(this->Options.Effort == DecimationEffort::Best
@@ -483,6 +494,7 @@ private:
         if (nearest != NoPoint)
         {
           found.push_back(nearest);
+          cornersOfSlivers.push_back(a);
         }
       }
     }
@@ -634,9 +646,9 @@ private:
     const double error = parameters.MaximumError;
     DecimationOptions options = this->MakeDecimationOptions();
     const LoopReview review = [this](const LoopTriangles& seen) { return this->Review(seen); };
-    // Triangles that were small beside other outlines would stay in an even mesh.
-    const bool isMadeAnew = isByNumber || this->Options.EdgeLength > 0.0;
-    if (isMadeAnew && error > 0.0)
+    // Outlines for a number are those of the error. Triangles that were small beside others would stay in an even mesh.
+    const bool isMadeAnew = isByNumber ? error > 0.0 : this->Options.EdgeLength > 0.0;
+    if (isMadeAnew)
     {
       MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor.Step(0.0, 0.1), review);
       this->Reviews = 0;
@@ -644,14 +656,14 @@ private:
     if (isByNumber)
     {
       parameters.MaximumNumberOfPoints = this->FindNumberOfPoints(monitor.Step(0.1, 0.2));
+      this->Index.reset(); // frees memory for the mesh
     }
     else
     {
       options.MaximumError = error;
     }
     options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
-    this->Result.Mesh = SeismicHorizons::Decimate(
-      this->MoveHorizon(), options, monitor.Step(0.2, 1.0), error > 0.0 ? review : LoopReview());
+    this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0), review);
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
     if (this->Seams)

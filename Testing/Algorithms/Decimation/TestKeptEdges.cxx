@@ -71,8 +71,7 @@ public:
         return; // pieces before the crossing are kept as well, which ones is told by nothing
       }
     }
-    std::vector<TriangleId> triangles = this->Mesh.AllTriangles();
-    this->Mesh.Triangles().MakeDelaunay(triangles);
+    this->Mesh.Triangles().MakeDelaunay();
   }
 
   void InsertPoints()

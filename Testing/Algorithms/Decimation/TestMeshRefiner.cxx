@@ -36,7 +36,7 @@ void TestFarVertices()
   }
   mesh.SetAllHeights(all);
   refiner.InsertWhereFar(bound, Monitor());
-  refiner.InsertAtEdges(bound, Monitor());
+  refiner.InsertAtEdges(bound, bound, Monitor());
   for (TriangleId triangle = 0; triangle < mesh.Triangles().Size(); ++triangle)
   {
     CHECK(mesh.RasterOf(triangle).Measure(mesh.RaisedCorners(triangle)).Largest <= bound + 1e-9);

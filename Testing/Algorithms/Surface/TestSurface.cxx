@@ -119,6 +119,7 @@ Result RunMethods(const Points& points, const SurfaceOptions& given, const Surfa
   decimation.MaximumError = parameters.MaximumNumberOfPoints > 0 ? 0.0 : parameters.MaximumError;
   decimation.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
   decimation.Effort = given.Effort;
+  decimation.Crossings = given.Crossings;
   Decimation mesh = Decimate(TestHorizons::Leave(horizon, simplified), decimation);
   std::vector<PointId>& target = mesh.Points.Target;
   std::for_each(simplified.Dropped.begin(), simplified.Dropped.end(),
@@ -169,7 +170,9 @@ void CheckSame(const Points& points, const SurfaceOptions& options, const Surfac
   }
   else
   {
-    CHECK(surface.Mesh.LargestError <= surface.Parameters.MaximumError + 1e-9);
+    const double error = surface.Parameters.MaximumError + 1e-9;
+    CHECK(surface.Mesh.LargestError <= error);
+    CHECK(surface.Mesh.LargestEdgeError <= (options.Crossings == CrossingTolerance::Twice ? 2.0 : 1.0) * error);
   }
 }
 
@@ -183,6 +186,7 @@ void TestSameAsMethods()
     options.Growth = n % 5 == 0 ? GrowthStrategy::Distance : GrowthStrategy::Clockwise;
     options.HoleBoundaries = n % 4 != 3;
     options.Effort = n % 7 < 3 ? DecimationEffort::Fast : DecimationEffort::Best;
+    options.Crossings = n % 11 < 4 ? CrossingTolerance::Twice : CrossingTolerance::Same;
     const Surface surface = MakeSurface(points, options);
     CheckSame(points, options, surface);
     const SurfaceParameters& chosen = surface.Parameters;
