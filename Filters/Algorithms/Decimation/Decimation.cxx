@@ -310,15 +310,25 @@ std::vector<TriangleId> FindSlivers(const HeightMesh& mesh, double smallestAngle
 void InsertUntilGood(
   HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
 {
+  constexpr double inserted = 0.8; // the rest is short
   DecimationOptions now = options;
   now.SmallestAngle = review ? 0.0 : options.SmallestAngle;
-  InsertToError(mesh, now, monitor.Step(0.0, 0.8));
-  std::vector<TriangleId> changed = mesh.AllTriangles();
-  while (review)
+  std::optional<std::vector<TriangleId>> triangles; // nothing while the mesh has the loops alone
+  for (double done = 0.0;; done = inserted)
   {
-    monitor.Progress(0.8);
-    std::optional<std::vector<TriangleId>> triangles;
-    if (std::optional<MovedLoops> moved = review(ViewLoops(mesh, changed, options)))
+    const Monitor step = monitor.Step(done, inserted);
+    if (triangles)
+    {
+      triangles = InsertWhereChanged(mesh, now, std::move(*triangles), step);
+    }
+    else
+    {
+      InsertToError(mesh, now, step);
+      triangles = mesh.AllTriangles();
+    }
+    monitor.Progress(inserted);
+    std::optional<MovedLoops> moved = review ? review(ViewLoops(mesh, *triangles, options)) : std::nullopt;
+    if (moved)
     {
       triangles = mesh.ChangeLoops(std::move(moved->Boundary), std::move(moved->Dropped), moved->ShownAgain);
     }
@@ -330,15 +340,6 @@ void InsertUntilGood(
     else
     {
       return;
-    }
-    if (triangles)
-    {
-      changed = InsertWhereChanged(mesh, now, std::move(*triangles), monitor.Step(0.8, 0.8));
-    }
-    else
-    {
-      InsertToError(mesh, now, monitor.Step(0.8, 0.8));
-      changed = mesh.AllTriangles();
     }
   }
 }

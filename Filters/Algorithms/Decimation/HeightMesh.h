@@ -62,9 +62,9 @@ public:
   BoundedHorizon TakeHorizon();
 
   /// Moves the loops, and drops or puts back points beside them. Triangles away from the changes stay, errors of all are
-  /// forgotten. Returns the triangles to examine again: new ones, and those within a column of moved points or of `others`;
-  /// nothing if the mesh could not be changed, which then has the loops alone. There must be one horizon, and no kept edges
-  /// or fixed vertices inside.
+  /// forgotten. Returns the triangles to examine again: new ones, and those within a column of moved points or of
+  /// `others`; nothing if the mesh could not be changed, which then has the loops alone. There must be one horizon, and
+  /// no kept edges or fixed vertices inside.
   std::optional<std::vector<TriangleId>> ChangeLoops(
     Loops boundary, DroppedPoints dropped, const std::vector<PointId>& others = {});
   const std::vector<double>& HeightsOfPoints() const { return this->Horizon.Height; }

@@ -151,6 +151,7 @@ public:
 
   std::optional<LoopChange> Run(const std::vector<unsigned char>& mayStay)
   {
+    this->FindOuter();
     this->FindGone(mayStay);
     this->FindOpen();
     try
@@ -169,14 +170,15 @@ public:
   }
 
 private:
+  using OuterSide = std::pair<Side, TriangleId>;
+
   Side SideOf(TriangleId triangle, int edge) const
   {
     return { this->Sources[this->Mesh.Corner(triangle, edge)],
       this->Sources[this->Mesh.Corner(triangle, NextCorner(edge))] };
   }
 
-  template <typename Visitor>
-  void ForEachOuterSide(Visitor&& visit) const
+  void FindOuter()
   {
     for (TriangleId triangle = 0; triangle < this->Mesh.Size(); ++triangle)
     {
@@ -184,7 +186,7 @@ private:
       {
         if (this->Mesh.Neighbour(triangle, edge) == NoTriangle)
         {
-          visit(triangle, this->SideOf(triangle, edge));
+          this->Outer.emplace_back(this->SideOf(triangle, edge), triangle);
         }
       }
     }
@@ -193,7 +195,8 @@ private:
   void FindGone(const std::vector<unsigned char>& mayStay)
   {
     Sides before;
-    this->ForEachOuterSide([&](TriangleId, const Side& side) { before.push_back(side); });
+    std::transform(this->Outer.begin(), this->Outer.end(), std::back_inserter(before),
+      [](const OuterSide& outer) { return outer.first; });
     std::sort(before.begin(), before.end());
     Sides added;
     std::set_difference(
@@ -234,14 +237,13 @@ private:
         this->Open.emplace_back(ofStaying.second, ofStaying.first);
       }
     };
-    this->ForEachOuterSide(
-      [&](TriangleId triangle, const Side& side)
+    for (const auto& [side, triangle] : this->Outer)
+    {
+      if (this->Stays(triangle))
       {
-        if (this->Stays(triangle))
-        {
-          add(side);
-        }
-      });
+        add(side);
+      }
+    }
     for (const TriangleId triangle : this->Result.Gone)
     {
       for (int edge = 0; edge < 3; ++edge)
@@ -304,6 +306,7 @@ private:
   const std::vector<PointId>& Sources;
   const PlanePoints Places;
   const Sides Boundary;
+  std::vector<OuterSide> Outer; // of the mesh before
   Sides Open;
   LoopChange Result;
 };

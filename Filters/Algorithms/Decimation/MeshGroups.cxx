@@ -93,11 +93,15 @@ public:
   std::vector<VertexId> Vertices() const
   {
     std::vector<VertexId> vertices;
-    for (std::size_t n = 0; n < BitsOfWord * this->Words.size(); ++n)
+    for (std::size_t word = 0; word < this->Words.size(); ++word)
     {
-      if (this->Words[n / BitsOfWord].Bits[n % BitsOfWord])
+      const std::bitset<BitsOfWord>& bits = this->Words[word].Bits;
+      for (std::size_t bit = 0; bit < BitsOfWord && bits.any(); ++bit)
       {
-        vertices.push_back(this->First + VertexId(n));
+        if (bits[bit])
+        {
+          vertices.push_back(this->First + VertexId(BitsOfWord * word + bit));
+        }
       }
     }
     return vertices;

@@ -22,6 +22,12 @@ constexpr double ReachOfFit = 0.9;
 // For larger angles (degrees), the best effort would insert more vertices than it removes.
 constexpr double LargestInserted = 2.0;
 
+std::optional<EdgeSizes> SizesOf(const HeightMesh& mesh, const DecimationOptions& options)
+{
+  return options.EdgeLength > 0.0 ? std::make_optional<EdgeSizes>(mesh, options.EdgeLength, options.EdgeGrowth)
+                                  : std::nullopt;
+}
+
 void InsertRest(HeightMesh& mesh, MeshRefiner& refiner, const DecimationOptions& options, const EdgeSizes* sizes,
   const Monitor& monitor)
 {
@@ -49,10 +55,9 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
 {
   const double error = options.MaximumError;
   MeshRefiner refiner(mesh, 0, DecimationPriority::LargestError);
-  std::optional<EdgeSizes> sizes;
-  if (options.EdgeLength > 0.0)
+  const std::optional<EdgeSizes> sizes = SizesOf(mesh, options);
+  if (sizes)
   {
-    sizes.emplace(mesh, options.EdgeLength, options.EdgeGrowth);
     refiner.InsertMarked(sizes->MarkPoints());
     refiner.InsertAtSlivers(SmallestAngleOf(options), &*sizes);
   }
@@ -70,10 +75,9 @@ void InsertToError(HeightMesh& mesh, const DecimationOptions& options, const Mon
 std::vector<TriangleId> InsertWhereChanged(
   HeightMesh& mesh, const DecimationOptions& options, std::vector<TriangleId> changed, const Monitor& monitor)
 {
-  std::optional<EdgeSizes> sizes;
-  if (options.EdgeLength > 0.0)
+  const std::optional<EdgeSizes> sizes = SizesOf(mesh, options);
+  if (sizes) // of other loops
   {
-    sizes.emplace(mesh, options.EdgeLength, options.EdgeGrowth); // of other loops
     changed = mesh.AllTriangles();
   }
   MeshRefiner refiner(mesh, std::move(changed));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangulation in plan that is edited step by step. Boundary edges stay until Exchange, and so do edges kept on request
-// (KeptEdges); inserting a vertex on a kept edge leaves two of them.
+// A triangulation in plan that is edited step by step. Boundary edges stay until Exchange, and so do edges kept on
+// request (KeptEdges); inserting a vertex on a kept edge leaves two of them.
 //
 // Insert makes a point the third corner of three triangles, Flip exchanges a diagonal, and Collapse moves a point to
 // the other end of an edge, which removes two triangles.
@@ -147,7 +147,8 @@ private:
   std::unordered_set<std::uint64_t> Kept; // edges
 };
 
-// Forces lines between vertices into the mesh, which is to be made Delaunay afterwards: crossed edges are flipped until the line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
+// Forces lines between vertices into the mesh, which is to be made Delaunay afterwards: crossed edges are flipped until
+// the line is an edge (Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
 class KeptEdges
 {
 public:

@@ -4,25 +4,18 @@
 // Outlines of a mesh stay on their side of the middle of narrow slots, whatever the vertical error.
 
 #include "Common/Horizon/Predicates.h"
-#include "Filters/Algorithms/Surface/Surface.h"
+#include "SurfaceInputs.h"
 #include "Tools/Check.h"
-#include "Tools/Patches.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 using namespace SeismicHorizons;
+using namespace SurfaceInputs;
 
 namespace
 {
-SurfaceOptions Within(double error)
-{
-  SurfaceOptions options;
-  options.MaximumError = error;
-  return options;
-}
-
 /// Whether a column is in a triangle of a mesh, or on its edges.
 bool IsCovered(const Surface& surface, const PlanePoint& column)
 {

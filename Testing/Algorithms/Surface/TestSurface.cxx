@@ -5,7 +5,7 @@
 // no more triangles than there may be.
 
 #include "Common/Base/Parallel.h"
-#include "SurfaceParts.h"
+#include "SurfaceInputs.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 #include "Tools/Patches.h"
@@ -17,6 +17,7 @@
 #include <string>
 
 using namespace SeismicHorizons;
+using namespace SurfaceInputs;
 
 namespace
 {
@@ -27,48 +28,12 @@ double Fold(const PlanePoint& column)
   return std::round(20.0 + 6.0 * std::sin(0.3 * column.X) * std::cos(0.25 * column.Y));
 }
 
-template <typename Height>
-Points MakePoints(const Patches::Columns& columns, Height&& height)
-{
-  Points points;
-  for (const PlanePoint& column : columns)
-  {
-    points.Columns.push_back(column);
-    points.Height.push_back(height(column));
-  }
-  return points;
-}
-
-Patches::Columns Rectangle(int width, int height)
-{
-  return Patches::FromPicture(std::vector<std::string>(std::size_t(height), std::string(std::size_t(width), '#')));
-}
-
 Points RandomPoints(int n, Patches::Random& random)
 {
   const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
   const bool isNoise = n % 3 == 0;
   return MakePoints(
     columns, [&](const PlanePoint& column) { return isNoise ? std::floor(9.0 * random.Fraction()) : Fold(column); });
-}
-
-SurfaceOptions Within(double error)
-{
-  SurfaceOptions options;
-  options.MaximumError = error;
-  return options;
-}
-
-SurfaceOptions AtMost(std::size_t triangles)
-{
-  SurfaceOptions options;
-  options.MaximumNumberOfTriangles = triangles;
-  return options;
-}
-
-std::size_t CountTriangles(const Surface& surface)
-{
-  return surface.Mesh.Triangles.size() / 3;
 }
 
 /// How many points each vertex represents.
@@ -92,8 +57,8 @@ struct Result
 std::string TellLoops(const Reduction& vertices)
 {
   std::ostringstream text;
-  vertices.Boundary.ForEachEdge([&](PointId from, PointId to)
-    { text << vertices.Plane[std::size_t(from)].X << ' ' << vertices.Plane[std::size_t(to)].Y << ' '; });
+  vertices.Boundary.ForEachPoint([&](PointId point)
+    { text << vertices.Plane[std::size_t(point)].X << ' ' << vertices.Plane[std::size_t(point)].Y << ' '; });
   return text.str();
 }
 
