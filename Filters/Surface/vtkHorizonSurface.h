@@ -17,12 +17,12 @@
  *    outlines were simplified for (0 if their tolerances were given);
  *  - ChosenMaximumNumberOfPoints (vtkIdType): with NumberOfTriangles the number of points of the decimation, else 0.
  *
- * With NumberOfTriangles, an error is searched for which a mesh of the effort Fast has about that many triangles, in
- * ten meshes at most. Outlines are simplified for that error, and inner points are added up to the number.
+ * With NumberOfTriangles, outlines are simplified for an error that is expected to leave about that many triangles, from
+ * the distances at which points are inserted into a first mesh, and inner points are added up to the number.
  *
  * With a SmallestAngle above 0, outlines also keep points beside slivers of a first mesh of the effort Fast, and with a
- * bound of CrossingTolerance those on lines that its edges cross too far away; otherwise the mesh is that of the single
- * stages.
+ * bound of CrossingTolerance those on lines that its edges cross too far away; so they do in the search for the
+ * largest error. Otherwise the mesh is that of the single stages.
  *
  * The result is the same for any number of threads. Time is near linear; memory beyond the input is about 50 bytes per
  * point and 12 per column of the bounding box of a patch.

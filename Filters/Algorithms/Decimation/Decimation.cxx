@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -211,44 +212,14 @@ private:
 constexpr double Surplus = 4.0;
 // The error of as many leaves few more than the number.
 constexpr double SurplusForLargest = 2.0;
-
-void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
-{
-  MeshRefiner refiner(mesh, options.MaximumNumberOfPoints, options.Priority);
-  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.7));
-  if (options.FitHeights)
-  {
-    SmoothInGroups(mesh, options, monitor.Step(0.7, 1.0));
-  }
-}
+// Points are inserted down to the error, as they cannot be taken back.
+constexpr double CoarseStart = 1.3;
+constexpr double FarFromInserted = 1.04;
 
 /// Fitting heights for a number of points flips edges even with the effort Fast.
 bool IsFlipped(const DecimationOptions& options)
 {
-  return options.FitHeights && options.MaximumNumberOfPoints > 0;
-}
-
-void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
-{
-  const std::size_t most = options.MaximumNumberOfPoints;
-  const std::size_t onLoops = mesh.NumberOfVertices();
-  const auto insert = [&](double times, const Monitor& step)
-  {
-    MeshRefiner(mesh, onLoops + std::size_t(times * double(most - onLoops)), options.Priority)
-      .InsertWhereFar(0.0, step);
-  };
-  if (options.Priority == DecimationPriority::LargestError)
-  {
-    insert(SurplusForLargest, monitor.Step(0.0, 0.4));
-    mesh.SortByPlace();
-    ReduceLargestError(mesh, most, options, monitor.Step(0.4, 1.0));
-    return;
-  }
-  insert(1.0, monitor.Step(0.0, 0.2));
-  const double error = mesh.LargestError();
-  insert(Surplus, monitor.Step(0.2, 0.4));
-  mesh.SortByPlace();
-  ReduceToNumber(mesh, most, error, options, monitor.Step(0.4, 1.0));
+  return options.FitHeights && HasNumber(options);
 }
 
 std::vector<PointId> FindInTheWay(
@@ -280,10 +251,17 @@ std::vector<PointId> FindInTheWay(
     });
 }
 
-LoopTriangles ViewLoops(
-  const HeightMesh& mesh, const std::vector<TriangleId>& triangles, const DecimationOptions& options)
+/// Each inner vertex adds two triangles.
+std::size_t TrianglesOfLoops(const HeightMesh& mesh)
 {
-  LoopTriangles view{ {}, FindInTheWay(mesh, triangles, options), mesh.HeightsOfPoints() };
+  return std::size_t(mesh.Triangles().Size()) - 2 * mesh.NumberOfInnerVertices();
+}
+
+LoopTriangles ViewLoops(
+  const HeightMesh& mesh, const std::vector<TriangleId>& triangles, const DecimationOptions& options, int reviews)
+{
+  LoopTriangles view{ {}, FindInTheWay(mesh, triangles, options), mesh.HeightsOfPoints(), TrianglesOfLoops(mesh),
+    options.MaximumError, reviews };
   for (const TriangleId triangle : triangles)
   {
     const auto& [a, b, c] = mesh.Triangles().Corners(triangle);
@@ -314,9 +292,9 @@ void InsertUntilGood(
   DecimationOptions now = options;
   now.SmallestAngle = review ? 0.0 : options.SmallestAngle;
   std::optional<std::vector<TriangleId>> triangles; // nothing while the mesh has the loops alone
-  for (double done = 0.0;; done = inserted)
+  for (int reviews = 0;; ++reviews)
   {
-    const Monitor step = monitor.Step(done, inserted);
+    const Monitor step = monitor.Step(reviews == 0 ? 0.0 : inserted, inserted);
     if (triangles)
     {
       triangles = InsertWhereChanged(mesh, now, std::move(*triangles), step);
@@ -327,7 +305,7 @@ void InsertUntilGood(
       triangles = mesh.AllTriangles();
     }
     monitor.Progress(inserted);
-    std::optional<MovedLoops> moved = review ? review(ViewLoops(mesh, *triangles, options)) : std::nullopt;
+    std::optional<MovedLoops> moved = review ? review(ViewLoops(mesh, *triangles, options, reviews)) : std::nullopt;
     if (moved)
     {
       triangles = mesh.ChangeLoops(std::move(moved->Boundary), std::move(moved->Dropped), moved->ShownAgain);
@@ -344,20 +322,100 @@ void InsertUntilGood(
   }
 }
 
-void Insert(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
+// ---- For a number ----------------------------------------------------------------------------------------------------
+/// The best effort searches the least bound, from a mesh within a bound.
+bool IsSearched(const DecimationOptions& options)
 {
-  if (options.MaximumNumberOfPoints == 0)
+  return options.Effort == DecimationEffort::Best && options.Priority == DecimationPriority::LargestError;
+}
+
+std::size_t MostVertices(const HeightMesh& mesh, const DecimationOptions& options)
+{
+  if (options.MaximumNumberOfTriangles == 0)
   {
-    InsertUntilGood(mesh, options, monitor, review);
-    return;
+    const std::size_t least = mesh.NumberOfVertices() - mesh.NumberOfInnerVertices();
+    if (options.MaximumNumberOfPoints < least)
+    {
+      throw InputError("maximum number of points " + std::to_string(options.MaximumNumberOfPoints) +
+        ", expected at least the " + std::to_string(least) + " of the loops, which are kept");
+    }
+    return options.MaximumNumberOfPoints;
   }
-  (options.Effort == DecimationEffort::Best ? InsertAndRemove : InsertToNumber)(mesh, options, monitor);
+  const std::size_t least = TrianglesOfLoops(mesh);
+  if (options.MaximumNumberOfTriangles < least)
+  {
+    throw TooFewTriangles(options.MaximumNumberOfTriangles, least);
+  }
+  return std::min(
+    mesh.NumberOfVertices() - mesh.NumberOfInnerVertices() + (options.MaximumNumberOfTriangles - least) / 2,
+    mesh.NumberOfPoints());
+}
+
+void InsertAndRemove(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  const std::size_t most = MostVertices(mesh, options);
+  const std::size_t onLoops = mesh.NumberOfVertices();
+  const auto insert = [&](double times, const Monitor& step)
+  {
+    MeshRefiner(mesh, onLoops + std::size_t(times * double(most - onLoops)), options.Priority)
+      .InsertWhereFar(0.0, step);
+  };
+  insert(1.0, monitor.Step(0.0, 0.2));
+  const double error = mesh.LargestError();
+  insert(Surplus, monitor.Step(0.2, 0.4));
+  mesh.SortByPlace();
+  ReduceToNumber(mesh, most, error, options, monitor.Step(0.4, 1.0));
+}
+
+void InsertAndSearch(
+  HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
+{
+  DecimationOptions first = options;
+  first.MaximumNumberOfPoints = 0;
+  first.MaximumNumberOfTriangles = 0;
+  if (first.MaximumError == 0.0)
+  {
+    const std::size_t most = MostVertices(mesh, options);
+    const std::size_t onLoops = mesh.NumberOfVertices();
+    MeshRefiner(mesh, onLoops + std::size_t(SurplusForLargest * double(most - onLoops)), options.Priority)
+      .InsertWhereFar(0.0, monitor.Step(0.0, 0.2));
+    first.MaximumError = std::max(mesh.LargestError(), LeastOfSearch);
+  }
+  double last = std::numeric_limits<double>::infinity();
+  const auto insert = [&](double error, const Monitor& step)
+  {
+    DecimationOptions now = first;
+    now.MaximumError = error;
+    if (error > FarFromInserted * last)
+    {
+      mesh = HeightMesh(mesh.TakeHorizon(), Monitor());
+    }
+    if (error < last || error > FarFromInserted * last)
+    {
+      InsertUntilGood(mesh, now, step, review);
+      last = error;
+    }
+    mesh.SortByPlace();
+    return MostVertices(mesh, options);
+  };
+  first.MaximumError *= CoarseStart;
+  ReduceLargestError(mesh, first, insert, monitor.Step(0.2, 1.0));
+}
+
+void InsertToNumber(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor)
+{
+  MeshRefiner refiner(mesh, MostVertices(mesh, options), options.Priority);
+  refiner.InsertWhereFar(0.0, monitor.Step(0.0, 0.7));
+  if (options.FitHeights)
+  {
+    SmoothInGroups(mesh, options, monitor.Step(0.7, 1.0));
+  }
 }
 
 void Check(const DecimationOptions& options)
 {
   CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
-  CheckQuality(options, options.MaximumNumberOfPoints > 0);
+  CheckQuality(options, HasNumber(options));
   if (options.MaximumError > 0.0 && options.MaximumNumberOfPoints > 0)
   {
     std::ostringstream message;
@@ -367,38 +425,59 @@ void Check(const DecimationOptions& options)
   }
 }
 
-void CheckNumberOfPoints(const HeightMesh& mesh, std::size_t most)
+void Insert(HeightMesh& mesh, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
 {
-  if (most > 0 && most < mesh.NumberOfVertices())
+  if (!HasNumber(options))
   {
-    throw InputError("maximum number of points " + std::to_string(most) + ", expected at least the " +
-      std::to_string(mesh.NumberOfVertices()) + " of the loops, which are kept");
+    InsertUntilGood(mesh, options, monitor, review);
+    return;
   }
+  if (IsSearched(options))
+  {
+    InsertAndSearch(mesh, options, monitor, review);
+    return;
+  }
+  (options.Effort == DecimationEffort::Best ? InsertAndRemove : InsertToNumber)(mesh, options, monitor);
 }
 
-template <typename Finish>
-void Run(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review,
-  Finish&& finish)
+/// What fits loops as they were would stay: small triangles in an even mesh, points in one by number.
+bool IsMadeAnew(const DecimationOptions& options)
+{
+  return options.EdgeLength > 0.0 || (HasNumber(options) && !IsSearched(options));
+}
+
+BoundedHorizon MoveLoops(
+  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
+{
+  HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.2));
+  DecimationOptions fast = options;
+  fast.Effort = DecimationEffort::Fast;
+  fast.SmallestAngle = 0.0; // the best effort leaves other slivers
+  fast.Crossings = HasNumber(options) ? CrossingTolerance::Unbounded : options.Crossings;
+  fast.MaximumNumberOfTriangles = 0;
+  InsertUntilGood(mesh, fast, monitor.Step(0.2, 1.0), review);
+  return mesh.TakeHorizon();
+}
+
+Decimation Run(
+  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
 {
   HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
-  const std::size_t most = options.MaximumNumberOfPoints;
-  CheckNumberOfPoints(mesh, most);
   const bool isImproved = IsImproved(options);
   Insert(mesh, options, monitor.Step(0.1, isImproved ? 0.35 : 0.9), review);
   if (isImproved)
   {
     ImproveWithinError(mesh, options, monitor.Step(0.35, 0.9));
   }
-  if (most > 0 && most < mesh.NumberOfVertices())
+  if (HasNumber(options) && MostVertices(mesh, options) < mesh.NumberOfVertices())
   {
     // Rarely, no vertex can be collapsed, as no neighbour sees all of its ring.
     DecimationOptions fast = options;
     fast.Effort = DecimationEffort::Fast;
-    Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), review, finish);
-    return;
+    return Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), review);
   }
   mesh.SortVertices();
-  finish(mesh, monitor.Step(0.9, 1.0));
+  return Collector(mesh, options.SmallestAngle).Run(monitor.Step(0.9, 1.0));
 }
 }
 
@@ -425,9 +504,11 @@ Decimation Decimate(
 {
   assert(horizon.SubVoxelsPerColumn == 1);
   Check(options);
-  Decimation result;
-  Run(std::move(horizon), options, monitor, review,
-    [&](const HeightMesh& mesh, const Monitor& step) { result = Collector(mesh, options.SmallestAngle).Run(step); });
+  if (review && options.MaximumError > 0.0 && IsMadeAnew(options))
+  {
+    horizon = MoveLoops(std::move(horizon), options, monitor.Step(0.0, 0.2), review);
+  }
+  Decimation result = Run(std::move(horizon), options, monitor.Step(0.2, 1.0), review);
   if (MeshChecker::IsOn)
   {
     const bool isDelaunay = options.Effort == DecimationEffort::Fast && !IsFlipped(options);
@@ -438,25 +519,25 @@ Decimation Decimate(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanMesh MeshOf(
-  BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor, const LoopReview& review)
+std::vector<double> FindErrors(BoundedHorizon horizon, std::size_t triangles, double leastError, const Monitor& monitor)
 {
-  Check(options);
-  PlanMesh result;
-  Run(std::move(horizon), options, monitor, review,
-    [&](const HeightMesh& mesh, const Monitor&)
-    {
-      const PlaneMesh& plane = mesh.Triangles();
-      result.Triangles.reserve(3 * std::size_t(plane.Size()));
-      for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
-      {
-        for (const VertexId corner : plane.Corners(triangle))
-        {
-          result.Triangles.push_back(mesh.SourceOf(corner));
-        }
-      }
-      result.NumberOfInnerPoints = mesh.NumberOfInnerVertices();
-    });
-  return result;
+  HeightMesh mesh(std::move(horizon), monitor.Step(0.0, 0.1));
+  const std::size_t least = TrianglesOfLoops(mesh);
+  MeshRefiner refiner(
+    mesh, mesh.NumberOfVertices() + (triangles - std::min(least, triangles)) / 2 + 1, DecimationPriority::LargestError);
+  refiner.InsertWhereFar(leastError, monitor.Step(0.1, 1.0));
+  std::vector<double> errors = refiner.ErrorsBefore();
+  const double last = std::max(leastError, mesh.LargestError());
+  errors.push_back(last);
+  std::sort(errors.begin(), errors.end(), std::greater<>());
+  errors.erase(std::upper_bound(errors.begin(), errors.end(), last, std::greater<>()), errors.end());
+  return errors;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+InputError TooFewTriangles(std::size_t most, std::size_t least)
+{
+  return InputError("maximum number of triangles " + std::to_string(most) + ", expected at least the " +
+    std::to_string(least) + " that the outlines alone take");
 }
 }

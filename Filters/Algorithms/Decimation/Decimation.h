@@ -14,6 +14,7 @@
 #ifndef SeismicHorizonsDecimation_h
 #define SeismicHorizonsDecimation_h
 
+#include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Base/RawVector.h"
 #include "Common/Horizon/BoundedHorizon.h"
@@ -94,12 +95,20 @@ struct DecimationOptions : DecimationQuality
   }
   /// If not 0, it is the target instead of MaximumError, which must be 0. Points of loops are kept.
   std::size_t MaximumNumberOfPoints = 0;
+  /// If not 0, it is the target. Loops are reviewed in a mesh within MaximumError, unless that is 0.
+  std::size_t MaximumNumberOfTriangles = 0;
 };
+
+inline bool HasNumber(const DecimationOptions& options)
+{
+  return options.MaximumNumberOfPoints > 0 || options.MaximumNumberOfTriangles > 0;
+}
 
 /// Even meshes, and those of the fast effort, remain as points were inserted.
 inline bool IsImproved(const DecimationOptions& options)
 {
-  return options.Effort == DecimationEffort::Best && options.MaximumError > 0.0 && options.EdgeLength == 0.0;
+  return options.Effort == DecimationEffort::Best && options.MaximumError > 0.0 && options.EdgeLength == 0.0 &&
+    !HasNumber(options);
 }
 
 /// Throws InputError.
@@ -132,6 +141,9 @@ struct LoopTriangles
   /// Changed edges are farther from links to these dropped points than the error, as no point inside could part them.
   std::vector<PointId> InTheWay;
   const std::vector<double>& Heights; // of all points
+  std::size_t TrianglesOfLoops = 0; // of a mesh without inner vertices
+  double Error = 0.0; // bounds that of the mesh
+  int Reviews = 0; // of this mesh, before this one
 };
 
 struct MovedLoops
@@ -147,20 +159,17 @@ struct MovedLoops
 using LoopReview = std::function<std::optional<MovedLoops>(const LoopTriangles&)>;
 
 /// Points must lie in distinct columns inside the loops of their patch, else InputError. Points of negative patches are
-/// ignored. Takes about 28 bytes per point and 16 per column of the patches' bounding boxes. Within an error, loops are
-/// reviewed.
+/// ignored. Takes about 28 bytes per point and 16 per column of the patches' bounding boxes. Loops are not reviewed for a
+/// number of points.
 Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options = DecimationOptions(),
   const Monitor& monitor = Monitor(), const LoopReview& review = {});
 
-/// A mesh without its errors.
-struct PlanMesh
-{
-  RawVector<PointId> Triangles;
-  std::size_t NumberOfInnerPoints = 0; // on no loop
-};
+/// Inserts the farthest points, until the mesh has so many triangles or is within the least error. Returns how far they
+/// were, down to the error of that mesh, falling: as many as are above an error take the mesh about within it.
+std::vector<double> FindErrors(
+  BoundedHorizon horizon, std::size_t triangles, double leastError, const Monitor& monitor = Monitor());
 
-PlanMesh MeshOf(BoundedHorizon horizon, const DecimationOptions& options, const Monitor& monitor = Monitor(),
-  const LoopReview& review = {});
+InputError TooFewTriangles(std::size_t most, std::size_t least);
 }
 
 #endif

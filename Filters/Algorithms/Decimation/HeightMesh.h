@@ -207,7 +207,7 @@ private:
   void MeasureEach(const std::vector<TriangleId>& triangles, const Monitor& monitor, Measuring&& measure);
 
   BoundedHorizon Horizon; // Patch has moved into Patches
-  const PlanePoints Places;
+  PlanePoints Places;
   std::vector<std::int32_t> Patches; // per point, contiguous from 0; negative outside the horizon
   std::size_t Points;
   std::vector<unsigned char> Marks; // per point: 1 for vertices and points on loops

@@ -50,18 +50,22 @@ constexpr int MostHalvings = 12;
 
 // ---- Largest errors ------------------------------------------------------------------------------------------------
 // The number falls about as the error to this power; much less where a mesh within less is improved again.
-constexpr double NumberPower = 1.5;
+constexpr double NumberPower = 2.0;
 constexpr double LeastPower = 0.1;
+constexpr double MostPower = 4.0;
+constexpr double AimOfSearch = 0.99;
 constexpr double EnoughOfNumber = 0.98;
 constexpr double NearEnough = 1.01;
 constexpr double FarFromNumber = 1.05;
 constexpr double Away = 1.003; // of errors that were tried
 constexpr int MostTrials = 12;
-constexpr double LeastOfSearch = 1e-3;
-constexpr double OnFineSide = 0.9;
+// A mesh is improved to the end only if at least this part of the number, and no more than the number, is expected.
+constexpr double LeastExpected = 0.97;
+// What the first collapses leave of the vertices, to this power, is what the rest leaves of those.
+constexpr double PowerOfRest = 0.245;
 // Steps that lead to too many vertices again may be larger, by the square: whole heights need as many vertices for any
 // error below a half.
-constexpr double FarthestStep = 2.0;
+constexpr double FarthestStep = 1.5;
 
 // Large enough that few edges lie between groups, small enough for many threads.
 constexpr double TrianglesOfGroup = 1500.0;
@@ -163,13 +167,21 @@ public:
     }
   }
 
-  void ImproveWithinError(const Monitor& monitor)
+  /// Returns about as many vertices as ImproveRest() will leave.
+  double CollapseWithinError(const Monitor& monitor)
+  {
+    const double before = double(CountInner(this->Vertices));
+    this->RunPass(CollapseSteps, 1, monitor);
+    const double inner = double(CountInner(this->Vertices));
+    return double(this->CountVertices()) - inner + inner * std::pow(inner / std::max(before, 1.0), PowerOfRest);
+  }
+
+  void ImproveRest(const Monitor& monitor)
   {
     constexpr int rounds = 2;
-    this->RunPass(CollapseSteps, 1, monitor.Step(0.0, 0.4));
-    this->RunPass(RoundSteps, rounds, monitor.Step(0.4, 0.7));
-    this->RunPass(RoundSteps, rounds, monitor.Step(0.7, 0.9));
-    this->RunPass(SquareSteps, 1, monitor.Step(0.9, 1.0));
+    this->RunPass(RoundSteps, rounds, monitor.Step(0.0, 0.5));
+    this->RunPass(RoundSteps, rounds, monitor.Step(0.5, 0.85));
+    this->RunPass(SquareSteps, 1, monitor.Step(0.85, 1.0));
   }
 
   std::size_t CountVertices() const
@@ -515,7 +527,8 @@ void ImproveInGroups(HeightMesh& mesh, const DecimationOptions& options, const C
 {
   MeshGroups groups(mesh, options, rule);
   groups.SetError(options.MaximumError);
-  groups.ImproveWithinError(monitor);
+  groups.CollapseWithinError(monitor.Step(0.0, 0.4));
+  groups.ImproveRest(monitor.Step(0.4, 1.0));
   groups.GiveBack();
 }
 
@@ -545,69 +558,86 @@ void ReduceToNumber(
 
 namespace
 {
-/// Searches the error that leaves a number of vertices, or a few less.
+/// Searches the error that leaves a number of vertices, or a few less. Numbers are relative to it.
 class ErrorSearch
 {
 public:
-  ErrorSearch(double first, std::size_t most)
-    : Most(double(most))
-    , Next(first)
+  explicit ErrorSearch(double first)
+    : Next(first)
   {
   }
 
   double NextError() const { return this->Next; }
 
+  /// Takes about what the next error would leave.
+  void AddExpected(double number)
+  {
+    const Trial trial = { this->Next, number, true };
+    Trial& side = number > 1.0 ? this->Fine : this->Coarse;
+    if (side.Error > 0.0)
+    {
+      // The last steps down are short, to keep the bracket narrow.
+      this->Power = side.Error > trial.Error ? std::max(1.0, PowerBetween(trial, side)) : PowerBetween(side, trial);
+    }
+    this->SetNext(trial, side);
+  }
+
   /// Takes what the next error leaves. Returns whether it is more than wanted.
   bool Add(double number)
   {
-    const Trial trial = { this->Next, number };
-    const bool isFine = number > this->Most;
-    const bool isSlow = isFine && this->Last.Number > this->Most && number > FarFromNumber * this->Most;
-    if (isFine && this->Fine.Error > 0.0)
+    const Trial trial = { this->Next, number, false };
+    const bool isFine = number > 1.0;
+    const bool isFirst = this->Fine.Error == 0.0 || this->Fine.IsExpected;
+    if (isFine && !isFirst)
     {
       this->Power = PowerBetween(this->Fine, trial);
     }
-    else if (isFine && this->Coarse.Error > 0.0)
+    else if (isFirst) // what was expected, or is of a mesh with fewer vertices
     {
-      this->Power = PowerBetween(trial, this->Coarse);
-      this->Coarse = Trial(); // of a mesh with fewer vertices
+      (isFine ? this->Coarse : this->Fine) = Trial();
     }
-    (isFine ? this->Fine : this->Coarse) = trial;
-    this->Last = trial;
-    if (this->Fine.Error > 0.0 && this->Coarse.Error > 0.0)
-    {
-      this->Next = isSlow ? std::sqrt(this->Fine.Error * this->Coarse.Error) : this->FindBetween();
-    }
-    else
-    {
-      this->Next = this->FindFrom(trial, isFine ? 1.0 : OnFineSide);
-      this->Farthest *= isFine ? this->Farthest : 1.0;
-    }
+    this->SetNext(trial, isFine ? this->Fine : this->Coarse);
     return isFine;
   }
 
-  bool IsDone() const
-  {
-    return this->Coarse.Number >= EnoughOfNumber * this->Most ||
-      (this->Coarse.Error > 0.0 && this->Coarse.Error <= NearEnough * this->Fine.Error);
-  }
+  bool IsDone() const { return this->Coarse.Number >= EnoughOfNumber || this->IsNarrow(); }
+
+  bool IsNarrow() const { return this->Coarse.Error > 0.0 && this->Coarse.Error <= NearEnough * this->Fine.Error; }
 
 private:
   struct Trial
   {
     double Error = 0.0; // 0 for none yet
     double Number = 0.0;
+    bool IsExpected = false;
   };
+
+  void SetNext(const Trial& trial, Trial& side)
+  {
+    const bool isFine = trial.Number > 1.0;
+    const bool isFar = trial.Number > FarFromNumber || trial.Number < 1.0 / FarFromNumber;
+    const bool isSlow = isFar && isFine == (this->Last.Number > 1.0);
+    side = trial;
+    this->Last = trial;
+    if (this->Fine.Error > 0.0 && this->Coarse.Error > 0.0)
+    {
+      this->Next = isSlow ? std::sqrt(this->Fine.Error * this->Coarse.Error) : this->FindBetween();
+      return;
+    }
+    this->Next = this->FindFrom(trial);
+    this->Farthest *= isFine ? this->Farthest : 1.0;
+  }
 
   /// The number falls as the error to this power.
   static double PowerBetween(const Trial& fine, const Trial& coarse)
   {
-    return std::max(LeastPower, std::log(fine.Number / coarse.Number) / std::log(coarse.Error / fine.Error));
+    const double power = std::log(fine.Number / coarse.Number) / std::log(coarse.Error / fine.Error);
+    return std::clamp(power, LeastPower, MostPower);
   }
 
-  double FindFrom(const Trial& trial, double part) const
+  double FindFrom(const Trial& trial) const
   {
-    const double factor = part * std::pow(trial.Number / this->Most, 1.0 / this->Power);
+    const double factor = std::pow(trial.Number / AimOfSearch, 1.0 / this->Power);
     const double error = trial.Error * std::clamp(factor, 1.0 / this->Farthest, this->Farthest);
     return std::max(error, Away * this->Fine.Error);
   }
@@ -615,10 +645,9 @@ private:
   double FindBetween()
   {
     this->Power = PowerBetween(this->Fine, this->Coarse);
-    return std::min(this->FindFrom(this->Last, 1.0), this->Coarse.Error / Away);
+    return std::min(this->FindFrom(this->Last), this->Coarse.Error / Away);
   }
 
-  const double Most;
   double Next;
   double Power = NumberPower;
   double Farthest = FarthestStep;
@@ -631,28 +660,41 @@ private:
 //----------------------------------------------------------------------------------------------------------------------
 // An error with too many vertices is found first. From there it grows; errors that leave too few are tried again from the
 // mesh before.
-void ReduceLargestError(HeightMesh& mesh, std::size_t vertices, const DecimationOptions& given, const Monitor& monitor)
+void ReduceLargestError(
+  HeightMesh& mesh, const DecimationOptions& given, const InsertWithin& insert, const Monitor& monitor)
 {
   const ColumnRule noRule;
   DecimationOptions options = given;
-  options.MaximumNumberOfPoints = 0;
-  ErrorSearch search(std::max(mesh.LargestError(), LeastOfSearch), vertices);
+  ErrorSearch search(options.MaximumError);
+  double most = 0.0;
+  double left = 1.0; // of what was expected
   std::optional<MeshGroups> fine;
   std::optional<MeshGroups> coarse;
-  for (int trial = 0; trial < MostTrials && !search.IsDone(); ++trial)
+  for (int trial = 0; trial < MostTrials && !((fine || coarse) && search.IsDone()); ++trial)
   {
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
     options.MaximumError = search.NextError();
     if (!fine)
     {
       coarse.reset();
-      InsertToError(mesh, options, step.Step(0.0, 0.4));
-      mesh.SortByPlace();
+      most = double(insert(options.MaximumError, step.Step(0.0, 0.4)));
     }
     MeshGroups next = fine ? *fine : MeshGroups(mesh, options, noRule);
     next.SetError(options.MaximumError);
-    next.ImproveWithinError(step.Step(0.4, 1.0));
-    const bool isFine = search.Add(double(next.CountVertices()));
+    const double expected = left * next.CollapseWithinError(step.Step(0.4, 0.6)) / most;
+    const bool isLast = trial + 1 == MostTrials || search.IsNarrow();
+    if (!fine && !isLast && (expected < LeastExpected || expected > 1.0))
+    {
+      search.AddExpected(expected);
+      continue;
+    }
+    if (!fine || double(next.CountVertices()) > most)
+    {
+      next.ImproveRest(step.Step(0.6, 1.0));
+    }
+    const double number = double(next.CountVertices()) / most;
+    left *= fine ? 1.0 : number / expected;
+    const bool isFine = search.Add(number);
     (isFine ? fine : coarse).emplace(std::move(next));
   }
   (coarse ? *coarse : *fine).GiveBack();

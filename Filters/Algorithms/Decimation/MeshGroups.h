@@ -16,6 +16,7 @@
 #include "HeightMesh.h"
 
 #include <cstddef>
+#include <functional>
 
 namespace SeismicHorizons
 {
@@ -33,10 +34,15 @@ void SmoothInGroups(HeightMesh& mesh, const DecimationOptions& options, const Mo
 void ReduceToNumber(
   HeightMesh& mesh, std::size_t vertices, double error, const DecimationOptions& options, const Monitor& monitor);
 
-/// Searches the error within which so many vertices are left, or a few less, from that of the mesh on. Heights must be
-/// those of columns, and errors of all triangles current.
+// The least error that is searched.
+constexpr double LeastOfSearch = 1e-3;
+
+/// Inserts points within an error. Returns the most vertices that may be left.
+using InsertWithin = std::function<std::size_t(double error, const Monitor& monitor)>;
+
+/// Searches, from the maximum error on, the error within which so many vertices are left, or a few less.
 void ReduceLargestError(
-  HeightMesh& mesh, std::size_t vertices, const DecimationOptions& options, const Monitor& monitor);
+  HeightMesh& mesh, const DecimationOptions& options, const InsertWithin& insert, const Monitor& monitor);
 }
 
 #endif

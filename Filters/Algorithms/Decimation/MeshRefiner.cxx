@@ -352,6 +352,7 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
     }
     else if (this->IsNew[triangle] == 0 && this->Mesh.NumberOfVertices() < most)
     {
+      this->Before.push_back(this->Mesh.Error(triangle).Largest);
       this->Insert(point, this->Mesh.Triangles().Locate(this->Mesh.Column(point), triangle));
     }
   }

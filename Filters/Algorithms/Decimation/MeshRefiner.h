@@ -38,6 +38,9 @@ public:
   /// The triangles given, and all that have changed since.
   const std::vector<TriangleId>& Examined();
 
+  /// Of triangles where points were inserted, as they were before.
+  const std::vector<double>& ErrorsBefore() const { return this->Before; }
+
 private:
   bool IsFull() const { return this->MostVertices > 0 && this->Mesh.NumberOfVertices() >= this->MostVertices; }
   void StartWith(double bound);
@@ -63,6 +66,7 @@ private:
   std::vector<TriangleId> New;
   std::vector<unsigned char> IsNew;
   std::vector<TriangleId> Around;
+  std::vector<double> Before;
 };
 }
 

@@ -209,13 +209,6 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-InputError TooFewTriangles(std::size_t most, std::size_t least)
-{
-  return InputError("maximum number of triangles " + std::to_string(most) + ", expected at least the " +
-    std::to_string(least) + " that the outlines alone take");
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 double FindErrorForTriangles(std::size_t most, double first, double largest, const TriangleCounter& count)
 {
   Search search(most, first, largest);
@@ -297,8 +290,12 @@ PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
   return { (here.X + end.X) / 2, (here.Y + end.Y) / 2 };
 }
 
-// The best effort leaves about this share of the inner points of the fast one within an error. Each has two triangles.
-constexpr double ShareOfBest = 0.5;
+// Within an error, efforts leave about these shares of the inner points that are inserted one by one.
+constexpr double ShareOfBest = 0.42;
+constexpr double ShareForSquares = 0.4;
+constexpr double ShareOfFast = 0.8;
+// Outlines for errors up to this factor away leave about the same inner points.
+constexpr double FarFromOutlines = 3.0;
 // Points that outlines keep can leave new slivers. The last reviews of slivers keep all points that were found; as many
 // more are for points in the way alone.
 constexpr int MostReviews = 6;
@@ -327,7 +324,7 @@ public:
     this->Simplify(error, monitor.Step(last, last + 0.3 * (1.0 - last)));
     if (!this->Result.Kept.empty())
     {
-      this->Decimate(isByNumber, monitor.Step(last + 0.3 * (1.0 - last), 1.0));
+      this->Decimate(monitor.Step(last + 0.3 * (1.0 - last), 1.0));
     }
     return std::move(this->Result);
   }
@@ -346,6 +343,8 @@ private:
     const double width = double(box.Greatest.X) - box.Least.X + double(box.Greatest.Y) - box.Least.Y;
     const auto heights = std::minmax_element(this->Points.Height.begin(), this->Points.Height.end());
     const double height = *heights.second - *heights.first;
+    double known = 0.0; // outlines of the errors found
+    std::vector<double> errors;
     // Rough horizons need about the first error, smooth horizons less, and large errors are fast. No points are farther
     // apart than the largest.
     return FindErrorForTriangles(most, height / std::sqrt(double(most)), width + height,
@@ -354,28 +353,40 @@ private:
         const Monitor step = monitor.Step(double(run) / MostSearchRuns, double(run + 1) / MostSearchRuns);
         ++run;
         this->Simplify(error, step.Step(0.0, 0.5));
-        return this->CountTriangles(error, step.Step(0.5, 1.0));
+        const std::size_t least = this->CountTrianglesOfLoops();
+        if (least >= most)
+        {
+          return least;
+        }
+        const double share = this->Options.Effort == DecimationEffort::Fast ? ShareOfFast
+          : this->Options.Priority == DecimationPriority::LargestError      ? ShareOfBest
+                                                                            : ShareForSquares;
+        if (error > FarFromOutlines * known || error < known / FarFromOutlines)
+        {
+          known = error;
+          errors = FindErrors(this->CopyHorizon(), least + std::size_t(double(most - least) / share),
+            error / FarFromOutlines, step.Step(0.5, 1.0));
+        }
+        return least + std::size_t(2.0 * share * NumberAbove(error, errors));
       });
   }
 
-  std::size_t CountTriangles(double error, const Monitor& monitor)
+  static double NumberAbove(double error, const std::vector<double>& errors)
   {
-    if (this->Result.Kept.empty())
-    {
-      return 0;
-    }
-    const PlanMesh fast = MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor);
-    const double share = this->Options.Effort == DecimationEffort::Best ? ShareOfBest : 1.0;
-    return fast.Triangles.size() / 3 - std::size_t(2.0 * (1.0 - share) * double(fast.NumberOfInnerPoints));
+    const auto end = std::upper_bound(errors.begin(), errors.end(), error, std::greater<>());
+    return double(end - errors.begin()) * std::pow(std::max(1.0, errors.back() / error), Power);
   }
 
-  DecimationOptions FastOptions(double error) const
+  /// Follows from Euler's formula, also where loops touch.
+  std::size_t CountTrianglesOfLoops() const
   {
-    DecimationOptions options = this->MakeDecimationOptions();
-    options.Effort = DecimationEffort::Fast;
-    options.SmallestAngle = 0.0; // the best effort leaves other slivers
-    options.MaximumError = error;
-    return options;
+    std::size_t edges = 0;
+    for (std::size_t loop = 0; loop < this->Outlines.Size(); ++loop)
+    {
+      edges += this->Outlines.Length(loop) > 1 ? this->Outlines.Length(loop) : 0;
+    }
+    const std::size_t points = this->Outlines.CountPoints(this->Result.Kept.size());
+    return 2 * (points + this->Outlines.Size()) - edges - 4 * this->Result.Boundary.NumberOfPatches;
   }
 
   /// A long outline edge beside rough ground leaves only slivers in between, or edges far from links to points that were
@@ -385,25 +396,32 @@ private:
     const bool isEven = this->Options.EdgeLength > 0.0;
     std::vector<PointId> found;
     std::vector<PointId> corners;
-    if (this->Reviews < MostReviews)
+    if (seen.Reviews < MostReviews)
     {
       found = isEven ? this->DivideNarrow(seen) : this->FindAtSlivers(seen, corners);
     }
-    if (this->Options.MaximumNumberOfTriangles == 0)
-    {
-      found.insert(found.end(), seen.InTheWay.begin(), seen.InTheWay.end());
-    }
-    if (found.empty() || this->Reviews == MostReviews + LastReviews)
+    found.insert(found.end(), seen.InTheWay.begin(), seen.InTheWay.end());
+    const double error = this->Result.Parameters.MaximumError;
+    const bool isFiner = seen.Error < error && this->HasHolesFor(seen.Error);
+    if ((found.empty() && !isFiner) || seen.Reviews == MostReviews + LastReviews)
     {
       return {};
     }
-    ++this->Reviews;
-    const bool isForMiddle = !isEven && this->Reviews <= MostReviews - LastReviews;
-    const std::size_t before = this->Result.AddedToOutlines.size();
+    const bool isForMiddle = !isEven && seen.Reviews < MostReviews - LastReviews;
+    const std::vector<PointId> before = this->Result.AddedToOutlines;
+    const std::size_t points = this->Outlines.TotalLength();
     this->Heights = &seen.Heights;
-    this->AddToOutlines(isForMiddle ? this->MiddleOf(found) : found, Monitor());
+    this->AddToOutlines(isForMiddle ? this->MiddleOf(found) : found);
+    this->Simplify(isFiner ? seen.Error : error, Monitor());
+    const std::size_t most = this->Options.MaximumNumberOfTriangles;
+    const bool areTooMany = most > 0 && seen.TrianglesOfLoops + this->Outlines.TotalLength() > most + points;
+    if (areTooMany) // the number comes before angles
+    {
+      this->Result.AddedToOutlines = before;
+      this->Simplify(error, Monitor());
+    }
     this->Heights = nullptr;
-    if (this->Result.AddedToOutlines.size() == before)
+    if (areTooMany || (this->Result.AddedToOutlines.size() == before.size() && !isFiner))
     {
       return {};
     }
@@ -462,13 +480,12 @@ private:
     return middle;
   }
 
-  void AddToOutlines(const std::vector<PointId>& points, const Monitor& monitor)
+  void AddToOutlines(const std::vector<PointId>& points)
   {
     std::vector<PointId>& all = this->Result.AddedToOutlines;
     all.insert(all.end(), points.begin(), points.end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    this->Simplify(this->Result.Parameters.MaximumError, monitor);
   }
 
   /// Finds a corner of each of these slivers, too.
@@ -509,9 +526,7 @@ private:
       this->KnownChains.clear();
     }
     parameters.MaximumError = error;
-    const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
-    parameters.OutlineTolerance =
-      this->Options.OutlineTolerance.value_or(isByNumber ? error : ToleranceOfOutlines(error));
+    parameters.OutlineTolerance = this->ToleranceFor(error);
     parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(error);
     this->FindBoundary(monitor.Step(0.0, 0.5));
     if (this->Result.Kept.empty())
@@ -525,6 +540,24 @@ private:
     this->Result.NumberOutside = simplified.NumberOutside;
     this->Dropped = std::move(simplified.Dropped);
     this->Outlines = std::move(simplified.Boundary);
+  }
+
+  double ToleranceFor(double error) const
+  {
+    const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
+    return this->Options.OutlineTolerance.value_or(isByNumber ? error : ToleranceOfOutlines(error));
+  }
+
+  std::int64_t SmallestHoleFor(double tolerance) const
+  {
+    return this->Options.SmallestHoleSize ? *this->Options.SmallestHoleSize
+                                          : ChooseSmallestHoleSize(this->Result.Parameters.Radius, tolerance);
+  }
+
+  /// Outlines for this error are of the holes at hand.
+  bool HasHolesFor(double error) const
+  {
+    return this->SmallestHoleFor(this->ToleranceFor(error)) == this->Result.Parameters.SmallestHoleSize;
   }
 
   PlanePoints Columns() const
@@ -606,9 +639,7 @@ private:
     options.Growth = this->Options.Growth;
     options.HoleBoundaries = this->Options.HoleBoundaries;
     options.MinimumPatchSize = this->Options.MinimumPatchSize;
-    options.SmallestHoleSize = this->Options.SmallestHoleSize
-      ? *this->Options.SmallestHoleSize
-      : ChooseSmallestHoleSize(parameters.Radius, parameters.OutlineTolerance);
+    options.SmallestHoleSize = this->SmallestHoleFor(parameters.OutlineTolerance);
     if (this->HasBoundary && parameters.SmallestHoleSize == options.SmallestHoleSize)
     {
       return;
@@ -632,38 +663,19 @@ private:
     this->HasBoundary = true;
   }
 
-  DecimationOptions MakeDecimationOptions() const
-  {
-    DecimationOptions options;
-    options.MaximumError = 0.0;
-    static_cast<DecimationQuality&>(options) = this->Options;
-    return options;
-  }
-
-  void Decimate(bool isByNumber, const Monitor& monitor)
+  void Decimate(const Monitor& monitor)
   {
     SurfaceParameters& parameters = this->Result.Parameters;
-    const double error = parameters.MaximumError;
-    DecimationOptions options = this->MakeDecimationOptions();
-    const LoopReview review = [this](const LoopTriangles& seen) { return this->Review(seen); };
-    // Outlines for a number are those of the error. Triangles that were small beside others would stay in an even mesh.
-    const bool isMadeAnew = isByNumber ? error > 0.0 : this->Options.EdgeLength > 0.0;
-    if (isMadeAnew)
+    DecimationOptions options;
+    static_cast<DecimationQuality&>(options) = this->Options;
+    options.MaximumError = parameters.MaximumError;
+    options.MaximumNumberOfTriangles = this->Options.MaximumNumberOfTriangles;
+    this->Result.Mesh = SeismicHorizons::Decimate(
+      this->MoveHorizon(), options, monitor, [this](const LoopTriangles& seen) { return this->Review(seen); });
+    if (options.MaximumNumberOfTriangles > 0)
     {
-      MeshOf(this->CopyHorizon(), this->FastOptions(error), monitor.Step(0.0, 0.1), review);
-      this->Reviews = 0;
+      parameters.MaximumNumberOfPoints = this->CountPointsForNumber();
     }
-    if (isByNumber)
-    {
-      parameters.MaximumNumberOfPoints = this->FindNumberOfPoints(monitor.Step(0.1, 0.2));
-      this->Index.reset(); // frees memory for the mesh
-    }
-    else
-    {
-      options.MaximumError = error;
-    }
-    options.MaximumNumberOfPoints = parameters.MaximumNumberOfPoints;
-    this->Result.Mesh = SeismicHorizons::Decimate(this->MoveHorizon(), options, monitor.Step(0.2, 1.0), review);
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
     if (this->Seams)
@@ -680,26 +692,13 @@ private:
   }
 
   /// The mesh of the loops has a fixed number of triangles; each inner point adds two.
-  std::size_t FindNumberOfPoints(const Monitor& monitor)
+  std::size_t CountPointsForNumber() const
   {
     const std::size_t onLoops = this->Outlines.CountPoints(this->Result.Kept.size());
-    DecimationOptions options = this->MakeDecimationOptions();
-    options.Effort = DecimationEffort::Fast;
-    options.FitHeights = false;
-    options.MaximumNumberOfPoints = onLoops;
-    const std::size_t least = MeshOf(this->CopyHorizon(), options, monitor).Triangles.size() / 3;
-    const std::size_t most = this->Options.MaximumNumberOfTriangles;
-    if (least > most && !this->Result.AddedToOutlines.empty()) // the number comes before angles
-    {
-      this->Result.AddedToOutlines.clear();
-      this->Simplify(this->Result.Parameters.MaximumError, Monitor());
-      return this->FindNumberOfPoints(monitor);
-    }
-    if (least > most)
-    {
-      throw TooFewTriangles(most, least);
-    }
-    return std::min(onLoops + (most - least) / 2, this->Result.Kept.size() - this->Dropped.size());
+    const std::size_t inner = this->Result.Mesh.Points.Source.size() - onLoops;
+    const std::size_t least = this->Result.Mesh.Triangles.size() / 3 - 2 * inner;
+    return std::min(
+      onLoops + (this->Options.MaximumNumberOfTriangles - least) / 2, this->Result.Kept.size() - this->Dropped.size());
   }
 
   SurfacePoints Points; // moved away by the last run
@@ -714,7 +713,6 @@ private:
   Loops Outlines;
   KeptOfChains KnownChains; // within this error
   const std::vector<double>* Heights = nullptr;
-  int Reviews = 0;
   std::optional<SeamChains> Seams;
 };
 }

@@ -8,8 +8,8 @@
 // - smallest hole: a square of side 2 radius + 1, as narrower holes are gaps that the radius spans, or of twice the
 // tolerance, as outlines may close narrower holes
 //
-// For a number of triangles, outlines are simplified for the error at which a mesh of the effort Fast has that many.
-// Inner vertices, two triangles each, fill up the number.
+// For a number of triangles, outlines are simplified for the error that is expected to leave that many, of the points that
+// are farther from a first mesh when they are inserted. Inner vertices, two triangles each, fill up the number.
 
 #ifndef SeismicHorizonsSurface_h
 #define SeismicHorizonsSurface_h
@@ -141,8 +141,6 @@ constexpr double SmallestSearchedError = 1.0 / 1024;
 /// Finds an error up to `largest` for which `count` usually gives 90 to 100 % of `most`; it need not fall everywhere.
 /// Throws InputError if `largest` gives more.
 double FindErrorForTriangles(std::size_t most, double first, double largest, const TriangleCounter& count);
-
-InputError TooFewTriangles(std::size_t most, std::size_t least);
 }
 
 #endif

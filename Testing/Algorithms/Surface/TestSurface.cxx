@@ -219,6 +219,26 @@ void TestNumberOfTriangles()
   CHECK(MakeSurface(points, AtMost(1000000)).Mesh.LargestError < 1e-3);
 }
 
+/// With the priority of largest errors, as many triangles as an error takes leave about that error, at columns and edges.
+void TestNumberOfAnError()
+{
+  Patches::Random random(7);
+  for (const double noise : { 0.0, 0.2, 1.0 })
+  {
+    const auto rough = [&](const PlanePoint& column)
+    { return 9.0 * std::sin(0.06 * column.X) * std::cos(0.05 * column.Y) + noise * random.Fraction(); };
+    const Points points = MakePoints(Rectangle(150, 120), rough);
+    for (const double error : { 0.1, 0.4 })
+    {
+      SurfaceOptions options = AtMost(CountTriangles(MakeSurface(points, Within(error))));
+      options.Priority = DecimationPriority::LargestError;
+      const Surface surface = MakeSurface(points, options);
+      CHECK(CountTriangles(surface) <= options.MaximumNumberOfTriangles);
+      CHECK(std::max(surface.Mesh.LargestError, surface.Mesh.LargestEdgeError) <= 1.05 * error);
+    }
+  }
+}
+
 /// So many triangles as the coarsest outlines take are enough, and one less is refused, which names that number. So do
 /// all below it, while any number above it is kept.
 void TestNumberOnRandomPatches()
@@ -338,6 +358,7 @@ int TestSurface(int, char*[])
   TestGivenParameters();
   TestHoles();
   TestNumberOfTriangles();
+  TestNumberOfAnError();
   TestNumberOnRandomPatches();
   TestPlaneAndFewPoints();
   TestSmallPatches();
