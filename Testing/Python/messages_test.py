@@ -18,12 +18,12 @@ KNOWN = {
          "merged"],  # in a branch
     "FaultLinesReader": ["\"...\", expected END of the GOCAD object"],
     "GOCADTSurfReader": ["end of file, expected END of the GOCAD object of line ..."],  # by a function
+    "HorizonDecimation": ["maximum number of triangles ..., expected at least the ... that the outlines alone take"],
     "HorizonDespiking": ["spur width ..., expected 0 to ... columns"],  # by a check
     "HorizonFaults": ["... ... with a point at (...) in ..., expected finite numbers",  # in several statements
                       "none of ... fault polylines passes between columns of a horizon, expected lines in the "
                       "coordinates of its points: ..."],  # a warning
     "HorizonGridWriter": ["places are rounded to single precision, by up to ...; IRAP text keeps them"],  # a warning
-    "HorizonSurface": ["maximum number of triangles ..., expected at least the ... that the outlines alone take"],
     "HorizonTextReader": ["column 1 counts lines, expected coordinates or line numbers: name the columns in Columns, such "
                           "as Inline, Crossline, X, Y, Z"],  # with a constant
     "HorizonTriangulation": ["no surface to the left of the edge from point ... to point ..., expected closed boundary "
