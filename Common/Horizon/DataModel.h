@@ -99,6 +99,7 @@ constexpr const char* SmallestAngle = "SmallestAngle";
 constexpr const char* SliverCount = "SliverCount";
 constexpr const char* LargestError = "LargestError";
 constexpr const char* MeanError = "MeanError";
+constexpr const char* LargestEdgeError = "LargestEdgeError";
 constexpr const char* LargestLoopError = "LargestLoopError";
 constexpr const char* ChosenRadius = "ChosenRadius";
 constexpr const char* ChosenSmallestHoleSize = "ChosenSmallestHoleSize";

@@ -52,7 +52,8 @@ ArrayTable WithoutMeshFigures(ArrayTable figures)
 {
   for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,
          FieldArray::BoundaryEdgeCount, FieldArray::NonDelaunayEdgeCount, FieldArray::SmallestAngle,
-         FieldArray::SliverCount, FieldArray::LargestError, FieldArray::MeanError, FieldArray::LargestLoopError })
+         FieldArray::SliverCount, FieldArray::LargestError, FieldArray::MeanError,
+         FieldArray::LargestEdgeError, FieldArray::LargestLoopError })
   {
     figures.Remove(name);
   }

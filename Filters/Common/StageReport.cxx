@@ -37,7 +37,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 42> Figures = { {
+constexpr std::array<Figure, 43> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
   { FieldArray::NumberOfSpurPoints, "points on spurs" },
@@ -62,6 +62,7 @@ constexpr std::array<Figure, 42> Figures = { {
   { FieldArray::SliverCount, "triangles with an angle below the one asked for" },
   { FieldArray::LargestError, "largest vertical error", Heights },
   { FieldArray::MeanError, "mean vertical error", Heights },
+  { FieldArray::LargestEdgeError, "largest vertical error of edges inside", Heights },
   { FieldArray::LargestLoopError, "largest vertical error of outlines", Heights },
   { FieldArray::NumberOfOutsidePoints, "points outside the outlines" },
   { FieldArray::OutlineDeviation, "outlines moved on the map by up to", "columns" },

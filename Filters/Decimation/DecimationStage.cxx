@@ -103,6 +103,7 @@ void WriteMesh(const Horizon& input, const Lattice& lattice, Decimation& decimat
   ArrayTable& figures = output.FieldData;
   AddValue<double>(figures, FieldArray::LargestError, decimation.LargestError);
   AddValue<double>(figures, FieldArray::MeanError, decimation.MeanError);
+  AddValue<double>(figures, FieldArray::LargestEdgeError, decimation.LargestEdgeError);
   AddValue<double>(figures, FieldArray::LargestLoopError,
     std::max(decimation.LargestLoopError, FirstValue(figures, FieldArray::OutlineHeightDeviation)));
   AddValue<std::int64_t>(figures, FieldArray::TriangleCount, output.Polygons.Size());

@@ -15,6 +15,8 @@
  *
  * New field data, one value each, distances in lattice units:
  *  - LargestError, MeanError (double): vertical distances of all points from the mesh;
+ *  - LargestEdgeError (double): the largest vertical distance of inner sides from the lines between neighbouring columns
+ *    that they cross;
  *  - LargestLoopError (double): the largest vertical distance of loops from the lines between neighbouring columns that
  *    they cross, of inner sides from such lines to points that a boundary simplification dropped, and of loops from
  *    these points (OutlineHeightDeviation);

@@ -214,8 +214,8 @@ void WritePartFigures(
   figures.AddAll(meshes.front().FieldData);
   figures.Remove(FieldArray::SeamRows);
   figures.Remove(FieldArray::SliverCount); // Seams are meshed anew without a least angle.
-  for (const char* const name : { FieldArray::LargestError, FieldArray::LargestLoopError, FieldArray::BoundaryDeviation,
-         FieldArray::OutlineDeviation, FieldArray::OutlineHeightDeviation })
+  for (const char* const name : { FieldArray::LargestError, FieldArray::LargestEdgeError, FieldArray::LargestLoopError,
+         FieldArray::BoundaryDeviation, FieldArray::OutlineDeviation, FieldArray::OutlineHeightDeviation })
   {
     WriteLargest(meshes, name, figures);
   }

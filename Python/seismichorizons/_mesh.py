@@ -170,8 +170,8 @@ class Mesh(WithAttributes):
 
 
 # Figures in vertical indices.
-HEIGHTS = ("LargestError", "MeanError", "LargestLoopError", "OutlineHeightDeviation", "ChosenMaximumError", "ChosenDistanceThreshold",
-           "HeightNoise", "HeightRounding")
+HEIGHTS = ("LargestError", "MeanError", "LargestEdgeError", "LargestLoopError", "OutlineHeightDeviation", "ChosenMaximumError",
+           "ChosenDistanceThreshold", "HeightNoise", "HeightRounding")
 
 
 def mesh_of(name: str, data: Data, attributes: dict[str, NDArray[Any]], before: Data, lattice: Lattice | None) -> Mesh:

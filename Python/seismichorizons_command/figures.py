@@ -24,7 +24,8 @@ CHUNK = 1 << 20  # triangles processed at a time
 ERRORS = {"LargestDistance": "largest", "LargestDistanceFound": "largest_found", "MeanDistance": "mean",
           "RmsDistance": "rms", "DistancePercentile50": "median", "DistancePercentile90": "percentile_90",
           "DistancePercentile95": "percentile_95", "DistancePercentile99": "percentile_99", "OutlineDistance": "outline"}
-VERTICAL = {"LargestError": "largest", "MeanError": "mean", "LargestLoopError": "outlines"}
+VERTICAL = {"LargestError": "largest", "MeanError": "mean", "LargestEdgeError": "edges",
+            "LargestLoopError": "outlines"}
 STATED = {"VerticalUnit": "vertical_unit", "VerticalDomain": "vertical_domain", "HorizontalUnit": "horizontal_unit",
           "CoordinateSystem": "coordinate_system"}
 UNITS = ("Lattice", "World")

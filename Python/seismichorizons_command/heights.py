@@ -10,8 +10,8 @@ from .core import HorizonError
 # Quantity and size in SI units of each unit.
 UNITS = {"ms": ("time", 0.001), "s": ("time", 1.0), "m": ("length", 1.0), "ft": ("length", 0.3048)}
 # Figures in vertical indices.
-FIGURES = ("LargestError", "MeanError", "LargestLoopError", "OutlineHeightDeviation", "ChosenMaximumError",
-           "HeightNoise", "HeightRounding", "ChosenDistanceThreshold", "SpikeThreshold", "FaultNoise", "SmallestFaultThrow")
+FIGURES = ("LargestError", "MeanError", "LargestEdgeError", "LargestLoopError", "OutlineHeightDeviation",
+           "ChosenMaximumError", "HeightNoise", "HeightRounding", "ChosenDistanceThreshold", "SpikeThreshold", "FaultNoise", "SmallestFaultThrow")
 
 
 class Height(float):

@@ -350,10 +350,12 @@ def _ledger_text(own):
 
 
 def _vertical_text(horizon, survey):
-    largest, mean, outlines = (_vertical(horizon, name) for name in ("largest", "mean", "outlines"))
+    largest, mean, edges, outlines = (_vertical(horizon, name) for name in ("largest", "mean", "edges", "outlines"))
     unit = survey.get("vertical_unit")
     reported = largest.unit or "vertical indices" + (" (%.3g %s)" % (largest * horizon["vertical_step"], unit) if unit else "")
     text = "at most %.3g %s, %.3g on average; at outlines at most %.3g" % (largest, reported, mean, outlines)
+    if edges > largest:  # without a bound
+        text += ", at edges between points at most %.3g" % edges
     outside = horizon["points_outside"]
     return text + (", with %s outside" % count(outside, "point") if outside else "")
 

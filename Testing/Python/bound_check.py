@@ -221,6 +221,9 @@ def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_win
             horizon, corners, heights, triangles, inside, faulted_links(horizon_data), not in_stages)
         if off > error + slack:
             faults.append(f"a side is {off:.4g} off between columns {columns}, asked {error}")
+        told = value(mesh, "LargestEdgeError")
+        if not in_stages and abs(told - off) > slack:
+            faults.append(f"a side is {off:.4g} off between columns {columns}, told {told:.4g}")
         told = value(mesh, "LargestLoopError")
         if abs(told - max(beside, value(mesh, "OutlineHeightDeviation"))) > slack:
             faults.append(f"a side at outlines is {beside:.4g} off between columns {others}, told {told:.4g}")

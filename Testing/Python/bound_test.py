@@ -10,7 +10,9 @@ import sys
 import unittest
 
 import numpy
+from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -119,6 +121,22 @@ def run(algorithm, data):
     return algorithm.GetOutputDataObject(0)
 
 
+def run_or_refuse(algorithm, data):
+    """None where outlines alone take more triangles."""
+    messages = []
+
+    @calldata_type(VTK_STRING)
+    def note(_caller, _event, message):
+        messages.append(message)
+
+    algorithm.AddObserver("ErrorEvent", note)
+    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *arguments: None)
+    algorithm.SetInputData(data)
+    algorithm.Update()
+    assert all("that the outlines alone take" in message for message in messages), messages
+    return None if messages else algorithm.GetOutputDataObject(0)
+
+
 def random_tolerances(random):
     """Of the mesh, of outlines in plan, and of those in height."""
     error = float(random.choice([0.0, 0.5, 0.75, 1.0, 2.0, 5.0, 20.0]))
@@ -160,6 +178,26 @@ class BoundTest(unittest.TestCase):
                 surface.SetEdgeLength(float(random.uniform(4.0, 15.0)))
                 surface.SetEdgeGrowth(float(random.choice([0.0, 0.1, 0.5])))
             self.check(seed, horizon, run(surface, horizon), error, outline, height)
+
+    def test_number(self):
+        """At most so many triangles, and errors as told."""
+        for seed in range(FIRST, FIRST + RUNS):
+            random = numpy.random.default_rng(seed)
+            horizon = random_horizon(random)
+            surface = sh.vtkHorizonSurface()
+            surface.SetTargetToNumberOfTriangles()
+            most = int(10 ** random.uniform(1.0, 4.0))
+            surface.SetMaximumNumberOfTriangles(most)
+            surface.SetEffort(int(random.integers(2)))
+            surface.SetPriority(int(random.integers(2)))
+            surface.SetFitHeights(bool(random.integers(2)))
+            mesh = run_or_refuse(surface, horizon)
+            if mesh and mesh.GetNumberOfPolys() > 0:
+                self.assertLessEqual(mesh.GetNumberOfPolys(), most, f"seed {seed}")
+                told = {name: bound_check.value(mesh, name) for name in (
+                    "LargestError", "LargestEdgeError", "ChosenOutlineTolerance", "ChosenDistanceThreshold")}
+                error = max(told["LargestError"], told["LargestEdgeError"])
+                self.check(seed, horizon, mesh, error, told["ChosenOutlineTolerance"], told["ChosenDistanceThreshold"])
 
     def test_stages(self):
         for seed in range(FIRST, FIRST + RUNS):
