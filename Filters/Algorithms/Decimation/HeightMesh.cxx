@@ -324,28 +324,28 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const double* heights) const
   const std::vector<std::int32_t>& patch = this->Patches;
   const std::int32_t patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
   const std::vector<std::vector<PointId>> dropped = this->DroppedByPatch(std::size_t(patches));
-  const auto forEachPoint = [&patch](auto&& add)
-  {
-    for (std::size_t point = 0; point < patch.size(); ++point)
-    {
-      if (patch[point] >= 0)
-      {
-        add(patch[point], PointId(point));
-      }
-    }
-  };
+  const auto add = [&](std::int64_t size, auto&& pointAt)
+  { rasters.emplace_back(size, pointAt, this->Places, heights, this->Horizon.Cuts.get(), dropped[rasters.size()]); };
   if (patches == 1)
   {
-    rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Places, heights, this->Horizon.Cuts.get(), dropped.front());
+    add(std::int64_t(patch.size()), [&](std::int64_t n) { return patch[n] < 0 ? NoPoint : PointId(n); });
     return rasters;
   }
-  const ItemLists<PointId> points(patches, forEachPoint);
+  const ItemLists<PointId> points(patches,
+    [&patch](auto&& list)
+    {
+      for (std::size_t point = 0; point < patch.size(); ++point)
+      {
+        if (patch[point] >= 0)
+        {
+          list(patch[point], PointId(point));
+        }
+      }
+    });
   rasters.reserve(std::size_t(patches));
   for (std::int32_t number = 0; number < patches; ++number)
   {
-    rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Places, heights, this->Horizon.Cuts.get(), dropped[std::size_t(number)]);
+    add(points.end(number) - points.begin(number), [&](std::int64_t n) { return points.begin(number)[n]; });
   }
   return rasters;
 }
