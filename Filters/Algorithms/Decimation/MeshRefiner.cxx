@@ -3,14 +3,17 @@
 
 #include "MeshRefiner.h"
 
+#include "Common/Base/Parallel.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -30,6 +33,10 @@ constexpr double CosineOfEven = -0.642787609686539;
 // distance; for others this would add more triangles than it mends.
 constexpr double AngleOfMoreTries = 2.0;
 constexpr double LeastPart = 1.0 / 16;
+
+// Fewer points are inserted one by one, which is faster than to start threads.
+constexpr std::size_t FewestTogether = 512;
+constexpr std::int64_t CavitiesPerTask = 64;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -337,6 +344,10 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
   const std::size_t most = this->Mesh.NumberOfVertices() + (this->MostVertices > 0 ? (room + 1) / 2 : room);
   this->New.clear();
   this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
+  if (this->InsertTogether(triangles, most - before))
+  {
+    return true;
+  }
   for (const TriangleId triangle : triangles)
   {
     const PointId point = this->Mesh.Error(triangle).Point;
@@ -356,6 +367,123 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
     }
   }
   return isAnyPutBack || this->Mesh.NumberOfVertices() > before;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Inserts points as one by one, with the same numbers of vertices and triangles, but in parallel. Returns false where they
+// must be inserted one by one.
+bool MeshRefiner::InsertTogether(const std::vector<TriangleId>& triangles, std::size_t most)
+{
+  if (triangles.size() < FewestTogether || !this->FindCavities(triangles))
+  {
+    return false;
+  }
+  const std::vector<PointId> points = this->SelectPoints(triangles, most);
+  const TriangleId before = this->Mesh.Triangles().Size();
+  this->Mesh.AddVertices(points);
+  for (TriangleId triangle = before; triangle < this->Mesh.Triangles().Size(); ++triangle)
+  {
+    this->AddNew(triangle);
+  }
+  this->FillCavities(points.size());
+  return true;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Returns false if a point is a vertex or not in its triangle, which is rare.
+bool MeshRefiner::FindCavities(const std::vector<TriangleId>& triangles)
+{
+  const PlaneMesh& mesh = this->Mesh.Triangles();
+  this->Cavities.resize(std::max(this->Cavities.size(), triangles.size()));
+  std::atomic<bool> areFound(true);
+  ParallelFor(std::int64_t(triangles.size()), CavitiesPerTask,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto n = std::size_t(first); n < std::size_t(last) && areFound; ++n)
+      {
+        const PointId point = this->Mesh.Error(triangles[n]).Point;
+        const PlanePoint& place = this->Mesh.Column(point);
+        areFound = areFound && !this->Mesh.IsVertex(point) && mesh.Locate(place, triangles[n]) == triangles[n] &&
+          mesh.FindCavity(place, triangles[n], this->Cavities[n]);
+      }
+    });
+  return areFound;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// One by one, a point is inserted if no earlier one has changed its triangle. An earlier one has changed a triangle of the
+// round's start if it is in its circle, whatever was inserted before. Cavities of points follow each other.
+std::vector<PointId> MeshRefiner::SelectPoints(const std::vector<TriangleId>& triangles, std::size_t most)
+{
+  std::vector<PointId> points;
+  for (std::size_t n = 0; n < triangles.size() && points.size() < most; ++n)
+  {
+    if (this->IsNew[triangles[n]] == 0)
+    {
+      std::swap(this->Cavities[points.size()], this->Cavities[n]);
+      const std::vector<TriangleId>& inside = this->Cavities[points.size()].Inside;
+      std::for_each(inside.begin(), inside.end(), [this](TriangleId triangle) { this->AddNew(triangle); });
+      points.push_back(this->Mesh.Error(triangles[n]).Point);
+    }
+  }
+  return points;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Of cavities that share triangles, the first is filled. Those after it are found again, and wait.
+void MeshRefiner::FillCavities(std::size_t number)
+{
+  PlaneMesh& mesh = this->Mesh.Triangles();
+  const VertexId firstVertex = this->Mesh.EndOfVertices() - VertexId(number);
+  const TriangleId firstAdded = mesh.Size() - 2 * TriangleId(number);
+  std::vector<std::int32_t> waiting(number);
+  std::iota(waiting.begin(), waiting.end(), 0);
+  std::vector<std::int32_t> owners(std::size_t(mesh.Size())); // the first cavity with a triangle
+  std::vector<unsigned char> isFilled(number, 0);
+  const auto allOf = [&](std::int32_t n, auto&& condition)
+  {
+    const PlaneMesh::Cavity& own = this->Cavities[n];
+    return std::all_of(own.Inside.begin(), own.Inside.end(), condition) &&
+      std::all_of(own.Around.begin(), own.Around.end(), condition);
+  };
+  const auto findAgain = [&](std::int32_t n)
+  { mesh.FindCavity(mesh.Place(firstVertex + n), this->Cavities[n].Inside.front(), this->Cavities[n]); };
+  const auto fill = [&](std::int32_t n) { mesh.Fill(this->Cavities[n], firstVertex + n, firstAdded + 2 * n); };
+  const auto forWaiting = [&](auto&& call)
+  {
+    ParallelFor(std::int64_t(waiting.size()), CavitiesPerTask,
+      [&](std::int64_t first, std::int64_t last)
+      { std::for_each(waiting.begin() + first, waiting.begin() + last, call); });
+  };
+  while (waiting.size() >= FewestTogether)
+  {
+    std::for_each(waiting.rbegin(), waiting.rend(),
+      [&](std::int32_t n) { allOf(n, [&](TriangleId triangle) { return owners[triangle] = n, true; }); });
+    forWaiting(
+      [&](std::int32_t n)
+      {
+        if (allOf(n, [&](TriangleId triangle) { return owners[triangle] == n; }))
+        {
+          fill(n);
+          isFilled[n] = 1;
+        }
+      });
+    waiting.erase(
+      std::remove_if(waiting.begin(), waiting.end(), [&](std::int32_t n) { return isFilled[n] != 0; }), waiting.end());
+    forWaiting(
+      [&](std::int32_t n)
+      {
+        if (!allOf(n, [&](TriangleId triangle) { return isFilled[owners[triangle]] == 0; }))
+        {
+          findAgain(n);
+        }
+      });
+  }
+  for (const std::int32_t n : waiting)
+  {
+    findAgain(n);
+    fill(n);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
