@@ -8,6 +8,7 @@
 #include "Common/Base/HeapArray.h"
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
+#include "Common/Base/ParallelSort.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 
 #include <algorithm>
@@ -498,7 +499,7 @@ void HeightMesh::SortVertices()
       order.push_back(vertex);
     }
   }
-  std::sort(order.begin(), order.end(), [this](VertexId a, VertexId b) { return this->Sources[a] < this->Sources[b]; });
+  ParallelSort(order, [this](VertexId a, VertexId b) { return this->Sources[a] < this->Sources[b]; });
   this->Mesh.ReorderVertices(order);
   this->Sources = Gather<std::vector<PointId>>(this->Sources, order);
   this->AreOnLoops = Gather<std::vector<unsigned char>>(this->AreOnLoops, order);
