@@ -6,11 +6,14 @@
 
 #include "FewestPoints.h"
 
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parallel.h"
 #include "Common/Horizon/Predicates.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -163,6 +166,9 @@ constexpr std::size_t ReachOfBar = 2 * LookBack;
 
 constexpr std::size_t RunEnd = 32;
 
+constexpr std::size_t NodesPerBatch = 1024;
+constexpr std::int64_t NodesPerTask = 64;
+
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 }
 
@@ -172,24 +178,32 @@ ShortcutGuard::ShortcutGuard(const ColumnIndex& index, const std::vector<unsigne
   , Columns(index.Columns())
 {
   PlaceSet onLoops(index.Width(), index.Height());
-  for (std::size_t point = 0; point < this->Columns.size(); ++point)
-  {
-    if (isOnLoop[point] != 0)
+  const auto points = CollectChunks<std::int64_t>(std::int64_t(isOnLoop.size()), ChunkSize, Monitor(),
+    [&](std::vector<std::int64_t>& found, std::int64_t first, std::int64_t last)
     {
-      onLoops.Add(index.Place(this->Columns[point]));
-    }
-  }
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        if (isOnLoop[point] != 0)
+        {
+          found.push_back(point);
+        }
+      }
+    });
+  std::for_each(
+    points.begin(), points.end(), [&](std::int64_t point) { onLoops.Add(index.Place(this->Columns[point])); });
+  PlaceNumbers numbers;
   for (std::int64_t place = 0; place < this->Index.NumberOfPlaces(); place += PlaceSet::WordBits)
   {
-    this->OnLoops.Append(std::uint64_t(onLoops.From(place)));
+    numbers.Append(std::uint64_t(onLoops.From(place)));
   }
-  this->Position.assign(this->OnLoops.Size(), NoPosition);
+  this->Position.assign(numbers.Size(), NoPosition);
+  this->OnLoops = std::make_shared<const PlaceNumbers>(std::move(numbers));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t& ShortcutGuard::PositionOf(PointId point)
 {
-  return this->Position[this->OnLoops[this->Index.Place(this->Columns[point])]];
+  return this->Position[(*this->OnLoops)[this->Index.Place(this->Columns[point])]];
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -328,7 +342,7 @@ bool ShortcutGuard::IsClearAt(std::int64_t x, std::int64_t y) const
   {
     return true;
   }
-  const std::int64_t number = this->OnLoops[place];
+  const std::int64_t number = (*this->OnLoops)[place];
   const std::size_t position = number == PlaceNumbers::None ? NoPosition : this->Position[number];
   return (position > this->From && position < this->To) || column == this->ColumnAt(this->From) ||
     column == this->ColumnAt(this->To);
@@ -351,20 +365,68 @@ FewestPoints::FewestPoints(const SpacePoints& points, const ColumnIndex& index,
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::size_t> FewestPoints::Simplify(const std::vector<PointId>& loop)
 {
-  const auto fixed = std::find_if(loop.begin(), loop.end(), [this](PointId point) { return this->IsFixed(point); });
-  if (fixed != loop.end())
+  if (std::any_of(loop.begin(), loop.end(), [this](PointId point) { return this->IsFixed(point); }))
   {
-    return this->SimplifyFrom(loop, std::size_t(fixed - loop.begin()));
+    return this->SimplifyFrom(loop, this->StartOf(loop));
   }
   const std::vector<std::size_t> kept = this->SimplifyFrom(loop, 0);
-  std::vector<std::size_t> again = this->SimplifyFrom(loop, kept[kept.size() / 2]);
+  std::vector<std::size_t> again = this->SimplifyFrom(loop, this->StartOf(loop));
   return again.size() <= kept.size() ? again : kept;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& loop, std::size_t first)
+void FewestPoints::Learn(const Loops& loops)
 {
-  std::vector<std::size_t> kept;
+  std::vector<std::vector<PointId>> chains;
+  for (std::size_t loop = 0; loop < loops.Size(); ++loop)
+  {
+    const std::vector<PointId> points(loops.begin(loop), loops.end(loop));
+    this->ForEachChain(points, this->StartOf(points),
+      [&](const std::vector<PointId>& chain, std::size_t)
+      {
+        if (this->Known.count(KeyOf(chain)) == 0)
+        {
+          chains.push_back(chain);
+        }
+      });
+  }
+  if (chains.size() < 2) // one uses all threads
+  {
+    return;
+  }
+  this->GoOn();
+  constexpr std::int64_t mostCopies = 64;
+  std::vector<std::vector<std::size_t>> kept(chains.size());
+  ParallelFor(std::int64_t(chains.size()), std::int64_t(chains.size()) / mostCopies + 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      FewestPoints own(*this);
+      own.GoOn = nullptr;
+      std::transform(chains.begin() + first, chains.begin() + last, kept.begin() + first,
+        [&own](const std::vector<PointId>& chain) { return own.FindKept(chain); });
+    });
+  for (std::size_t n = 0; n < chains.size(); ++n)
+  {
+    this->Known.emplace(KeyOf(chains[n]), std::move(kept[n]));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t FewestPoints::StartOf(const std::vector<PointId>& loop) const
+{
+  const auto fixed = std::find_if(loop.begin(), loop.end(), [this](PointId point) { return this->IsFixed(point); });
+  if (fixed != loop.end())
+  {
+    return std::size_t(fixed - loop.begin());
+  }
+  const auto known = this->Known.find({ loop.front(), loop[loop.size() > 1 ? 1 : 0], loop.size() + 1 });
+  return known == this->Known.end() ? 0 : known->second[(known->second.size() - 1) / 2];
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+template <typename Visit>
+void FewestPoints::ForEachChain(const std::vector<PointId>& loop, std::size_t first, Visit&& visit) const
+{
   std::vector<PointId> chain;
   for (std::size_t n = 0; n <= loop.size(); ++n)
   {
@@ -372,29 +434,45 @@ std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& 
     chain.push_back(point);
     if (chain.size() > 1 && (this->IsFixed(point) || n == loop.size()))
     {
-      const std::size_t start = first + n + 1 - chain.size();
-      const std::vector<std::size_t> positions = this->SimplifyChain(std::move(chain));
-      std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
-        [&](std::size_t position) { return (start + position) % loop.size(); });
+      visit(chain, first + n + 1 - chain.size());
       chain.assign(1, point);
     }
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& loop, std::size_t first)
+{
+  std::vector<std::size_t> kept;
+  this->ForEachChain(loop, first,
+    [&](const std::vector<PointId>& chain, std::size_t start)
+    {
+      const std::vector<std::size_t> positions = this->SimplifyChain(chain);
+      std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
+        [&](std::size_t position) { return (start + position) % loop.size(); });
+    });
   std::sort(kept.begin(), kept.end());
   return kept;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-/// Two points of a loop must not share two edges, or it might have no inside. A closed chain therefore keeps two inner
-/// points, and an open chain one, unless it is straight.
-std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
+std::vector<std::size_t> FewestPoints::SimplifyChain(const std::vector<PointId>& chain)
 {
   assert(!chain.empty());
-  const auto [known, isNew] = this->Known.try_emplace({ chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() });
-  if (!isNew)
+  const auto [known, isNew] = this->Known.try_emplace(KeyOf(chain));
+  if (isNew)
   {
-    return known->second;
+    known->second = this->FindKept(chain);
   }
-  this->SetChain(std::move(chain));
+  return known->second;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Two points of a loop must not share two edges, or it might have no inside. A closed chain therefore keeps two inner
+/// points, and an open chain one, unless it is straight.
+std::vector<std::size_t> FewestPoints::FindKept(const std::vector<PointId>& chain)
+{
+  this->SetChain(chain);
   const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 1;
   bool isDone = this->Chain.size() <= leastEdges + 1;
   while (!isDone)
@@ -402,14 +480,13 @@ std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
     const std::size_t before = this->Nodes.size();
     isDone = this->FindPath() || this->Nodes.size() == before;
   }
-  known->second = this->Nodes;
   return this->Nodes;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FewestPoints::SetChain(std::vector<PointId> chain)
+void FewestPoints::SetChain(const std::vector<PointId>& chain)
 {
-  this->Chain = std::move(chain);
+  this->Chain = chain;
   this->Guard.SetChain(this->Chain);
   this->Places.clear();
   this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
@@ -468,7 +545,7 @@ bool FewestPoints::FindPath()
   this->TwoOrMore.assign(1, { NoWay, 0.0, 0 });
   for (std::size_t node = 1; node < last; ++node)
   {
-    if (node % 1024 == 0)
+    if (node % NodesPerBatch == 0 && this->GoOn)
     {
       this->GoOn();
     }
@@ -496,11 +573,37 @@ bool FewestPoints::IsStraight() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// Sources do not depend on paths, so that those of the next nodes are found in parallel.
 void FewestPoints::FindSources(std::size_t node)
+{
+  const std::size_t inBatch = (node - 1) % NodesPerBatch;
+  if (inBatch == 0)
+  {
+    std::atomic<bool> isLimited(this->IsLimited);
+    this->NextSources.resize(std::min(NodesPerBatch, this->Nodes.size() - node));
+    ParallelFor(std::int64_t(this->NextSources.size()), this->GoOn ? NodesPerTask : std::int64_t(NodesPerBatch),
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          if (this->ListSources(node + std::size_t(n), this->NextSources[n]))
+          {
+            isLimited = true;
+          }
+        }
+      });
+    this->IsLimited = isLimited;
+  }
+  this->Sources.swap(this->NextSources[inBatch]);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Returns whether LookBack has excluded some.
+bool FewestPoints::ListSources(std::size_t node, std::vector<std::size_t>& sources) const
 {
   const Eigen::Vector3d& place = this->Places[this->Nodes[node]];
   ShortcutCone cone(this->OutlineTolerance, this->HeightTolerance);
-  this->Sources.clear();
+  sources.clear();
   std::size_t source = node;
   while (source > 0 && node - source < LookBack && !cone.IsEmpty())
   {
@@ -508,10 +611,10 @@ void FewestPoints::FindSources(std::size_t node)
     const Eigen::Vector3d way = this->Places[this->Nodes[source]] - place;
     if (cone.Pass(way))
     {
-      this->Sources.push_back(source);
+      sources.push_back(source);
     }
   }
-  this->IsLimited = this->IsLimited || (source > 0 && !cone.IsEmpty());
+  return source > 0 && !cone.IsEmpty();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

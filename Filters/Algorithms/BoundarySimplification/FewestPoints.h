@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -124,7 +125,7 @@ private:
 
   const ColumnIndex& Index;
   const PlanePoints Columns;
-  PlaceNumbers OnLoops;
+  std::shared_ptr<const PlaceNumbers> OnLoops; // shared by copies
   std::vector<PointId> Chain;
   std::vector<std::size_t> Position; // in the chain, by number in OnLoops
   std::size_t From = 0;
@@ -146,13 +147,17 @@ public:
   FewestPoints(const SpacePoints& points, const ColumnIndex& index, const std::vector<unsigned char>& visits,
     double outlineTolerance, double heightTolerance, KeptOfChains& known, std::function<void()> goOn);
 
+  /// Simplifies chains of loops in parallel, unless they are known. A second call does so from the points half-way round
+  /// loops without fixed points.
+  void Learn(const Loops& loops);
+
   /// Returns the positions that a loop keeps, ascending. A loop without fixed points is processed twice, from its first
   /// point and from a point kept about half-way round.
   std::vector<std::size_t> Simplify(const std::vector<PointId>& loop);
 
   /// Returns the positions that the chain keeps, ascending, from an earlier call if it is known. Its ends stay; they may
   /// be the same point.
-  std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
+  std::vector<std::size_t> SimplifyChain(const std::vector<PointId>& chain);
 
 private:
   struct Step
@@ -172,13 +177,22 @@ private:
   };
 
   bool IsFixed(PointId point) const { return this->Visits[point] > 1; }
+  static KeptOfChains::key_type KeyOf(const std::vector<PointId>& chain)
+  {
+    return { chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() };
+  }
+  std::size_t StartOf(const std::vector<PointId>& loop) const;
+  template <typename Visit>
+  void ForEachChain(const std::vector<PointId>& loop, std::size_t first, Visit&& visit) const;
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
-  void SetChain(std::vector<PointId> chain);
+  std::vector<std::size_t> FindKept(const std::vector<PointId>& chain);
+  void SetChain(const std::vector<PointId>& chain);
   void ListNodes();
   bool IsBend(std::size_t position) const;
   bool FindPath();
   bool IsStraight() const;
   void FindSources(std::size_t node);
+  bool ListSources(std::size_t node, std::vector<std::size_t>& sources) const;
   Step BestStep(std::size_t node, const std::vector<Step>& ways);
   std::size_t LeastEdges(const std::vector<Step>& ways, std::size_t atLeast) const;
   bool IsAdmissible(std::size_t from, std::size_t to);
@@ -190,7 +204,7 @@ private:
   const double OutlineTolerance;
   const double HeightTolerance;
   KeptOfChains& Known;
-  const std::function<void()> GoOn;
+  std::function<void()> GoOn; // empty for one of several chains at a time
   ShortcutGuard Guard;
   std::vector<PointId> Chain;
   std::vector<Eigen::Vector3d> Places;
@@ -199,6 +213,7 @@ private:
   std::vector<Step> Fewest; // best last step, by node
   std::vector<Step> TwoOrMore; // with at least two edges
   std::vector<std::size_t> Sources;
+  std::vector<std::vector<std::size_t>> NextSources; // of this node and those after it
   std::vector<Step> Steps;
   bool IsLimited = false;
 };

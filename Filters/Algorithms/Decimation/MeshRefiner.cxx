@@ -412,8 +412,11 @@ bool MeshRefiner::FindCavities(const std::vector<TriangleId>& triangles)
       {
         const PointId point = this->Mesh.Error(triangles[n]).Point;
         const PlanePoint& place = this->Mesh.Column(point);
-        areFound = areFound && !this->Mesh.IsVertex(point) && mesh.Locate(place, triangles[n]) == triangles[n] &&
-          mesh.FindCavity(place, triangles[n], this->Cavities[n]);
+        if (this->Mesh.IsVertex(point) || mesh.Locate(place, triangles[n]) != triangles[n] ||
+          !mesh.FindCavity(place, triangles[n], this->Cavities[n]))
+        {
+          areFound = false;
+        }
       }
     });
   return areFound;
