@@ -218,8 +218,6 @@ public:
       this->Fewest.emplace(points, options.Index ? *options.Index : *this->OwnIndex, this->Visits,
         options.OutlineTolerance, options.DistanceThreshold, options.Known ? *options.Known : this->OwnKnown,
         [this]() { this->Watch.Progress(this->Part); });
-      this->Fewest->Learn(boundary);
-      this->Fewest->Learn(boundary);
     }
     else if (options.OutlineTolerance > 0.0)
     {

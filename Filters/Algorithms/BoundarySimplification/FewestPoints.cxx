@@ -167,9 +167,15 @@ constexpr std::size_t ReachOfBar = 2 * LookBack;
 constexpr std::size_t RunEnd = 32;
 
 constexpr std::size_t NodesPerBatch = 1024;
-constexpr std::int64_t NodesPerTask = 64;
+constexpr std::int64_t NodesPerTask = 128;
+constexpr std::int64_t PointsPerCopy = 512;
 
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
+
+KeptOfChains::key_type KeyOf(const std::vector<PointId>& chain)
+{
+  return { chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() };
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -178,26 +184,23 @@ ShortcutGuard::ShortcutGuard(const ColumnIndex& index, const std::vector<unsigne
   , Columns(index.Columns())
 {
   PlaceSet onLoops(index.Width(), index.Height());
-  const auto points = CollectChunks<std::int64_t>(std::int64_t(isOnLoop.size()), ChunkSize, Monitor(),
+  const auto places = CollectChunks<std::int64_t>(std::int64_t(isOnLoop.size()), ChunkSize, Monitor(),
     [&](std::vector<std::int64_t>& found, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t point = first; point < last; ++point)
       {
         if (isOnLoop[point] != 0)
         {
-          found.push_back(point);
+          found.push_back(index.Place(this->Columns[point]));
         }
       }
     });
-  std::for_each(
-    points.begin(), points.end(), [&](std::int64_t point) { onLoops.Add(index.Place(this->Columns[point])); });
-  PlaceNumbers numbers;
+  std::for_each(places.begin(), places.end(), [&onLoops](std::int64_t place) { onLoops.Add(place); });
   for (std::int64_t place = 0; place < this->Index.NumberOfPlaces(); place += PlaceSet::WordBits)
   {
-    numbers.Append(std::uint64_t(onLoops.From(place)));
+    this->OnLoops->Append(std::uint64_t(onLoops.From(place)));
   }
-  this->Position.assign(numbers.Size(), NoPosition);
-  this->OnLoops = std::make_shared<const PlaceNumbers>(std::move(numbers));
+  this->Position.assign(this->OnLoops->Size(), NoPosition);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -365,112 +368,88 @@ FewestPoints::FewestPoints(const SpacePoints& points, const ColumnIndex& index,
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::size_t> FewestPoints::Simplify(const std::vector<PointId>& loop)
 {
-  if (std::any_of(loop.begin(), loop.end(), [this](PointId point) { return this->IsFixed(point); }))
-  {
-    return this->SimplifyFrom(loop, this->StartOf(loop));
-  }
-  const std::vector<std::size_t> kept = this->SimplifyFrom(loop, 0);
-  std::vector<std::size_t> again = this->SimplifyFrom(loop, this->StartOf(loop));
-  return again.size() <= kept.size() ? again : kept;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void FewestPoints::Learn(const Loops& loops)
-{
-  std::vector<std::vector<PointId>> chains;
-  for (std::size_t loop = 0; loop < loops.Size(); ++loop)
-  {
-    const std::vector<PointId> points(loops.begin(loop), loops.end(loop));
-    this->ForEachChain(points, this->StartOf(points),
-      [&](const std::vector<PointId>& chain, std::size_t)
-      {
-        if (this->Known.count(KeyOf(chain)) == 0)
-        {
-          chains.push_back(chain);
-        }
-      });
-  }
-  if (chains.size() < 2) // one uses all threads
-  {
-    return;
-  }
-  this->GoOn();
-  constexpr std::int64_t mostCopies = 64;
-  std::vector<std::vector<std::size_t>> kept(chains.size());
-  ParallelFor(std::int64_t(chains.size()), std::int64_t(chains.size()) / mostCopies + 1,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      FewestPoints own(*this);
-      own.GoOn = nullptr;
-      std::transform(chains.begin() + first, chains.begin() + last, kept.begin() + first,
-        [&own](const std::vector<PointId>& chain) { return own.FindKept(chain); });
-    });
-  for (std::size_t n = 0; n < chains.size(); ++n)
-  {
-    this->Known.emplace(KeyOf(chains[n]), std::move(kept[n]));
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::size_t FewestPoints::StartOf(const std::vector<PointId>& loop) const
-{
   const auto fixed = std::find_if(loop.begin(), loop.end(), [this](PointId point) { return this->IsFixed(point); });
   if (fixed != loop.end())
   {
-    return std::size_t(fixed - loop.begin());
+    return this->SimplifyFrom(loop, std::size_t(fixed - loop.begin()));
   }
-  const auto known = this->Known.find({ loop.front(), loop[loop.size() > 1 ? 1 : 0], loop.size() + 1 });
-  return known == this->Known.end() ? 0 : known->second[(known->second.size() - 1) / 2];
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename Visit>
-void FewestPoints::ForEachChain(const std::vector<PointId>& loop, std::size_t first, Visit&& visit) const
-{
-  std::vector<PointId> chain;
-  for (std::size_t n = 0; n <= loop.size(); ++n)
-  {
-    const PointId point = loop[(first + n) % loop.size()];
-    chain.push_back(point);
-    if (chain.size() > 1 && (this->IsFixed(point) || n == loop.size()))
-    {
-      visit(chain, first + n + 1 - chain.size());
-      chain.assign(1, point);
-    }
-  }
+  const std::vector<std::size_t> kept = this->SimplifyFrom(loop, 0);
+  std::vector<std::size_t> again = this->SimplifyFrom(loop, kept[kept.size() / 2]);
+  return again.size() <= kept.size() ? again : kept;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& loop, std::size_t first)
 {
-  std::vector<std::size_t> kept;
-  this->ForEachChain(loop, first,
-    [&](const std::vector<PointId>& chain, std::size_t start)
+  std::vector<std::vector<PointId>> chains(1);
+  for (std::size_t n = 0; n <= loop.size(); ++n)
+  {
+    const PointId point = loop[(first + n) % loop.size()];
+    chains.back().push_back(point);
+    if (chains.back().size() > 1 && n < loop.size() && this->IsFixed(point))
     {
-      const std::vector<std::size_t> positions = this->SimplifyChain(chain);
-      std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
-        [&](std::size_t position) { return (start + position) % loop.size(); });
-    });
+      chains.push_back({ point });
+    }
+  }
+  this->Learn(chains);
+  std::vector<std::size_t> kept;
+  for (const std::vector<PointId>& chain : chains)
+  {
+    const std::vector<std::size_t>& positions = this->Known.at(KeyOf(chain));
+    std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
+      [&](std::size_t position) { return (first + position) % loop.size(); });
+    first += chain.size() - 1;
+  }
   std::sort(kept.begin(), kept.end());
   return kept;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<std::size_t> FewestPoints::SimplifyChain(const std::vector<PointId>& chain)
+/// Chains are independent. A copy takes the time of some points.
+void FewestPoints::Learn(const std::vector<std::vector<PointId>>& chains)
 {
-  assert(!chain.empty());
-  const auto [known, isNew] = this->Known.try_emplace(KeyOf(chain));
-  if (isNew)
+  std::vector<const std::vector<PointId>*> unknown;
+  std::size_t points = 0;
+  for (const std::vector<PointId>& chain : chains)
   {
-    known->second = this->FindKept(chain);
+    if (this->Known.count(KeyOf(chain)) == 0)
+    {
+      unknown.push_back(&chain);
+      points += chain.size();
+    }
   }
-  return known->second;
+  std::vector<std::vector<std::size_t>> kept(unknown.size());
+  const auto simplify = [&](FewestPoints& own, std::int64_t first, std::int64_t last)
+  {
+    std::transform(unknown.begin() + first, unknown.begin() + last, kept.begin() + first,
+      [&own](const std::vector<PointId>* chain) { return own.SimplifyChain(*chain); });
+  };
+  const auto size = std::int64_t(unknown.size());
+  const std::int64_t copies = std::min(size, std::int64_t(points) / PointsPerCopy);
+  if (copies < 2)
+  {
+    simplify(*this, 0, size);
+  }
+  else
+  {
+    ParallelFor(size, size / copies,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        FewestPoints own(*this);
+        own.GoOn = []() {}; // on the calling thread alone
+        simplify(own, first, last);
+      });
+  }
+  for (std::size_t n = 0; n < unknown.size(); ++n)
+  {
+    this->Known.emplace(KeyOf(*unknown[n]), std::move(kept[n]));
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Two points of a loop must not share two edges, or it might have no inside. A closed chain therefore keeps two inner
 /// points, and an open chain one, unless it is straight.
-std::vector<std::size_t> FewestPoints::FindKept(const std::vector<PointId>& chain)
+std::vector<std::size_t> FewestPoints::SimplifyChain(const std::vector<PointId>& chain)
 {
   this->SetChain(chain);
   const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 1;
@@ -545,7 +524,7 @@ bool FewestPoints::FindPath()
   this->TwoOrMore.assign(1, { NoWay, 0.0, 0 });
   for (std::size_t node = 1; node < last; ++node)
   {
-    if (node % NodesPerBatch == 0 && this->GoOn)
+    if (node % NodesPerBatch == 0)
     {
       this->GoOn();
     }
@@ -581,7 +560,7 @@ void FewestPoints::FindSources(std::size_t node)
   {
     std::atomic<bool> isLimited(this->IsLimited);
     this->NextSources.resize(std::min(NodesPerBatch, this->Nodes.size() - node));
-    ParallelFor(std::int64_t(this->NextSources.size()), this->GoOn ? NodesPerTask : std::int64_t(NodesPerBatch),
+    ParallelFor(std::int64_t(this->NextSources.size()), NodesPerTask,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)

@@ -125,7 +125,7 @@ private:
 
   const ColumnIndex& Index;
   const PlanePoints Columns;
-  std::shared_ptr<const PlaceNumbers> OnLoops; // shared by copies
+  std::shared_ptr<PlaceNumbers> OnLoops = std::make_shared<PlaceNumbers>(); // shared by copies
   std::vector<PointId> Chain;
   std::vector<std::size_t> Position; // in the chain, by number in OnLoops
   std::size_t From = 0;
@@ -147,16 +147,11 @@ public:
   FewestPoints(const SpacePoints& points, const ColumnIndex& index, const std::vector<unsigned char>& visits,
     double outlineTolerance, double heightTolerance, KeptOfChains& known, std::function<void()> goOn);
 
-  /// Simplifies chains of loops in parallel, unless they are known. A second call does so from the points half-way round
-  /// loops without fixed points.
-  void Learn(const Loops& loops);
-
   /// Returns the positions that a loop keeps, ascending. A loop without fixed points is processed twice, from its first
   /// point and from a point kept about half-way round.
   std::vector<std::size_t> Simplify(const std::vector<PointId>& loop);
 
-  /// Returns the positions that the chain keeps, ascending, from an earlier call if it is known. Its ends stay; they may
-  /// be the same point.
+  /// Returns the positions that the chain keeps, ascending. Its ends stay; they may be the same point.
   std::vector<std::size_t> SimplifyChain(const std::vector<PointId>& chain);
 
 private:
@@ -177,15 +172,8 @@ private:
   };
 
   bool IsFixed(PointId point) const { return this->Visits[point] > 1; }
-  static KeptOfChains::key_type KeyOf(const std::vector<PointId>& chain)
-  {
-    return { chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() };
-  }
-  std::size_t StartOf(const std::vector<PointId>& loop) const;
-  template <typename Visit>
-  void ForEachChain(const std::vector<PointId>& loop, std::size_t first, Visit&& visit) const;
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
-  std::vector<std::size_t> FindKept(const std::vector<PointId>& chain);
+  void Learn(const std::vector<std::vector<PointId>>& chains);
   void SetChain(const std::vector<PointId>& chain);
   void ListNodes();
   bool IsBend(std::size_t position) const;
@@ -204,7 +192,7 @@ private:
   const double OutlineTolerance;
   const double HeightTolerance;
   KeptOfChains& Known;
-  std::function<void()> GoOn; // empty for one of several chains at a time
+  std::function<void()> GoOn;
   ShortcutGuard Guard;
   std::vector<PointId> Chain;
   std::vector<Eigen::Vector3d> Places;

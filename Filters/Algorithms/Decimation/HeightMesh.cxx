@@ -415,30 +415,10 @@ void HeightMesh::AddVertex(PointId point)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::AddVertices(const std::vector<PointId>& points)
+void HeightMesh::Append(PointId point)
 {
-  const std::size_t before = this->Sources.size();
-  const std::size_t size = before + points.size();
-  this->Sources.insert(this->Sources.end(), points.begin(), points.end());
-  this->AreOnLoops.resize(size, 0);
-  this->AreFixed.resize(size, 0);
-  for (RaisedHorizon& raised : this->Horizons)
-  {
-    raised.Vertices.resize(size);
-  }
-  ParallelFor(std::int64_t(points.size()), TrianglesPerTask,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto n = std::size_t(first); n < std::size_t(last); ++n)
-      {
-        this->Marks[points[n]] = 1;
-        for (RaisedHorizon& raised : this->Horizons)
-        {
-          raised.Vertices[before + n] = { this->Places[points[n]], raised.Heights[points[n]] };
-        }
-      }
-    });
-  this->Mesh.Extend(Gather<std::vector<PlanePoint>>(this->Places, points));
+  this->Mesh.Extend(this->Places[point]);
+  this->AddVertex(point);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -100,8 +100,8 @@ public:
 
   /// The point must lie in the triangle or on its edges.
   void Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around);
-  /// Their cavities are to be filled next.
-  void AddVertices(const std::vector<PointId>& points);
+  /// Its cavity is to be filled.
+  void Append(PointId point);
   /// Resets a vertex to the height of its column.
   void PutBack(VertexId vertex);
   /// Gives vertices other points, NoPoint to remove them, other heights by horizon, and other triangles. Kept edges

@@ -40,8 +40,6 @@ constexpr double LeastPart = 1.0 / 16;
 constexpr std::size_t FewestTogether = 256;
 constexpr std::int64_t CavitiesPerTask = 64;
 
-constexpr unsigned char Selected = 2; // new, but not listed yet
-
 constexpr std::int64_t ErrorsPerChunk = 4096;
 }
 
@@ -99,6 +97,7 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
       throw InputError("point " + std::to_string(this->Mesh.Error(urgent.front()).Point) +
         " in several triangles, expected loops that enclose it once");
     }
+    this->SortNew();
     this->Mesh.Measure(this->New, this->Squares, bound, Monitor());
     this->KeepFar(bound);
   }
@@ -230,27 +229,24 @@ bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle, double
     return false;
   }
   const PlaneMesh& mesh = this->Mesh.Triangles();
-  const auto corner = [&](TriangleId one, int n) { return mesh.Place(mesh.Corner(one, n)); };
-  std::vector<TriangleId> inCircle = { triangle };
-  for (std::size_t n = 0; n < inCircle.size(); ++n)
+  PlaneMesh::Cavity cavity;
+  if (!mesh.FindCavity(place, triangle, cavity))
+  {
+    return false;
+  }
+  for (const TriangleId inside : cavity.Inside)
   {
     for (int edge = 0; edge < 3; ++edge)
     {
-      const TriangleId other = mesh.Neighbour(inCircle[n], edge);
-      if (other == NoTriangle || mesh.IsKeptEdge(inCircle[n], edge))
+      if (mesh.Neighbour(inside, edge) == NoTriangle || mesh.IsKeptEdge(inside, edge))
       {
-        const PlanePoint& from = corner(inCircle[n], edge);
-        const PlanePoint& to = corner(inCircle[n], NextCorner(edge));
+        const PlanePoint& from = mesh.Place(mesh.Corner(inside, edge));
+        const PlanePoint& to = mesh.Place(mesh.Corner(inside, NextCorner(edge)));
         const double lengths = std::sqrt(double(SquaredDistance(place, from)) * double(SquaredDistance(place, to)));
         if (double(ScalarProduct(place, from, to)) <= leastCosine * lengths)
         {
           return false;
         }
-      }
-      else if (std::find(inCircle.begin(), inCircle.end(), other) == inCircle.end() &&
-        InCircle(corner(other, 0), corner(other, 1), corner(other, 2), place) > 0)
-      {
-        inCircle.push_back(other);
       }
     }
   }
@@ -271,6 +267,19 @@ void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
     this->Mesh.MeasureMarked(this->New, marks);
     this->KeepFar(Bound);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The order of points, row by row, saves a fifth of the time of measuring large horizons.
+void MeshRefiner::SortNew()
+{
+  ParallelSort(this->New,
+    [this](TriangleId a, TriangleId b)
+    {
+      const PointId one = this->Mesh.SourceOf(this->Mesh.Triangles().Corner(a, 2));
+      const PointId other = this->Mesh.SourceOf(this->Mesh.Triangles().Corner(b, 2));
+      return one != other ? one < other : a < b;
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -305,37 +314,25 @@ void MeshRefiner::KeepFar(double bound)
 // If no triangle reaches the limit, it falls. Returns false if none is above the bound.
 bool MeshRefiner::FindUrgent(double& limit, std::vector<TriangleId>& urgent) const
 {
-  using Candidate = std::pair<double, TriangleId>;
-  const auto find = [&]()
-  {
-    return CollectChunks<Candidate>(std::int64_t(this->Far.size()), ErrorsPerChunk, Monitor(),
-      [&](std::vector<Candidate>& found, std::int64_t first, std::int64_t last)
-      {
-        for (std::int64_t n = first; n < last; ++n)
-        {
-          const double urgency = this->UrgencyOf(this->Far[n]);
-          if (urgency >= limit)
-          {
-            found.emplace_back(-urgency, this->Far[n]);
-          }
-        }
-      });
-  };
-  std::vector<Candidate> found = find();
-  if (found.empty())
-  {
-    limit = 0.0;
-    for (const TriangleId triangle : this->Far)
-    {
-      limit = std::max(limit, this->UrgencyOf(triangle));
-    }
-    limit *= this->Priority == DecimationPriority::LargestError ? FractionOfLargest : FractionOfSum;
-    found = find();
-  }
-  ParallelSort(found, std::less<>());
   urgent.clear();
-  std::transform(
-    found.begin(), found.end(), std::back_inserter(urgent), [](const Candidate& one) { return one.second; });
+  double most = 0.0;
+  for (const TriangleId triangle : this->Far)
+  {
+    most = std::max(most, this->UrgencyOf(triangle));
+  }
+  if (most < limit)
+  {
+    limit = most * (this->Priority == DecimationPriority::LargestError ? FractionOfLargest : FractionOfSum);
+  }
+  std::copy_if(this->Far.begin(), this->Far.end(), std::back_inserter(urgent),
+    [&](TriangleId triangle) { return this->UrgencyOf(triangle) >= limit; });
+  ParallelSort(urgent,
+    [this](TriangleId a, TriangleId b)
+    {
+      const double one = this->UrgencyOf(a);
+      const double other = this->UrgencyOf(b);
+      return one != other ? one > other : a < b;
+    });
   return !urgent.empty();
 }
 
@@ -391,10 +388,24 @@ bool MeshRefiner::InsertTogether(const std::vector<TriangleId>& triangles, std::
   {
     return false;
   }
-  const std::vector<PointId> points = this->SelectPoints(triangles, most);
-  this->ListNew(points);
-  this->Mesh.AddVertices(points);
-  this->FillCavities(points.size());
+  // One by one, a point is inserted if no earlier one has changed its triangle. An earlier one has changed a triangle of
+  // the round's start if it is in its circle, whatever was inserted in between.
+  TriangleId added = this->Mesh.Triangles().Size();
+  std::size_t number = 0;
+  for (std::size_t n = 0; n < triangles.size() && number < most; ++n)
+  {
+    if (this->IsNew[triangles[n]] == 0)
+    {
+      std::swap(this->Cavities[number], this->Cavities[n]);
+      const std::vector<TriangleId>& inside = this->Cavities[number].Inside;
+      std::for_each(inside.begin(), inside.end(), [this](TriangleId triangle) { this->AddNew(triangle); });
+      this->AddNew(added++);
+      this->AddNew(added++);
+      this->Mesh.Append(this->Mesh.Error(triangles[n]).Point);
+      ++number;
+    }
+  }
+  this->FillCavities(number);
   return true;
 }
 
@@ -423,82 +434,34 @@ bool MeshRefiner::FindCavities(const std::vector<TriangleId>& triangles)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// One by one, a point is inserted if no earlier one has changed its triangle. An earlier one has changed a triangle of the
-// round's start if it is in its circle, whatever was inserted before. Cavities of points follow each other.
-std::vector<PointId> MeshRefiner::SelectPoints(const std::vector<TriangleId>& triangles, std::size_t most)
-{
-  std::vector<PointId> points;
-  for (std::size_t n = 0; n < triangles.size() && points.size() < most; ++n)
-  {
-    if (this->IsNew[triangles[n]] == 0)
-    {
-      std::swap(this->Cavities[points.size()], this->Cavities[n]);
-      const std::vector<TriangleId>& inside = this->Cavities[points.size()].Inside;
-      std::for_each(inside.begin(), inside.end(), [this](TriangleId triangle) { this->IsNew[triangle] = Selected; });
-      points.push_back(this->Mesh.Error(triangles[n]).Point);
-    }
-  }
-  return points;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// The order of points, row by row, saves a fifth of the time of measuring large horizons.
-void MeshRefiner::ListNew(const std::vector<PointId>& points)
-{
-  std::vector<std::pair<PointId, std::int32_t>> order;
-  for (std::size_t n = 0; n < points.size(); ++n)
-  {
-    order.emplace_back(points[n], std::int32_t(n));
-  }
-  ParallelSort(order, std::less<>());
-  for (const auto& [point, n] : order)
-  {
-    const std::vector<TriangleId>& inside = this->Cavities[n].Inside;
-    std::for_each(inside.begin(), inside.end(),
-      [this](TriangleId triangle)
-      {
-        this->IsNew[triangle] = this->IsNew[triangle] == Selected ? 0 : this->IsNew[triangle];
-        this->AddNew(triangle);
-      });
-    this->AddNew(this->Mesh.Triangles().Size() + 2 * n);
-    this->AddNew(this->Mesh.Triangles().Size() + 2 * n + 1);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Of cavities that share triangles, the first is filled. Those after it are found again, and wait.
+// Of cavities that share triangles, the first is filled. Those after it wait, and are found again.
 void MeshRefiner::FillCavities(std::size_t number)
 {
   PlaneMesh& mesh = this->Mesh.Triangles();
-  const VertexId firstVertex = this->Mesh.EndOfVertices() - VertexId(number);
-  const TriangleId firstAdded = mesh.Size() - 2 * TriangleId(number);
+  const VertexId vertices = this->Mesh.EndOfVertices() - VertexId(number);
+  const TriangleId added = mesh.Size() - 2 * TriangleId(number);
+  const auto findAgain = [&](std::int32_t n)
+  { mesh.FindCavity(mesh.Place(vertices + n), this->Cavities[n].Inside.front(), this->Cavities[n]); };
+  const auto fill = [&](std::int32_t n) { mesh.Fill(this->Cavities[n], vertices + n, added + 2 * n); };
   std::vector<std::int32_t> waiting(number);
   std::iota(waiting.begin(), waiting.end(), 0);
-  std::vector<std::int32_t> owners(std::size_t(mesh.Size())); // the first cavity with a triangle
-  std::vector<unsigned char> isFilled(number, 0);
-  const auto allOf = [&](std::int32_t n, auto&& condition)
-  {
-    const PlaneMesh::Cavity& own = this->Cavities[n];
-    return std::all_of(own.Inside.begin(), own.Inside.end(), condition) &&
-      std::all_of(own.Around.begin(), own.Around.end(), condition);
-  };
-  const auto findAgain = [&](std::int32_t n)
-  { mesh.FindCavity(mesh.Place(firstVertex + n), this->Cavities[n].Inside.front(), this->Cavities[n]); };
-  const auto fill = [&](std::int32_t n) { mesh.Fill(this->Cavities[n], firstVertex + n, firstAdded + 2 * n); };
   const auto forWaiting = [&](auto&& call)
   {
     ParallelFor(std::int64_t(waiting.size()), CavitiesPerTask,
       [&](std::int64_t first, std::int64_t last)
       { std::for_each(waiting.begin() + first, waiting.begin() + last, call); });
   };
+  std::vector<std::int32_t> owners(std::size_t(mesh.Size())); // the first waiting cavity with a triangle
+  std::vector<unsigned char> isFilled(number, 0);
   while (waiting.size() >= FewestTogether)
   {
     std::for_each(waiting.rbegin(), waiting.rend(),
-      [&](std::int32_t n) { allOf(n, [&](TriangleId triangle) { return owners[triangle] = n, true; }); });
+      [&](std::int32_t n)
+      { this->Cavities[n].AllOf([&](TriangleId triangle) { return owners[triangle] = n, true; }); });
     forWaiting(
       [&](std::int32_t n)
       {
-        if (allOf(n, [&](TriangleId triangle) { return owners[triangle] == n; }))
+        if (this->Cavities[n].AllOf([&](TriangleId triangle) { return owners[triangle] == n; }))
         {
           fill(n);
           isFilled[n] = 1;
@@ -506,14 +469,7 @@ void MeshRefiner::FillCavities(std::size_t number)
       });
     waiting.erase(
       std::remove_if(waiting.begin(), waiting.end(), [&](std::int32_t n) { return isFilled[n] != 0; }), waiting.end());
-    forWaiting(
-      [&](std::int32_t n)
-      {
-        if (!allOf(n, [&](TriangleId triangle) { return isFilled[owners[triangle]] == 0; }))
-        {
-          findAgain(n);
-        }
-      });
+    forWaiting(findAgain);
   }
   for (const std::int32_t n : waiting)
   {

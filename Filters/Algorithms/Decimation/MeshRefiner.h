@@ -47,8 +47,6 @@ private:
   bool InsertRound(const std::vector<TriangleId>& triangles);
   bool InsertTogether(const std::vector<TriangleId>& triangles, std::size_t most);
   bool FindCavities(const std::vector<TriangleId>& triangles);
-  std::vector<PointId> SelectPoints(const std::vector<TriangleId>& triangles, std::size_t most);
-  void ListNew(const std::vector<PointId>& points);
   void FillCavities(std::size_t number);
   void Insert(PointId point, TriangleId triangle);
   void PutBack(VertexId vertex, TriangleId triangle);
@@ -56,6 +54,7 @@ private:
   bool IsTooLong(TriangleId triangle, const EdgeSizes& sizes) const;
   bool CanInsert(const PlanePoint& place, TriangleId triangle, double leastCosine) const;
   void AddNew(TriangleId triangle);
+  void SortNew();
 
   HeightMesh& Mesh;
   const std::size_t MostVertices;

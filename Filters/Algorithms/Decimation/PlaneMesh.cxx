@@ -245,16 +245,16 @@ void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector
   around.clear();
   if (this->EdgeAt(place, triangle) != AtEnd)
   {
-    this->Extend({ place });
+    this->Extend(place);
     this->Split(VertexId(this->Places.size() - 1), triangle, this->Size() - 2, around);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::Extend(const std::vector<PlanePoint>& places)
+void PlaneMesh::Extend(const PlanePoint& place)
 {
-  this->Places.insert(this->Places.end(), places.begin(), places.end());
-  this->Triangles.resize(this->Triangles.size() + 2 * places.size());
+  this->Places.push_back(place);
+  this->Triangles.resize(this->Triangles.size() + 2);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

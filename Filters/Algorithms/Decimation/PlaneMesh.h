@@ -77,13 +77,20 @@ public:
   {
     std::vector<TriangleId> Inside;
     std::vector<TriangleId> Around;
+
+    template <typename Condition>
+    bool AllOf(Condition&& isTrue) const
+    {
+      return std::all_of(this->Inside.begin(), this->Inside.end(), isTrue) &&
+        std::all_of(this->Around.begin(), this->Around.end(), isTrue);
+    }
   };
   /// Returns false where this needs Insert: at a vertex, or on the boundary or a kept edge.
   bool FindCavity(const PlanePoint& place, TriangleId triangle, Cavity& cavity) const;
-  /// Appends vertices at these places, and two triangles for each, for Fill().
-  void Extend(const std::vector<PlanePoint>& places);
-  /// Inserts a vertex with its triangles, the first of which is `added`, as Insert and Legalize would. Cavities that share
-  /// no triangle can be filled in parallel.
+  /// Appends a vertex and two triangles for Fill().
+  void Extend(const PlanePoint& place);
+  /// Inserts the vertex with these triangles as Insert and Legalize would. Cavities that share no triangle can be filled
+  /// in parallel.
   void Fill(const Cavity& cavity, VertexId vertex, TriangleId added);
 
   /// Turns a, b, c and b, a, d into a, d, c and d, b, c, in the same order. Their union must be strictly convex.
