@@ -100,8 +100,6 @@ public:
 
   /// The point must lie in the triangle or on its edges.
   void Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around);
-  /// Its cavity is to be filled.
-  void Append(PointId point);
   /// Resets a vertex to the height of its column.
   void PutBack(VertexId vertex);
   /// Gives vertices other points, NoPoint to remove them, other heights by horizon, and other triangles. Kept edges
@@ -210,6 +208,7 @@ private:
 
   BoundedHorizon Horizon; // Patch has moved into Patches
   const PlanePoints Places;
+  std::int32_t PatchCount = 0;
   std::vector<std::int32_t> Patches; // per point, contiguous from 0; negative outside the horizon
   std::size_t Points;
   std::vector<unsigned char> Marks; // per point: 1 for vertices and points on loops

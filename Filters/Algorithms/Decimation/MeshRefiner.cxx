@@ -9,13 +9,10 @@
 #include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -35,10 +32,6 @@ constexpr double CosineOfEven = -0.642787609686539;
 // distance; for others this would add more triangles than it mends.
 constexpr double AngleOfMoreTries = 2.0;
 constexpr double LeastPart = 1.0 / 16;
-
-// Fewer points are inserted one by one, which is faster than to start threads.
-constexpr std::size_t FewestTogether = 256;
-constexpr std::int64_t CavitiesPerTask = 64;
 
 constexpr std::int64_t ErrorsPerChunk = 4096;
 }
@@ -229,24 +222,27 @@ bool MeshRefiner::CanInsert(const PlanePoint& place, TriangleId triangle, double
     return false;
   }
   const PlaneMesh& mesh = this->Mesh.Triangles();
-  PlaneMesh::Cavity cavity;
-  if (!mesh.FindCavity(place, triangle, cavity))
-  {
-    return false;
-  }
-  for (const TriangleId inside : cavity.Inside)
+  const auto corner = [&](TriangleId one, int n) { return mesh.Place(mesh.Corner(one, n)); };
+  std::vector<TriangleId> inCircle = { triangle };
+  for (std::size_t n = 0; n < inCircle.size(); ++n)
   {
     for (int edge = 0; edge < 3; ++edge)
     {
-      if (mesh.Neighbour(inside, edge) == NoTriangle || mesh.IsKeptEdge(inside, edge))
+      const TriangleId other = mesh.Neighbour(inCircle[n], edge);
+      if (other == NoTriangle || mesh.IsKeptEdge(inCircle[n], edge))
       {
-        const PlanePoint& from = mesh.Place(mesh.Corner(inside, edge));
-        const PlanePoint& to = mesh.Place(mesh.Corner(inside, NextCorner(edge)));
+        const PlanePoint& from = corner(inCircle[n], edge);
+        const PlanePoint& to = corner(inCircle[n], NextCorner(edge));
         const double lengths = std::sqrt(double(SquaredDistance(place, from)) * double(SquaredDistance(place, to)));
         if (double(ScalarProduct(place, from, to)) <= leastCosine * lengths)
         {
           return false;
         }
+      }
+      else if (std::find(inCircle.begin(), inCircle.end(), other) == inCircle.end() &&
+        InCircle(corner(other, 0), corner(other, 1), corner(other, 2), place) > 0)
+      {
+        inCircle.push_back(other);
       }
     }
   }
@@ -273,13 +269,9 @@ void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
 // The order of points, row by row, saves a fifth of the time of measuring large horizons.
 void MeshRefiner::SortNew()
 {
-  ParallelSort(this->New,
-    [this](TriangleId a, TriangleId b)
-    {
-      const PointId one = this->Mesh.SourceOf(this->Mesh.Triangles().Corner(a, 2));
-      const PointId other = this->Mesh.SourceOf(this->Mesh.Triangles().Corner(b, 2));
-      return one != other ? one < other : a < b;
-    });
+  const auto place = [this](TriangleId triangle)
+  { return std::make_pair(this->Mesh.SourceOf(this->Mesh.Triangles().Corner(triangle, 2)), triangle); };
+  ParallelSort(this->New, [&place](TriangleId a, TriangleId b) { return place(a) < place(b); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -354,10 +346,6 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
   const std::size_t most = this->Mesh.NumberOfVertices() + (this->MostVertices > 0 ? (room + 1) / 2 : room);
   this->New.clear();
   this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
-  if (this->InsertTogether(triangles, most - before))
-  {
-    return true;
-  }
   for (const TriangleId triangle : triangles)
   {
     const PointId point = this->Mesh.Error(triangle).Point;
@@ -377,105 +365,6 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
     }
   }
   return isAnyPutBack || this->Mesh.NumberOfVertices() > before;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Inserts points as one by one, with the same numbers of vertices and triangles, but in parallel. Returns false where they
-// must be inserted one by one.
-bool MeshRefiner::InsertTogether(const std::vector<TriangleId>& triangles, std::size_t most)
-{
-  if (triangles.size() < FewestTogether || !this->FindCavities(triangles))
-  {
-    return false;
-  }
-  // One by one, a point is inserted if no earlier one has changed its triangle. An earlier one has changed a triangle of
-  // the round's start if it is in its circle, whatever was inserted in between.
-  TriangleId added = this->Mesh.Triangles().Size();
-  std::size_t number = 0;
-  for (std::size_t n = 0; n < triangles.size() && number < most; ++n)
-  {
-    if (this->IsNew[triangles[n]] == 0)
-    {
-      std::swap(this->Cavities[number], this->Cavities[n]);
-      const std::vector<TriangleId>& inside = this->Cavities[number].Inside;
-      std::for_each(inside.begin(), inside.end(), [this](TriangleId triangle) { this->AddNew(triangle); });
-      this->AddNew(added++);
-      this->AddNew(added++);
-      this->Mesh.Append(this->Mesh.Error(triangles[n]).Point);
-      ++number;
-    }
-  }
-  this->FillCavities(number);
-  return true;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Returns false if a point is a vertex or not in its triangle, which is rare.
-bool MeshRefiner::FindCavities(const std::vector<TriangleId>& triangles)
-{
-  const PlaneMesh& mesh = this->Mesh.Triangles();
-  this->Cavities.resize(std::max(this->Cavities.size(), triangles.size()));
-  std::atomic<bool> areFound(true);
-  ParallelFor(std::int64_t(triangles.size()), CavitiesPerTask,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto n = std::size_t(first); n < std::size_t(last) && areFound; ++n)
-      {
-        const PointId point = this->Mesh.Error(triangles[n]).Point;
-        const PlanePoint& place = this->Mesh.Column(point);
-        if (this->Mesh.IsVertex(point) || mesh.Locate(place, triangles[n]) != triangles[n] ||
-          !mesh.FindCavity(place, triangles[n], this->Cavities[n]))
-        {
-          areFound = false;
-        }
-      }
-    });
-  return areFound;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Of cavities that share triangles, the first is filled. Those after it wait, and are found again.
-void MeshRefiner::FillCavities(std::size_t number)
-{
-  PlaneMesh& mesh = this->Mesh.Triangles();
-  const VertexId vertices = this->Mesh.EndOfVertices() - VertexId(number);
-  const TriangleId added = mesh.Size() - 2 * TriangleId(number);
-  const auto findAgain = [&](std::int32_t n)
-  { mesh.FindCavity(mesh.Place(vertices + n), this->Cavities[n].Inside.front(), this->Cavities[n]); };
-  const auto fill = [&](std::int32_t n) { mesh.Fill(this->Cavities[n], vertices + n, added + 2 * n); };
-  std::vector<std::int32_t> waiting(number);
-  std::iota(waiting.begin(), waiting.end(), 0);
-  const auto forWaiting = [&](auto&& call)
-  {
-    ParallelFor(std::int64_t(waiting.size()), CavitiesPerTask,
-      [&](std::int64_t first, std::int64_t last)
-      { std::for_each(waiting.begin() + first, waiting.begin() + last, call); });
-  };
-  std::vector<std::int32_t> owners(std::size_t(mesh.Size())); // the first waiting cavity with a triangle
-  std::vector<unsigned char> isFilled(number, 0);
-  while (waiting.size() >= FewestTogether)
-  {
-    std::for_each(waiting.rbegin(), waiting.rend(),
-      [&](std::int32_t n)
-      { this->Cavities[n].AllOf([&](TriangleId triangle) { return owners[triangle] = n, true; }); });
-    forWaiting(
-      [&](std::int32_t n)
-      {
-        if (this->Cavities[n].AllOf([&](TriangleId triangle) { return owners[triangle] == n; }))
-        {
-          fill(n);
-          isFilled[n] = 1;
-        }
-      });
-    waiting.erase(
-      std::remove_if(waiting.begin(), waiting.end(), [&](std::int32_t n) { return isFilled[n] != 0; }), waiting.end());
-    forWaiting(findAgain);
-  }
-  for (const std::int32_t n : waiting)
-  {
-    findAgain(n);
-    fill(n);
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

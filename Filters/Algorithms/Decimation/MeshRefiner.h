@@ -45,9 +45,6 @@ private:
   bool FindUrgent(double& limit, std::vector<TriangleId>& urgent) const;
   double UrgencyOf(TriangleId triangle) const;
   bool InsertRound(const std::vector<TriangleId>& triangles);
-  bool InsertTogether(const std::vector<TriangleId>& triangles, std::size_t most);
-  bool FindCavities(const std::vector<TriangleId>& triangles);
-  void FillCavities(std::size_t number);
   void Insert(PointId point, TriangleId triangle);
   void PutBack(VertexId vertex, TriangleId triangle);
   PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle, double part) const;
@@ -66,7 +63,6 @@ private:
   std::vector<TriangleId> New;
   std::vector<unsigned char> IsNew;
   std::vector<TriangleId> Around;
-  std::vector<PlaneMesh::Cavity> Cavities; // of points that are inserted together
 };
 }
 

@@ -30,10 +30,6 @@ constexpr std::int64_t ItemsPerTask = 4096;
 
 constexpr int Opposite = 0; // to the third corner
 
-// Where a place is in a triangle, beside the number of an edge.
-constexpr int NotOnEdge = -1;
-constexpr int AtEnd = 3; // at a corner or on the boundary
-
 template <typename Call>
 void ForEachBelow(std::size_t size, Call&& call)
 {
@@ -243,83 +239,42 @@ void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector
 {
   assert(!this->IsGone(triangle));
   around.clear();
-  if (this->EdgeAt(place, triangle) != AtEnd)
-  {
-    this->Extend(place);
-    this->Split(VertexId(this->Places.size() - 1), triangle, this->Size() - 2, around);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::Extend(const PlanePoint& place)
-{
-  this->Places.push_back(place);
-  this->Triangles.resize(this->Triangles.size() + 2);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-int PlaneMesh::EdgeAt(const PlanePoint& place, TriangleId triangle) const
-{
-  int onEdge = NotOnEdge;
+  int onEdge = -1;
+  int edgesOn = 0;
   for (int edge = 0; edge < 3; ++edge)
   {
     if (this->AreaAt(place, triangle, edge) == 0)
     {
-      onEdge = onEdge == NotOnEdge && this->Neighbour(triangle, edge) != NoTriangle ? edge : AtEnd;
+      onEdge = edge;
+      ++edgesOn;
     }
   }
-  return onEdge;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-bool PlaneMesh::FindCavity(const PlanePoint& place, TriangleId triangle, Cavity& cavity) const
-{
-  const int onEdge = this->EdgeAt(place, triangle);
-  if (onEdge == AtEnd || (onEdge != NotOnEdge && this->IsKeptEdge(triangle, onEdge)))
+  const bool isOnBoundary = edgesOn == 1 && this->Neighbour(triangle, onEdge) == NoTriangle;
+  if (edgesOn > 1 || isOnBoundary)
   {
-    return false;
+    return;
   }
-  std::vector<TriangleId>& inside = cavity.Inside;
-  inside.assign(1, triangle);
-  cavity.Around.clear();
-  for (std::size_t n = 0; n < inside.size(); ++n)
+  const auto vertex = VertexId(this->Places.size());
+  this->Places.push_back(place);
+  if (onEdge >= 0)
   {
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      const TriangleId beyond = this->Neighbour(inside[n], edge);
-      if (beyond == NoTriangle || std::find(inside.begin(), inside.end(), beyond) != inside.end())
-      {
-        continue;
-      }
-      const auto& [a, b, c] = this->Corners(beyond);
-      const bool isInside = InCircle(this->Place(a), this->Place(b), this->Place(c), place) > 0;
-      (isInside && !this->IsKeptEdge(inside[n], edge) ? inside : cavity.Around).push_back(beyond);
-    }
+    this->CutKept(this->Corner(triangle, onEdge), this->Corner(triangle, NextCorner(onEdge)), vertex);
   }
-  return true;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::Fill(const Cavity& cavity, VertexId vertex, TriangleId added)
-{
-  const std::vector<TriangleId>& inside = cavity.Inside;
-  std::vector<TriangleId> around;
-  around.reserve(inside.size() + 2);
-  this->Split(vertex, inside.front(), added, around);
-  this->FlipOpposite(around,
-    [&](TriangleId triangle)
-    {
-      const TriangleId beyond = this->Neighbour(triangle, Opposite);
-      return std::find(inside.begin(), inside.end(), beyond) != inside.end() && !this->IsKeptEdge(triangle, Opposite);
-    });
+  this->Split(vertex, triangle, around);
+  if (onEdge >= 0)
+  {
+    // The triangle between edge and vertex is flat; the vertex is its third corner.
+    const TriangleId flat = around[onEdge];
+    around.push_back(this->Neighbour(flat, Opposite));
+    this->Flip(flat, Opposite);
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::CutKept(VertexId a, VertexId b, VertexId between)
 {
-  if (this->IsKept(a, b))
+  if (!this->Kept.empty() && this->Kept.erase(EdgeKey(a, b)) > 0)
   {
-    this->LetGo(a, b);
     this->Keep(a, between);
     this->Keep(between, b);
   }
@@ -327,25 +282,18 @@ void PlaneMesh::CutKept(VertexId a, VertexId b, VertexId between)
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Triangle n gets the old edge n first, and the vertex as third corner.
-void PlaneMesh::Split(VertexId vertex, TriangleId triangle, TriangleId added, std::vector<TriangleId>& around)
+void PlaneMesh::Split(VertexId vertex, TriangleId triangle, std::vector<TriangleId>& around)
 {
-  const int onEdge = this->EdgeAt(this->Place(vertex), triangle);
   const Triangle old = this->Triangles[triangle];
-  const std::array<TriangleId, 3> parts = { triangle, added, added + 1 };
+  const TriangleId size = this->Size();
+  const std::array<TriangleId, 3> parts = { triangle, size, size + 1 };
+  this->Triangles.resize(this->Triangles.size() + 2);
   for (int edge = 0; edge < 3; ++edge)
   {
     this->Triangles[parts[edge]] = { { old.Corners[edge], old.Corners[NextCorner(edge)], vertex },
       { old.Neighbours[edge], parts[NextCorner(edge)], parts[PreviousCorner(edge)] } };
     this->Replace(old.Neighbours[edge], triangle, parts[edge]);
     around.push_back(parts[edge]);
-  }
-  if (onEdge != NotOnEdge)
-  {
-    this->CutKept(old.Corners[onEdge], old.Corners[NextCorner(onEdge)], vertex);
-    // The triangle between edge and vertex is flat; the vertex is its third corner.
-    const TriangleId flat = around[onEdge];
-    around.push_back(this->Neighbour(flat, Opposite));
-    this->Flip(flat, Opposite);
   }
 }
 
@@ -424,18 +372,11 @@ bool PlaneMesh::IsDelaunay(TriangleId triangle, int edge) const
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::Legalize(std::vector<TriangleId>& around)
 {
-  this->FlipOpposite(around, [this](TriangleId triangle) { return !this->IsDelaunay(triangle, Opposite); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-template <typename IsFlipped>
-void PlaneMesh::FlipOpposite(std::vector<TriangleId>& around, IsFlipped&& isFlipped)
-{
   // A flip changes this triangle and adds another, so both are tested again.
   for (std::size_t n = 0; n < around.size(); ++n)
   {
     const TriangleId triangle = around[n];
-    while (isFlipped(triangle))
+    while (!this->IsDelaunay(triangle, Opposite))
     {
       around.push_back(this->Neighbour(triangle, Opposite));
       this->Flip(triangle, Opposite);

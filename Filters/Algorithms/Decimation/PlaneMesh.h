@@ -71,28 +71,6 @@ public:
   /// Returns the triangles around the vertex; none on the boundary or at a corner, where it cannot be inserted.
   void Insert(const PlanePoint& place, TriangleId triangle, std::vector<TriangleId>& around);
 
-  /// What Insert and Legalize would change: triangles with the place in their circles, the given one first, and those
-  /// around them.
-  struct Cavity
-  {
-    std::vector<TriangleId> Inside;
-    std::vector<TriangleId> Around;
-
-    template <typename Condition>
-    bool AllOf(Condition&& isTrue) const
-    {
-      return std::all_of(this->Inside.begin(), this->Inside.end(), isTrue) &&
-        std::all_of(this->Around.begin(), this->Around.end(), isTrue);
-    }
-  };
-  /// Returns false where this needs Insert: at a vertex, or on the boundary or a kept edge.
-  bool FindCavity(const PlanePoint& place, TriangleId triangle, Cavity& cavity) const;
-  /// Appends a vertex and two triangles for Fill().
-  void Extend(const PlanePoint& place);
-  /// Inserts the vertex with these triangles as Insert and Legalize would. Cavities that share no triangle can be filled
-  /// in parallel.
-  void Fill(const Cavity& cavity, VertexId vertex, TriangleId added);
-
   /// Turns a, b, c and b, a, d into a, d, c and d, b, c, in the same order. Their union must be strictly convex.
   void Flip(TriangleId triangle, int edge);
 
@@ -161,10 +139,7 @@ private:
   void CutKept(VertexId a, VertexId b, VertexId between);
   void Reorder(const std::vector<TriangleId>& order);
   void Replace(TriangleId triangle, TriangleId neighbour, TriangleId by);
-  int EdgeAt(const PlanePoint& place, TriangleId triangle) const;
-  void Split(VertexId vertex, TriangleId triangle, TriangleId added, std::vector<TriangleId>& parts);
-  template <typename IsFlipped>
-  void FlipOpposite(std::vector<TriangleId>& around, IsFlipped&& isFlipped);
+  void Split(VertexId vertex, TriangleId triangle, std::vector<TriangleId>& parts);
   std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int edge) const;
 
   std::vector<PlanePoint> Places;

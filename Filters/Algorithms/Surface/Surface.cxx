@@ -6,7 +6,6 @@
 #include "Surface.h"
 
 #include "Common/Base/CountingSort.h"
-#include "Common/Base/FixedChunks.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/ColumnIndex.h"
@@ -49,87 +48,34 @@ std::vector<PlanePoint> SortByRows(PlanePoints columns, const PlaneBox& box)
   return { byY.begin(0), byY.end(height - 1) };
 }
 
-/// Adding a block to the blocks of rows before it counts the steps between them.
-class BlockGaps
-{
-public:
-  BlockGaps() = default;
-
-  BlockGaps(const PlanePoint* first, const PlanePoint* last, const PlaneBox& box)
-    : First(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), NoRow)
-    , Last(this->First)
-  {
-    for (const PlanePoint* column = first; column != last; ++column)
-    {
-      if (column != first && column[-1].Y == column->Y)
-      {
-        ++this->Steps.AlongRows[std::min(column->X - column[-1].X, LargestRadius + 1)];
-      }
-      this->AddRows(std::size_t(column->X - box.Least.X), column->Y, column->Y);
-    }
-  }
-
-  void Add(const BlockGaps& next)
-  {
-    if (this->First.empty())
-    {
-      *this = next;
-      return;
-    }
-    for (std::size_t n = 0; n < next.Steps.AlongRows.size(); ++n)
-    {
-      this->Steps.AlongRows[n] += next.Steps.AlongRows[n];
-      this->Steps.AlongColumns[n] += next.Steps.AlongColumns[n];
-    }
-    for (std::size_t x = 0; x < next.First.size(); ++x)
-    {
-      if (next.First[x] != NoRow)
-      {
-        this->AddRows(x, next.First[x], next.Last[x]);
-      }
-    }
-  }
-
-  const GapHistograms& Histograms() const { return this->Steps; }
-
-private:
-  static constexpr auto NoRow = std::numeric_limits<std::int32_t>::max();
-
-  void AddRows(std::size_t x, std::int32_t first, std::int32_t last)
-  {
-    if (this->Last[x] < first)
-    {
-      ++this->Steps.AlongColumns[std::min(first - this->Last[x], LargestRadius + 1)];
-    }
-    this->First[x] = std::min(this->First[x], first);
-    this->Last[x] = last;
-  }
-
-  GapHistograms Steps;
-  std::vector<std::int32_t> First; // by x: the first row with a point
-  std::vector<std::int32_t> Last;
-};
-
 GapHistograms Count(PlanePoints columns)
 {
-  constexpr std::int64_t rowsOfBlock = 64;
-  const ColumnRows rows = ColumnRows::Of(columns);
-  const PlaneBox& box = rows.Box;
+  const ColumnRows all = ColumnRows::Of(columns);
+  const PlaneBox& box = all.Box;
   std::vector<PlanePoint> sorted;
-  if (!rows.AreAscending)
+  if (!all.AreAscending)
   {
     sorted = SortByRows(columns, box);
     columns = sorted;
   }
-  const auto startOf = [&](std::int64_t row)
+  GapHistograms steps;
+  constexpr auto None = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::int32_t> rows(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), None); // by x
+  for (std::size_t n = 0; n < columns.size(); ++n)
   {
-    return std::lower_bound(columns.begin(), columns.end(), box.Least.Y + row,
-      [](const PlanePoint& column, std::int64_t y) { return column.Y < y; });
-  };
-  return AddUpChunks<BlockGaps>(std::int64_t(box.Greatest.Y) - box.Least.Y + 1, rowsOfBlock, Monitor(),
-    [&](BlockGaps& gaps, std::int64_t first, std::int64_t last)
-    { gaps = BlockGaps(startOf(first), startOf(last), box); })
-    .Histograms();
+    const PlanePoint& column = columns[n];
+    if (n > 0 && columns[n - 1].Y == column.Y)
+    {
+      ++steps.AlongRows[std::min(column.X - columns[n - 1].X, LargestRadius + 1)];
+    }
+    std::int32_t& row = rows[column.X - box.Least.X];
+    if (row < column.Y)
+    {
+      ++steps.AlongColumns[std::min(column.Y - row, LargestRadius + 1)];
+    }
+    row = column.Y;
+  }
+  return steps;
 }
 
 int LeastSpanning(const GapHistogram& steps)
