@@ -6,7 +6,7 @@
 
 #include "BoundarySimplification.h"
 
-#include "Common/Base/ParallelSort.h"
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/CellGrid.h"
 #include "Common/Horizon/PlaneGeometry.h"

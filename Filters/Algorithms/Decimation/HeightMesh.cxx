@@ -8,7 +8,6 @@
 #include "Common/Base/HeapArray.h"
 #include "Common/Base/LargePages.h"
 #include "Common/Base/Parallel.h"
-#include "Common/Base/ParallelSort.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "MeshRefiner.h"
 
 #include "Common/Base/FixedChunks.h"
-#include "Common/Base/ParallelSort.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 

@@ -3,9 +3,9 @@
 
 #include "PlaneMesh.h"
 
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/HeapArray.h"
 #include "Common/Base/Parallel.h"
-#include "Common/Base/ParallelSort.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 
@@ -26,14 +26,12 @@ constexpr int MostSteps = 100;
 // Bands of this number of rows fit the cache.
 constexpr std::uint64_t TileSide = 32;
 
-constexpr std::int64_t ItemsPerTask = 4096;
-
 constexpr int Opposite = 0; // to the third corner
 
 template <typename Call>
 void ForEachBelow(std::size_t size, Call&& call)
 {
-  ParallelFor(std::int64_t(size), ItemsPerTask,
+  ParallelFor(std::int64_t(size), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
