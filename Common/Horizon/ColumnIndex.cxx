@@ -3,6 +3,7 @@
 
 #include "ColumnIndex.h"
 
+#include "Common/Base/FixedChunks.h"
 #include "PlaneGeometry.h"
 
 #include <algorithm>
@@ -72,12 +73,6 @@ std::vector<std::int32_t> ListGiven(
   }
   return result;
 }
-
-bool AreRowByRow(PlanePoints columns)
-{
-  return std::is_sorted(columns.begin(), columns.end(),
-    [](const PlanePoint& a, const PlanePoint& b) { return a.Y != b.Y ? a.Y < b.Y : a.X < b.X; });
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -89,13 +84,24 @@ InputError SameColumnError(PointId first, PointId second, const PlanePoint& colu
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+ColumnRows ColumnRows::Of(PlanePoints columns)
+{
+  return AddUpChunks<ColumnRows>(std::int64_t(columns.size()), ChunkSize, Monitor(),
+    [&](ColumnRows& rows, std::int64_t first, std::int64_t last)
+    {
+      std::for_each(
+        columns.begin() + first, columns.begin() + last, [&rows](const PlanePoint& column) { rows.Add(Of(column)); });
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 bool AreScattered(PlanePoints columns)
 {
   if (columns.empty())
   {
     return false;
   }
-  const PlaneBox box(columns);
+  const PlaneBox box = ColumnRows::Of(columns).Box;
   const double width = double(box.Greatest.X) - box.Least.X + 1.0;
   const double height = double(box.Greatest.Y) - box.Least.Y + 1.0;
   return width * height > double(std::max(EnoughDenseColumns, EnoughColumnsPerPoint * std::int64_t(columns.size())));
@@ -133,7 +139,8 @@ ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
     this->Narrow = NarrowEmptyBands(given, reach);
   }
   const PlanePoints columns = this->Columns();
-  const PlaneBox box(columns);
+  const ColumnRows rows = ColumnRows::Of(columns);
+  const PlaneBox& box = rows.Box;
   this->MinX = std::int64_t(box.Least.X) - rim;
   this->MinY = std::int64_t(box.Least.Y) - rim;
   this->SizeX = std::int64_t(box.Greatest.X) + rim + 1 - this->MinX;
@@ -144,6 +151,11 @@ ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
     this->GivenY = ListGiven(given, columns, &PlanePoint::Y, this->MinY, this->SizeY);
   }
   this->Points = PlaceSet(this->SizeX, this->SizeY);
+  if (rows.AreAscending)
+  {
+    this->AddRows();
+    return;
+  }
   for (std::size_t n = 0; n < columns.size(); ++n)
   {
     const std::int64_t place = this->Place(columns[n]);
@@ -155,10 +167,30 @@ ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
     this->Points.Add(place);
   }
   this->CountPoints();
-  if (!AreRowByRow(columns))
-  {
-    this->SortPoints();
-  }
+  this->SortPoints();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void ColumnIndex::AddRows()
+{
+  const PlanePoints columns = this->Columns();
+  const std::int64_t places = this->NumberOfPlaces();
+  this->Before.resize(CountChunks(places, PlaceSet::WordBits));
+  ForEachChunk(places, ChunkSize, Monitor(),
+    [&](std::size_t, std::int64_t first, std::int64_t last)
+    {
+      const auto isBefore = [this](const PlanePoint& column, std::int64_t place)
+      { return this->Place(column) < place; };
+      const PlanePoint* column = std::lower_bound(columns.begin(), columns.end(), first, isBefore);
+      for (std::int64_t place = first; place < last; place += PlaceSet::WordBits)
+      {
+        this->Before[std::size_t(place / PlaceSet::WordBits)] = std::uint32_t(column - columns.begin());
+        for (; column != columns.end() && this->Place(*column) < place + PlaceSet::WordBits; ++column)
+        {
+          this->Points.Add(this->Place(*column));
+        }
+      }
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Base/Portable.h"
+#include "PlaneGeometry.h"
 #include "Types.h"
 
 #include <algorithm>
@@ -115,6 +116,33 @@ private:
 
 InputError SameColumnError(PointId first, PointId second, const PlanePoint& column);
 
+/// The extent of columns, and whether they ascend row by row, as from all readers, so that none is double.
+struct ColumnRows
+{
+  PlaneBox Box;
+  PlanePoint First;
+  PlanePoint Last;
+  bool AreAscending = true;
+
+  static ColumnRows Of(const PlanePoint& column)
+  {
+    ColumnRows rows{ PlaneBox(), column, column };
+    rows.Box.Add(column);
+    return rows;
+  }
+  static ColumnRows Of(PlanePoints columns);
+
+  void Add(const ColumnRows& next)
+  {
+    const bool isFirst = this->Box.IsEmpty();
+    const bool isAfter = isFirst || next.Box.IsEmpty() || PrecedesByRow(this->Last, next.First);
+    this->AreAscending = this->AreAscending && next.AreAscending && isAfter;
+    this->First = isFirst ? next.First : this->First;
+    this->Last = next.Box.IsEmpty() ? this->Last : next.Last;
+    this->Box.Add(next.Box);
+  }
+};
+
 bool AreScattered(PlanePoints columns);
 
 /// Narrows empty rows and columns that no step of `reach` columns can cross, such that still none can. Connections by
@@ -195,6 +223,7 @@ private:
 
   PointId PointOf(std::int64_t rank) const { return this->Order.empty() ? PointId(rank) : this->Order[rank]; }
 
+  void AddRows();
   void CountPoints();
   void SortPoints();
 

@@ -11,6 +11,7 @@
 
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/LargePages.h"
+#include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/ColumnIndex.h"
 #include "Hops.h"
@@ -421,8 +422,9 @@ public:
       {
         monitor.Progress(double(row) / double(this->Index.Height()));
       }
-      this->NumberRow(row * this->Index.Width());
+      this->ScanRow(row * this->Index.Width(), (row + 1) * this->Index.Width());
     }
+    this->NumberSpans();
     this->Result.NumberOfPatches = this->Result.Boundary.Size();
     for (std::size_t loop = 0; loop < this->HoleLoops.Size(); ++loop)
     {
@@ -432,25 +434,64 @@ public:
   }
 
 private:
-  void NumberRow(std::int64_t first)
+  /// Places of a row in one patch.
+  struct Span
   {
-    std::int32_t inside = -1;
-    this->Index.ForEachPoint(first, first + this->Index.Width(),
-      [&](std::int64_t place, PointId point)
+    std::int64_t First;
+    std::int64_t End;
+    std::int32_t Patch;
+  };
+
+  /// The outside can only begin beside an empty column.
+  void ScanRow(std::int64_t first, std::int64_t end)
+  {
+    const auto point = [](std::uint64_t word, std::uint64_t) { return word; };
+    const auto lastOfRun = [](std::uint64_t word, std::uint64_t east) { return word & ~east; };
+    for (std::int64_t place = this->FindNext(first, end, point); place < end; place = this->FindNext(place, end, point))
+    {
+      const std::int64_t start = place;
+      if (this->Result.Patch[this->Index[start]] < 0)
       {
-        std::int32_t& patch = this->Result.Patch[point];
-        if (inside < 0)
+        this->WalkOutline(start);
+      }
+      const std::int32_t inside = this->Result.Patch[this->Index[start]];
+      bool isInside = true;
+      while (isInside && place < end)
+      {
+        place = this->FindNext(place, end, lastOfRun);
+        isInside = place < end && !this->OutsideEast[this->Index[place]] && !this->EntersHole(place, inside);
+        ++place;
+      }
+      this->Spans.push_back({ start, std::min(place, end), inside });
+    }
+  }
+
+  /// Returns the first place with a bit in bitsOf(64 places, the places east of them), or `end`.
+  template <typename BitsOf>
+  std::int64_t FindNext(std::int64_t place, std::int64_t end, BitsOf&& bitsOf) const
+  {
+    for (; place < end; place += PlaceSet::WordBits)
+    {
+      const PlaceSet::Window window = this->Index.Occupied().From(place);
+      const std::uint64_t bits = bitsOf(std::uint64_t(window), std::uint64_t(window >> 1));
+      if (bits != 0)
+      {
+        return std::min(place + LowestBit(bits), end);
+      }
+    }
+    return end;
+  }
+
+  void NumberSpans()
+  {
+    constexpr std::int64_t spansPerTask = 64;
+    ParallelFor(std::int64_t(this->Spans.size()), spansPerTask,
+      [this](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
         {
-          if (patch < 0)
-          {
-            this->WalkOutline(place);
-          }
-          inside = patch;
-        }
-        patch = inside;
-        if (this->OutsideEast[point] || this->EntersHole(place, inside))
-        {
-          inside = -1;
+          const auto& [start, end, patch] = this->Spans[n];
+          this->Index.ForEachPoint(start, end, [&](std::int64_t, PointId point) { this->Result.Patch[point] = patch; });
         }
       });
   }
@@ -524,6 +565,7 @@ private:
   const HopId East;
   ExteriorBoundary Result;
   Loops HoleLoops;
+  std::vector<Span> Spans;
   std::vector<bool> OutsideEast; // The outside of the patch begins to the right of the point.
   std::vector<bool> FilledHoleEast; // A hole without a loop begins to the right of the point.
   std::vector<FaceStep> Steps;

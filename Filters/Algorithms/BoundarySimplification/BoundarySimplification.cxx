@@ -6,6 +6,7 @@
 
 #include "BoundarySimplification.h"
 
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/CellGrid.h"
 #include "Common/Horizon/PlaneGeometry.h"
@@ -479,7 +480,7 @@ public:
     , Crossings(which.size(), 0)
   {
     std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
-    std::sort(this->Order.begin(), this->Order.end(),
+    ParallelSort(this->Order,
       [&](std::size_t a, std::size_t b) { return PrecedesByRow(this->ColumnOf(which[a]), this->ColumnOf(which[b])); });
     for (const std::size_t n : this->Order)
     {
@@ -612,8 +613,7 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
       result.NumberOutside += sides[n] == LoopSide::Outside ? 1 : 0;
     }
   }
-  std::sort(result.Dropped.begin(), result.Dropped.end(),
-    [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
+  ParallelSort(result.Dropped, [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
   return options.LongestEdge > 0.0 ? SimplifyDivided(points, boundary, result.Boundary, options, monitor) : result;
 }
 

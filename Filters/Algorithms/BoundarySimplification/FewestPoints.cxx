@@ -6,11 +6,14 @@
 
 #include "FewestPoints.h"
 
+#include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parallel.h"
 #include "Common/Horizon/Predicates.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -163,7 +166,16 @@ constexpr std::size_t ReachOfBar = 2 * LookBack;
 
 constexpr std::size_t RunEnd = 32;
 
+constexpr std::size_t NodesPerBatch = 1024;
+constexpr std::int64_t NodesPerTask = 128;
+constexpr std::int64_t PointsPerCopy = 512;
+
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
+
+KeptOfChains::key_type KeyOf(const std::vector<PointId>& chain)
+{
+  return { chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() };
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -172,24 +184,29 @@ ShortcutGuard::ShortcutGuard(const ColumnIndex& index, const std::vector<unsigne
   , Columns(index.Columns())
 {
   PlaceSet onLoops(index.Width(), index.Height());
-  for (std::size_t point = 0; point < this->Columns.size(); ++point)
-  {
-    if (isOnLoop[point] != 0)
+  const auto places = CollectChunks<std::int64_t>(std::int64_t(isOnLoop.size()), ChunkSize, Monitor(),
+    [&](std::vector<std::int64_t>& found, std::int64_t first, std::int64_t last)
     {
-      onLoops.Add(index.Place(this->Columns[point]));
-    }
-  }
+      for (std::int64_t point = first; point < last; ++point)
+      {
+        if (isOnLoop[point] != 0)
+        {
+          found.push_back(index.Place(this->Columns[point]));
+        }
+      }
+    });
+  std::for_each(places.begin(), places.end(), [&onLoops](std::int64_t place) { onLoops.Add(place); });
   for (std::int64_t place = 0; place < this->Index.NumberOfPlaces(); place += PlaceSet::WordBits)
   {
-    this->OnLoops.Append(std::uint64_t(onLoops.From(place)));
+    this->OnLoops->Append(std::uint64_t(onLoops.From(place)));
   }
-  this->Position.assign(this->OnLoops.Size(), NoPosition);
+  this->Position.assign(this->OnLoops->Size(), NoPosition);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t& ShortcutGuard::PositionOf(PointId point)
 {
-  return this->Position[this->OnLoops[this->Index.Place(this->Columns[point])]];
+  return this->Position[(*this->OnLoops)[this->Index.Place(this->Columns[point])]];
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -328,7 +345,7 @@ bool ShortcutGuard::IsClearAt(std::int64_t x, std::int64_t y) const
   {
     return true;
   }
-  const std::int64_t number = this->OnLoops[place];
+  const std::int64_t number = (*this->OnLoops)[place];
   const std::size_t position = number == PlaceNumbers::None ? NoPosition : this->Position[number];
   return (position > this->From && position < this->To) || column == this->ColumnAt(this->From) ||
     column == this->ColumnAt(this->To);
@@ -364,37 +381,77 @@ std::vector<std::size_t> FewestPoints::Simplify(const std::vector<PointId>& loop
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& loop, std::size_t first)
 {
-  std::vector<std::size_t> kept;
-  std::vector<PointId> chain;
+  std::vector<std::vector<PointId>> chains(1);
   for (std::size_t n = 0; n <= loop.size(); ++n)
   {
     const PointId point = loop[(first + n) % loop.size()];
-    chain.push_back(point);
-    if (chain.size() > 1 && (this->IsFixed(point) || n == loop.size()))
+    chains.back().push_back(point);
+    if (chains.back().size() > 1 && n < loop.size() && this->IsFixed(point))
     {
-      const std::size_t start = first + n + 1 - chain.size();
-      const std::vector<std::size_t> positions = this->SimplifyChain(std::move(chain));
-      std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
-        [&](std::size_t position) { return (start + position) % loop.size(); });
-      chain.assign(1, point);
+      chains.push_back({ point });
     }
+  }
+  this->Learn(chains);
+  std::vector<std::size_t> kept;
+  for (const std::vector<PointId>& chain : chains)
+  {
+    const std::vector<std::size_t>& positions = this->Known.at(KeyOf(chain));
+    std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
+      [&](std::size_t position) { return (first + position) % loop.size(); });
+    first += chain.size() - 1;
   }
   std::sort(kept.begin(), kept.end());
   return kept;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// Chains are independent. A copy takes the time of some points.
+void FewestPoints::Learn(const std::vector<std::vector<PointId>>& chains)
+{
+  std::vector<const std::vector<PointId>*> unknown;
+  std::size_t points = 0;
+  for (const std::vector<PointId>& chain : chains)
+  {
+    if (this->Known.count(KeyOf(chain)) == 0)
+    {
+      unknown.push_back(&chain);
+      points += chain.size();
+    }
+  }
+  std::vector<std::vector<std::size_t>> kept(unknown.size());
+  const auto simplify = [&](FewestPoints& own, std::int64_t first, std::int64_t last)
+  {
+    std::transform(unknown.begin() + first, unknown.begin() + last, kept.begin() + first,
+      [&own](const std::vector<PointId>* chain) { return own.SimplifyChain(*chain); });
+  };
+  const auto size = std::int64_t(unknown.size());
+  const std::int64_t copies = std::min(size, std::int64_t(points) / PointsPerCopy);
+  if (copies < 2)
+  {
+    simplify(*this, 0, size);
+  }
+  else
+  {
+    ParallelFor(size, size / copies,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        FewestPoints own(*this);
+        own.GoOn = []() {}; // on the calling thread alone
+        simplify(own, first, last);
+      });
+  }
+  for (std::size_t n = 0; n < unknown.size(); ++n)
+  {
+    this->Known.emplace(KeyOf(*unknown[n]), std::move(kept[n]));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 /// Two points of a loop must not share two edges, or it might have no inside. A closed chain therefore keeps two inner
 /// points, and an open chain one, unless it is straight.
-std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
+std::vector<std::size_t> FewestPoints::SimplifyChain(const std::vector<PointId>& chain)
 {
-  assert(!chain.empty());
-  const auto [known, isNew] = this->Known.try_emplace({ chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() });
-  if (!isNew)
-  {
-    return known->second;
-  }
-  this->SetChain(std::move(chain));
+  this->SetChain(chain);
   const std::size_t leastEdges = this->Chain.front() == this->Chain.back() ? 3 : 1;
   bool isDone = this->Chain.size() <= leastEdges + 1;
   while (!isDone)
@@ -402,14 +459,13 @@ std::vector<std::size_t> FewestPoints::SimplifyChain(std::vector<PointId> chain)
     const std::size_t before = this->Nodes.size();
     isDone = this->FindPath() || this->Nodes.size() == before;
   }
-  known->second = this->Nodes;
   return this->Nodes;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void FewestPoints::SetChain(std::vector<PointId> chain)
+void FewestPoints::SetChain(const std::vector<PointId>& chain)
 {
-  this->Chain = std::move(chain);
+  this->Chain = chain;
   this->Guard.SetChain(this->Chain);
   this->Places.clear();
   this->Before.assign(1, { Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0.0 });
@@ -468,7 +524,7 @@ bool FewestPoints::FindPath()
   this->TwoOrMore.assign(1, { NoWay, 0.0, 0 });
   for (std::size_t node = 1; node < last; ++node)
   {
-    if (node % 1024 == 0)
+    if (node % NodesPerBatch == 0)
     {
       this->GoOn();
     }
@@ -496,11 +552,37 @@ bool FewestPoints::IsStraight() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+/// Sources do not depend on paths, so that those of the next nodes are found in parallel.
 void FewestPoints::FindSources(std::size_t node)
+{
+  const std::size_t inBatch = (node - 1) % NodesPerBatch;
+  if (inBatch == 0)
+  {
+    std::atomic<bool> isLimited(this->IsLimited);
+    this->NextSources.resize(std::min(NodesPerBatch, this->Nodes.size() - node));
+    ParallelFor(std::int64_t(this->NextSources.size()), NodesPerTask,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          if (this->ListSources(node + std::size_t(n), this->NextSources[n]))
+          {
+            isLimited = true;
+          }
+        }
+      });
+    this->IsLimited = isLimited;
+  }
+  this->Sources.swap(this->NextSources[inBatch]);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+/// Returns whether LookBack has excluded some.
+bool FewestPoints::ListSources(std::size_t node, std::vector<std::size_t>& sources) const
 {
   const Eigen::Vector3d& place = this->Places[this->Nodes[node]];
   ShortcutCone cone(this->OutlineTolerance, this->HeightTolerance);
-  this->Sources.clear();
+  sources.clear();
   std::size_t source = node;
   while (source > 0 && node - source < LookBack && !cone.IsEmpty())
   {
@@ -508,10 +590,10 @@ void FewestPoints::FindSources(std::size_t node)
     const Eigen::Vector3d way = this->Places[this->Nodes[source]] - place;
     if (cone.Pass(way))
     {
-      this->Sources.push_back(source);
+      sources.push_back(source);
     }
   }
-  this->IsLimited = this->IsLimited || (source > 0 && !cone.IsEmpty());
+  return source > 0 && !cone.IsEmpty();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -124,7 +125,7 @@ private:
 
   const ColumnIndex& Index;
   const PlanePoints Columns;
-  PlaceNumbers OnLoops;
+  std::shared_ptr<PlaceNumbers> OnLoops = std::make_shared<PlaceNumbers>(); // shared by copies
   std::vector<PointId> Chain;
   std::vector<std::size_t> Position; // in the chain, by number in OnLoops
   std::size_t From = 0;
@@ -150,9 +151,8 @@ public:
   /// point and from a point kept about half-way round.
   std::vector<std::size_t> Simplify(const std::vector<PointId>& loop);
 
-  /// Returns the positions that the chain keeps, ascending, from an earlier call if it is known. Its ends stay; they may
-  /// be the same point.
-  std::vector<std::size_t> SimplifyChain(std::vector<PointId> chain);
+  /// Returns the positions that the chain keeps, ascending. Its ends stay; they may be the same point.
+  std::vector<std::size_t> SimplifyChain(const std::vector<PointId>& chain);
 
 private:
   struct Step
@@ -173,12 +173,14 @@ private:
 
   bool IsFixed(PointId point) const { return this->Visits[point] > 1; }
   std::vector<std::size_t> SimplifyFrom(const std::vector<PointId>& loop, std::size_t first);
-  void SetChain(std::vector<PointId> chain);
+  void Learn(const std::vector<std::vector<PointId>>& chains);
+  void SetChain(const std::vector<PointId>& chain);
   void ListNodes();
   bool IsBend(std::size_t position) const;
   bool FindPath();
   bool IsStraight() const;
   void FindSources(std::size_t node);
+  bool ListSources(std::size_t node, std::vector<std::size_t>& sources) const;
   Step BestStep(std::size_t node, const std::vector<Step>& ways);
   std::size_t LeastEdges(const std::vector<Step>& ways, std::size_t atLeast) const;
   bool IsAdmissible(std::size_t from, std::size_t to);
@@ -190,7 +192,7 @@ private:
   const double OutlineTolerance;
   const double HeightTolerance;
   KeptOfChains& Known;
-  const std::function<void()> GoOn;
+  std::function<void()> GoOn;
   ShortcutGuard Guard;
   std::vector<PointId> Chain;
   std::vector<Eigen::Vector3d> Places;
@@ -199,6 +201,7 @@ private:
   std::vector<Step> Fewest; // best last step, by node
   std::vector<Step> TwoOrMore; // with at least two edges
   std::vector<std::size_t> Sources;
+  std::vector<std::vector<std::size_t>> NextSources; // of this node and those after it
   std::vector<Step> Steps;
   bool IsLimited = false;
 };

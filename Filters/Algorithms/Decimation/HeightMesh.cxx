@@ -30,24 +30,22 @@ constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon()
 constexpr std::int64_t TrianglesPerTask = 64;
 
 /// Points without a patch keep negative numbers.
-std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
+std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches, std::int32_t& count)
 {
-  // Equal numbers come in long runs.
+  const auto runs = CollectChunks<std::int32_t>(std::int64_t(patches.size()), ChunkSize, Monitor(),
+    [&](std::vector<std::int32_t>& found, std::int64_t first, std::int64_t last)
+    { std::unique_copy(patches.begin() + first, patches.begin() + last, std::back_inserter(found)); });
   std::map<std::int32_t, std::int32_t> numbers;
-  std::int32_t last = 0;
-  std::int32_t* number = nullptr;
-  for (std::int32_t& patch : patches)
+  bool areSame = true;
+  for (const std::int32_t patch : runs)
   {
-    if (patch < 0)
-    {
-      continue;
-    }
-    if (!number || patch != last)
-    {
-      last = patch;
-      number = &numbers.emplace(patch, std::int32_t(numbers.size())).first->second;
-    }
-    patch = *number;
+    areSame = (patch < 0 || numbers.emplace(patch, std::int32_t(numbers.size())).first->second == patch) && areSame;
+  }
+  count = std::int32_t(numbers.size());
+  if (!areSame) // never after FindExteriorBoundary
+  {
+    std::transform(patches.begin(), patches.end(), patches.begin(),
+      [&numbers](std::int32_t patch) { return patch < 0 ? patch : numbers.at(patch); });
   }
   return patches;
 }
@@ -57,7 +55,7 @@ std::vector<std::int32_t> Renumber(std::vector<std::int32_t> patches)
 HeightMesh::HeightMesh(BoundedHorizon horizon, const Monitor& monitor, const double* heights)
   : Horizon(std::move(horizon))
   , Places(this->Horizon.ColumnPlaces())
-  , Patches(Renumber(std::move(this->Horizon.Patch)))
+  , Patches(Renumber(std::move(this->Horizon.Patch), this->PatchCount))
   , Points(std::size_t(
       std::count_if(this->Patches.begin(), this->Patches.end(), [](std::int32_t patch) { return patch >= 0; })))
 {
@@ -122,22 +120,20 @@ void HeightMesh::SetLoops(const Monitor& monitor)
   BoundedHorizon outline;
   this->Marks = this->Boundary().MarkPoints(this->Patches.size());
   this->Sources.clear();
-  std::vector<PointId> numbers = LargeVector(this->Marks.size(), NoPoint);
-  for (std::size_t point = 0; point < this->Marks.size(); ++point)
+  this->Boundary().ForEachPoint([this](PointId point) { this->Sources.push_back(point); });
+  std::sort(this->Sources.begin(), this->Sources.end());
+  this->Sources.erase(std::unique(this->Sources.begin(), this->Sources.end()), this->Sources.end());
+  for (const PointId point : this->Sources)
   {
-    if (this->Marks[point] != 0)
-    {
-      numbers[point] = PointId(this->Sources.size());
-      this->Sources.push_back(PointId(point));
-      outline.Plane.push_back(this->Places[point]);
-      outline.Patch.push_back(this->Patches[point]);
-    }
+    outline.Plane.push_back(this->Places[point]);
+    outline.Patch.push_back(this->Patches[point]);
   }
   this->OnLoops = this->Sources.size();
   this->Removed = 0;
   this->AreOnLoops.assign(this->OnLoops, 1);
   this->AreFixed = this->AreOnLoops;
-  outline.Boundary = this->Boundary().Renumbered(numbers);
+  outline.Boundary = this->Boundary().RenumberedBy([this](PointId point)
+    { return PointId(std::lower_bound(this->Sources.begin(), this->Sources.end(), point) - this->Sources.begin()); });
   const RawVector<PointId> triangles = Triangulate(outline, TriangulationOptions(), monitor).Triangles;
   this->Mesh = PlaneMesh(std::move(outline.Plane), triangles);
   for (RaisedHorizon& raised : this->Horizons)
@@ -322,30 +318,29 @@ std::vector<HeightRaster> HeightMesh::MakeRasters(const double* heights) const
 {
   std::vector<HeightRaster> rasters;
   const std::vector<std::int32_t>& patch = this->Patches;
-  const std::int32_t patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
-  const std::vector<std::vector<PointId>> dropped = this->DroppedByPatch(std::size_t(patches));
-  const auto forEachPoint = [&patch](auto&& add)
+  const std::vector<std::vector<PointId>> dropped = this->DroppedByPatch(std::size_t(this->PatchCount));
+  const auto add = [&](std::int64_t size, auto&& pointAt)
+  { rasters.emplace_back(size, pointAt, this->Places, heights, this->Horizon.Cuts.get(), dropped[rasters.size()]); };
+  if (this->PatchCount == 1)
   {
-    for (std::size_t point = 0; point < patch.size(); ++point)
-    {
-      if (patch[point] >= 0)
-      {
-        add(patch[point], PointId(point));
-      }
-    }
-  };
-  if (patches == 1)
-  {
-    rasters.emplace_back([&](auto&& add) { forEachPoint([&add](std::int32_t, PointId point) { add(point); }); },
-      this->Places, heights, this->Horizon.Cuts.get(), dropped.front());
+    add(std::int64_t(patch.size()), [&](std::int64_t n) { return patch[n] < 0 ? NoPoint : PointId(n); });
     return rasters;
   }
-  const ItemLists<PointId> points(patches, forEachPoint);
-  rasters.reserve(std::size_t(patches));
-  for (std::int32_t number = 0; number < patches; ++number)
+  const ItemLists<PointId> points(this->PatchCount,
+    [&patch](auto&& list)
+    {
+      for (std::size_t point = 0; point < patch.size(); ++point)
+      {
+        if (patch[point] >= 0)
+        {
+          list(patch[point], PointId(point));
+        }
+      }
+    });
+  rasters.reserve(std::size_t(this->PatchCount));
+  for (std::int32_t number = 0; number < this->PatchCount; ++number)
   {
-    rasters.emplace_back([&](auto&& add) { std::for_each(points.begin(number), points.end(number), add); },
-      this->Places, heights, this->Horizon.Cuts.get(), dropped[std::size_t(number)]);
+    add(points.end(number) - points.begin(number), [&](std::int64_t n) { return points.begin(number)[n]; });
   }
   return rasters;
 }
@@ -471,7 +466,7 @@ void HeightMesh::SortVertices()
       order.push_back(vertex);
     }
   }
-  std::sort(order.begin(), order.end(), [this](VertexId a, VertexId b) { return this->Sources[a] < this->Sources[b]; });
+  ParallelSort(order, [this](VertexId a, VertexId b) { return this->Sources[a] < this->Sources[b]; });
   this->Mesh.ReorderVertices(order);
   this->Sources = Gather<std::vector<PointId>>(this->Sources, order);
   this->AreOnLoops = Gather<std::vector<unsigned char>>(this->AreOnLoops, order);

@@ -208,6 +208,7 @@ private:
 
   BoundedHorizon Horizon; // Patch has moved into Patches
   PlanePoints Places;
+  std::int32_t PatchCount = 0;
   std::vector<std::int32_t> Patches; // per point, contiguous from 0; negative outside the horizon
   std::size_t Points;
   std::vector<unsigned char> Marks; // per point: 1 for vertices and points on loops

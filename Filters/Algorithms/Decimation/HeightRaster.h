@@ -6,7 +6,9 @@
 #ifndef SeismicHorizonsHeightRaster_h
 #define SeismicHorizonsHeightRaster_h
 
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/RawVector.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
@@ -66,19 +68,37 @@ struct CrossingErrors
 class HeightRaster
 {
 public:
-  /// forEachPoint(add) calls add(point) for at least one point, and is run twice. Heights must be finite and, like
+  /// pointAt(n), for n below `size`, gives at least one point; it may give NoPoint. Heights must be finite and, like
   /// cuts, outlive the raster. Throws InputError if two points share a column. Crossings of cut links are not measured.
   /// Dropped points, of loops, are no points of the raster, but their heights count on links.
-  template <typename ForEachPoint>
-  HeightRaster(ForEachPoint&& forEachPoint, PlanePoints columns, const double* heights, const LinkCuts* cuts = nullptr,
-    const std::vector<PointId>& dropped = {})
+  template <typename PointAt>
+  HeightRaster(std::int64_t size, PointAt&& pointAt, PlanePoints columns, const double* heights,
+    const LinkCuts* cuts = nullptr, const std::vector<PointId>& dropped = {})
     : Heights(heights)
     , Cuts(cuts)
   {
-    forEachPoint([&](PointId point) { this->Box.Add(columns[point]); });
+    const auto forEachPoint = [&](std::int64_t first, std::int64_t last, auto&& call)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        const PointId point = pointAt(n);
+        if (point != NoPoint)
+        {
+          call(point);
+        }
+      }
+    };
+    const auto rows = AddUpChunks<ColumnRows>(size, ChunkSize, Monitor(),
+      [&](ColumnRows& part, std::int64_t first, std::int64_t last)
+      { forEachPoint(first, last, [&](PointId point) { part.Add(ColumnRows::Of(columns[point])); }); });
+    this->Box = rows.Box;
     std::for_each(dropped.begin(), dropped.end(), [&](PointId point) { this->Box.Add(columns[point]); });
     this->Points = std::make_shared<RawVector<PointId>>(this->MakePlaces());
-    forEachPoint([&](PointId point) { this->Add(point, columns[point]); });
+    // Points row by row do not share columns, so that threads write different places.
+    const std::int64_t grain = rows.AreAscending ? Grain : size;
+    ParallelFor(size, grain,
+      [&](std::int64_t first, std::int64_t last)
+      { forEachPoint(first, last, [&](PointId point) { this->Add(point, columns[point]); }); });
     this->SetFloats(nullptr);
     this->Dropped = this->PlacesOf(dropped, columns);
   }

@@ -3,6 +3,7 @@
 
 #include "MeshRefiner.h"
 
+#include "Common/Base/FixedChunks.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 
@@ -30,6 +31,8 @@ constexpr double CosineOfEven = -0.642787609686539;
 // distance; for others this would add more triangles than it mends.
 constexpr double AngleOfMoreTries = 2.0;
 constexpr double LeastPart = 1.0 / 16;
+
+constexpr std::int64_t ErrorsPerChunk = 4096;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -70,13 +73,14 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
 {
   const double bound = error + this->Mesh.Rounding();
   this->Mesh.Measure(this->Examined(), this->Squares, bound, monitor.Step(0.0, 0.1));
-  const double first = this->Mesh.LargestError();
   this->StartWith(bound);
+  double first = 0.0;
   double fraction = 0.1;
   double limit = std::numeric_limits<double>::infinity();
   for (std::vector<TriangleId> urgent; !this->IsFull() && this->FindUrgent(limit, urgent);)
   {
     // Triangles multiply as the error falls, so the last rounds take longest.
+    first = std::max(first, this->Mesh.Error(urgent.front()).Largest);
     fraction = std::max(fraction, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
     monitor.Progress(fraction);
     this->Mesh.FindPoints(urgent, bound);
@@ -264,33 +268,37 @@ void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
 // The order of points, row by row, saves a fifth of the time of measuring large horizons.
 void MeshRefiner::SortNew()
 {
-  const auto point = [this](TriangleId triangle)
-  { return this->Mesh.SourceOf(this->Mesh.Triangles().Corner(triangle, 2)); };
-  std::sort(this->New.begin(), this->New.end(), [&point](TriangleId a, TriangleId b) { return point(a) < point(b); });
+  const auto place = [this](TriangleId triangle)
+  { return std::make_pair(this->Mesh.SourceOf(this->Mesh.Triangles().Corner(triangle, 2)), triangle); };
+  ParallelSort(this->New, [&place](TriangleId a, TriangleId b) { return place(a) < place(b); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::StartWith(double bound)
 {
-  this->Far.clear();
-  for (TriangleId triangle = 0; triangle < this->Mesh.Triangles().Size(); ++triangle)
-  {
-    if (this->Mesh.Error(triangle).Largest > bound)
-    {
-      this->Far.push_back(triangle);
-    }
-  }
+  this->New.clear();
+  this->Far = this->Mesh.AllTriangles();
+  this->IsNew.assign(this->Far.size(), 0);
+  this->KeepFar(bound);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::KeepFar(double bound)
 {
-  this->Far.erase(
-    std::remove_if(this->Far.begin(), this->Far.end(),
-      [&](TriangleId triangle) { return this->IsNew[triangle] != 0 || this->Mesh.Error(triangle).Largest <= bound; }),
-    this->Far.end());
-  std::copy_if(this->New.begin(), this->New.end(), std::back_inserter(this->Far),
-    [&](TriangleId triangle) { return this->Mesh.Error(triangle).Largest > bound; });
+  const auto before = std::int64_t(this->Far.size());
+  this->Far = CollectChunks<TriangleId>(before + std::int64_t(this->New.size()), ErrorsPerChunk, Monitor(),
+    [&](std::vector<TriangleId>& far, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        const TriangleId triangle = n < before ? this->Far[n] : this->New[n - before];
+        const bool isKept = n >= before || this->IsNew[triangle] == 0;
+        if (isKept && this->Mesh.Error(triangle).Largest > bound)
+        {
+          far.push_back(triangle);
+        }
+      }
+    });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -309,7 +317,7 @@ bool MeshRefiner::FindUrgent(double& limit, std::vector<TriangleId>& urgent) con
   }
   std::copy_if(this->Far.begin(), this->Far.end(), std::back_inserter(urgent),
     [&](TriangleId triangle) { return this->UrgencyOf(triangle) >= limit; });
-  std::sort(urgent.begin(), urgent.end(),
+  ParallelSort(urgent,
     [this](TriangleId a, TriangleId b)
     {
       const double one = this->UrgencyOf(a);

@@ -3,12 +3,15 @@
 
 #include "PlaneMesh.h"
 
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/HeapArray.h"
+#include "Common/Base/Parallel.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -25,13 +28,23 @@ constexpr std::uint64_t TileSide = 32;
 
 constexpr int Opposite = 0; // to the third corner
 
+template <typename Call>
+void ForEachBelow(std::size_t size, Call&& call)
+{
+  ParallelFor(std::int64_t(size), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        call(n);
+      }
+    });
+}
+
 std::vector<std::int32_t> NumbersIn(const std::vector<std::int32_t>& order, std::size_t size)
 {
   std::vector<std::int32_t> numbers(size, -1);
-  for (std::size_t n = 0; n < order.size(); ++n)
-  {
-    numbers[order[n]] = std::int32_t(n);
-  }
+  ForEachBelow(order.size(), [&](std::int64_t n) { numbers[order[n]] = std::int32_t(n); });
   return numbers;
 }
 }
@@ -456,13 +469,14 @@ void PlaneMesh::ReorderVertices(const std::vector<VertexId>& order)
 {
   const std::vector<VertexId> numbers = NumbersIn(order, this->Places.size());
   this->Places = Gather<std::vector<PlanePoint>>(this->Places, order);
-  for (Triangle& triangle : this->Triangles)
-  {
-    for (VertexId& corner : triangle.Corners)
+  ForEachBelow(this->Triangles.size(),
+    [&](std::int64_t triangle)
     {
-      corner = numbers[corner];
-    }
-  }
+      for (VertexId& corner : this->Triangles[triangle].Corners)
+      {
+        corner = numbers[corner];
+      }
+    });
   std::unordered_set<std::uint64_t> kept;
   for (const std::uint64_t edge : this->Kept)
   {
@@ -474,20 +488,18 @@ void PlaneMesh::ReorderVertices(const std::vector<VertexId>& order)
 //----------------------------------------------------------------------------------------------------------------------
 void PlaneMesh::SortByPlace()
 {
-  std::vector<std::pair<std::uint64_t, TriangleId>> order;
-  order.reserve(this->Triangles.size());
-  for (TriangleId triangle = 0; triangle < this->Size(); ++triangle)
-  {
-    const PlanePoint& place = this->Place(this->Corner(triangle, 0));
-    const auto x = std::uint64_t(std::int64_t(place.X) - std::numeric_limits<std::int32_t>::min());
-    const auto y = std::uint64_t(std::int64_t(place.Y) - std::numeric_limits<std::int32_t>::min());
-    order.emplace_back((y / TileSide) << 32U | x, triangle);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<TriangleId> triangles;
-  triangles.reserve(order.size());
-  std::transform(
-    order.begin(), order.end(), std::back_inserter(triangles), [](const auto& entry) { return entry.second; });
+  std::vector<std::pair<std::uint64_t, TriangleId>> order(this->Triangles.size());
+  ForEachBelow(order.size(),
+    [&](std::int64_t triangle)
+    {
+      const PlanePoint& place = this->Place(this->Corner(TriangleId(triangle), 0));
+      const auto x = std::uint64_t(std::int64_t(place.X) - std::numeric_limits<std::int32_t>::min());
+      const auto y = std::uint64_t(std::int64_t(place.Y) - std::numeric_limits<std::int32_t>::min());
+      order[triangle] = { (y / TileSide) << 32U | x, TriangleId(triangle) };
+    });
+  ParallelSort(order, std::less<>());
+  std::vector<TriangleId> triangles(order.size());
+  ForEachBelow(order.size(), [&](std::int64_t n) { triangles[n] = order[n].second; });
   this->Reorder(triangles);
 }
 
@@ -495,14 +507,17 @@ void PlaneMesh::SortByPlace()
 void PlaneMesh::Reorder(const std::vector<TriangleId>& order)
 {
   const std::vector<TriangleId> numbers = NumbersIn(order, this->Triangles.size());
-  this->Triangles = Gather<std::vector<Triangle>>(this->Triangles, order);
-  for (Triangle& triangle : this->Triangles)
-  {
-    for (TriangleId& neighbour : triangle.Neighbours)
+  std::vector<Triangle> triangles(order.size());
+  ForEachBelow(order.size(),
+    [&](std::int64_t n)
     {
-      neighbour = neighbour == NoTriangle ? NoTriangle : numbers[neighbour];
-    }
-  }
+      triangles[n] = this->Triangles[order[n]];
+      for (TriangleId& neighbour : triangles[n].Neighbours)
+      {
+        neighbour = neighbour == NoTriangle ? NoTriangle : numbers[neighbour];
+      }
+    });
+  this->Triangles.swap(triangles);
 }
 
 // ---- KeptEdges ------------------------------------------------------------------------------------------------------

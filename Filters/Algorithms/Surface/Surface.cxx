@@ -8,6 +8,7 @@
 #include "Common/Base/CountingSort.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
@@ -49,9 +50,10 @@ std::vector<PlanePoint> SortByRows(PlanePoints columns, const PlaneBox& box)
 
 GapHistograms Count(PlanePoints columns)
 {
-  const PlaneBox box(columns);
+  const ColumnRows all = ColumnRows::Of(columns);
+  const PlaneBox& box = all.Box;
   std::vector<PlanePoint> sorted;
-  if (!std::is_sorted(columns.begin(), columns.end(), PrecedesByRow))
+  if (!all.AreAscending)
   {
     sorted = SortByRows(columns, box);
     columns = sorted;

@@ -87,7 +87,7 @@ public:
       }
       std::vector<PointId> chain(to - from);
       std::iota(chain.begin(), chain.end(), PointId(from));
-      for (const std::size_t position : fewest.SimplifyChain(std::move(chain)))
+      for (const std::size_t position : fewest.SimplifyChain(chain))
       {
         this->IsNode[from + position] = 1;
       }

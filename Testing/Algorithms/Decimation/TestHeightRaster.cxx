@@ -9,7 +9,6 @@
 #include "Tools/Patches.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 using namespace SeismicHorizons;
@@ -45,6 +44,11 @@ std::array<PlanePoint, 3> RandomTriangle(int size, Patches::Random& random)
     std::swap(t[0], t[1]);
   }
   return t;
+}
+
+PointId NthPoint(std::int64_t n)
+{
+  return PointId(n);
 }
 
 void TestRows(Patches::Random& random)
@@ -93,10 +97,7 @@ struct RandomColumns
 
   HeightRaster MakeRaster() const
   {
-    std::vector<PointId> points(this->Columns.size());
-    std::iota(points.begin(), points.end(), 0);
-    return HeightRaster(
-      [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, this->Columns, this->Heights.data());
+    return HeightRaster(std::int64_t(this->Columns.size()), NthPoint, this->Columns, this->Heights.data());
   }
 
   Patches::Columns Columns;
@@ -164,11 +165,8 @@ void TestOwnedColumns()
     {
       columns.push_back({ n % (side + 1), n / (side + 1) });
     }
-    std::vector<PointId> points(columns.size());
-    std::iota(points.begin(), points.end(), 0);
     const std::vector<double> heights(columns.size(), 1.0);
-    const HeightRaster raster(
-      [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); }, columns, heights.data());
+    const HeightRaster raster(std::int64_t(columns.size()), NthPoint, columns, heights.data());
     const auto count = [&](const RaisedTriangle& triangle, bool ownsLongSide)
     {
       EdgeColumns sides;
@@ -198,15 +196,8 @@ void TestMissingColumns()
     {
       // The box reaches beyond the triangle, so that all of it has places.
       const Patches::Columns columns = { { -1, -1 }, { x, 1 }, { width + 4, width + 4 } };
-      const auto forEachPoint = [](auto&& add)
-      {
-        for (const PointId point : { 0, 1, 2 })
-        {
-          add(point);
-        }
-      };
       const std::array<double, 3> heights = { 0.0, 3.0, 0.0 };
-      const HeightRaster raster(forEachPoint, columns, heights.data());
+      const HeightRaster raster(3, NthPoint, columns, heights.data());
       const RaisedTriangle raised = { { { t[0], 1.0 }, { t[1], 1.0 }, { t[2], 1.0 } } };
       const HeightError found = raster.Measure(raised, { true, 1.0 });
       CHECK_EQUAL(raster.FindPoint(raised, found.Largest, 0.0), 1);
@@ -226,10 +217,7 @@ void TestSide()
     columns.push_back({ n % 5, n / 5 });
     heights.push_back(n == 6 ? 8.0 : 0.0); // column (1, 1)
   }
-  std::vector<PointId> points(columns.size());
-  std::iota(points.begin(), points.end(), 0);
-  const auto forEachPoint = [&points](auto&& add) { std::for_each(points.begin(), points.end(), add); };
-  const HeightRaster raster(forEachPoint, columns, heights.data());
+  const HeightRaster raster(std::int64_t(columns.size()), NthPoint, columns, heights.data());
   std::vector<unsigned char> marks(columns.size(), 0);
   const RaisedPoint from{ { 0, 0 }, 0.0 };
   const RaisedPoint to{ { 4, 2 }, 0.0 };

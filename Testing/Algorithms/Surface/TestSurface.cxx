@@ -310,15 +310,19 @@ void TestSmallPatches()
 
 void TestThreads()
 {
-  const Points points = MakePoints(Rectangle(60, 50), Fold);
-  for (const SurfaceOptions& options : { Within(0.75), AtMost(700) })
+  const auto check = [](const Points& points, const SurfaceOptions& options)
   {
     Detail::NumberOfThreads() = 1;
     const std::string onOne = Tell(points, MakeSurface(points, options)).Mesh;
-    Detail::NumberOfThreads() = 3;
-    CHECK_EQUAL(Tell(points, MakeSurface(points, options)).Mesh, onOne);
+    for (const int threads : { 2, 3 })
+    {
+      Detail::NumberOfThreads() = threads;
+      CHECK_EQUAL(Tell(points, MakeSurface(points, options)).Mesh, onOne);
+    }
     Detail::NumberOfThreads() = 0;
-  }
+  };
+  check(MakePoints(Rectangle(60, 50), Fold), AtMost(700));
+  check(MakePoints(Rectangle(400, 300), Fold), Within(0.75)); // several chunks in each loop
 }
 
 void TestErrors()
