@@ -68,16 +68,16 @@ public:
     {
       this->Found[seed.Column] = seed.Pick;
     }
-    const GrownPicks plain = this->GrowFrom(this->Found, false);
     this->MeasureDistances();
+    const GrownPicks plain = this->GrowFromSeeds();
     for (const PointId part : ListParts(this->CountVotes(), [](const Votes& vote) { return vote.Hits >= vote.Misses; }))
     {
       this->TakePart(part, LargestSeededConflict);
     }
-    this->Grown = this->GrowFrom(this->Found, true).Picks;
+    this->GrowAround();
     for (int round = 0; round < Rounds && this->TakeGrownParts(); ++round)
     {
-      this->Grown = this->GrowFrom(this->Found, true).Picks;
+      this->GrowAround();
     }
     this->Vote(plain.Picks);
     this->Write(result);
@@ -295,12 +295,19 @@ private:
     ForEachNeighbour(this->Picks, column, ColumnConnectivity::Eight, visit);
   }
 
-  GrownPicks GrowFrom(const std::vector<PointId>& starts, bool isCareful) const
+  GrownPicks GrowFromSeeds() const
   {
-    const GuidanceOptions& options = this->Joining.Options;
-    return GrowPlainly(this->Picks, this->Joining.Columns, this->Joining.Links, starts,
-      { options.GrowthCorrelation, isCareful ? std::min(options.GrowthReach, FarthestFromParts) : options.GrowthReach,
-        isCareful });
+    GrowthRules rules{ this->Joining.Options.GrowthCorrelation, this->Joining.Options.GrowthReach };
+    rules.Distances = &this->Distances;
+    return GrowPlainly(this->Picks, this->Joining.Columns, this->Joining.Links, this->Found, rules);
+  }
+
+  void GrowAround()
+  {
+    GrowthRules rules{ this->Joining.Options.GrowthCorrelation };
+    rules.Reach = std::min(this->Joining.Options.GrowthReach, FarthestFromParts);
+    rules.IsCareful = true;
+    this->Grown = GrowPlainly(this->Picks, this->Joining.Columns, this->Joining.Links, this->Found, rules).Picks;
   }
 
   /// Returns whether any part was taken.

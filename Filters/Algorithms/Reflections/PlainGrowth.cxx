@@ -44,13 +44,14 @@ GrownPicks GrowPlainly(const ReflectionPicks& picks, const RawVector<std::int32_
         {
           return;
         }
-        if (distance == rules.Reach)
+        const int next = rules.Distances ? (*rules.Distances)[column] : distance + 1;
+        if (next > rules.Reach)
         {
           grown.Stops.push_back(column);
           return;
         }
         const PickDepth step = rules.IsCareful ? std::abs(picks.Places[to] - picks.Places[pick]) : 0;
-        rim.push({ float(LinkScore(correlation, step)), to, distance + 1 });
+        rim.push({ float(LinkScore(correlation, step)), to, next });
       });
   };
   for (const PointId pick : starts)

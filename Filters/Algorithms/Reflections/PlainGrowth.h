@@ -23,7 +23,9 @@ struct GrownPicks
 struct GrowthRules
 {
   double SmallestCorrelation = 0.6; // of waveforms
-  int Reach = 0; // from starts, in columns
+  int Reach = 0; // in columns
+  const std::vector<int>* Distances =
+    nullptr; // by column; without them the reach counts columns on the way from starts
   /// Growth also prefers small steps, and does not enter picks of very different strength.
   bool IsCareful = false;
 };

@@ -106,9 +106,9 @@ void TestGrowth()
     CHECK_EQUAL(grown.Stops.size(), rules.Reach == 5 ? 1u : 0u);
     return std::count_if(grown.Picks.begin(), grown.Picks.end(), [](PointId pick) { return pick != NoPoint; });
   };
-  CHECK_EQUAL(count({ 0.6, 100, false }), 29);
-  CHECK_EQUAL(count({ 0.6, 5, false }), 8);
-  CHECK_EQUAL(count({ 0.999, 100, false }), 19);
+  CHECK_EQUAL(count({ 0.6, 100 }), 29);
+  CHECK_EQUAL(count({ 0.6, 5 }), 8);
+  CHECK_EQUAL(count({ 0.999, 100 }), 19);
 }
 
 /// A throw of all layers is no seam; a step from one layer to the next one is.
