@@ -510,6 +510,7 @@ public:
     const ExtractionOptions& options, Extraction& result)
     : Options(options.Guidance)
     , Period(reflections.Period)
+    , IsStepGiven(options.LargestStep > 0.0)
     , Surfaces(guides.size())
     , Result(result)
   {
@@ -531,8 +532,8 @@ public:
     {
       return;
     }
-    const LinkOptions link{ ColumnConnectivity::Eight, InDepths(this->Result.LargestStep),
-      HalfWidth(GrowthWaveform, this->Period) };
+    const double step = std::max(this->Result.LargestStep, this->IsStepGiven ? 0.0 : StepPerTruePeriod * this->Period);
+    const LinkOptions link{ ColumnConnectivity::Eight, InDepths(step), HalfWidth(GrowthWaveform, this->Period) };
     const GrowthLinks links(cube, picks, link, monitor.Step(0.0, 0.7));
     const GuidedJoining joining(cube, picks, surfaces, links, link.HalfWidth, this->Period, this->Options);
     ParallelFor(std::int64_t(this->Seeds.size()), 1, monitor.Step(0.7, 1.0),
@@ -587,6 +588,8 @@ public:
 private:
   // Half widths of growth, in dominant periods, are short, to pass where layers thin out.
   static constexpr double GrowthWaveform = 1.5;
+  // Runs make the period some percent short, and on steep flanks growth needs the whole step.
+  static constexpr double StepPerTruePeriod = 0.32;
   static constexpr double TolerancePerPeriod = 0.2;
   static constexpr double LeastTolerance = 1.5;
 
@@ -636,6 +639,7 @@ private:
 
   const GuidanceOptions& Options;
   const double Period;
+  const bool IsStepGiven;
   std::vector<std::vector<GuideSeed>> Seeds; // by guide
   std::vector<GuidedSurface> Surfaces;
   Extraction& Result;
