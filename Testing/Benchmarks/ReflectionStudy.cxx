@@ -332,7 +332,7 @@ constant of the method was chosen by.
   weakest reflector of each cube, mean of the cubes;
 - *wrong*: picks of best surfaces a quarter of a period or more off the reflector, or where it is absent;
 - *leak*: picks of surfaces of 200 or more on the side of the fault where the surface has fewer;
-- *error*: median, in samples; *surfaces*: those of 10 picks or more per reflector, at least two, as the fault cuts
+- *error*: median, in samples; *surfaces*: surfaces of 10 picks or more per reflector, at least two, as the fault cuts
   each.
 )";
 
@@ -357,12 +357,13 @@ period of the wavelet.
 
 constexpr const char* Guided = R"(## Guided
 
-Five picks per part find most of a horizon, even with some wrong picks. %d wild cubes (`generate_cube --wild`) of 110 x
-96 traces of 280 samples: hard ones with an unconformity, two channels, and one to four short faults; half of the noise
-is in band, a quarter white, and a quarter dipping waves. *Picks* are random in each part of a reflector (100 or more
-connected columns), or all of every 20th line. Entries in percent: *found* / *weakest* / *off*, picks more than half a
-period away / *absent*, picks where the reflector is not. Without picks the surface is the best one of each part. The
-plain tracker, a peer with the same picks that is told the true period, grows from these alone, best correlation first.
+Five picks per piece find most of a horizon, even with some wrong picks. %d wild cubes (`generate_cube --wild`) of 110 x
+96 traces of 280 samples: difficult cubes with an unconformity, two channels, and one to four short faults; half of the
+noise is in band, a quarter white, and a quarter dipping waves. *Picks* are random in each piece of a reflector (100 or
+more connected columns), or all of every 20th line. Entries in percent: *found* / *weakest* / *off*, picks more than
+half a period away / *absent*, picks where the reflector is not. Without picks the surface is the best one of each
+piece. The plain tracker, a peer with the same picks that is told the true period, grows from these alone, best
+correlation first.
 )";
 }
 
