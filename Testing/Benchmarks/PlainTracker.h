@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A peer of guided extraction: a plain tracker from all picks at once, best correlation first, which is told the true
+// A peer of guided extraction: a plain tracker from all picks at once, best correlation first, which is given the true
 // period. It shares no code with the product.
 
 #ifndef SeismicHorizonsPlainTracker_h

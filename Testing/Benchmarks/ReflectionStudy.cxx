@@ -362,7 +362,7 @@ Five picks per piece find most of a horizon, even with some wrong picks. %d wild
 noise is in band, a quarter white, and a quarter dipping waves. *Picks* are random in each piece of a reflector (100 or
 more connected columns), or all of every 20th line. Entries in percent: *found* / *weakest* / *off*, picks more than
 half a period away / *absent*, picks where the reflector is not. Without picks the surface is the best one of each
-piece. The plain tracker, a peer with the same picks that is told the true period, grows from these alone, best
+piece. The plain tracker, a peer with the same picks that is given the true period, grows from these alone, best
 correlation first.
 )";
 }
