@@ -48,7 +48,8 @@ void DescribeLimits(FoundReflections& found, std::ostream& text)
   }
 }
 
-void WarnOfGuide(const GuidePicks& guide, const GuideUse& use, std::size_t points, FoundReflections& found)
+void WarnOfGuide(
+  const GuidePicks& guide, const GuideUse& use, std::size_t points, bool hasGrowth, FoundReflections& found)
 {
   if (!use.Strays.empty())
   {
@@ -67,16 +68,21 @@ void WarnOfGuide(const GuidePicks& guide, const GuideUse& use, std::size_t point
       (use.IsNegative ? "positive" : "negative") +
       " amplitude than to one of the sign of the others, expected one sign");
   }
-  constexpr std::int64_t many = 20; // One in 20 points may be shared, as guides meet along their rims.
-  if (many * use.Shared > std::int64_t(points) + use.Shared)
+  // Horizons that meet share some of their points; of one event named twice, most.
+  if (2 * use.Shared > std::int64_t(points))
   {
-    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + std::to_string(use.Shared) +
-      " of its points were assigned to guide \"" + found.Guides[use.SharedWith].Given.Name +
-      "\" or others, on the same event and nearer, expected different events");
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + std::to_string(use.Shared) + " of its " +
+      std::to_string(points) + " points are those of guide \"" + found.Guides[use.SharedWith].Given.Name +
+      "\", too, expected different events");
+  }
+  if (use.Stopped > 0 && hasGrowth)
+  {
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": growth stopped at GrowthReach with " +
+      std::to_string(use.Stopped) + " columns next, expected more picks or a larger GrowthReach");
   }
 }
 
-void DescribeGuides(FoundReflections& found, std::ostream& text)
+void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)
 {
   for (std::size_t n = 0; n < found.Guides.size(); ++n)
   {
@@ -90,13 +96,14 @@ void DescribeGuides(FoundReflections& found, std::ostream& text)
     }
     text << guide.Given.Name << ": " << surface.Column.size() << " points of "
          << (use.IsNegative ? "negative" : "positive") << " reflections, " << counts[0] << " picks, " << counts[1]
-         << " on parts, " << counts[2] << " grown; unused picks: " << use.Unused.size() << " near no reflection, "
-         << use.Strays.size() << " contradicted, " << guide.Outside << " outside of the cube\n";
-    WarnOfGuide(guide, use, surface.Column.size(), found);
+         << " on parts, " << counts[2] << " grown; " << use.Shared << " shared, " << use.Seams
+         << " seams; unused picks: " << use.Unused.size() << " near no reflection, " << use.Strays.size()
+         << " contradicted, " << guide.Outside << " outside of the cube\n";
+    WarnOfGuide(guide, use, surface.Column.size(), hasGrowth, found);
   }
 }
 
-void DescribeReflections(bool withOthers, FoundReflections& found)
+void DescribeReflections(const GuidanceOptions& options, FoundReflections& found)
 {
   const Extraction& result = found.Result;
   std::ostringstream text;
@@ -111,9 +118,9 @@ void DescribeReflections(bool withOthers, FoundReflections& found)
     text << "median correlation of links " << result.MedianCorrelation << '\n';
   }
   DescribeLimits(found, text);
-  DescribeGuides(found, text);
+  DescribeGuides(options.GrowthReach > 0, found, text);
   std::string description = text.str();
-  if (found.Guides.empty() || withOthers)
+  if (found.Guides.empty() || options.KeepOthers)
   {
     description += std::to_string(result.NumberOfSurfaces) + " surfaces of " + std::to_string(result.SmallestSize) +
       " picks or more, " + std::to_string(result.Surfaces.size() - found.Guides.size()) + " taken\n";
@@ -156,7 +163,7 @@ FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOption
     found.Limits = ReadLimits(*inputs.Limits, found.Cube, inputs.Side);
   }
   found.Result = ExtractReflections(found.Cube.Traces, options, monitor, guides, found.Limits.Traces);
-  DescribeReflections(options.Guidance.KeepOthers, found);
+  DescribeReflections(options.Guidance, found);
   for (std::size_t n = 0; n < found.Result.Surfaces.size(); ++n)
   {
     found.Names.push_back(n < guides.size() ? guides[n].Name : HorizonName(std::int64_t(n - guides.size()) + 1));

@@ -20,7 +20,7 @@
  * are those of the input, or else made from its origin, spacing, direction and extent.
  *
  * The result is the same for any number of threads. With several processes, each processes the whole cube, and gives a
- * part of the horizons. An error leaves the output empty. Memory is about 30 bytes per pick, 90 with picks at input 1.
+ * part of the horizons. An error leaves the output empty. Memory is about 30 bytes per pick, 100 with picks at input 1.
  */
 
 #ifndef vtkSeismicReflectionExtraction_h
@@ -161,8 +161,8 @@ public:
   vtkHorizonNumberMacro(GrowthCorrelation, double);
 
   /**
-   * How far a guided horizon grows from its picks and from surfaces taken. 0: no growth, which is safest. Unit:
-   * columns. Range: at least 0. Default: 60.
+   * How far a guided horizon grows from its picks; from surfaces taken, 60 at most. 0: no growth, which is safest.
+   * Unit: columns. Range: at least 0. Default: 1000.
    */
   vtkHorizonNumberMacro(GrowthReach, int);
 
@@ -247,7 +247,7 @@ private:
   int Order = Strength;
   double GuideTolerance = 0.0;
   double GrowthCorrelation = 0.6;
-  int GrowthReach = 60;
+  int GrowthReach = 1000;
   bool KeepOthers = false;
   int LimitSide = Below;
   int ZFrom = RealZ;

@@ -227,7 +227,8 @@ class GuidesTest(unittest.TestCase):
                     continue
                 line = next(line for line in extraction.GetDescription().splitlines() if line.startswith("Guide 1: "))
                 numbers = [int(word) for word in line.replace(",", " ").replace(":", " ").split() if word.isdigit()][1:]
-                points, on_picks, on_parts, grown, near_none, contradicted, outside = numbers
+                points, on_picks, on_parts, grown, shared, _, near_none, contradicted, outside = numbers
+                self.assertEqual(shared, 0)
                 self.assertEqual(points, on_picks + on_parts + grown)
                 self.assertLessEqual(on_picks + near_none + contradicted + outside, len(given))
                 results.append(places_of(extraction.GetOutput().GetPartition(0, 0)).tolist())

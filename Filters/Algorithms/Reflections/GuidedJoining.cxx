@@ -6,16 +6,19 @@
 // 2. The surface grows from all its picks at once, best link first (Prim 1957), into free columns. Parts growing from
 // both sides stop each other.
 // 3. Parts that growth runs along are taken whole, as they are more reliable, and the surface grows anew.
+// 4. Parts lose where plain growth from the picks alone is better (GrowthVote.h), as a part may run into another event.
 
 #include "GuidedJoining.h"
 
 #include "Common/Base/CountingSort.h"
+#include "GrowthVote.h"
+#include "GuideLikeness.h"
+#include "PlainGrowth.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <queue>
 #include <utility>
 
 namespace SeismicHorizons
@@ -36,21 +39,11 @@ constexpr double SmallestAgreement = 0.7;
 // Picks are strays if their part passes this multiple of other picks elsewhere.
 constexpr std::int64_t FewestMissesOfStray = 3;
 
+// Farther out, in columns, growth from the picks alone is better.
+constexpr int FarthestFromParts = 60;
+
 // Later rounds find no parts worth taking.
 constexpr int Rounds = 2;
-
-struct RimLink
-{
-  float Score = 0.0F;
-  PointId To = NoPoint;
-  int Reach = 0; // in columns
-
-  /// std::priority_queue returns the largest first.
-  friend bool operator<(const RimLink& a, const RimLink& b)
-  {
-    return a.Score != b.Score ? a.Score < b.Score : (a.To != b.To ? a.To > b.To : a.Reach > b.Reach);
-  }
-};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -76,16 +69,20 @@ public:
       this->Found[seed.Column] = seed.Pick;
     }
     this->MeasureDistances();
+    const GrownPicks plain = this->GrowFromSeeds();
     for (const PointId part : ListParts(this->CountVotes(), [](const Votes& vote) { return vote.Hits >= vote.Misses; }))
     {
       this->TakePart(part, LargestSeededConflict);
     }
-    this->Grow();
+    this->GrowAround();
     for (int round = 0; round < Rounds && this->TakeGrownParts(); ++round)
     {
-      this->Grow();
+      this->GrowAround();
     }
+    this->Vote(plain.Picks);
     this->Write(result);
+    result.Stopped = std::count_if(plain.Stops.begin(), plain.Stops.end(),
+      [this](std::int32_t column) { return this->Found[column] == NoPoint && this->Grown[column] == NoPoint; });
     return result;
   }
 
@@ -194,7 +191,7 @@ private:
       for (std::size_t n = 0; n < this->Distances.size(); ++n)
       {
         const auto column = std::int32_t(sign < 0 ? n : this->Distances.size() - 1 - n);
-        this->ForEachNeighbour(column,
+        this->ForEachBeside(column,
           [&](std::int64_t next)
           { this->Distances[column] = std::min(this->Distances[column], this->Distances[next] + 1); });
       }
@@ -272,7 +269,7 @@ private:
     for (std::size_t n = 0; n < front.size(); ++n) // breadth first
     {
       const bool near = isNear[front[n]];
-      this->ForEachNeighbour(this->Joining.Columns[front[n]],
+      this->ForEachBeside(this->Joining.Columns[front[n]],
         [&](std::int64_t column)
         {
           const PointId next = this->MemberIn(part, column);
@@ -293,62 +290,24 @@ private:
   }
 
   template <typename Visit>
-  void ForEachNeighbour(std::int32_t column, Visit&& visit) const
+  void ForEachBeside(std::int32_t column, Visit&& visit) const
   {
-    const int i = this->Picks.IOf(column);
-    const int j = this->Picks.JOf(column);
-    for (const ColumnStep& step : TraceSteps)
-    {
-      for (const int sign : { 1, -1 })
-      {
-        const int nextI = i + sign * step.I;
-        const int nextJ = j + sign * step.J;
-        if (nextI >= 0 && nextI < this->Picks.Columns[0] && nextJ >= 0 && nextJ < this->Picks.Columns[1])
-        {
-          visit(this->Picks.ColumnAt(nextI, nextJ));
-        }
-      }
-    }
+    ForEachNeighbour(this->Picks, column, ColumnConnectivity::Eight, visit);
   }
 
-  void Grow()
+  GrownPicks GrowFromSeeds() const
   {
-    std::fill(this->Grown.begin(), this->Grown.end(), NoPoint);
-    std::priority_queue<RimLink> rim;
-    const auto addRim = [&](PointId pick, int reach)
-    {
-      if (reach < this->Joining.Options.GrowthReach)
-      {
-        const ReflectionLinks& links = this->Joining.Links;
-        links.ForEachOf(pick,
-          [&](PointId to, PointId owner, int direction)
-          {
-            const std::int32_t column = this->Joining.Columns[to];
-            if (this->Found[column] == NoPoint && this->Grown[column] == NoPoint)
-            {
-              rim.push({ float(links.Score(owner, direction)), to, reach + 1 });
-            }
-          });
-      }
-    };
-    for (const PointId pick : this->Found)
-    {
-      if (pick != NoPoint)
-      {
-        addRim(pick, 0);
-      }
-    }
-    while (!rim.empty())
-    {
-      const RimLink link = rim.top();
-      rim.pop();
-      PointId& place = this->Grown[this->Joining.Columns[link.To]];
-      if (place == NoPoint)
-      {
-        place = link.To;
-        addRim(link.To, link.Reach);
-      }
-    }
+    GrowthRules rules{ this->Joining.Options.GrowthCorrelation, this->Joining.Options.GrowthReach };
+    rules.Distances = &this->Distances;
+    return GrowPlainly(this->Picks, this->Joining.Columns, this->Joining.Links, this->Found, rules);
+  }
+
+  void GrowAround()
+  {
+    GrowthRules rules{ this->Joining.Options.GrowthCorrelation };
+    rules.Reach = std::min(this->Joining.Options.GrowthReach, FarthestFromParts);
+    rules.IsCareful = true;
+    this->Grown = GrowPlainly(this->Picks, this->Joining.Columns, this->Joining.Links, this->Found, rules).Picks;
   }
 
   /// Returns whether any part was taken.
@@ -379,8 +338,38 @@ private:
     return isAny;
   }
 
+  /// Parts lose where growth from the given picks alone is better.
+  void Vote(const std::vector<PointId>& plain)
+  {
+    std::vector<Candidates> columns(this->Found.size());
+    for (std::size_t column = 0; column < columns.size(); ++column)
+    {
+      const PointId found = this->Found[column];
+      columns[column][0].Pick = found != NoPoint ? found : this->Grown[column];
+      columns[column][0].IsPart = found != NoPoint;
+      columns[column][1].Pick = plain[column];
+    }
+    std::vector<PointId> given;
+    for (const GuideSeed& seed : this->Seeds)
+    {
+      given.push_back(seed.Pick);
+      columns[seed.Column][1].Pick = seed.Pick;
+    }
+    CompareWithGiven(this->Joining.Cube, this->Picks, given, this->Joining.HalfWidth, columns);
+    const std::vector<VoteSide> sides = VoteByRegions(this->Picks, columns, this->Joining.Quarter);
+    for (std::size_t column = 0; column < columns.size(); ++column)
+    {
+      if (sides[column] != VoteSide::Parts)
+      {
+        this->Found[column] = NoPoint;
+        this->Grown[column] = sides[column] == VoteSide::Growth ? columns[column][1].Pick : NoPoint;
+      }
+    }
+  }
+
   void Write(GuidedSurface& result) const
   {
+    std::vector<PointId> surface(this->Found);
     auto seed = this->Seeds.begin();
     for (std::size_t column = 0; column < this->Found.size(); ++column)
     {
@@ -390,10 +379,11 @@ private:
       if (isFound || this->Grown[column] != NoPoint)
       {
         const PickOrigin origin = isSeed ? PickOrigin::Guide : (isFound ? PickOrigin::Part : PickOrigin::Growth);
-        result.Picks.push_back(
-          { isFound ? this->Found[column] : this->Grown[column], origin, this->Distances[column] });
+        surface[column] = isFound ? this->Found[column] : this->Grown[column];
+        result.Picks.push_back({ surface[column], origin, this->Distances[column] });
       }
     }
+    result.Seams = CountSeams(this->Joining.Cube, this->Picks, surface, this->Joining.Quarter);
   }
 
   const GuidedJoining& Joining;
@@ -405,11 +395,13 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-GuidedJoining::GuidedJoining(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
-  const ReflectionLinks& links, double period, const GuidanceOptions& options)
-  : Picks(picks)
+GuidedJoining::GuidedJoining(const TraceCube& cube, const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
+  const GrowthLinks& links, int halfWidth, double period, const GuidanceOptions& options)
+  : Cube(cube)
+  , Picks(picks)
   , Surfaces(surfaces)
   , Links(links)
+  , HalfWidth(halfWidth)
   , Options(options)
   , Quarter(PickDepth(std::lround(period / 4.0 * DepthsPerSample)))
   , Columns(picks.ListColumns())

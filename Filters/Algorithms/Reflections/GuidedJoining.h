@@ -38,7 +38,7 @@ struct GuidanceOptions
   /// Neighbouring waveforms must correlate by this, 0 to 1.
   double GrowthCorrelation = 0.6;
   /// The reach is in columns; 0 disables growth.
-  int GrowthReach = 60;
+  int GrowthReach = 1000;
   /// Automatic surfaces are kept, without picks that guides took.
   bool KeepOthers = false;
 };
@@ -68,14 +68,16 @@ struct GuidedSurface
 {
   std::vector<GuidedPick> Picks; // one per column, ascending
   std::vector<std::size_t> Strays; // picks of the guide that contradict other picks
+  std::int64_t Seams = 0; // pairs of neighbours along i and j more than half a period apart where no fault is
+  std::int64_t Stopped = 0; // empty columns just beyond the reach of growth
 };
 
 class GuidedJoining
 {
 public:
-  /// `surfaces` come from BestFirstJoining; `links` use short waveforms and diagonal neighbours.
-  GuidedJoining(const ReflectionPicks& picks, const RawVector<PointId>& surfaces, const ReflectionLinks& links,
-    double period, const GuidanceOptions& options);
+  /// `surfaces` come from BestFirstJoining; `links` use short waveforms, of `halfWidth`.
+  GuidedJoining(const TraceCube& cube, const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
+    const GrowthLinks& links, int halfWidth, double period, const GuidanceOptions& options);
 
   /// Seeds must be in different columns. Threads may call it in parallel.
   GuidedSurface Follow(std::vector<GuideSeed> seeds) const;
@@ -83,9 +85,11 @@ public:
 private:
   class Follower;
 
+  const TraceCube& Cube;
   const ReflectionPicks& Picks;
   const RawVector<PointId>& Surfaces;
-  const ReflectionLinks& Links;
+  const GrowthLinks& Links;
+  const int HalfWidth;
   const GuidanceOptions Options;
   const PickDepth Quarter; // period: nearer picks are the same event
   RawVector<std::int32_t> Columns;

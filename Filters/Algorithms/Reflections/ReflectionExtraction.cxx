@@ -27,11 +27,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <limits>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -448,6 +449,58 @@ void Renumber(const std::vector<SurfaceSize>& sizes, int sign, PointId first, Ra
   }
 }
 
+/// Where picks come out. Guides may share picks.
+class SurfacePositions
+{
+public:
+  explicit SurfacePositions(std::array<RawVector<PointId>, 2> first)
+    : First(std::move(first))
+  {
+  }
+
+  void Add(int sign, PointId pick, PointId position)
+  {
+    PointId& first = this->First[sign][pick];
+    if (first == NoPoint)
+    {
+      first = position;
+    }
+    else
+    {
+      this->More[sign].push_back({ pick, position });
+    }
+  }
+
+  void Sort()
+  {
+    for (auto& more : this->More)
+    {
+      std::sort(more.begin(), more.end());
+    }
+  }
+
+  template <typename Visit>
+  void ForEachOf(int sign, PointId pick, Visit&& visit) const
+  {
+    const PointId first = this->First[sign][pick];
+    if (first == NoPoint)
+    {
+      return;
+    }
+    visit(first);
+    const auto& more = this->More[sign];
+    for (auto next = std::lower_bound(more.begin(), more.end(), std::pair<PointId, PointId>(pick, 0));
+         next != more.end() && next->first == pick; ++next)
+    {
+      visit(next->second);
+    }
+  }
+
+private:
+  std::array<RawVector<PointId>, 2> First; // by sign and pick
+  std::array<std::vector<std::pair<PointId, PointId>>, 2> More; // pick and position
+};
+
 // ---- Guides --------------------------------------------------------------------------------------------------------
 
 class GuidedExtraction
@@ -457,6 +510,7 @@ public:
     const ExtractionOptions& options, Extraction& result)
     : Options(options.Guidance)
     , Period(reflections.Period)
+    , IsStepGiven(options.LargestStep > 0.0)
     , Surfaces(guides.size())
     , Result(result)
   {
@@ -478,11 +532,10 @@ public:
     {
       return;
     }
-    const LinkOptions link{ ColumnConnectivity::Eight, InDepths(this->Result.LargestStep),
-      HalfWidth(GrowthWaveform, this->Period) };
-    ReflectionLinks links(cube, picks, link, monitor.Step(0.0, 0.7));
-    links.Drop(this->Options.GrowthCorrelation);
-    const GuidedJoining joining(picks, surfaces, links, this->Period, this->Options);
+    const double step = std::max(this->Result.LargestStep, this->IsStepGiven ? 0.0 : StepPerTruePeriod * this->Period);
+    const LinkOptions link{ ColumnConnectivity::Eight, InDepths(step), HalfWidth(GrowthWaveform, this->Period) };
+    const GrowthLinks links(cube, picks, link, monitor.Step(0.0, 0.7));
+    const GuidedJoining joining(cube, picks, surfaces, links, link.HalfWidth, this->Period, this->Options);
     ParallelFor(std::int64_t(this->Seeds.size()), 1, monitor.Step(0.7, 1.0),
       [&](std::int64_t begin, std::int64_t end)
       {
@@ -490,22 +543,27 @@ public:
         {
           if (this->SignOf(n) == sign)
           {
-            this->Surfaces[n] = joining.Follow(std::move(this->Seeds[n]));
+            GuidedSurface& surface = this->Surfaces[n] = joining.Follow(std::move(this->Seeds[n]));
+            GuideUse& use = this->Result.Guides[n];
+            use.Strays = std::move(surface.Strays);
+            use.Seams = surface.Seams;
+            use.Stopped = surface.Stopped;
           }
         }
       });
-    this->ClaimPicks(picks, sign, surfaces);
+    this->SharePicks(sign, surfaces);
   }
 
-  void Number(std::array<RawVector<PointId>, 2>& positions) const
+  void Number(SurfacePositions& positions) const
   {
     for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
     {
       for (const GuidedPick& pick : this->Surfaces[n].Picks)
       {
-        positions[this->SignOf(n)][pick.Pick] = PointId(n);
+        positions.Add(this->SignOf(n), pick.Pick, PointId(n));
       }
     }
+    positions.Sort();
   }
 
   std::size_t SizeOf(std::size_t guide) const { return this->Surfaces[guide].Picks.size(); }
@@ -530,64 +588,58 @@ public:
 private:
   // Half widths of growth, in dominant periods, are short, to pass where layers thin out.
   static constexpr double GrowthWaveform = 1.5;
+  // Runs make the period some percent short, and on steep flanks growth needs the whole step.
+  static constexpr double StepPerTruePeriod = 0.32;
   static constexpr double TolerancePerPeriod = 0.2;
   static constexpr double LeastTolerance = 1.5;
 
-  using Claim = std::tuple<PickOrigin, int, std::size_t>; // distance and guide; the least claim is best
-
   int SignOf(std::size_t guide) const { return this->Result.Guides[guide].IsNegative ? 1 : 0; }
 
-  /// A shared pick belongs to the guide that means it, or the nearest that has its part.
-  void ClaimPicks(const ReflectionPicks& picks, int sign, RawVector<PointId>& surfaces)
+  /// Guides keep what they share, as horizons meet where layers pinch out. Automatic surfaces lose the picks that guides
+  /// took.
+  void SharePicks(int sign, RawVector<PointId>& surfaces)
   {
-    const std::size_t none = this->Surfaces.size();
-    std::vector<Claim> best(picks.Places.size(), Claim(PickOrigin::Growth, std::numeric_limits<int>::max(), none));
-    const auto forEachGuide = [&](auto&& visit)
+    std::vector<std::pair<PointId, std::size_t>> owners; // pick and guide
+    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
     {
-      for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
+      for (const GuidedPick& pick : this->Surfaces[n].Picks)
       {
         if (this->SignOf(n) == sign)
         {
-          visit(n, this->Surfaces[n].Picks);
+          owners.push_back({ pick.Pick, n });
+          surfaces[pick.Pick] = NoPoint;
         }
       }
-    };
-    forEachGuide(
-      [&](std::size_t n, const std::vector<GuidedPick>& taken)
-      {
-        for (const GuidedPick& pick : taken)
-        {
-          best[pick.Pick] = std::min(best[pick.Pick], Claim(pick.Origin, pick.Distance, n));
-        }
-      });
-    forEachGuide(
-      [&](std::size_t n, std::vector<GuidedPick>& taken)
-      {
-        GuideUse& use = this->Result.Guides[n];
-        use.Strays = this->Surfaces[n].Strays;
-        std::vector<GuidedPick> kept;
-        for (const GuidedPick& pick : taken)
-        {
-          const std::size_t owner = std::get<2>(best[pick.Pick]);
-          if (owner == n)
-          {
-            kept.push_back(pick);
-          }
-          else
-          {
-            use.SharedWith = use.Shared++ == 0 ? owner : use.SharedWith;
-          }
-        }
-        taken = std::move(kept);
-      });
-    for (PointId pick = 0; pick < picks.Size(); ++pick)
+    }
+    std::sort(owners.begin(), owners.end());
+    std::map<std::pair<std::size_t, std::size_t>, std::int64_t> counts; // by two guides
+    for (auto first = owners.begin(); first != owners.end(); ++first)
     {
-      surfaces[pick] = std::get<2>(best[pick]) == none ? surfaces[pick] : NoPoint;
+      for (auto next = first + 1; next != owners.end() && next->first == first->first; ++next)
+      {
+        ++counts[{ first->second, next->second }];
+      }
+    }
+    for (const auto& [guides, count] : counts)
+    {
+      this->NoteShared(guides.first, guides.second, count);
+      this->NoteShared(guides.second, guides.first, count);
+    }
+  }
+
+  void NoteShared(std::size_t guide, std::size_t other, std::int64_t count)
+  {
+    GuideUse& use = this->Result.Guides[guide];
+    if (count > use.Shared)
+    {
+      use.Shared = count;
+      use.SharedWith = other;
     }
   }
 
   const GuidanceOptions& Options;
   const double Period;
+  const bool IsStepGiven;
   std::vector<std::vector<GuideSeed>> Seeds; // by guide
   std::vector<GuidedSurface> Surfaces;
   Extraction& Result;
@@ -603,7 +655,7 @@ struct Taken
 };
 
 void ReadRow(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
-  const std::array<RawVector<PointId>, 2>& positions, int j, std::vector<Taken>& row)
+  const SurfacePositions& positions, int j, std::vector<Taken>& row)
 {
   row.clear();
   std::vector<float> block;
@@ -622,11 +674,10 @@ void ReadRow(const TraceCube& cube, const CubeReflections& reflections, const Tr
         const int sign = reflections.SignOf(reflection);
         if (sign >= 0)
         {
-          const PointId position = positions[sign][next[sign]++];
-          if (position != NoPoint)
-          {
-            row.push_back({ i, position, reflection });
-          }
+          positions.ForEachOf(sign, next[sign]++,
+            [&](PointId position) {
+              row.push_back({ i, position, reflection });
+            });
         }
       }
       assert(next[0] == picks[0].End(column) && next[1] == picks[1].End(column));
@@ -654,7 +705,7 @@ void AddPick(LatticeHorizon& horizon, const Taken& taken, int j)
 
 /// Threads read blocks of rows; one thread writes.
 void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
-  const std::array<RawVector<PointId>, 2>& positions, std::vector<LatticeHorizon>& horizons, const Monitor& monitor)
+  const SurfacePositions& positions, std::vector<LatticeHorizon>& horizons, const Monitor& monitor)
 {
   constexpr int rowsAtATime = 32;
   std::array<std::vector<Taken>, rowsAtATime> rows;
@@ -790,7 +841,8 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   {
     Renumber(sizes, sign, PointId(guides.size()), surfaces[sign]);
   }
-  guided.Number(surfaces);
+  SurfacePositions positions(std::move(surfaces));
+  guided.Number(positions);
   result.Surfaces.resize(guides.size() + sizes.size());
   for (std::size_t n = 0; n < result.Surfaces.size(); ++n)
   {
@@ -798,7 +850,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
-  WriteSurfaces(cube, reflections, limits, surfaces, result.Surfaces, monitor.Step(0.9, 1.0));
+  WriteSurfaces(cube, reflections, limits, positions, result.Surfaces, monitor.Step(0.9, 1.0));
   guided.AddAttributes();
   return result;
 }

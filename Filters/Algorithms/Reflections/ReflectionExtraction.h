@@ -69,8 +69,10 @@ struct GuideUse
   std::int64_t OtherSign = 0; // picks that mean the other sign
   std::vector<std::size_t> Unused; // picks without a reflection in tolerance
   std::vector<std::size_t> Strays; // picks that contradict other picks
-  std::int64_t Shared = 0; // picks left to other guides
-  std::size_t SharedWith = 0; // first of these guides
+  std::int64_t Shared = 0; // picks that another guide has, too
+  std::size_t SharedWith = 0; // the guide that shares most
+  std::int64_t Seams = 0; // pairs of neighbours more than half a period apart where no fault is
+  std::int64_t Stopped = 0; // empty columns just beyond the reach of growth
 };
 
 struct Extraction
@@ -94,7 +96,7 @@ struct Extraction
 void CheckOptions(const ExtractionOptions& options);
 
 /// With guides, all percentiles count. Throws InputError on options out of range, and on guides that do not fit.
-/// Takes about 30 bytes per pick beside the result, 90 with guides.
+/// Takes about 30 bytes per pick beside the result, 100 with guides.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
   const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits());
 }

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Likeness is the correlation of waveforms, cut out of traces around picks by cubic convolution (Keys 1981), and scaled
-// to equal energy. Sums of products of integers do not depend on the order, and vectorize.
-//
 // Contacts correlate sums of waveforms.
 //
 // Picks of neighbouring columns are linked if each is the best of the other. Threads hold waveforms of two rows, and
@@ -12,6 +9,7 @@
 #include "ReflectionLinks.h"
 
 #include "Common/Base/Parallel.h"
+#include "WaveformCutter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,91 +23,6 @@ namespace SeismicHorizons
 namespace
 {
 // ---- Waveforms -----------------------------------------------------------------------------------------------------
-
-constexpr int VectorLanes = 8;
-
-// Interpolation reads zeros beyond the half width.
-constexpr int Margin = 2;
-
-/// The place lies between the second and third of four samples (cubic convolution; Keys 1981).
-std::array<float, 4> CubicWeights(float t)
-{
-  const float s = 1.0F - t;
-  return { -0.5F * t * s * s, 1.0F + t * t * (1.5F * t - 2.5F), 1.0F + s * s * (1.5F * s - 2.5F), -0.5F * s * t * t };
-}
-
-/// Lanes let compilers vectorize the sum.
-float Energy(const std::vector<float>& values)
-{
-  std::array<float, VectorLanes> sums = {};
-  for (std::size_t n = 0; n < values.size(); n += VectorLanes)
-  {
-    for (std::size_t lane = 0; lane < VectorLanes; ++lane)
-    {
-      sums[lane] += values[n + lane] * values[n + lane];
-    }
-  }
-  return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
-}
-
-class WaveformCutter
-{
-public:
-  static constexpr std::int32_t Length = 32000; // of a waveform as a vector
-
-  /// `halfWidth` is in samples before and after the pick.
-  explicit WaveformCutter(int halfWidth)
-    : HalfWidth(halfWidth)
-    , ValuesPerWaveform((2 * halfWidth + 1 + VectorLanes - 1) / VectorLanes * VectorLanes)
-    , Shape(this->ValuesPerWaveform, 0.0F)
-  {
-  }
-
-  /// Values are padded by zeros to a multiple of 8.
-  int Width() const { return this->ValuesPerWaveform; }
-
-  /// Missing samples are 0.
-  void SetTrace(const float* trace, int samples)
-  {
-    const int pad = this->HalfWidth + Margin;
-    // The cut covers the padded width.
-    const std::size_t size = samples + pad + Margin + this->ValuesPerWaveform;
-    if (this->Padded.size() != size)
-    {
-      this->Padded.assign(size, 0.0F);
-    }
-    std::transform(
-      trace, trace + samples, this->Padded.begin() + pad, [](float value) { return value == value ? value : 0.0F; });
-  }
-
-  void CutOut(PickDepth place, std::int16_t* waveform)
-  {
-    const auto weights = CubicWeights(float(place % DepthsPerSample) / float(DepthsPerSample));
-    // Values lie between the second and third sample from here.
-    const int first = place / DepthsPerSample + Margin - 1;
-    assert(std::size_t(first + this->ValuesPerWaveform + 3) <= this->Padded.size());
-    const float* const samples = this->Padded.data() + first;
-    float* const shape = this->Shape.data();
-    for (int n = 0; n < this->ValuesPerWaveform; ++n)
-    {
-      shape[n] = (weights[0] * samples[n] + weights[1] * samples[n + 1]) +
-        (weights[2] * samples[n + 2] + weights[3] * samples[n + 3]);
-    }
-    std::fill(this->Shape.begin() + 2 * this->HalfWidth + 1, this->Shape.end(), 0.0F);
-    const float energy = Energy(this->Shape);
-    const float scale = energy > 0.0F ? float(Length) / std::sqrt(energy) : 0.0F;
-    for (int n = 0; n < this->ValuesPerWaveform; ++n)
-    {
-      waveform[n] = std::int16_t(std::int32_t(scale * shape[n]));
-    }
-  }
-
-private:
-  int HalfWidth;
-  int ValuesPerWaveform;
-  std::vector<float> Padded; // between zeros
-  std::vector<float> Shape;
-};
 
 class RowWaveforms
 {
@@ -141,18 +54,10 @@ public:
   /// Returns the correlation, -1 to 1, times One.
   static std::int32_t Correlate(const RowWaveforms& rowA, PointId a, const RowWaveforms& rowB, PointId b)
   {
-    const std::int16_t* const first = rowA.WaveformOf(a);
-    const std::int16_t* const second = rowB.WaveformOf(b);
-    std::int32_t sum = 0;
-    const int width = rowA.Cutter.Width();
-    for (int n = 0; n < width; ++n)
-    {
-      sum += std::int32_t(first[n]) * std::int32_t(second[n]);
-    }
-    return sum;
+    return rowA.Cutter.Correlate(rowA.WaveformOf(a), rowB.WaveformOf(b));
   }
 
-  static constexpr std::int32_t One = WaveformCutter::Length * WaveformCutter::Length;
+  static constexpr std::int32_t One = WaveformCutter::One;
 
 private:
   const std::int16_t* WaveformOf(PointId pick) const
@@ -223,13 +128,7 @@ private:
 
 constexpr double ScorePerSample = 0.05;
 
-// A weaker pick below this ratio is noise, or another reflection, beside the end of a strong one, as at a fault.
 constexpr float SmallestStrengthRatio = 0.35F;
-
-double ScoreOf(double correlation, PickDepth step)
-{
-  return correlation - ScorePerSample * InSamples(step);
-}
 
 struct Best
 {
@@ -238,6 +137,11 @@ struct Best
   std::int32_t Correlation = 0;
 };
 
+std::int16_t RoundCorrelation(const Best& best, double largest)
+{
+  return std::int16_t(std::lround(double(best.Correlation) / RowWaveforms::One * largest));
+}
+
 void Consider(Best& best, PointId pick, double score, std::int32_t correlation)
 {
   if (score > best.Score)
@@ -245,15 +149,18 @@ void Consider(Best& best, PointId pick, double score, std::int32_t correlation)
     best = { pick, score, correlation };
   }
 }
-}
 
-class ReflectionLinks::RowLinker
+/// Calls write(a, bestOfA, b, bestOfB, direction) with matches of the picks of two columns, from the first ones on.
+template <typename Write>
+class RowLinker
 {
 public:
-  RowLinker(ReflectionLinks& links, const TraceCube& cube, const LinkOptions& options)
-    : Links(links)
-    , Cube(cube)
+  RowLinker(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options, const Write& write)
+    : Cube(cube)
+    , Picks(picks)
+    , Directions(int(options.Connectivity) / 2)
     , LargestStep(options.LargestStep)
+    , WriteMatches(write)
     , Row(options.HalfWidth)
     , NextRow(options.HalfWidth)
   {
@@ -261,14 +168,14 @@ public:
 
   void Run(int firstRow, int lastRow)
   {
-    this->Row.Load(this->Cube, this->Links.Picks, firstRow);
+    this->Row.Load(this->Cube, this->Picks, firstRow);
     for (int j = firstRow; j < lastRow; ++j)
     {
       if (j + 1 < this->Cube.Size[1])
       {
-        this->NextRow.Load(this->Cube, this->Links.Picks, j + 1);
+        this->NextRow.Load(this->Cube, this->Picks, j + 1);
       }
-      for (int direction = 0; direction < this->Links.Directions(); ++direction)
+      for (int direction = 0; direction < this->Directions; ++direction)
       {
         this->LinkRow(j, direction);
       }
@@ -287,17 +194,18 @@ private:
     const RowWaveforms& other = step.J == 0 ? this->Row : this->NextRow;
     const int firstColumn = std::max(0, -step.I);
     const int lastColumn = this->Cube.Size[0] - std::max(0, step.I);
-    const ReflectionPicks& picks = this->Links.Picks;
+    const ReflectionPicks& picks = this->Picks;
     for (int i = firstColumn; i < lastColumn; ++i)
     {
       this->FindBest(picks.ColumnAt(i, j), picks.ColumnAt(i + step.I, j + step.J), other);
-      this->WriteMutual(picks.ColumnAt(i, j), picks.ColumnAt(i + step.I, j + step.J), direction);
+      this->WriteMatches(picks.Begin(picks.ColumnAt(i, j)), this->OfA,
+        picks.Begin(picks.ColumnAt(i + step.I, j + step.J)), this->OfB, direction);
     }
   }
 
   void FindBest(std::int64_t columnA, std::int64_t columnB, const RowWaveforms& other)
   {
-    const ReflectionPicks& picks = this->Links.Picks;
+    const ReflectionPicks& picks = this->Picks;
     const PointId beginA = picks.Begin(columnA);
     const PointId beginB = picks.Begin(columnB);
     this->OfA.assign(picks.End(columnA) - beginA, Best());
@@ -307,38 +215,33 @@ private:
       {
         const std::int32_t correlation = RowWaveforms::Correlate(this->Row, a, other, b);
         const PickDepth step = std::abs(picks.Places[b] - picks.Places[a]);
-        const double score = ScoreOf(double(correlation) / RowWaveforms::One, step);
+        const double score = LinkScore(double(correlation) / RowWaveforms::One, step);
         Consider(this->OfA[a - beginA], b, score, correlation);
         Consider(this->OfB[b - beginB], a, score, correlation);
       });
   }
 
-  void WriteMutual(std::int64_t columnA, std::int64_t columnB, int direction)
-  {
-    const ReflectionPicks& picks = this->Links.Picks;
-    const PointId beginB = picks.Begin(columnB);
-    PointId a = picks.Begin(columnA);
-    for (const Best& best : this->OfA)
-    {
-      if (best.Pick != NoPoint && this->OfB[best.Pick - beginB].Pick == a)
-      {
-        this->Links.Partners[this->Links.PlaceOf(a, direction)] = best.Pick;
-        this->Links.Partners[this->Links.PlaceOf(best.Pick, direction) + 1] = a;
-        this->Links.Correlations[direction][a] =
-          std::int16_t(std::lround(double(best.Correlation) / RowWaveforms::One * LargestRounded));
-      }
-      ++a;
-    }
-  }
-
-  ReflectionLinks& Links;
   const TraceCube& Cube;
+  const ReflectionPicks& Picks;
+  const int Directions;
   const PickDepth LargestStep;
+  const Write& WriteMatches;
   RowWaveforms Row;
   RowWaveforms NextRow;
   std::vector<Best> OfA;
   std::vector<Best> OfB;
 };
+
+template <typename Write>
+void LinkRows(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options, const Monitor& monitor,
+  const Write& write)
+{
+  constexpr std::int64_t rows = 16; // per additional row that is read
+  ParallelFor(picks.Columns[1], rows, monitor,
+    [&](std::int64_t first, std::int64_t last)
+    { RowLinker<Write>(cube, picks, options, write).Run(int(first), int(last)); });
+}
+}
 
 //----------------------------------------------------------------------------------------------------------------------
 ReflectionLinks::ReflectionLinks(
@@ -353,16 +256,66 @@ ReflectionLinks::ReflectionLinks(
   {
     correlations.resize(size);
   }
-  constexpr std::int64_t rows = 16; // per additional row that is read
-  ParallelFor(picks.Columns[1], rows, monitor,
-    [&](std::int64_t first, std::int64_t last) { RowLinker(*this, cube, options).Run(int(first), int(last)); });
+  LinkRows(cube, picks, options, monitor,
+    [this](PointId a, const std::vector<Best>& ofA, PointId b, const std::vector<Best>& ofB, int direction)
+    {
+      for (const Best& best : ofA)
+      {
+        if (best.Pick != NoPoint && ofB[best.Pick - b].Pick == a)
+        {
+          this->Partners[this->PlaceOf(a, direction)] = best.Pick;
+          this->Partners[this->PlaceOf(best.Pick, direction) + 1] = a;
+          this->Correlations[direction][a] = RoundCorrelation(best, LargestRounded);
+        }
+        ++a;
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GrowthLinks::GrowthLinks(
+  const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options, const Monitor& monitor)
+{
+  assert(options.Connectivity == ColumnConnectivity::Eight);
+  const std::size_t size = Neighbours * picks.Places.size();
+  this->Partners.assign(size, NoPoint);
+  this->Correlations.resize(size);
+  const auto write = [this](PointId pick, const std::vector<Best>& matches, std::size_t neighbour)
+  {
+    for (const Best& best : matches)
+    {
+      const std::size_t link = Neighbours * std::size_t(pick++) + neighbour;
+      this->Partners[link] = best.Pick;
+      this->Correlations[link] = RoundCorrelation(best, LargestRounded);
+    }
+  };
+  LinkRows(cube, picks, options, monitor,
+    [&write](PointId a, const std::vector<Best>& ofA, PointId b, const std::vector<Best>& ofB, int direction)
+    {
+      write(a, ofA, 2 * std::size_t(direction));
+      write(b, ofB, 2 * std::size_t(direction) + 1);
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double LinkScore(double correlation, PickDepth step)
+{
+  return correlation - ScorePerSample * InSamples(step);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreOfLikeStrength(const ReflectionPicks& picks, PointId a, PointId b)
+{
+  const float strengthA = picks.StrengthOf(a);
+  const float strengthB = picks.StrengthOf(b);
+  return std::min(strengthA, strengthB) >= SmallestStrengthRatio * std::max(strengthA, strengthB);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 double ReflectionLinks::Score(PointId pick, int direction) const
 {
   const PickDepth step = this->Picks.Places[this->Next(pick, direction)] - this->Picks.Places[pick];
-  return ScoreOf(this->Correlation(pick, direction), std::abs(step));
+  return LinkScore(this->Correlation(pick, direction), std::abs(step));
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -390,14 +343,6 @@ double ReflectionLinks::MedianCorrelation() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool ReflectionLinks::AreOfLikeStrength(PointId a, PointId b) const
-{
-  const float strengthA = this->Picks.StrengthOf(a);
-  const float strengthB = this->Picks.StrengthOf(b);
-  return std::min(strengthA, strengthB) >= SmallestStrengthRatio * std::max(strengthA, strengthB);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 void ReflectionLinks::Drop(double smallestCorrelation)
 {
   const auto smallest = std::int32_t(std::ceil(smallestCorrelation * LargestRounded));
@@ -406,7 +351,7 @@ void ReflectionLinks::Drop(double smallestCorrelation)
     {
       PointId& next = this->Partners[this->PlaceOf(pick, direction)];
       assert(this->Previous(next, direction) == pick);
-      if (this->Rounded(pick, direction) < smallest || !this->AreOfLikeStrength(pick, next))
+      if (this->Rounded(pick, direction) < smallest || !AreOfLikeStrength(this->Picks, pick, next))
       {
         this->Partners[this->PlaceOf(next, direction) + 1] = NoPoint;
         next = NoPoint;

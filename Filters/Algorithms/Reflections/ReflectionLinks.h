@@ -35,6 +35,26 @@ struct ColumnStep
 /// The first two, or all, lead to half of the neighbours; their opposites to the rest.
 constexpr std::array<ColumnStep, 4> TraceSteps = { { { 1, 0 }, { 0, 1 }, { 1, 1 }, { -1, 1 } } };
 
+/// Calls visit(column) with those beside a column, inside of the survey.
+template <typename Visit>
+void ForEachNeighbour(const ReflectionPicks& picks, std::int32_t column, ColumnConnectivity connectivity, Visit&& visit)
+{
+  const int i = picks.IOf(column);
+  const int j = picks.JOf(column);
+  for (int direction = 0; direction < int(connectivity) / 2; ++direction)
+  {
+    for (const int sign : { 1, -1 })
+    {
+      const int nextI = i + sign * TraceSteps[direction].I;
+      const int nextJ = j + sign * TraceSteps[direction].J;
+      if (nextI >= 0 && nextI < picks.Columns[0] && nextJ >= 0 && nextJ < picks.Columns[1])
+      {
+        visit(picks.ColumnAt(nextI, nextJ));
+      }
+    }
+  }
+}
+
 struct LinkOptions
 {
   ColumnConnectivity Connectivity = ColumnConnectivity::Four;
@@ -91,7 +111,6 @@ public:
 
   double Correlation(PointId pick, int direction) const { return this->Rounded(pick, direction) / LargestRounded; }
 
-  /// Links are joined by correlation less 0.05 per sample of their step.
   double Score(PointId pick, int direction) const;
 
   /// Ranks fall with the score, in steps of 2e-5, and are below 2^16.
@@ -114,19 +133,51 @@ private:
   static constexpr double LargestRounded = 32767.0;
   std::int16_t Rounded(PointId pick, int direction) const { return this->Correlations[direction][pick]; }
 
-  bool AreOfLikeStrength(PointId a, PointId b) const;
-
   std::size_t PlaceOf(PointId pick, int direction) const
   {
     return 2 * (std::size_t(pick) * this->Correlations.size() + direction);
   }
 
-  class RowLinker;
-
   const ReflectionPicks& Picks;
   RawVector<PointId> Partners; // by pick, then direction: along the step, and against it
   std::vector<RawVector<std::int16_t>> Correlations; // by direction, then pick
 };
+
+/// The best match of each pick in each of the eight neighbouring columns, which may match another pick better: growth
+/// from one side needs no more, as it takes free columns only.
+class GrowthLinks
+{
+public:
+  /// The options must be for diagonal neighbours.
+  GrowthLinks(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options,
+    const Monitor& monitor = Monitor());
+
+  /// Calls visit(other, correlation).
+  template <typename Visit>
+  void ForEachOf(PointId pick, Visit&& visit) const
+  {
+    for (std::size_t link = Neighbours * std::size_t(pick); link < Neighbours * (std::size_t(pick) + 1); ++link)
+    {
+      if (this->Partners[link] != NoPoint)
+      {
+        visit(this->Partners[link], this->Correlations[link] / LargestRounded);
+      }
+    }
+  }
+
+private:
+  static constexpr std::size_t Neighbours = 2 * TraceSteps.size();
+  static constexpr double LargestRounded = 32767.0;
+
+  RawVector<PointId> Partners; // by pick, then neighbour
+  RawVector<std::int16_t> Correlations;
+};
+
+/// Links are joined by correlation less 0.05 per sample of their step.
+double LinkScore(double correlation, PickDepth step);
+
+/// Picks whose strengths differ more are noise, or another reflection, beside the end of a strong one, as at a fault.
+bool AreOfLikeStrength(const ReflectionPicks& picks, PointId a, PointId b);
 
 /// Correlates mean waveforms of both sides of a contact, in which noise cancels out, -1 to 1.
 using ContactCorrelation = std::function<double(std::vector<Edge> pairs)>;

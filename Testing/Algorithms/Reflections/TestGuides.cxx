@@ -101,6 +101,7 @@ void TestReach()
   CHECK_EQUAL(CountOrigins(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Surfaces[0])[2.0], 24);
   options.Guidance.GrowthReach = 2;
   CHECK_EQUAL(CountOrigins(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Surfaces[0])[2.0], 8);
+  CHECK_EQUAL(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Guides[0].Stopped, 7);
   options.Guidance.GrowthReach = 0;
   CHECK_EQUAL(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Surfaces[0].Column.size(), 1u);
 }
@@ -129,8 +130,7 @@ void TestBadPicks()
   CHECK_EQUAL(mixed.Guides[0].Unused.size(), 1u);
 }
 
-/// Two guides of one event share it by which is nearer, and the first has what is as near to both. With the others,
-/// these are what is left.
+/// Two guides of one event both have it whole, and others are what neither has.
 void TestSharing()
 {
   const Traces traces = TwoLayers();
@@ -138,17 +138,46 @@ void TestSharing()
   options.Guidance.KeepOthers = true;
   const Extraction found = Follow(traces, { { "one", { { 5, 7, 10.0 } } }, { "two", { { 20, 20, 10.0 } } } }, options);
   CHECK_EQUAL(found.Surfaces.size(), 3u);
-  CHECK_EQUAL(found.Surfaces[0].Column.size() + found.Surfaces[1].Column.size(), 1200u);
-  CHECK_EQUAL(std::size_t(found.Guides[1].Shared), found.Surfaces[0].Column.size());
-  CHECK_EQUAL(found.Guides[1].SharedWith, 0u);
-  for (const PlanePoint& column : found.Surfaces[0].Column)
+  for (const std::size_t n : { 0U, 1U })
   {
-    CHECK(std::max(std::abs(column.X - 5), std::abs(column.Y - 7)) <=
-      std::max(std::abs(column.X - 20), std::abs(column.Y - 20)));
+    CHECK_EQUAL(found.Surfaces[n].Column.size(), 1200u);
+    CHECK_EQUAL(found.Guides[n].Shared, 1200);
+    CHECK_EQUAL(found.Guides[n].SharedWith, 1 - n);
+    CHECK_EQUAL(found.Guides[n].Seams, 0);
+    CHECK_EQUAL(CountOrigins(found.Surfaces[n])[0.0], 1);
   }
   CHECK_EQUAL(found.Surfaces[2].Column.size(), 1200u);
   CHECK_EQUAL(found.Surfaces[2].K[0], 25);
   CHECK_EQUAL(found.NumberOfSurfaces, 1);
+}
+
+/// Two layers pinch out to one event: both guides have it, with their own picks, in any order of three guides.
+void TestPinchOut()
+{
+  Traces traces = Empty({ 60, 30, 60 });
+  for (int n = 0; n < 1800; ++n)
+  {
+    const int i = n % 60;
+    Put(traces.Trace(i, n / 60), 20, 2.0F);
+    Put(traces.Trace(i, n / 60), std::max(20, 32 - i / 3), 2.0F);
+    Put(traces.Trace(i, n / 60), 50, -2.0F);
+  }
+  const std::vector<Guide> guides = { { "top", { { 3, 3, 20 }, { 50, 5, 20 }, { 55, 25, 20 } } },
+    { "base", { { 2, 20, 32 }, { 52, 15, 20 }, { 57, 8, 20 } } }, { "deep", { { 30, 9, 50 } } } };
+  std::array<std::size_t, 3> order = { 0, 1, 2 };
+  const Extraction first = Follow(traces, guides);
+  CHECK(first.Guides[0].Shared > 300 && first.Guides[0].Shared == first.Guides[1].Shared);
+  while (std::next_permutation(order.begin(), order.end()))
+  {
+    const Extraction found = Follow(traces, { guides[order[0]], guides[order[1]], guides[order[2]] });
+    for (std::size_t n = 0; n < 3; ++n)
+    {
+      CHECK(found.Surfaces[n].Column == first.Surfaces[order[n]].Column);
+      CHECK(found.Surfaces[n].RealZ == first.Surfaces[order[n]].RealZ);
+      CHECK(found.Surfaces[n].Attributes == first.Surfaces[order[n]].Attributes);
+      CHECK_EQUAL(CountOrigins(found.Surfaces[n])[0.0], int(guides[order[n]].Picks.size()));
+    }
+  }
 }
 
 bool AreEqual(const Extraction& a, const Extraction& b)
@@ -179,7 +208,7 @@ void TestOrder()
   for (const std::size_t n : { std::size_t(0), guides.size() - 1 })
   {
     const Extraction alone = Follow(traces, { guides[n] });
-    CHECK(one.Guides[n].Shared > 0 || alone.Surfaces[0].Column == one.Surfaces[n].Column);
+    CHECK(alone.Surfaces[0].Column == one.Surfaces[n].Column && alone.Surfaces[0].RealZ == one.Surfaces[n].RealZ);
   }
 }
 
@@ -308,6 +337,7 @@ int TestGuides(int, char*[])
   TestReach();
   TestBadPicks();
   TestSharing();
+  TestPinchOut();
   TestOrder();
   TestScore();
   TestWildCube();
