@@ -11,6 +11,11 @@
 #include <thread>
 #include <vector>
 
+#ifdef __unix__
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
 using namespace SeismicHorizons;
 
 namespace
@@ -150,6 +155,56 @@ void TestSteps()
   CHECK_EQUAL(last, 0.6875);
 }
 
+/// Loops inside loops, on several threads at once, end and take every index once.
+void TestLoopsInLoops()
+{
+  ForThreads(
+    [](int)
+    {
+      constexpr std::int64_t Size = 50;
+      const auto run = []()
+      {
+        Tally tally(Size * Size);
+        const auto inner = [&tally](std::int64_t first, std::int64_t last)
+        {
+          for (std::int64_t n = first; n < last; ++n)
+          {
+            ParallelFor(
+              Size, 3, [&](std::int64_t begin, std::int64_t end) { tally.Add(Size * n + begin, Size * n + end); });
+          }
+        };
+        ParallelFor(Size, 1, inner);
+        CHECK(tally.AllOnce());
+      };
+      std::thread other(run);
+      run();
+      other.join();
+    });
+}
+
+#ifdef __unix__
+/// A forked process has none of the threads of its parent.
+void TestForkedProcess()
+{
+  ForThreads(
+    [](int)
+    {
+      std::atomic<int> items(0);
+      ParallelFor(100, 1, [&](std::int64_t, std::int64_t) { ++items; });
+      const pid_t child = fork();
+      if (child == 0)
+      {
+        items = 0;
+        ParallelFor(100, 1, [&](std::int64_t, std::int64_t) { ++items; });
+        _exit(items == 100 ? 0 : 1);
+      }
+      int status = 1;
+      CHECK(waitpid(child, &status, 0) == child && status == 0);
+      CHECK_EQUAL(items.load(), 100);
+    });
+}
+#endif
+
 /// Of the errors of several ranges that of the lowest range comes out, whichever was first in time.
 void TestLowestErrorWins()
 {
@@ -198,6 +253,10 @@ int TestParallel(int, char*[])
   TestChunks();
   TestMonitor();
   TestSteps();
+  TestLoopsInLoops();
+#ifdef __unix__
+  TestForkedProcess();
+#endif
   TestLowestErrorWins();
   TestErrorStopsNoOther();
   return Check::Result();
