@@ -54,10 +54,7 @@ private:
   inline static thread_local int Depth = 0;
   const std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
-}
 
-namespace
-{
 /// Threads that wait for loops. A loop never waits for a thread that has not begun with it, so loops inside loops and on
 /// several threads end.
 class Helpers

@@ -389,8 +389,9 @@ void InsertAndSearch(
     if (error > FarFromInserted * last)
     {
       mesh = HeightMesh(mesh.TakeHorizon(), Monitor());
+      last = std::numeric_limits<double>::infinity();
     }
-    if (error < last || error > FarFromInserted * last)
+    if (error < last)
     {
       InsertUntilGood(mesh, now, step, review);
       last = error;
@@ -469,7 +470,8 @@ Decimation Run(
   {
     ImproveWithinError(mesh, options, monitor.Step(0.35, 0.9));
   }
-  if (HasNumber(options) && MostVertices(mesh, options) < mesh.NumberOfVertices())
+  const std::size_t most = HasNumber(options) ? MostVertices(mesh, options) : 0;
+  if (HasNumber(options) && most < mesh.NumberOfVertices())
   {
     // Rarely, no vertex can be collapsed, as no neighbour sees all of its ring.
     DecimationOptions fast = options;
@@ -477,7 +479,9 @@ Decimation Run(
     return Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), review);
   }
   mesh.SortVertices();
-  return Collector(mesh, options.SmallestAngle).Run(monitor.Step(0.9, 1.0));
+  Decimation result = Collector(mesh, options.SmallestAngle).Run(monitor.Step(0.9, 1.0));
+  result.MaximumNumberOfPoints = most;
+  return result;
 }
 }
 

@@ -129,6 +129,8 @@ struct Decimation
   double LargestEdgeError = 0.0;
   /// Of loops, which are kept whatever their error, and of inner edges where they cross links to dropped points.
   double LargestLoopError = 0.0;
+  /// The most points for a number of points or triangles, otherwise 0.
+  std::size_t MaximumNumberOfPoints = 0;
   /// Slivers have an angle in plan below SmallestAngle.
   std::size_t NumberOfSlivers = 0;
 };

@@ -7,7 +7,6 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "GroupHeights.h"
-#include "MeshImprover.h"
 
 #include <algorithm>
 #include <array>
@@ -658,13 +657,12 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// An error with too many vertices is found first. From there it grows; errors that leave too few are tried again from the
-// mesh before.
+// Meshes are inserted and collapsed until about the number is expected, then improved. Where that leaves too many, the
+// error grows from there; errors that leave too few are tried again from the mesh before.
 void ReduceLargestError(
-  HeightMesh& mesh, const DecimationOptions& given, const InsertWithin& insert, const Monitor& monitor)
+  HeightMesh& mesh, const DecimationOptions& options, const InsertWithin& insert, const Monitor& monitor)
 {
   const ColumnRule noRule;
-  DecimationOptions options = given;
   ErrorSearch search(options.MaximumError);
   double most = 0.0;
   double left = 1.0; // of what was expected
@@ -673,14 +671,14 @@ void ReduceLargestError(
   for (int trial = 0; trial < MostTrials && !((fine || coarse) && search.IsDone()); ++trial)
   {
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
-    options.MaximumError = search.NextError();
+    const double error = search.NextError();
     if (!fine)
     {
       coarse.reset();
-      most = double(insert(options.MaximumError, step.Step(0.0, 0.4)));
+      most = double(insert(error, step.Step(0.0, 0.4)));
     }
     MeshGroups next = fine ? *fine : MeshGroups(mesh, options, noRule);
-    next.SetError(options.MaximumError);
+    next.SetError(error);
     const double expected = left * next.CollapseWithinError(step.Step(0.4, 0.6)) / most;
     const bool isLast = trial + 1 == MostTrials || search.IsNarrow();
     if (!fine && !isLast && (expected < LeastExpected || expected > 1.0))

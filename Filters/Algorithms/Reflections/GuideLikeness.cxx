@@ -24,6 +24,16 @@ constexpr std::int32_t NoGiven = -1;
 /// The nearest given picks of a column, nearest first.
 using NearestGiven = std::array<std::int32_t, 3>;
 
+/// Sets the cutter to the trace of the pick.
+void CutOut(const TraceCube& cube, const ReflectionPicks& picks, PointId pick, WaveformCutter& cutter,
+  std::vector<float>& trace, std::int16_t* waveform)
+{
+  const std::int32_t column = picks.ColumnOf(pick);
+  cube.Read(picks.JOf(column), picks.IOf(column), 1, trace.data());
+  cutter.SetTrace(trace.data(), cube.Size[2]);
+  cutter.CutOut(picks.Places[pick], waveform);
+}
+
 class GivenPicks
 {
 public:
@@ -39,9 +49,7 @@ public:
     for (std::size_t n = 0; n < given.size(); ++n)
     {
       this->Columns.push_back(picks.ColumnOf(given[n]));
-      cube.Read(picks.JOf(this->Columns[n]), picks.IOf(this->Columns[n]), 1, trace.data());
-      this->Cutter.SetTrace(trace.data(), cube.Size[2]);
-      this->Cutter.CutOut(picks.Places[given[n]], this->WaveformOf(n));
+      CutOut(cube, picks, given[n], this->Cutter, trace, this->WaveformOf(n));
     }
     this->FindNearest();
   }
@@ -185,11 +193,8 @@ private:
 
   Waveform Cut(PointId pick)
   {
-    const std::int32_t column = this->Picks.ColumnOf(pick);
-    this->Cube.Read(this->Picks.JOf(column), this->Picks.IOf(column), 1, this->Trace.data());
-    this->Cutter.SetTrace(this->Trace.data(), this->Cube.Size[2]);
     Waveform waveform(this->Cutter.Width());
-    this->Cutter.CutOut(this->Picks.Places[pick], waveform.data());
+    CutOut(this->Cube, this->Picks, pick, this->Cutter, this->Trace, waveform.data());
     return waveform;
   }
 

@@ -24,8 +24,8 @@ struct GrowthRules
 {
   double SmallestCorrelation = 0.6; // of waveforms
   int Reach = 0; // in columns
-  const std::vector<int>* Distances =
-    nullptr; // by column; without them the reach counts columns on the way from starts
+  /// By column; without them the reach counts columns on the way from starts.
+  const std::vector<int>* Distances = nullptr;
   /// Growth also prefers small steps, and does not enter picks of very different strength.
   bool IsCareful = false;
 };

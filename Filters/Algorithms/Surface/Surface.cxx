@@ -674,10 +674,7 @@ private:
     options.MaximumNumberOfTriangles = this->Options.MaximumNumberOfTriangles;
     this->Result.Mesh = SeismicHorizons::Decimate(
       this->MoveHorizon(), options, monitor, [this](const LoopTriangles& seen) { return this->Review(seen); });
-    if (options.MaximumNumberOfTriangles > 0)
-    {
-      parameters.MaximumNumberOfPoints = this->CountPointsForNumber();
-    }
+    parameters.MaximumNumberOfPoints = this->Result.Mesh.MaximumNumberOfPoints;
     // Points on seams are inside the whole horizon.
     double& largest = this->Result.Mesh.LargestError;
     if (this->Seams)
@@ -691,16 +688,6 @@ private:
     {
       target[dropped.Point] = target[dropped.Target];
     }
-  }
-
-  /// The mesh of the loops has a fixed number of triangles; each inner point adds two.
-  std::size_t CountPointsForNumber() const
-  {
-    const std::size_t onLoops = this->Outlines.CountPoints(this->Result.Kept.size());
-    const std::size_t inner = this->Result.Mesh.Points.Source.size() - onLoops;
-    const std::size_t least = this->Result.Mesh.Triangles.size() / 3 - 2 * inner;
-    return std::min(
-      onLoops + (this->Options.MaximumNumberOfTriangles - least) / 2, this->Result.Kept.size() - this->Dropped.size());
   }
 
   SurfacePoints Points; // moved away by the last run
