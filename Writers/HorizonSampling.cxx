@@ -103,7 +103,7 @@ void SampleTriangles(const Horizon& horizon, int sign, HorizonColumns& columns, 
 }
 
 // The larger of both limits applies to the columns of a grid.
-constexpr std::int64_t EnoughColumns = 1 << 22; // They take 32 MB, and about 40 MB in a file.
+constexpr std::int64_t EnoughGridColumns = 1 << 22; // They take 32 MB, and about 40 MB in a file.
 constexpr std::int64_t MostColumnsPerValue = 10000;
 
 void RequireDense(const std::array<int, 3>& dimensions, const std::vector<double>& z)
@@ -117,7 +117,7 @@ void RequireDense(const std::array<int, 3>& dimensions, const std::vector<double
       "no column under its triangles, expected some: shorter steps of columns and rows have more, or is it a "
       "steep fault?");
   }
-  if (columns > std::max(EnoughColumns, MostColumnsPerValue * values))
+  if (columns > std::max(EnoughGridColumns, MostColumnsPerValue * values))
   {
     throw InputError("lattice of " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
       " columns, of which the horizon has " + std::to_string(values) +

@@ -21,7 +21,7 @@ struct TypeDescription
   std::size_t Bytes;
 };
 
-constexpr std::array<TypeDescription, 15> Types = { { { "char", sizeof(char) }, { "signed char", sizeof(char) },
+constexpr std::array<TypeDescription, 15> KnownTypes = { { { "char", sizeof(char) }, { "signed char", sizeof(char) },
   { "unsigned char", sizeof(char) }, { "short", sizeof(short) }, { "unsigned short", sizeof(short) },
   { "int", sizeof(int) }, { "unsigned int", sizeof(int) }, { "long", sizeof(long) }, { "unsigned long", sizeof(long) },
   { "long long", sizeof(long long) }, { "unsigned long long", sizeof(long long) }, { "idtype", sizeof(std::int64_t) },
@@ -51,20 +51,20 @@ DataArray::DataArray(std::string name, std::vector<std::string> texts)
 DataArray DataArray::Make(ValueType type, std::int64_t tuples, int components)
 {
   const std::shared_ptr<void> memory =
-    MakeMemory(std::size_t(tuples) * std::size_t(components) * Types[std::size_t(type)].Bytes);
+    MakeMemory(std::size_t(tuples) * std::size_t(components) * KnownTypes[std::size_t(type)].Bytes);
   return { type, tuples, components, memory.get(), memory };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 const char* DataArray::TypeName() const
 {
-  return Types[std::size_t(this->Kind)].Name;
+  return KnownTypes[std::size_t(this->Kind)].Name;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t DataArray::BytesOfTuple() const
 {
-  return std::size_t(this->Width) * Types[std::size_t(this->Kind)].Bytes;
+  return std::size_t(this->Width) * KnownTypes[std::size_t(this->Kind)].Bytes;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -42,8 +42,10 @@ std::string ExtensionOf(const std::string& name);
 /// Skips a byte order mark. The stream keeps its position.
 std::string PeekText(std::istream& stream, std::size_t most);
 
+constexpr std::size_t BytesToRecognise = 64 * 1024;
+
 /// Omits an incomplete last line.
-std::string PeekLines(std::istream& stream, std::size_t most);
+std::string PeekLines(std::istream& stream, std::size_t most = BytesToRecognise);
 
 void RequireFileName(const char* name);
 

@@ -35,7 +35,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<int, 15> Types = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
+constexpr std::array<int, 15> VTKTypes = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
   VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT,
   VTK_DOUBLE, VTK_STRING };
 
@@ -117,7 +117,7 @@ DataArray NumbersOf(vtkDataArray* array)
     plain.TakeReference(vtkDataArray::CreateDataArray(type));
     plain->DeepCopy(array);
   }
-  const auto kind = std::find(Types.begin(), Types.end(), type) - Types.begin();
+  const auto kind = std::find(VTKTypes.begin(), VTKTypes.end(), type) - VTKTypes.begin();
   void* const values = plain->GetNumberOfValues() > 0 ? plain->GetVoidPointer(0) : nullptr;
   const std::shared_ptr<void> copied(values, KeepArray{ plain, nullptr, nullptr });
   return { ValueType(kind), plain->GetNumberOfTuples(), plain->GetNumberOfComponents(), values,
@@ -138,7 +138,7 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(ValueType type)
     case ValueType::Double:
       return vtkSmartPointer<vtkDoubleArray>::New();
     default:
-      return vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(Types[std::size_t(type)]));
+      return vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(VTKTypes[std::size_t(type)]));
   }
 }
 

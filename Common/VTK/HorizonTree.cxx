@@ -117,7 +117,7 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
   return joined;
 }
 
-class Collector
+class LeafCollector
 {
 public:
   std::vector<HorizonLeaf> Leaves;
@@ -252,7 +252,7 @@ std::vector<vtkDataObject*> ListOutputs(vtkInformationVector* outputPorts)
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs)
 {
-  Collector collector;
+  LeafCollector collector;
   auto* const tree = vtkDataObjectTree::SafeDownCast(input);
   std::vector<vtkPolyData*> single;
   for (vtkDataObject* output : outputs)

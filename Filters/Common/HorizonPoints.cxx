@@ -36,9 +36,9 @@ double MeasureStretch(const Horizon& horizon, const std::function<double(std::in
   {
     return 1.0;
   }
-  constexpr std::int64_t Enough = 1000;
+  constexpr std::int64_t enough = 1000;
   std::vector<Eigen::Vector2d> pairs;
-  for (std::int64_t point = 0; point < size; point += size / Enough + 1)
+  for (std::int64_t point = 0; point < size; point += size / enough + 1)
   {
     pairs.emplace_back(index->At(point, 0), height(point));
   }
@@ -50,10 +50,10 @@ double MeasureStretch(const Horizon& horizon, const std::function<double(std::in
 //----------------------------------------------------------------------------------------------------------------------
 ArrayTable WithoutMeshFigures(ArrayTable figures)
 {
-  for (const char* const name : { FieldArray::TriangleCount, FieldArray::FaultTriangleCount,
-         FieldArray::BoundaryEdgeCount, FieldArray::NonDelaunayEdgeCount, FieldArray::SmallestAngle,
-         FieldArray::SliverCount, FieldArray::LargestError, FieldArray::MeanError,
-         FieldArray::LargestEdgeError, FieldArray::LargestLoopError })
+  for (const char* const name :
+    { FieldArray::TriangleCount, FieldArray::FaultTriangleCount, FieldArray::BoundaryEdgeCount,
+      FieldArray::NonDelaunayEdgeCount, FieldArray::SmallestAngle, FieldArray::SliverCount, FieldArray::LargestError,
+      FieldArray::MeanError, FieldArray::LargestEdgeError, FieldArray::LargestLoopError })
   {
     figures.Remove(name);
   }

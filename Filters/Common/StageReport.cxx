@@ -24,7 +24,7 @@ namespace SeismicHorizons
 namespace
 {
 /// Reported in the unit of z as well.
-constexpr const char* Heights = "vertical indices";
+constexpr const char* LatticeHeights = "vertical indices";
 
 constexpr const char* WorldHeights = "in z";
 
@@ -39,10 +39,10 @@ struct Figure
 /// Those that a reader looks for, in the order of the stages.
 constexpr std::array<Figure, 43> Figures = { {
   { FieldArray::NumberOfSpikes, "spikes" },
-  { FieldArray::SpikeThreshold, "threshold of spikes", Heights },
+  { FieldArray::SpikeThreshold, "threshold of spikes", LatticeHeights },
   { FieldArray::NumberOfSpurPoints, "points on spurs" },
-  { FieldArray::FaultNoise, "noise", Heights },
-  { FieldArray::SmallestFaultThrow, "smallest throw", Heights },
+  { FieldArray::FaultNoise, "noise", LatticeHeights },
+  { FieldArray::SmallestFaultThrow, "smallest throw", LatticeHeights },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
   { FieldArray::NumberOfOpenHoles, "holes left open" },
   { FieldArray::RimSmoothing, "rim smoothing", "", true },
@@ -60,13 +60,13 @@ constexpr std::array<Figure, 43> Figures = { {
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
   { FieldArray::SmallestAngle, "smallest angle", "degrees" },
   { FieldArray::SliverCount, "triangles with an angle below the one asked for" },
-  { FieldArray::LargestError, "largest vertical error", Heights },
-  { FieldArray::MeanError, "mean vertical error", Heights },
-  { FieldArray::LargestEdgeError, "largest vertical error of edges inside", Heights },
-  { FieldArray::LargestLoopError, "largest vertical error of outlines", Heights },
+  { FieldArray::LargestError, "largest vertical error", LatticeHeights },
+  { FieldArray::MeanError, "mean vertical error", LatticeHeights },
+  { FieldArray::LargestEdgeError, "largest vertical error of edges inside", LatticeHeights },
+  { FieldArray::LargestLoopError, "largest vertical error of outlines", LatticeHeights },
   { FieldArray::NumberOfOutsidePoints, "points outside the outlines" },
   { FieldArray::OutlineDeviation, "outlines moved on the map by up to", "columns" },
-  { FieldArray::OutlineHeightDeviation, "outlines off in height by up to", Heights },
+  { FieldArray::OutlineHeightDeviation, "outlines off in height by up to", LatticeHeights },
   { FieldArray::BoundaryDeviation, "outlines off in space by up to", "lattice units" },
   { FieldArray::NumberOfParts, "parts" },
   { FieldArray::SeamPoints, "vertices on seams" },
@@ -74,9 +74,9 @@ constexpr std::array<Figure, 43> Figures = { {
   { FieldArray::ChosenSmallestHoleSize, "smallest open hole", "columns" },
   { FieldArray::ChosenOutlineTolerance, "outline tolerance", "columns" },
   { FieldArray::ChosenDistanceThreshold, "distance threshold", "lattice units" },
-  { FieldArray::ChosenMaximumError, "maximum error", Heights },
-  { FieldArray::HeightNoise, "six times the noise of", Heights },
-  { FieldArray::HeightRounding, "six times the rounding of", Heights },
+  { FieldArray::ChosenMaximumError, "maximum error", LatticeHeights },
+  { FieldArray::HeightNoise, "six times the noise of", LatticeHeights },
+  { FieldArray::HeightRounding, "six times the rounding of", LatticeHeights },
   { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
   { FieldArray::ChosenCellSize, "cell size", "columns" },
   { FieldArray::ChosenFlatnessThreshold, "flatness threshold" },
@@ -87,7 +87,7 @@ constexpr std::array<Figure, 43> Figures = { {
 std::string ReportUnit(const Figure& figure, double height, const Horizon& horizon)
 {
   const std::string ownUnit = *figure.Unit ? std::string(" ") + figure.Unit : "";
-  if (figure.Unit != Heights && figure.Unit != WorldHeights)
+  if (figure.Unit != LatticeHeights && figure.Unit != WorldHeights)
   {
     return ownUnit;
   }

@@ -50,10 +50,10 @@ constexpr double Largest = 1e6;
 
 // ---- The first view -------------------------------------------------------------------------------------------------
 
-using Direction = std::array<double, 3>;
+using ViewDirection = std::array<double, 3>;
 
 constexpr const char* OwnCamera = "SeismicHorizons.Camera";
-constexpr Direction Oblique = { 0.35, -0.75, 0.56 }; // Direction to the eye.
+constexpr ViewDirection Oblique = { 0.35, -0.75, 0.56 }; // Direction to the eye.
 
 bool IsOfSurvey(vtkPVDataInformation* data)
 {
@@ -80,7 +80,7 @@ int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
 }
 
 /// Looks at a line from its side, at a survey from above, and at a section of a cube from between.
-Direction FindDirection(
+ViewDirection FindDirection(
   const std::vector<double>& dimensions, const std::vector<double>& toWorld, vtkSMProxy* representation)
 {
   const int along = FindLine(dimensions, representation);
@@ -114,11 +114,11 @@ std::string DescribeCamera(vtkSMProxy* view)
   return text;
 }
 
-void LookFrom(vtkSMProxy* view, const Direction& direction)
+void LookFrom(vtkSMProxy* view, const ViewDirection& direction)
 {
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", view);
-  const Direction focus = { 0.0, 0.0, 0.0 };
-  const Direction up = { 0.0, 0.0, 1.0 };
+  const ViewDirection focus = { 0.0, 0.0, 0.0 };
+  const ViewDirection up = { 0.0, 0.0, 1.0 };
   vtkSMPropertyHelper(view, "CameraPosition").Set(direction.data(), 3);
   vtkSMPropertyHelper(view, "CameraFocalPoint").Set(focus.data(), 3);
   vtkSMPropertyHelper(view, "CameraViewUp").Set(up.data(), 3);

@@ -22,7 +22,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr std::array<const char*, 7> RoleNames = { "-", "X", "Y", "Z", "Fault", "Stick", "Node" };
-constexpr std::size_t MostSampleLines = 2000;
+constexpr std::size_t MostLinesOfSample = 2000;
 
 std::string Letters(std::string_view name)
 {
@@ -181,7 +181,7 @@ std::vector<FaultRole> GuessRoles(const std::vector<Fields>& rows)
 TextLines SampleOf(const TextLines& lines, std::int64_t first)
 {
   TextLines sample;
-  for (auto n = std::size_t(first); n < lines.size() && sample.size() < MostSampleLines; ++n)
+  for (auto n = std::size_t(first); n < lines.size() && sample.size() < MostLinesOfSample; ++n)
   {
     if (!IsSkipped(lines[n]) && !SeparatesFaultLines(lines[n]))
     {

@@ -91,7 +91,6 @@ std::string_view FirstLine(std::string_view text)
 }
 
 constexpr std::size_t MostFields = 6; // of points without names: fault, stick, node, x, y and z
-constexpr std::size_t LookedAt = 64 * 1024; // bytes, to recognise a file
 
 /// Looks for marks that only files of fault lines have; lines of x y z alone may be picks.
 bool HasMark(std::string_view text)
@@ -140,7 +139,7 @@ double ReadFinite(std::string_view field, std::int64_t line, const char* what)
 //----------------------------------------------------------------------------------------------------------------------
 bool BeginsAsFaultLines(std::istream& stream)
 {
-  const std::string text = PeekLines(stream, LookedAt);
+  const std::string text = PeekLines(stream);
   if (text.find('\0') != std::string::npos || !HasMark(text))
   {
     return false;
@@ -159,7 +158,7 @@ bool BeginsAsFaultLines(std::istream& stream)
 //----------------------------------------------------------------------------------------------------------------------
 bool IsFaultTable(std::istream& stream)
 {
-  const std::string text = PeekLines(stream, LookedAt);
+  const std::string text = PeekLines(stream);
   if (text.find('\0') != std::string::npos)
   {
     return false;

@@ -89,7 +89,7 @@ private:
 };
 
 constexpr std::array<std::string_view, 3> CoordinateNames = { "x", "y", "z" };
-constexpr auto MostVertices = static_cast<std::size_t>(std::numeric_limits<PointId>::max());
+constexpr auto MostTSurfVertices = static_cast<std::size_t>(std::numeric_limits<PointId>::max());
 
 /// Flags such as CNXYZ mark fixed coordinates of a vertex.
 bool AtFlag(const LineTokens& line)
@@ -280,9 +280,9 @@ void TSurfBuilder::ReadValues(LineTokens& line)
 //----------------------------------------------------------------------------------------------------------------------
 void TSurfBuilder::AddVertex(std::int64_t id)
 {
-  if (this->Surface.Vertices.size() == MostVertices)
+  if (this->Surface.Vertices.size() == MostTSurfVertices)
   {
-    throw ErrorAt(this->Line, "more than " + std::to_string(MostVertices) + " vertices, expected fewer");
+    throw ErrorAt(this->Line, "more than " + std::to_string(MostTSurfVertices) + " vertices, expected fewer");
   }
   if (!this->Ids.Add(id))
   {

@@ -31,7 +31,7 @@ double AxisStep(int count, const std::array<double, 2>& range, const std::string
 }
 
 /// std::cos is not exact at multiples of 90 degrees.
-Eigen::Vector2d Direction(double degrees)
+Eigen::Vector2d DirectionAt(double degrees)
 {
   const double quarters = degrees / 90.0;
   if (quarters == std::floor(quarters))
@@ -88,7 +88,7 @@ SurveyLattice TurnedLattice(
   const std::array<int, 2>& columns, const Eigen::Vector2d& origin, const std::array<double, 2>& steps, double degrees)
 {
   SurveyLattice lattice;
-  const Eigen::Vector2d direction = Direction(degrees);
+  const Eigen::Vector2d direction = DirectionAt(degrees);
   lattice.Columns = columns;
   lattice.Origin = origin;
   lattice.ColumnStep = steps[0] * direction;

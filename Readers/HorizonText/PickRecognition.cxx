@@ -19,8 +19,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::size_t LookedAt = 64 * 1024; // bytes
-
 /// Other programs do not use these extensions for tables of numbers.
 bool IsOfPicks(const std::string& extension)
 {
@@ -31,7 +29,7 @@ bool IsOfPicks(const std::string& extension)
 /// Lines may end with carriage returns alone, and the text may be in UTF-16.
 std::vector<std::string> ListPickLines(std::istream& stream)
 {
-  std::string text = PeekText(stream, LookedAt);
+  std::string text = PeekText(stream, BytesToRecognise);
   text.erase(std::remove(text.begin(), text.end(), '\0'), text.end());
   std::vector<std::string> lines(1);
   for (const char c : text)

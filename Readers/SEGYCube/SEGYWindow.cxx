@@ -181,12 +181,12 @@ private:
   /// Adjacent traces of the file are read together.
   void LoadTraces(const Tile& tile)
   {
-    struct Place
+    struct TracePlace
     {
       std::int32_t Trace;
       std::size_t Column; // index in the tile
     };
-    std::vector<Place> places;
+    std::vector<TracePlace> places;
     this->Slots.assign(tile.Columns(), NoTrace);
     for (std::size_t column = 0; column < tile.Columns(); ++column)
     {
@@ -198,7 +198,7 @@ private:
         places.push_back({ trace, column });
       }
     }
-    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.Trace < b.Trace; });
+    std::sort(places.begin(), places.end(), [](const TracePlace& a, const TracePlace& b) { return a.Trace < b.Trace; });
     const std::size_t size = this->Cube.Header.TraceSize();
     this->Bytes.resize(places.size() * size);
     for (std::size_t first = 0, next = 1; first < places.size(); first = next++)

@@ -121,8 +121,7 @@ int CountVoxels(std::string_view line, int indices)
 
 bool HasVoxels(std::istream& stream, int indices)
 {
-  constexpr std::size_t lookedAt = 64 * 1024;
-  const std::string text = PeekLines(stream, lookedAt);
+  const std::string text = PeekLines(stream);
   int voxels = 0;
   for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
   {

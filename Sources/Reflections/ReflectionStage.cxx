@@ -130,7 +130,7 @@ void DescribeReflections(const GuidanceOptions& options, FoundReflections& found
 }
 
 /// Converts cube samples to lattice indices and world z.
-void Place(LatticeHorizon& voxels, const ImageCube& cube)
+void PlaceVoxels(LatticeHorizon& voxels, const ImageCube& cube)
 {
   const int sign = static_cast<int>(cube.Frame.Direction);
   for (std::size_t n = 0; n < voxels.Column.size(); ++n)
@@ -176,7 +176,7 @@ Horizon TakeSurface(FoundReflections& found, std::size_t number, bool useRealZ)
 {
   found.Cube.Frame.UseRealZ = useRealZ;
   LatticeHorizon voxels = std::move(found.Result.Surfaces[number]);
-  Place(voxels, found.Cube);
+  PlaceVoxels(voxels, found.Cube);
   Horizon horizon = MakeHorizonPoints(std::move(voxels), found.Cube.Frame);
   const ArrayTable& fields = found.Cube.Image.FieldData;
   AddSurveyFields(ReadSurveyFields(fields), horizon.FieldData);

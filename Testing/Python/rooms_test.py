@@ -3,8 +3,9 @@
 """Rooms use rooms as Documentation/Architecture.md draws them. Argument: source tree.
 
 Every folder with C++ sources of the product is on a floor of the drawing there, uses rooms of its own floor without
-circles and others on lower floors alone, and none that a rule forbids. Files and functions keep within their budgets. What
-is said in several places, versions, is the same everywhere.
+circles and others on lower floors alone, and none that a rule forbids. Files and functions keep within their budgets.
+A name has one meaning in all of them. What is said in several places, versions, is the same
+everywhere.
 """
 
 import ast
@@ -116,6 +117,43 @@ def check_functions(tree, path):
             for number, lines in functions_of(path) if lines > MOST_LINES_OF_FUNCTION]
 
 
+TYPE = r"^(?:class|struct|enum class|using) (\w+)(?=[\s:=])(?! \w)"
+CONSTANT = r"^const(?:expr)? [\w:<>, ]+?[ &*](\w+)(?:\[\w*\])? ?[={;]"
+FUNCTION = r"^[\w:<>,&* ]+?[ *&](\w+\([^;{}]*\))\n\{"  # with the types of its parameters
+
+
+def names_in(text, patterns):
+    for pattern in patterns:
+        for found in re.finditer(pattern, text, re.M):
+            yield re.sub(r"\s+", " ", re.sub(r"(?<=[\s&*>])\w+( = [^,]*)?(?=[,)])", "", found.group(1)))
+
+
+def names_of(path):
+    """The types of a header, or what unnamed namespaces of another file declare for that file."""
+    text = path.read_text(encoding="utf-8")
+    if path.suffix == ".h":
+        yield from names_in(text, (TYPE,))
+        return
+    for space in re.finditer(r"^namespace\n\{\n", text, re.M):
+        depth, end = 1, space.end()
+        while depth > 0:
+            brace = re.compile(r"^[{}]", re.M).search(text, end)
+            depth, end = depth + (1 if brace.group() == "{" else -1), brace.end()
+        yield from names_in(text[space.end():end], (TYPE, CONSTANT, FUNCTION))
+
+
+def check_names(tree, paths):
+    """Any files may be compiled as one, in which a name has to have one meaning."""
+    places = {}
+    for path in paths:
+        for name in names_of(path):
+            places.setdefault(name, set()).add(path)
+    assert len(places) > 2000, len(places)
+    all_of = {name: where | places.get(name.split("(")[0], set()) for name, where in places.items()}
+    return ["two of the name %s: %s" % (name, " and ".join(sorted(path.relative_to(tree).as_posix() for path in where)))
+            for name, where in all_of.items() if len(where) > 1]
+
+
 def check_cycles(rooms):
     """Rooms that use each other, directly or not."""
     def reaches(start, goal, seen):
@@ -148,6 +186,7 @@ def main():
         if path.relative_to(tree).parts[0] not in FREE:
             wrong += check_file(tree, path, floors, rules, classes, arrows) + check_comments(tree, path, names)
     wrong += check_cycles(arrows)
+    wrong += check_names(tree, [path for path in sources if path.relative_to(tree).parts[0] not in FREE])
     for path in sources + scripts:
         wrong += check_length(tree, path) + check_functions(tree, path)
     print("\n".join(wrong) or "%d files on %d floors" % (len(sources), len(set(floors.values()))))

@@ -93,18 +93,18 @@ private:
 };
 
 /// An edge of a triangle, stored at its end of lower number.
-struct Side
+struct TriangleEdge
 {
   PointId High;
   bool IsForward; // The triangle goes from the lower end to High.
 };
 
-using Sides = ItemLists<Side, std::uint32_t>;
+using TriangleEdges = ItemLists<TriangleEdge, std::uint32_t>;
 using Ends = ItemLists<PointId, std::uint32_t>;
 
-Sides FindSides(const std::vector<TSurf::Triangle>& triangles, std::size_t numberOfVertices)
+TriangleEdges FindEdges(const std::vector<TSurf::Triangle>& triangles, std::size_t numberOfVertices)
 {
-  Sides sides(std::int64_t(numberOfVertices),
+  TriangleEdges sides(std::int64_t(numberOfVertices),
     [&triangles](auto&& add)
     {
       for (const TSurf::Triangle& triangle : triangles)
@@ -113,29 +113,31 @@ Sides FindSides(const std::vector<TSurf::Triangle>& triangles, std::size_t numbe
         {
           const PointId from = triangle[n];
           const PointId to = triangle[(n + 1) % 3];
-          add(std::min(from, to), Side{ std::max(from, to), from < to });
+          add(std::min(from, to), TriangleEdge{ std::max(from, to), from < to });
         }
       }
     });
   for (std::int64_t low = 0; low < std::int64_t(numberOfVertices); ++low)
   {
-    std::sort(sides.begin(low), sides.end(low), [](const Side& a, const Side& b) { return a.High < b.High; });
+    std::sort(
+      sides.begin(low), sides.end(low), [](const TriangleEdge& a, const TriangleEdge& b) { return a.High < b.High; });
   }
   return sides;
 }
 
 /// Border edges belong to a single triangle, and are reversed.
-Ends FindBorderEdges(const Sides& sides, std::size_t numberOfVertices)
+Ends FindBorderEdges(const TriangleEdges& sides, std::size_t numberOfVertices)
 {
   return Ends(std::int64_t(numberOfVertices),
     [&](auto&& add)
     {
       for (PointId low = 0; low < PointId(numberOfVertices); ++low)
       {
-        const Side* const end = sides.end(low);
-        for (const Side* side = sides.begin(low); side != end;)
+        const TriangleEdge* const end = sides.end(low);
+        for (const TriangleEdge* side = sides.begin(low); side != end;)
         {
-          const Side* const next = std::find_if(side, end, [side](const Side& s) { return s.High != side->High; });
+          const TriangleEdge* const next =
+            std::find_if(side, end, [side](const TriangleEdge& s) { return s.High != side->High; });
           if (next - side == 1)
           {
             add(side->IsForward ? side->High : low, side->IsForward ? low : side->High);
@@ -164,7 +166,7 @@ PartMesh MakePartMesh(const TSurf& surface)
 std::vector<std::array<PointId, 2>> FindBorders(
   const std::vector<TSurf::Triangle>& triangles, std::size_t numberOfVertices)
 {
-  const Ends edges = FindBorderEdges(FindSides(triangles, numberOfVertices), numberOfVertices);
+  const Ends edges = FindBorderEdges(FindEdges(triangles, numberOfVertices), numberOfVertices);
   std::vector<const PointId*> next(numberOfVertices); // first edge from each vertex that is in no loop yet
   for (std::size_t vertex = 0; vertex < numberOfVertices; ++vertex)
   {

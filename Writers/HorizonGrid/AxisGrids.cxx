@@ -41,7 +41,7 @@ std::pair<double, double> RangeOf(const HorizonGrid& grid)
   return { least, most };
 }
 
-std::string Pair(double first, double second)
+std::string PairOf(double first, double second)
 {
   return ToDecimal(first) + ' ' + ToDecimal(second);
 }
@@ -71,10 +71,10 @@ void WriteCps3(std::ostream& stream, const HorizonGrid& grid, const Monitor& mon
   const auto [least, most] = RangeOf(grid);
   GridOutput output(stream, monitor, std::int64_t(grid.Z.size()));
   output.WriteLine("FSASCI 0 1 \"Computed\" 0 1.0E+30 0\nFSATTR 0 0");
-  output.WriteLine(
-    "FSLIMI " + Pair(axes.X.First, axes.X.Last) + ' ' + Pair(axes.Y.First, axes.Y.Last) + ' ' + Pair(least, most));
+  output.WriteLine("FSLIMI " + PairOf(axes.X.First, axes.X.Last) + ' ' + PairOf(axes.Y.First, axes.Y.Last) + ' ' +
+    PairOf(least, most));
   output.WriteLine("FSNROW " + std::to_string(axes.Y.Count) + ' ' + std::to_string(axes.X.Count));
-  output.WriteLine("FSXINC " + Pair(StepOf(axes.X), StepOf(axes.Y)));
+  output.WriteLine("FSXINC " + PairOf(StepOf(axes.X), StepOf(axes.Y)));
   std::string name = grid.Name;
   std::replace_if(
     name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
@@ -96,7 +96,8 @@ void WriteSurfer(std::ostream& stream, const HorizonGrid& grid, const Monitor& m
   const auto [least, most] = RangeOf(grid);
   GridOutput output(stream, monitor, std::int64_t(grid.Z.size()));
   output.WriteLine("DSAA\n" + std::to_string(axes.X.Count) + ' ' + std::to_string(axes.Y.Count));
-  output.WriteLine(Pair(axes.X.First, axes.X.Last) + '\n' + Pair(axes.Y.First, axes.Y.Last) + '\n' + Pair(least, most));
+  output.WriteLine(
+    PairOf(axes.X.First, axes.X.Last) + '\n' + PairOf(axes.Y.First, axes.Y.Last) + '\n' + PairOf(least, most));
   PrintRows(grid, axes, false, "1.70141E+38", output);
   output.Finish();
 }

@@ -22,7 +22,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-using Corners = std::array<PlanePoint, 3>;
+using PlaneCorners = std::array<PlanePoint, 3>;
 /// The surface is to the left, as of edges of triangles.
 using Side = std::pair<PointId, PointId>;
 using Sides = std::vector<Side>;
@@ -46,7 +46,7 @@ Sides SidesOf(const Loops& loops)
   return sides;
 }
 
-bool Enters(const std::array<PlanePoint, 2>& line, const Corners& corners)
+bool Enters(const std::array<PlanePoint, 2>& line, const PlaneCorners& corners)
 {
   const auto isInside = [&](const PlanePoint& end)
   {
@@ -81,7 +81,7 @@ public:
     std::sort(this->Bands.begin(), this->Bands.end());
   }
 
-  bool AnyEnters(const Corners& corners) const
+  bool AnyEnters(const PlaneCorners& corners) const
   {
     PlaneBox box;
     std::for_each(corners.begin(), corners.end(), [&box](const PlanePoint& corner) { box.Add(corner); });

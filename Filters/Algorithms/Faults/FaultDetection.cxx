@@ -390,13 +390,13 @@ double ClippedMean(const std::vector<float>& sizes, double largest)
 /// acquisition footprint, is sampled evenly. Only values count, so that omitted rows have no effect.
 std::vector<float> SampleSizes(const RawVector<float>& deviations, LinkSide side)
 {
-  constexpr std::int64_t Enough = 1000000;
+  constexpr std::int64_t enough = 1000000;
   std::int64_t known = 0;
   for (std::size_t n = std::size_t(side); n < deviations.size(); n += 2)
   {
     known += std::isnan(deviations[n]) ? 0 : 1;
   }
-  const std::int64_t groupSize = std::max<std::int64_t>(1, known / Enough);
+  const std::int64_t groupSize = std::max<std::int64_t>(1, known / enough);
   std::vector<float> sizes;
   sizes.reserve(std::size_t(known / groupSize + 1));
   std::uint64_t fraction = 0;

@@ -20,7 +20,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Numbers = WindowSide * WindowSide;
+constexpr std::int64_t ValuesOfWindow = WindowSide * WindowSide;
 
 // ---- Networks -------------------------------------------------------------------------------------------------------
 
@@ -172,7 +172,7 @@ private:
   /// The median is the least number that has half of the window at or below it in both sorted sets.
   void Select(const RowList& ofFour, const RowList& ofThree, float* medians) const
   {
-    constexpr std::size_t rank = std::size_t(Numbers) / 2;
+    constexpr std::size_t rank = std::size_t(ValuesOfWindow) / 2;
     LaneValues result = this->Four[ofFour[rank]];
     for (std::size_t n = 0; n < ofThree.size(); ++n)
     {
@@ -216,7 +216,7 @@ class SortedWindow
 public:
   void Replace(const SortedColumn& leaving, const SortedColumn& coming)
   {
-    std::array<float, std::size_t(Numbers)> next;
+    std::array<float, std::size_t(ValuesOfWindow)> next;
     std::size_t size = 0;
     int left = 0;
     int came = 0;
@@ -245,7 +245,7 @@ public:
   float Median() const { return this->Values[this->Size == 0 ? 0 : (this->Size - 1) / 2]; }
 
 private:
-  std::array<float, std::size_t(Numbers)> Values = {};
+  std::array<float, std::size_t(ValuesOfWindow)> Values = {};
   std::size_t Size = 0;
 };
 

@@ -32,7 +32,7 @@ constexpr int Sweeps = 3;
 
 constexpr std::int32_t NoRegion = -1;
 
-struct Seam
+struct SeamCounts
 {
   std::int64_t Continues = 0; // pairs within a quarter of the period
   std::int64_t Jumps = 0; // pairs more than half the period apart
@@ -144,9 +144,9 @@ private:
   }
 
   /// Pairs are those of the region, if it took the side, and columns kept.
-  Seam MeasureSeam(const Region& region, int side, const std::vector<VoteSide>& kept) const
+  SeamCounts MeasureSeam(const Region& region, int side, const std::vector<VoteSide>& kept) const
   {
-    Seam seam;
+    SeamCounts seam;
     for (const std::int32_t column : region)
     {
       this->ForEachBeside(column,
@@ -206,8 +206,8 @@ private:
     // Fading makes large contrasts, too.
     const double contrast = std::tanh(this->MeanContrast(region, 0) - this->MeanContrast(region, 1));
     double lead = (LikenessWeight * likeness + PartWeight * part) / size - ContrastWeight * contrast;
-    const Seam parts = this->MeasureSeam(region, 0, kept);
-    const Seam growth = this->MeasureSeam(region, 1, kept);
+    const SeamCounts parts = this->MeasureSeam(region, 0, kept);
+    const SeamCounts growth = this->MeasureSeam(region, 1, kept);
     const auto most = double(std::max(parts.Continues + parts.Jumps, growth.Continues + growth.Jumps));
     if (most > 0.0)
     {
@@ -230,7 +230,7 @@ private:
         continue;
       }
       const int side = this->Has(first, 0) ? 0 : 1;
-      const Seam seam = this->MeasureSeam(region, side, kept);
+      const SeamCounts seam = this->MeasureSeam(region, side, kept);
       if (seam.Pairs > 0 && double(seam.Continues) >= SmallestContinuing * double(seam.Pairs))
       {
         isAny = true;

@@ -450,10 +450,10 @@ void Renumber(const std::vector<SurfaceSize>& sizes, int sign, PointId first, Ra
 }
 
 /// Where picks come out. Guides may share picks.
-class SurfacePositions
+class NumbersOfSurfaces
 {
 public:
-  explicit SurfacePositions(std::array<RawVector<PointId>, 2> first)
+  explicit NumbersOfSurfaces(std::array<RawVector<PointId>, 2> first)
     : First(std::move(first))
   {
   }
@@ -554,7 +554,7 @@ public:
     this->SharePicks(sign, surfaces);
   }
 
-  void Number(SurfacePositions& positions) const
+  void Number(NumbersOfSurfaces& positions) const
   {
     for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
     {
@@ -655,7 +655,7 @@ struct Taken
 };
 
 void ReadRow(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
-  const SurfacePositions& positions, int j, std::vector<Taken>& row)
+  const NumbersOfSurfaces& positions, int j, std::vector<Taken>& row)
 {
   row.clear();
   std::vector<float> block;
@@ -705,7 +705,7 @@ void AddPick(LatticeHorizon& horizon, const Taken& taken, int j)
 
 /// Threads read blocks of rows; one thread writes.
 void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
-  const SurfacePositions& positions, std::vector<LatticeHorizon>& horizons, const Monitor& monitor)
+  const NumbersOfSurfaces& positions, std::vector<LatticeHorizon>& horizons, const Monitor& monitor)
 {
   constexpr int rowsAtATime = 32;
   std::array<std::vector<Taken>, rowsAtATime> rows;
@@ -841,7 +841,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   {
     Renumber(sizes, sign, PointId(guides.size()), surfaces[sign]);
   }
-  SurfacePositions positions(std::move(surfaces));
+  NumbersOfSurfaces positions(std::move(surfaces));
   guided.Number(positions);
   result.Surfaces.resize(guides.size() + sizes.size());
   for (std::size_t n = 0; n < result.Surfaces.size(); ++n)

@@ -110,23 +110,7 @@ int ChooseRadius(PlanePoints columns)
 
 namespace
 {
-constexpr double Power = 1.5; // see the search in Surface.h
-// The first guess overshoots by this factor, to reach the other side of the number.
-constexpr double Beyond = 1.3;
-// While all errors are on one side, steps grow up to this factor, squared each time. Below the least power, the search
-// jumps to the end.
-constexpr double FarthestStep = 8.0;
-constexpr double LeastPower = 0.2;
-// Below this error, in lattice units, nearly all points are vertices; above, outlines are left, and numbers rise
-// faster.
-constexpr double ErrorOfAllPoints = 0.1;
-constexpr double PowerOfOutlines = 0.75;
-// A tenth of the number is some hundredths of the error, which only outlines use. Secants aim half-way to the number.
-constexpr double EnoughOfNumber = 0.9;
-constexpr double Aim = 0.95;
-constexpr double NearEnough = 1.05;
-// Secants keep this fraction away from their ends, as the line is not quite straight.
-constexpr double KeptAway = 0.1;
+constexpr double UsualPower = 1.5; // see the search in Surface.h
 
 /// Values are logarithms; Part is relative to the number wanted.
 struct Sample
@@ -172,9 +156,26 @@ public:
   double Found() const { return std::exp(this->Coarse.Error); }
 
 private:
+  // The first guess overshoots by this factor, to reach the other side of the number.
+  static constexpr double Beyond = 1.3;
+  // While all errors are on one side, steps grow up to this factor, squared each time. Below the least power, the
+  // search jumps to the end.
+  static constexpr double FarthestStep = 8.0;
+  static constexpr double LeastPower = 0.2;
+  // Below this error, in lattice units, nearly all points are vertices; above, outlines are left, and numbers rise
+  // faster.
+  static constexpr double ErrorOfAllPoints = 0.1;
+  static constexpr double PowerOfOutlines = 0.75;
+  // A tenth of the number is some hundredths of the error, which only outlines use. Secants aim half-way to the number.
+  static constexpr double EnoughOfNumber = 0.9;
+  static constexpr double Aim = 0.95;
+  static constexpr double NearEnough = 1.05;
+  // Secants keep this fraction away from their ends, as the line is not quite straight.
+  static constexpr double KeptAway = 0.1;
+
   double GoBeyond(const Sample& before, const Sample& last)
   {
-    double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : Power;
+    double power = before.IsKnown ? (before.Part - last.Part) / (last.Error - before.Error) : UsualPower;
     const bool isFine = last.Part > 0.0;
     if (power < LeastPower && (isFine || last.Error < std::log(ErrorOfAllPoints)))
     {
@@ -376,7 +377,7 @@ private:
   static double NumberAbove(double error, const std::vector<double>& errors)
   {
     const auto end = std::upper_bound(errors.begin(), errors.end(), error, std::greater<>());
-    return double(end - errors.begin()) * std::pow(std::max(1.0, errors.back() / error), Power);
+    return double(end - errors.begin()) * std::pow(std::max(1.0, errors.back() / error), UsualPower);
   }
 
   /// Follows from Euler's formula, also where loops touch.

@@ -171,7 +171,7 @@ namespace
 constexpr float FloatRounding = 256.0f / 16777216.0f;
 constexpr float Slack = 1.0f / 64.0f;
 
-constexpr float Unknown = 1e30f;
+constexpr float UnknownCotangent = 1e30f;
 
 // The margins around the box of a circle are about ten times the rounding error.
 constexpr float BoxMargin = 1.0f;
@@ -202,7 +202,7 @@ public:
     const float size = float(query.Points.Cells().CellSize()) *
       float(std::int32_t(std::max(box.LastX - box.FirstX, box.LastY - box.FirstY)) + 1);
     this->Near = FloatRounding / Slack * size * (size + std::abs(this->EdgeX) + std::abs(this->EdgeY));
-    this->Lowest = FourTimes(query.OnlyVisible || query.Best != NoPoint ? bound : Unknown);
+    this->Lowest = FourTimes(query.OnlyVisible || query.Best != NoPoint ? bound : UnknownCotangent);
   }
 
   /// Returns the number of points near the line. A batch may exceed its row.
@@ -281,7 +281,7 @@ private:
       nearCount -= near;
       const FloatBatch cotangent = BitsAs<FloatBatch>(BitsAs<IntegerBatch>(product / area) | notLeft);
       lowest = Select(cotangent < lowest, cotangent, lowest);
-      cotangents[n] = WithNear ? Select(near, FourTimes(-Unknown), cotangent) : cotangent;
+      cotangents[n] = WithNear ? Select(near, FourTimes(-UnknownCotangent), cotangent) : cotangent;
     }
     this->Lowest = lowest;
     const FloatBatch limit = FourTimes(this->LimitFor(lowest));
