@@ -17,6 +17,7 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "GuidedJoining.h"
+#include "SharedEvents.h"
 #include "SurfaceJoining.h"
 
 #include <algorithm>
@@ -551,6 +552,15 @@ public:
           }
         }
       });
+    std::vector<GuidedSurface*> ofSign;
+    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
+    {
+      if (this->SignOf(n) == sign)
+      {
+        ofSign.push_back(&this->Surfaces[n]);
+      }
+    }
+    SettleSharedEvents(picks, links, ofSign);
     this->SharePicks(sign, surfaces);
   }
 

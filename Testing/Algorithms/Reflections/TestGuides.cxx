@@ -151,6 +151,30 @@ void TestSharing()
   CHECK_EQUAL(found.NumberOfSurfaces, 1);
 }
 
+/// A fault puts the upper layer beside the lower one, which has a shadow below. Growth of the lower layer's guide leaks
+/// into the upper layer, whose own guide has a pick there.
+void TestLeak()
+{
+  constexpr int fault = 30;
+  Traces traces = Empty({ 60, 30, 90 });
+  for (int n = 0; n < 1800; ++n)
+  {
+    const int i = n % 60;
+    const int down = i < fault ? 0 : 20;
+    Put(traces.Trace(i, n / 60), 20 + down, 2.0F);
+    Put(traces.Trace(i, n / 60), 40 + down, 2.0F);
+    Put(traces.Trace(i, n / 60), 46 + down, -1.5F);
+  }
+  const Guide lower = { "lower", { { 5, 5, 40 } } };
+  CHECK_EQUAL(Follow(traces, { lower }).Surfaces[0].Column.size(), 1800u);
+  const Extraction found = Follow(traces, { lower, { "upper", { { 10, 10, 20 }, { 40, 20, 40 } } } });
+  CHECK_EQUAL(found.Surfaces[1].Column.size(), 1800u);
+  const auto& columns = found.Surfaces[0].Column;
+  CHECK_EQUAL(
+    std::count_if(columns.begin(), columns.end(), [](const PlanePoint& column) { return column.X < fault; }), 900);
+  CHECK(columns.size() <= 30U * (fault + 8));
+}
+
 /// Two layers pinch out to one event: both guides have it, with their own picks, in any order of three guides.
 void TestPinchOut()
 {
@@ -337,6 +361,7 @@ int TestGuides(int, char*[])
   TestReach();
   TestBadPicks();
   TestSharing();
+  TestLeak();
   TestPinchOut();
   TestOrder();
   TestScore();
