@@ -4,8 +4,7 @@
 
 Every folder with C++ sources of the product is on a floor of the drawing there, uses rooms of its own floor without
 circles and others on lower floors alone, and none that a rule forbids. Files and functions keep within their budgets.
-A name has one meaning in all of them. What is said in several places, versions, is the same
-everywhere.
+A name has one meaning in all of them. What is said in several places, versions, is the same everywhere.
 """
 
 import ast

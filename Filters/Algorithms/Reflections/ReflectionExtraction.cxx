@@ -28,7 +28,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <map>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -552,16 +551,7 @@ public:
           }
         }
       });
-    std::vector<GuidedSurface*> ofSign;
-    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
-    {
-      if (this->SignOf(n) == sign)
-      {
-        ofSign.push_back(&this->Surfaces[n]);
-      }
-    }
-    SettleSharedEvents(picks, links, ofSign);
-    this->SharePicks(sign, surfaces);
+    this->SharePicks(sign, picks, links, surfaces);
   }
 
   void Number(NumbersOfSurfaces& positions) const
@@ -605,35 +595,30 @@ private:
 
   int SignOf(std::size_t guide) const { return this->Result.Guides[guide].IsNegative ? 1 : 0; }
 
-  /// Guides keep what they share, as horizons meet where layers pinch out. Automatic surfaces lose the picks that guides
-  /// took.
-  void SharePicks(int sign, RawVector<PointId>& surfaces)
+  /// Automatic surfaces lose the picks that guides keep.
+  void SharePicks(int sign, const ReflectionPicks& picks, const GrowthLinks& links, RawVector<PointId>& surfaces)
   {
-    std::vector<std::pair<PointId, std::size_t>> owners; // pick and guide
+    std::vector<std::size_t> guides;
+    std::vector<GuidedSurface*> guided;
     for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
     {
-      for (const GuidedPick& pick : this->Surfaces[n].Picks)
+      if (this->SignOf(n) == sign)
       {
-        if (this->SignOf(n) == sign)
-        {
-          owners.push_back({ pick.Pick, n });
-          surfaces[pick.Pick] = NoPoint;
-        }
+        guides.push_back(n);
+        guided.push_back(&this->Surfaces[n]);
       }
     }
-    std::sort(owners.begin(), owners.end());
-    std::map<std::pair<std::size_t, std::size_t>, std::int64_t> counts; // by two guides
-    for (auto first = owners.begin(); first != owners.end(); ++first)
+    for (const auto& [pair, count] : SettleSharedEvents(picks, links, guided))
     {
-      for (auto next = first + 1; next != owners.end() && next->first == first->first; ++next)
-      {
-        ++counts[{ first->second, next->second }];
-      }
+      this->NoteShared(guides[pair.first], guides[pair.second], count);
+      this->NoteShared(guides[pair.second], guides[pair.first], count);
     }
-    for (const auto& [guides, count] : counts)
+    for (const GuidedSurface* surface : guided)
     {
-      this->NoteShared(guides.first, guides.second, count);
-      this->NoteShared(guides.second, guides.first, count);
+      for (const GuidedPick& pick : surface->Picks)
+      {
+        surfaces[pick.Pick] = NoPoint;
+      }
     }
   }
 

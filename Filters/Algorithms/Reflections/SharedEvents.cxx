@@ -50,7 +50,7 @@ public:
     }
   }
 
-  void Settle()
+  SharedCounts Settle()
   {
     std::vector<Place> own;
     std::vector<Place> given;
@@ -74,9 +74,14 @@ public:
     for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
     {
       std::vector<GuidedPick>& kept = this->Surfaces[n]->Picks;
-      const auto isLost = [&](const GuidedPick& pick) { return this->IsLost(pick.Pick, std::int32_t(n)); };
+      const auto isLost = [&](const GuidedPick& pick)
+      {
+        const Owner* const owner = this->FindOwner({ pick.Pick, std::int32_t(n) });
+        return owner && !this->IsKept(*owner);
+      };
       kept.erase(std::remove_if(kept.begin(), kept.end(), isLost), kept.end());
     }
+    return this->CountShared();
   }
 
 private:
@@ -99,7 +104,7 @@ private:
   struct Claim
   {
     float Weakest = 0.0F;
-    std::int32_t Owner = NoOwner;
+    Owner* Claimant = nullptr;
 
     /// std::priority_queue returns the largest first.
     friend bool operator<(const Claim& a, const Claim& b) { return a.Weakest < b.Weakest; }
@@ -123,54 +128,59 @@ private:
     const std::int32_t first = this->Firsts[pick];
     for (std::size_t n = first; first != NoOwner && n < this->Owners.size() && this->Owners[n].Pick == pick; ++n)
     {
-      visit(this->Owners[n], std::int32_t(n));
+      visit(this->Owners[n]);
     }
+  }
+
+  /// Returns a null pointer unless the guide shares the pick.
+  Owner* FindOwner(const Place& place)
+  {
+    Owner* found = nullptr;
+    this->ForEachOwner(place.Pick, [&](Owner& owner) { found = owner.Guide == place.Guide ? &owner : found; });
+    return found;
   }
 
   float StrongestOf(PointId pick)
   {
     float strongest = Unreached;
-    this->ForEachOwner(pick, [&](const Owner& owner, std::int32_t) { strongest = std::max(strongest, owner.Weakest); });
+    this->ForEachOwner(pick, [&](const Owner& owner) { strongest = std::max(strongest, owner.Weakest); });
     return strongest;
   }
 
-  /// Visits the owners of linked shared picks that are the same guide.
+  /// Visits the linked picks that the guide shares.
   template <typename Visit>
   void ForEachLinked(const Place& place, Visit&& visit)
   {
     this->Links.ForEachOf(place.Pick,
       [&](PointId to, double correlation)
       {
-        this->ForEachOwner(to,
-          [&](Owner& owner, std::int32_t n)
-          {
-            if (owner.Guide == place.Guide)
-            {
-              visit(
-                owner, n, LinkScore(correlation, std::abs(this->Picks.Places[to] - this->Picks.Places[place.Pick])));
-            }
-          });
+        if (Owner* const owner = this->FindOwner({ to, place.Guide }))
+        {
+          visit(*owner, LinkScore(correlation, std::abs(this->Picks.Places[to] - this->Picks.Places[place.Pick])));
+        }
       });
   }
 
   void Compete(const std::vector<Place>& starts)
   {
     std::priority_queue<Claim> rim;
-    const auto addRim = [&](Place from, float weakest)
+    const auto addRim = [&](const Place& from, float weakest)
     {
       this->ForEachLinked(from,
-        [&](const Owner& owner, std::int32_t n, double score)
+        [&](Owner& owner, double score)
         {
           if (owner.Weakest == Unreached)
           {
-            rim.push({ std::min(weakest, float(score)), n });
+            rim.push({ std::min(weakest, float(score)), &owner });
           }
         });
     };
     for (const Place& start : starts)
     {
-      this->ForEachOwner(start.Pick,
-        [&](Owner& owner, std::int32_t) { owner.Weakest = owner.Guide == start.Guide ? 1.0F : owner.Weakest; });
+      if (Owner* const owner = this->FindOwner(start))
+      {
+        owner->Weakest = 1.0F;
+      }
     }
     for (const Place& start : starts)
     {
@@ -180,7 +190,7 @@ private:
     {
       const Claim claim = rim.top();
       rim.pop();
-      Owner& owner = this->Owners[claim.Owner];
+      Owner& owner = *claim.Claimant;
       if (owner.Weakest == Unreached && this->StrongestOf(owner.Pick) <= claim.Weakest)
       {
         owner.Weakest = claim.Weakest;
@@ -194,7 +204,10 @@ private:
   {
     for (const Place& place : front)
     {
-      this->ForEachOwner(place.Pick, [&](Owner& owner, std::int32_t) { owner.*mark |= owner.Guide == place.Guide; });
+      if (Owner* const owner = this->FindOwner(place))
+      {
+        owner->*mark = true;
+      }
     }
     for (int n = 0; n < columns && !front.empty(); ++n)
     {
@@ -202,7 +215,7 @@ private:
       for (const Place& place : front)
       {
         this->ForEachLinked(place,
-          [&](Owner& owner, std::int32_t, double score)
+          [&](Owner& owner, double score)
           {
             if (score >= SmallestSpreading && !(owner.*mark))
             {
@@ -215,22 +228,28 @@ private:
     }
   }
 
-  bool IsLost(PointId pick, std::int32_t guide)
+  bool IsKept(const Owner& owner)
   {
-    bool isWinner = true;
-    bool isOnGiven = false;
     int onGiven = 0;
-    this->ForEachOwner(pick,
-      [&](const Owner& owner, std::int32_t)
-      {
-        if (owner.Guide == guide)
+    this->ForEachOwner(owner.Pick, [&](const Owner& one) { onGiven += one.IsOnGiven ? 1 : 0; });
+    return owner.Weakest == this->StrongestOf(owner.Pick) || owner.IsNear || (owner.IsOnGiven && onGiven > 1);
+  }
+
+  SharedCounts CountShared()
+  {
+    SharedCounts counts;
+    for (const Owner& owner : this->Owners)
+    {
+      this->ForEachOwner(owner.Pick,
+        [&](const Owner& other)
         {
-          isWinner = owner.IsNear || owner.Weakest == this->StrongestOf(pick);
-          isOnGiven = owner.IsOnGiven;
-        }
-        onGiven += owner.IsOnGiven ? 1 : 0;
-      });
-    return !isWinner && !(isOnGiven && onGiven > 1);
+          if (other.Guide > owner.Guide && this->IsKept(owner) && this->IsKept(other))
+          {
+            ++counts[{ std::size_t(owner.Guide), std::size_t(other.Guide) }];
+          }
+        });
+    }
+    return counts;
   }
 
   const ReflectionPicks& Picks;
@@ -242,9 +261,9 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void SettleSharedEvents(
+SharedCounts SettleSharedEvents(
   const ReflectionPicks& picks, const GrowthLinks& links, const std::vector<GuidedSurface*>& surfaces)
 {
-  SharedEvents(picks, links, surfaces).Settle();
+  return SharedEvents(picks, links, surfaces).Settle();
 }
 }

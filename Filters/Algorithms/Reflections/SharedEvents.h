@@ -9,12 +9,18 @@
 
 #include "GuidedJoining.h"
 
+#include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Removes picks from surfaces. Their order makes no difference.
-void SettleSharedEvents(
+/// Picks that two surfaces, the lower number first, have both.
+using SharedCounts = std::map<std::pair<std::size_t, std::size_t>, std::int64_t>;
+
+/// Removes picks from surfaces. Their order makes no difference. Returns what is still shared.
+SharedCounts SettleSharedEvents(
   const ReflectionPicks& picks, const GrowthLinks& links, const std::vector<GuidedSurface*>& surfaces);
 }
 
