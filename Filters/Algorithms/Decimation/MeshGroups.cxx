@@ -55,11 +55,11 @@ constexpr double MostPower = 4.0;
 constexpr double AimOfSearch = 0.99;
 constexpr double EnoughOfNumber = 0.98;
 constexpr double NearEnough = 1.01;
-constexpr double FarFromNumber = 1.05;
 constexpr double Away = 1.003; // of errors that were tried
 constexpr int MostTrials = 12;
-// A mesh is improved to the end only if at least this part of the number, and no more than the number, is expected.
+// A mesh is improved to the end only if so much of the number is expected.
 constexpr double LeastExpected = 0.97;
+constexpr double MostExpected = 1.02;
 // What the first collapses leave of the vertices, to this power, is what the rest leaves of those.
 constexpr double PowerOfRest = 0.245;
 // Steps that lead to too many vertices again may be larger, by the square: whole heights need as many vertices for any
@@ -568,63 +568,103 @@ public:
 
   double NextError() const { return this->Next; }
 
-  /// Takes about what the next error would leave.
-  void AddExpected(double number)
+  /// Takes what is left within the next error, or what collapses leave of it.
+  void Add(double number)
   {
-    const Trial trial = { this->Next, number, true };
-    Trial& side = number > 1.0 ? this->Fine : this->Coarse;
-    if (side.Error > 0.0)
-    {
-      // The last steps down are short, to keep the bracket narrow.
-      this->Power = side.Error > trial.Error ? std::max(1.0, PowerBetween(trial, side)) : PowerBetween(side, trial);
-    }
-    this->SetNext(trial, side);
+    this->Before = this->Last;
+    this->Last = { this->Next, number };
+    const auto place = std::upper_bound(this->Trials.begin(), this->Trials.end(), this->Last,
+      [](const Trial& one, const Trial& other) { return one.Error < other.Error; });
+    this->Trials.insert(place, this->Last);
+    ++this->NumberOfTrials;
+    this->FindNext();
+    this->Farthest *= this->CountFine() == this->Trials.size() ? this->Farthest : 1.0;
   }
 
-  /// Takes what the next error leaves. Returns whether it is more than wanted.
-  bool Add(double number)
+  /// Returns whether the mesh that collapses left is worth improving.
+  bool IsPromising() const { return this->IsNear() || this->IsNarrow() || this->IsLate(); }
+
+  /// Takes what the improved mesh of the last error has.
+  void Improve(double number)
   {
-    const Trial trial = { this->Next, number, false };
-    const bool isFine = number > 1.0;
-    const bool isFirst = this->Fine.Error == 0.0 || this->Fine.IsExpected;
-    if (isFine && !isFirst)
-    {
-      this->Power = PowerBetween(this->Fine, trial);
-    }
-    else if (isFirst) // what was expected, or is of a mesh with fewer vertices
-    {
-      (isFine ? this->Coarse : this->Fine) = Trial();
-    }
-    this->SetNext(trial, isFine ? this->Fine : this->Coarse);
-    return isFine;
+    this->Left = number / this->Last.Number;
+    this->FindNext();
   }
 
-  bool IsDone() const { return this->Coarse.Number >= EnoughOfNumber || this->IsNarrow(); }
+  /// The next errors are for the mesh of the last one, which has too many vertices.
+  void Continue()
+  {
+    this->Last.Number *= this->Left;
+    this->Left = 1.0;
+    this->Trials = { this->Last };
+    this->Before = Trial();
+    this->FindNext();
+  }
 
-  bool IsNarrow() const { return this->Coarse.Error > 0.0 && this->Coarse.Error <= NearEnough * this->Fine.Error; }
+  /// Few enough vertices are left, and no error that is much smaller may do.
+  bool IsDone() const
+  {
+    const std::size_t fine = this->CountFine();
+    if (fine == this->Trials.size())
+    {
+      return false;
+    }
+    const Trial& best = this->IsFine(this->Last) ? this->Trials[fine] : this->Last;
+    return this->Left * best.Number >= EnoughOfNumber || this->IsNarrow() || this->IsLate();
+  }
 
 private:
   struct Trial
   {
-    double Error = 0.0; // 0 for none yet
+    double Error = 0.0; // 0 for none
     double Number = 0.0;
-    bool IsExpected = false;
   };
 
-  void SetNext(const Trial& trial, Trial& side)
+  bool IsNear() const
   {
-    const bool isFine = trial.Number > 1.0;
-    const bool isFar = trial.Number > FarFromNumber || trial.Number < 1.0 / FarFromNumber;
-    const bool isSlow = isFar && isFine == (this->Last.Number > 1.0);
-    side = trial;
-    this->Last = trial;
-    if (this->Fine.Error > 0.0 && this->Coarse.Error > 0.0)
+    const double expected = this->Left * this->Last.Number;
+    return expected >= LeastExpected && expected <= MostExpected;
+  }
+
+  bool IsLate() const { return this->NumberOfTrials >= MostTrials; }
+
+  bool IsFine(const Trial& trial) const { return this->Left * trial.Number > 1.0; }
+
+  /// Numbers fall as errors grow, apart from noise.
+  std::size_t CountFine() const
+  {
+    const auto coarse = std::find_if(
+      this->Trials.begin(), this->Trials.end(), [this](const Trial& trial) { return !this->IsFine(trial); });
+    return std::size_t(coarse - this->Trials.begin());
+  }
+
+  bool IsNarrow() const
+  {
+    const std::size_t fine = this->CountFine();
+    return fine > 0 && fine < this->Trials.size() &&
+      this->Trials[fine].Error <= NearEnough * this->Trials[fine - 1].Error;
+  }
+
+  void FindNext()
+  {
+    const std::size_t fine = this->CountFine();
+    const std::size_t all = this->Trials.size();
+    if (all > 1)
     {
-      this->Next = isSlow ? std::sqrt(this->Fine.Error * this->Coarse.Error) : this->FindBetween();
-      return;
+      const std::size_t pair = std::clamp<std::size_t>(fine, 1, all - 1);
+      this->Power = PowerBetween(this->Trials[pair - 1], this->Trials[pair]);
     }
-    this->Next = this->FindFrom(trial);
-    this->Farthest *= isFine ? this->Farthest : 1.0;
+    const bool isFromCoarse = fine == 0 || (fine < all && !this->IsFine(this->Last));
+    const Trial& from = this->Trials[isFromCoarse ? fine : fine - 1];
+    const double factor = std::pow(this->Left * from.Number / AimOfSearch, 1.0 / this->Power);
+    const double least = fine == 0 ? 0.0 : Away * this->Trials[fine - 1].Error;
+    const double most = fine == all ? std::numeric_limits<double>::infinity() : this->Trials[fine].Error / Away;
+    const bool isBetween = fine > 0 && fine < all;
+    const bool isSlow =
+      !this->IsNear() && this->Before.Error > 0.0 && this->IsFine(this->Before) == this->IsFine(this->Last);
+    this->Next = isBetween && (isSlow || least > most)
+      ? std::sqrt(least * most)
+      : std::clamp(from.Error * std::clamp(factor, 1.0 / this->Farthest, this->Farthest), least, most);
   }
 
   /// The number falls as the error to this power.
@@ -634,25 +674,14 @@ private:
     return std::clamp(power, LeastPower, MostPower);
   }
 
-  double FindFrom(const Trial& trial) const
-  {
-    const double factor = std::pow(trial.Number / AimOfSearch, 1.0 / this->Power);
-    const double error = trial.Error * std::clamp(factor, 1.0 / this->Farthest, this->Farthest);
-    return std::max(error, Away * this->Fine.Error);
-  }
-
-  double FindBetween()
-  {
-    this->Power = PowerBetween(this->Fine, this->Coarse);
-    return std::min(this->FindFrom(this->Last), this->Coarse.Error / Away);
-  }
-
   double Next;
   double Power = NumberPower;
   double Farthest = FarthestStep;
+  double Left = 1.0; // in the end, of what collapses leave
+  std::vector<Trial> Trials; // by error
   Trial Last;
-  Trial Fine; // largest error with too many
-  Trial Coarse; // least error with few enough
+  Trial Before;
+  int NumberOfTrials = 0;
 };
 }
 
@@ -665,35 +694,48 @@ void ReduceLargestError(
   const ColumnRule noRule;
   ErrorSearch search(options.MaximumError);
   double most = 0.0;
-  double left = 1.0; // of what was expected
   std::optional<MeshGroups> fine;
   std::optional<MeshGroups> coarse;
-  for (int trial = 0; trial < MostTrials && !((fine || coarse) && search.IsDone()); ++trial)
+  for (int trial = 0; trial < MostTrials && !(coarse && search.IsDone()); ++trial)
   {
     const Monitor step = monitor.Step(double(trial) / MostTrials, double(trial + 1) / MostTrials);
-    const double error = search.NextError();
     if (!fine)
     {
       coarse.reset();
-      most = double(insert(error, step.Step(0.0, 0.4)));
+      most = double(insert(search.NextError(), step.Step(0.0, 0.4)));
     }
     MeshGroups next = fine ? *fine : MeshGroups(mesh, options, noRule);
-    next.SetError(error);
-    const double expected = left * next.CollapseWithinError(step.Step(0.4, 0.6)) / most;
-    const bool isLast = trial + 1 == MostTrials || search.IsNarrow();
-    if (!fine && !isLast && (expected < LeastExpected || expected > 1.0))
+    next.SetError(search.NextError());
+    const double collapsed = next.CollapseWithinError(step.Step(0.4, 0.6)) / most;
+    if (!fine)
     {
-      search.AddExpected(expected);
-      continue;
+      search.Add(collapsed);
+      if (!search.IsPromising())
+      {
+        continue;
+      }
     }
     if (!fine || double(next.CountVertices()) > most)
     {
       next.ImproveRest(step.Step(0.6, 1.0));
     }
     const double number = double(next.CountVertices()) / most;
-    left *= fine ? 1.0 : number / expected;
-    const bool isFine = search.Add(number);
+    const bool isFine = number > 1.0;
+    fine ? search.Add(number) : search.Improve(number);
+    if (isFine && fine && next.CountVertices() == fine->CountVertices())
+    {
+      break;
+    }
+    if (isFine && !fine)
+    {
+      search.Continue();
+    }
     (isFine ? fine : coarse).emplace(std::move(next));
+  }
+  if (!coarse) // where angles keep vertices at any error
+  {
+    fine->SetError(search.NextError(), 2);
+    fine->ReduceTo(std::size_t(most), Monitor());
   }
   (coarse ? *coarse : *fine).GiveBack();
 }
