@@ -65,6 +65,10 @@ Horizon MakeHorizonPoints(LatticeHorizon horizon, const LatticeFrame& frame)
   {
     MoveToArray<double>(data, name.c_str(), values);
   }
+  for (auto& [name, values] : horizon.Labels)
+  {
+    MoveToArray<int>(data, name.c_str(), values);
+  }
   // Attributes of the same name, added before, are replaced.
   data.Add(columns);
   AddConstant<int>(data, PointArray::SurfaceId, points.NumberOfPoints(), horizon.SurfaceId);

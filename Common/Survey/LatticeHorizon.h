@@ -24,6 +24,7 @@ struct LatticeHorizon
   HeapArray<double> Amplitude;
   HeapArray<double> RealZ; // In the unit and with the sign of the file; finite.
   std::vector<std::pair<std::string, HeapArray<double>>> Attributes;
+  std::vector<std::pair<std::string, HeapArray<int>>> Labels; // Means of them would say nothing.
   std::int64_t DroppedDuplicates = 0; // Points dropped for another one in their column.
   std::int64_t DroppedNulls = 0; // Points dropped for lack of z.
 };

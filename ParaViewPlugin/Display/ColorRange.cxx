@@ -163,6 +163,11 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
     range.Ends = { -reach, reach };
     return reach > 0.0; // A single value differs from zero.
   }
+  else if (kind == "fraction")
+  {
+    range.Ends = { 0.0, 1.0 };
+    return true;
+  }
   else if (!range.IsOfData)
   {
     Cut(range, data, kind.c_str(), vtkSMPropertyHelper(producer, hint->GetAttributeOrEmpty("unit"), true).GetAsInt());

@@ -23,7 +23,7 @@
  * and `shown_as` the name that an array has there, with colours of its own. `port` may be left out: the hint is for all
  * of them then.
  *
- * `range` is "data" where it is not given; "centred", as far below zero as above, but no farther than the figure
+ * `range` is "data" where it is not given; "fraction", from 0 to 1; "centred", as far below zero as above, but no farther than the figure
  * `ends_at` of the field data; or a figure in the field data (of its components, that of the filter's property `unit`)
  * where the colours end, with one more colour for what is above. Ranges but "data" follow what a window shows until
  * somebody sets another one.

@@ -149,6 +149,7 @@ ExtractionOptions TakeExtractionOptions(const nb::dict& chosen)
   Take(chosen, "guide_tolerance", options.Guidance.Tolerance);
   Take(chosen, "growth_correlation", options.Guidance.GrowthCorrelation);
   Take(chosen, "growth_reach", options.Guidance.GrowthReach);
+  Take(chosen, "least_confidence", options.Guidance.LeastConfidence);
   Take(chosen, "keep_others", options.Guidance.KeepOthers);
   CheckOptions(options);
   return options;

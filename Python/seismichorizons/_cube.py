@@ -169,7 +169,7 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
             position: str = "peak", threshold: float | None = None, percentile: float = 25.0, phase_rotation: float = 0.0, joining: str = "best_first",
             eight_neighbours: bool = False, largest_step: float = 0.0, smallest_correlation: float = 0.85, smallest_contact: float = 0.5,
             smallest_size: int = 0, largest_number: int = 100, order: str = "strength", guide_tolerance: float = 0.0, growth_correlation: float = 0.6,
-            growth_reach: int = 60, keep_others: bool = False, progress: Progress | None = None) -> dict[str, Horizon]:
+            growth_reach: int = 1000, least_confidence: float = 0.0, keep_others: bool = False, progress: Progress | None = None) -> dict[str, Horizon]:
     """Extracts horizons from a cube: those of picks, or all that are strong.
 
     Parameters
@@ -208,7 +208,9 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
     growth_correlation : float
         Least similarity of waveforms where a guided horizon grows beyond automatic parts.
     growth_reach : int
-        Largest distance of growth from these, in columns; 0 for none.
+        Largest distance of growth from picks, in columns; 0 for none.
+    least_confidence : float
+        Points of guided horizons with less are left out, from 0 to 1.
     keep_others : bool
         Keeps automatic horizons beside guided ones.
     progress : callable, optional
@@ -216,8 +218,10 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
     Returns
     -------
     dict of Horizon
-        With the attributes Amplitude and Thickness; those of guides have Origin (0 at picks, 1 on automatic parts, 2 where grown)
-        and GuideDistance (columns from the nearest pick). `taken` says what was found.
+        With the attributes Amplitude and Thickness. Those of guides also have Confidence (0 to 1, the probability that a point
+        is right), Correlation (of waveforms, with the nearest picks), GuideDistance (columns from the nearest pick), Origin
+        (0 at picks, 1 on automatic parts, 2 where grown), Block (between faults, from 1) and Seed (the pick that is nearest along
+        the block, from 0; -1 for none). `taken` says what was found.
     """
     if not isinstance(cube, Cube):
         raise TypeError("extraction from %s, expected a Cube: read_cube(path) reads one" % type(cube).__name__)
@@ -226,7 +230,7 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
         amplitude_threshold=threshold, amplitude_percentile=float(percentile), phase_rotation=float(phase_rotation), joining=joining,
         eight_neighbours=bool(eight_neighbours), largest_step=float(largest_step), smallest_correlation=float(smallest_correlation),
         smallest_contact=float(smallest_contact), smallest_size=int(smallest_size), largest_number=int(largest_number), order=order,
-        guide_tolerance=float(guide_tolerance), growth_correlation=float(growth_correlation), growth_reach=int(growth_reach), keep_others=bool(keep_others))
+        guide_tolerance=float(guide_tolerance), growth_correlation=float(growth_correlation), growth_reach=int(growth_reach), least_confidence=float(least_confidence), keep_others=bool(keep_others))
     if isinstance(guides, (str, os.PathLike)):
         guides = _read_guides(pathlib.Path(guides), cube, progress)
     picks = None if guides is None else [(name, _picks(one, name, cube)) for name, one in (

@@ -31,7 +31,7 @@ READER = ("InlineByte", "CrosslineByte", "XByte", "YByte", "InlineRange", "Cross
 FRAME = ("VerticalDirection", *SURVEY)
 EXTRACTION = ("Polarity", "Joining", "AmplitudePercentile", "LimitSide", "LargestNumber", "SmallestSize", "PhaseRotation", "Position",
               "AmplitudeThreshold", "Connectivity", "LargestStep", "SmallestCorrelation", "SmallestContact", "Order", "GuideTolerance",
-              "GrowthCorrelation", "GrowthReach", "KeepOthers")
+              "GrowthCorrelation", "GrowthReach", "LeastConfidence", "KeepOthers")
 # Those that the core has by another name.
 RENAMED = {"InlineRange": "inlines", "CrosslineRange": "crosslines", "LatticeTolerance": "tolerance", "DelayPolicy": "delays"}
 # Attributes of points: where the traces of a single line are, which may be off the lattice.

@@ -19,7 +19,7 @@ STRAY_PICKS, GRIDDING = ("Stop", "LeaveOut"), ("Plate", "Nearest")
 CUBE_PROPERTIES = (
     "InlineByte", "CrosslineByte", "XByte", "YByte", "SampleRange", "SampleFormat", "NumberOfSamples", "IgnoreIncompleteTrace",
     "DuplicatePolicy", "DelayPolicy", "VerticalDomain", "HorizontalUnit", "PhaseRotation", "Position", "AmplitudeThreshold", "Connectivity",
-    "LargestStep", "SmallestCorrelation", "SmallestContact", "Order", "GuideTolerance", "GrowthCorrelation", "GrowthReach", "KeepOthers")
+    "LargestStep", "SmallestCorrelation", "SmallestContact", "Order", "GuideTolerance", "GrowthCorrelation", "GrowthReach", "LeastConfidence", "KeepOthers")
 CROSSINGS = ("Mean", "UpperWins", "LowerWins", "Stop")
 NOT_GIVEN = argparse.SUPPRESS
 

@@ -8,6 +8,7 @@
 #include "Common/Survey/SurveyFields.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <sstream>
 #include <utility>
@@ -82,6 +83,17 @@ void WarnOfGuide(
   }
 }
 
+/// In percent of the points, to a tenth.
+double LikelyWrong(const LatticeHorizon& surface)
+{
+  double sum = 0.0;
+  for (const double confidence : surface.Attributes.front().second)
+  {
+    sum += 1.0 - confidence;
+  }
+  return std::round(1000.0 * sum / double(surface.Column.size())) / 10.0;
+}
+
 void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)
 {
   for (std::size_t n = 0; n < found.Guides.size(); ++n)
@@ -90,14 +102,14 @@ void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)
     const GuideUse& use = found.Result.Guides[n];
     const LatticeHorizon& surface = found.Result.Surfaces[n];
     std::array<std::int64_t, 3> counts = { 0, 0, 0 };
-    for (const double origin : surface.Attributes.front().second)
+    for (const int origin : surface.Labels.front().second)
     {
       ++counts[std::size_t(origin)];
     }
     text << guide.Given.Name << ": " << surface.Column.size() << " points of "
          << (use.IsNegative ? "negative" : "positive") << " reflections, " << counts[0] << " picks, " << counts[1]
-         << " on parts, " << counts[2] << " grown; " << use.Shared << " shared, " << use.Seams
-         << " seams; unused picks: " << use.Unused.size() << " near no reflection, " << use.Strays.size()
+         << " on parts, " << counts[2] << " grown, " << LikelyWrong(surface) << " % likely wrong; " << use.Doubtful
+         << " left out, " << use.Shared << " shared, " << use.Seams << " seams; unused picks: " << use.Unused.size() << " near no reflection, " << use.Strays.size()
          << " contradicted, " << guide.Outside << " outside of the cube\n";
     WarnOfGuide(guide, use, surface.Column.size(), hasGrowth, found);
   }

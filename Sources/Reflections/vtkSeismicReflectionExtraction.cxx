@@ -108,6 +108,7 @@ ExtractionOptions vtkSeismicReflectionExtraction::MakeOptions() const
   options.Guidance.Tolerance = this->GuideTolerance;
   options.Guidance.GrowthCorrelation = this->GrowthCorrelation;
   options.Guidance.GrowthReach = this->GrowthReach;
+  options.Guidance.LeastConfidence = this->LeastConfidence;
   options.Guidance.KeepOthers = this->KeepOthers;
   return options;
 }

@@ -167,6 +167,12 @@ public:
   vtkHorizonNumberMacro(GrowthReach, int);
 
   /**
+   * Points of guided horizons with less Confidence are left out, except for picks of the guide. At 0.5, about two of
+   * three that are left out are wrong. Range: 0 to 1. Default: 0.
+   */
+  vtkHorizonNumberMacro(LeastConfidence, double);
+
+  /**
    * Whether the output also has the surfaces without a guide, after the others. Range: on, off. Default: off.
    */
   vtkHorizonNumberMacro(KeepOthers, bool);
@@ -248,6 +254,7 @@ private:
   double GuideTolerance = 0.0;
   double GrowthCorrelation = 0.6;
   int GrowthReach = 1000;
+  double LeastConfidence = 0.0;
   bool KeepOthers = false;
   int LimitSide = Below;
   int ZFrom = RealZ;

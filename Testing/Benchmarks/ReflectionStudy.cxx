@@ -13,7 +13,9 @@
 #include "Tools/GuideScore.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -289,6 +291,84 @@ void PrintGuidedTable(int cubes)
   }
 }
 
+// ---- Confidence ----------------------------------------------------------------------------------------------------
+
+struct Reliability
+{
+  std::int64_t Picks = 0;
+  double Confidence = 0.0; // sum
+  std::int64_t Right = 0; // within half a period
+  std::int64_t Absent = 0;
+};
+
+constexpr std::array<double, 6> ConfidenceBins = { 0.0, 0.3, 0.5, 0.7, 0.9, 1.0 };
+
+void AddPicks(const LatticeHorizon& surface, const std::vector<double>& misses, std::vector<Reliability>& bins)
+{
+  const HeapArray<double>& confidence = surface.Attributes.front().second;
+  const HeapArray<int>& origins = surface.Labels.front().second;
+  for (std::size_t n = 0; n < misses.size(); ++n)
+  {
+    const auto bin = std::upper_bound(ConfidenceBins.begin() + 1, ConfidenceBins.end() - 1, confidence[n]);
+    Reliability& own = bins[std::size_t(bin - ConfidenceBins.begin()) - 1];
+    if (PickOrigin(origins[n]) != PickOrigin::Guide)
+    {
+      ++own.Picks;
+      own.Confidence += confidence[n];
+      own.Right += misses[n] <= 1.0 ? 1 : 0;
+      own.Absent += std::isinf(misses[n]) ? 1 : 0;
+    }
+  }
+}
+
+void PrintReliability(const std::string& name, const std::vector<Reliability>& bins)
+{
+  std::int64_t all = 0;
+  std::for_each(bins.begin(), bins.end(), [&all](const Reliability& bin) { all += bin.Picks; });
+  std::printf("| %s |", name.c_str());
+  for (const Reliability& bin : bins)
+  {
+    const auto picks = double(std::max<std::int64_t>(1, bin.Picks));
+    const auto present = double(std::max<std::int64_t>(1, bin.Picks - bin.Absent));
+    std::printf(" %.1f: %.0f/%.0f/%.1f |", 100.0 * bin.Picks / double(all), 100.0 * bin.Confidence / picks,
+      100.0 * bin.Right / picks, 100.0 * double(bin.Picks - bin.Absent - bin.Right) / present);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+void PrintConfidenceTable(int cubes)
+{
+  ExtractionOptions options;
+  options.SmallestSize = 10;
+  std::printf("| picks, noise |");
+  for (std::size_t bin = 1; bin < ConfidenceBins.size(); ++bin)
+  {
+    std::printf(" %.1f to %.1f |", ConfidenceBins[bin - 1], ConfidenceBins[bin]);
+  }
+  std::printf("\n| --- | --- | --- | --- | --- | --- |\n");
+  for (const GuidedPlan& plan : { GuidedPlans[0], GuidedPlans[1], GuidedPlans[4] })
+  {
+    for (const double noise : GuidedNoises)
+    {
+      std::vector<Reliability> bins(ConfidenceBins.size() - 1);
+      for (const CubeGenerator& cube : MakeWildCubes(cubes, noise))
+      {
+        const std::vector<LatticeHorizon> surfaces =
+          ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed));
+        for (std::size_t n = 0; n < surfaces.size(); ++n)
+        {
+          if (!surfaces[n].Column.empty())
+          {
+            AddPicks(surfaces[n], MeasureMisses(cube, int(n), surfaces[n]), bins);
+          }
+        }
+      }
+      PrintReliability(plan.Name + ", " + std::to_string(int(100.0 * noise)) + " %", bins);
+    }
+  }
+}
+
 /// How many of the first surfaces are main reflectors, by each order.
 void PrintOrders(int cubes)
 {
@@ -365,6 +445,14 @@ half a period away / *absent*, picks where the reflector is not. Without picks t
 piece. The plain tracker, a peer with the same picks that is given the true period, grows from these alone, best
 correlation first.
 )";
+
+constexpr const char* Confidence = R"(
+## Confidence
+
+The array `Confidence` of guided horizons on the same cubes, in bins. Entries in percent: of all points, those in the
+bin: their mean confidence / those within half a period of the reflector / *off*, where the reflector is.
+
+)";
 }
 
 int main(int argc, char* argv[])
@@ -387,5 +475,7 @@ int main(int argc, char* argv[])
   std::printf("\n");
   PrintGuidedTable(wildCubes);
   PrintOrders(wildCubes);
+  std::printf(Confidence);
+  PrintConfidenceTable(wildCubes);
   return EXIT_SUCCESS;
 }

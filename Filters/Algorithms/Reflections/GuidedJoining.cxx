@@ -12,6 +12,7 @@
 
 #include "Common/Base/CountingSort.h"
 #include "GrowthVote.h"
+#include "GuideConfidence.h"
 #include "GuideLikeness.h"
 #include "PlainGrowth.h"
 
@@ -82,7 +83,7 @@ public:
     this->Vote(plain.Picks);
     this->Write(result);
     result.Stopped = std::count_if(plain.Stops.begin(), plain.Stops.end(),
-      [this](std::int32_t column) { return this->Found[column] == NoPoint && this->Grown[column] == NoPoint; });
+      [this](std::int32_t column) { return this->Kept[column].Pick == NoPoint; });
     return result;
   }
 
@@ -357,31 +358,42 @@ private:
     }
     CompareWithGiven(this->Joining.Cube, this->Picks, given, this->Joining.HalfWidth, columns);
     const std::vector<VoteSide> sides = VoteByRegions(this->Picks, columns, this->Joining.Quarter);
+    this->Kept.resize(columns.size());
     for (std::size_t column = 0; column < columns.size(); ++column)
     {
-      if (sides[column] != VoteSide::Parts)
+      if (sides[column] != VoteSide::None)
       {
-        this->Found[column] = NoPoint;
-        this->Grown[column] = sides[column] == VoteSide::Growth ? columns[column][1].Pick : NoPoint;
+        this->Kept[column] = columns[column][int(sides[column])];
       }
     }
   }
 
   void Write(GuidedSurface& result) const
   {
-    std::vector<PointId> surface(this->Found);
+    const std::vector<float> confidence = MeasureConfidence(this->Picks, this->Kept, this->Joining.Quarter);
+    std::vector<PointId> surface(this->Kept.size(), NoPoint);
     auto seed = this->Seeds.begin();
-    for (std::size_t column = 0; column < this->Found.size(); ++column)
+    for (std::size_t column = 0; column < this->Kept.size(); ++column)
     {
-      const bool isFound = this->Found[column] != NoPoint;
+      const Candidate& kept = this->Kept[column];
       const bool isSeed = seed != this->Seeds.end() && std::size_t(seed->Column) == column;
-      seed += isSeed ? 1 : 0;
-      if (isFound || this->Grown[column] != NoPoint)
+      if (isSeed)
       {
-        const PickOrigin origin = isSeed ? PickOrigin::Guide : (isFound ? PickOrigin::Part : PickOrigin::Growth);
-        surface[column] = isFound ? this->Found[column] : this->Grown[column];
-        result.Picks.push_back({ surface[column], origin, this->Distances[column] });
+        result.Picks.push_back({ kept.Pick, PickOrigin::Guide });
+        result.Picks.back().Seed = std::int32_t(seed->Number);
+        ++seed;
       }
+      else if (kept.Pick != NoPoint && double(confidence[column]) < this->Joining.Options.LeastConfidence)
+      {
+        ++result.Doubtful;
+        continue;
+      }
+      else if (kept.Pick != NoPoint)
+      {
+        const PickOrigin origin = kept.IsPart ? PickOrigin::Part : PickOrigin::Growth;
+        result.Picks.push_back({ kept.Pick, origin, this->Distances[column], confidence[column], kept.Likeness });
+      }
+      surface[column] = kept.Pick;
     }
     result.Seams = CountSeams(this->Joining.Cube, this->Picks, surface, this->Joining.Quarter);
   }
@@ -391,6 +403,7 @@ private:
   std::vector<GuideSeed> Seeds;
   std::vector<PointId> Found; // by column: seeds and parts
   std::vector<PointId> Grown;
+  std::vector<Candidate> Kept; // by column
   std::vector<int> Distances;
 };
 

@@ -39,6 +39,8 @@ struct GuidanceOptions
   double GrowthCorrelation = 0.6;
   /// The reach is in columns; 0 disables growth.
   int GrowthReach = 1000;
+  /// Picks of less confidence, 0 to 1, are dropped, except for given ones.
+  double LeastConfidence = 0.0;
   /// Automatic surfaces are kept, without picks that guides took.
   bool KeepOthers = false;
 };
@@ -62,12 +64,17 @@ struct GuidedPick
   PointId Pick = NoPoint;
   PickOrigin Origin = PickOrigin::Growth;
   int Distance = 0; // to the nearest seed, the larger of i and j
+  float Confidence = 1.0F; // probability that it is right
+  float Correlation = 1.0F; // largest with the nearest given picks, -1 to 1
+  std::int32_t Block = 0; // from 1
+  std::int32_t Seed = -1; // number of the given pick that is nearest along the block, -1 for none
 };
 
 struct GuidedSurface
 {
   std::vector<GuidedPick> Picks; // one per column, ascending
   std::vector<std::size_t> Strays; // picks of the guide that contradict other picks
+  std::int64_t Doubtful = 0; // picks dropped for their confidence
   std::int64_t Seams = 0; // pairs of neighbours along i and j more than half a period apart where no fault is
   std::int64_t Stopped = 0; // empty columns just beyond the reach of growth
 };
@@ -75,7 +82,7 @@ struct GuidedSurface
 class GuidedJoining
 {
 public:
-  /// `surfaces` come from BestFirstJoining; `links` use short waveforms, of `halfWidth`.
+  /// `surfaces` come from BestFirstJoining. Picks are compared with given ones by waveforms of `halfWidth` samples.
   GuidedJoining(const TraceCube& cube, const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
     const GrowthLinks& links, int halfWidth, double period, const GuidanceOptions& options);
 

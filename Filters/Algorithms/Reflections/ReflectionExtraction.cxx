@@ -16,6 +16,7 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
+#include "GuideConfidence.h"
 #include "GuidedJoining.h"
 #include "SharedEvents.h"
 #include "SurfaceJoining.h"
@@ -32,6 +33,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -535,7 +537,8 @@ public:
     const double step = std::max(this->Result.LargestStep, this->IsStepGiven ? 0.0 : StepPerTruePeriod * this->Period);
     const LinkOptions link{ ColumnConnectivity::Eight, InDepths(step), HalfWidth(GrowthWaveform, this->Period) };
     const GrowthLinks links(cube, picks, link, monitor.Step(0.0, 0.7));
-    const GuidedJoining joining(cube, picks, surfaces, links, link.HalfWidth, this->Period, this->Options);
+    const GuidedJoining joining(
+      cube, picks, surfaces, links, HalfWidth(LongWaveform, this->Period), this->Period, this->Options);
     ParallelFor(std::int64_t(this->Seeds.size()), 1, monitor.Step(0.7, 1.0),
       [&](std::int64_t begin, std::int64_t end)
       {
@@ -546,6 +549,7 @@ public:
             GuidedSurface& surface = this->Surfaces[n] = joining.Follow(std::move(this->Seeds[n]));
             GuideUse& use = this->Result.Guides[n];
             use.Strays = std::move(surface.Strays);
+            use.Doubtful = surface.Doubtful;
             use.Seams = surface.Seams;
             use.Stopped = surface.Stopped;
           }
@@ -572,16 +576,22 @@ public:
   {
     for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
     {
-      LatticeHorizon& horizon = this->Result.Surfaces[n];
-      HeapArray<double> origins;
-      HeapArray<double> distances;
-      for (const GuidedPick& pick : this->Surfaces[n].Picks)
+      const auto gather = [&](auto values, auto value)
       {
-        origins.push_back(double(pick.Origin));
-        distances.push_back(double(pick.Distance));
-      }
-      horizon.Attributes.push_back({ PointArray::Origin, std::move(origins) });
-      horizon.Attributes.push_back({ PointArray::GuideDistance, std::move(distances) });
+        using Value = std::decay_t<decltype(values[0])>;
+        for (const GuidedPick& pick : this->Surfaces[n].Picks)
+        {
+          values.push_back(static_cast<Value>(pick.*value));
+        }
+        return values;
+      };
+      LatticeHorizon& horizon = this->Result.Surfaces[n];
+      horizon.Attributes.push_back({ PointArray::Confidence, gather(HeapArray<double>(), &GuidedPick::Confidence) });
+      horizon.Attributes.push_back({ PointArray::Correlation, gather(HeapArray<double>(), &GuidedPick::Correlation) });
+      horizon.Attributes.push_back({ PointArray::GuideDistance, gather(HeapArray<double>(), &GuidedPick::Distance) });
+      horizon.Labels.push_back({ PointArray::Origin, gather(HeapArray<int>(), &GuidedPick::Origin) });
+      horizon.Labels.push_back({ PointArray::Block, gather(HeapArray<int>(), &GuidedPick::Block) });
+      horizon.Labels.push_back({ PointArray::Seed, gather(HeapArray<int>(), &GuidedPick::Seed) });
     }
   }
 
@@ -613,8 +623,9 @@ private:
       this->NoteShared(guides[pair.first], guides[pair.second], count);
       this->NoteShared(guides[pair.second], guides[pair.first], count);
     }
-    for (const GuidedSurface* surface : guided)
+    for (GuidedSurface* const surface : guided)
     {
+      FindBlocks(picks, InDepths(this->Period / 4.0), *surface);
       for (const GuidedPick& pick : surface->Picks)
       {
         surfaces[pick.Pick] = NoPoint;
@@ -783,6 +794,7 @@ void CheckOptions(const ExtractionOptions& options)
   CheckWithin("GuideTolerance", options.Guidance.Tolerance, 0.0, double(MostSamples), " samples");
   CheckWithin("GrowthCorrelation", options.Guidance.GrowthCorrelation, 0.0, 1.0, "");
   CheckAtLeast("GrowthReach", options.Guidance.GrowthReach, 0, " columns");
+  CheckWithin("LeastConfidence", options.Guidance.LeastConfidence, 0.0, 1.0, "");
 }
 
 //----------------------------------------------------------------------------------------------------------------------

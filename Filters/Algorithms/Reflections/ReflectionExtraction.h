@@ -71,14 +71,15 @@ struct GuideUse
   std::vector<std::size_t> Strays; // picks that contradict other picks
   std::int64_t Shared = 0; // picks that another guide has, too
   std::size_t SharedWith = 0; // the guide that shares most
+  std::int64_t Doubtful = 0; // picks dropped for their confidence
   std::int64_t Seams = 0; // pairs of neighbours more than half a period apart where no fault is
   std::int64_t Stopped = 0; // empty columns just beyond the reach of growth
 };
 
 struct Extraction
 {
-  /// Surfaces of guides come first. RealZ is the fractional sample of a pick. Guided surfaces have attributes Origin
-  /// (PickOrigin) and GuideDistance (columns).
+  /// Surfaces of guides come first. RealZ is the fractional sample of a pick. Guided surfaces have attributes
+  /// GuideDistance (columns), Confidence and Correlation, and labels Origin (PickOrigin), Block and Seed.
   std::vector<LatticeHorizon> Surfaces;
   std::vector<GuideUse> Guides;
 

@@ -246,6 +246,20 @@ GuideScore ScoreGuided(const CubeGenerator& cube, const std::vector<LatticeHoriz
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<double> MeasureMisses(const CubeGenerator& cube, int reflector, const LatticeHorizon& surface)
+{
+  const Truth truth(cube);
+  std::vector<double> misses;
+  for (std::size_t n = 0; n < surface.Column.size(); ++n)
+  {
+    const double place = truth.Place(reflector, truth.ColumnOf(surface.Column[n]));
+    misses.push_back(std::isnan(place) ? std::numeric_limits<double>::infinity()
+                                       : std::abs(surface.RealZ[n] - place) / truth.HalfPeriod());
+  }
+  return misses;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 GuideScore ScoreUnguided(const CubeGenerator& cube, const std::vector<LatticeHorizon>& surfaces)
 {
   const Truth truth(cube);

@@ -48,6 +48,9 @@ private:
 /// Of the surface of each reflector, by its number.
 GuideScore ScoreGuided(const CubeGenerator& cube, const std::vector<LatticeHorizon>& surfaces);
 
+/// How far the picks of a surface are from the reflector, in half periods; infinite where it is not.
+std::vector<double> MeasureMisses(const CubeGenerator& cube, int reflector, const LatticeHorizon& surface);
+
 /// Of surfaces without guides: each part is given the surface that finds most of it.
 GuideScore ScoreUnguided(const CubeGenerator& cube, const std::vector<LatticeHorizon>& surfaces);
 
