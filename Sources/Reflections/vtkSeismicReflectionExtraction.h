@@ -167,8 +167,8 @@ public:
   vtkHorizonNumberMacro(GrowthReach, int);
 
   /**
-   * Points of guided horizons with less Confidence are left out, except for picks of the guide. At 0.5, about two of
-   * three that are left out are wrong. Range: 0 to 1. Default: 0.
+   * Points of guided horizons with less Confidence are left out, except for picks of the guide. Range: 0 to 1.
+   * Default: 0.
    */
   vtkHorizonNumberMacro(LeastConfidence, double);
 

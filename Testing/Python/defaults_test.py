@@ -1,15 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The default in the comment of a setter is that of the class, sliders stay within the range, and the tables of the pages are
-those that the comments make.
+"""The default in the comment of a setter is that of the class and of the functions of Python, sliders stay within the range, and
+the tables of the pages are those that the comments make.
 
 Argument: the source tree.
 """
 
+import inspect
 import pathlib
 import re
 import sys
 
+import seismichorizons
 from seismichorizons import vtk as sh
 
 TREE = pathlib.Path(sys.argv[1])
@@ -19,6 +21,12 @@ import property_texts  # noqa: E402
 
 # ParaView's own values: its writers run on all processes.
 IN_PARAVIEW = {"Gathered": "1"}
+
+# Functions whose arguments have the names of properties.
+STAGES = {"extract": "SeismicReflectionExtraction", "read_cube": "SEGYCubeReader", "despike": "HorizonDespiking", "faults": "HorizonFaults",
+          "fill_holes": "HorizonHoleFilling", "surface": "HorizonSurface", "thickness": "HorizonThickness", "distance": "HorizonSurfaceDistance",
+          "layers": "HorizonLayers", "crossings": "HorizonCrossings"}
+FEWEST_COMPARED = 25
 
 problems = []
 
@@ -73,7 +81,27 @@ def check_proxy(proxy, texts):
             check_slider(where, prop, text)
 
 
+def camel(text):
+    return "".join(part.capitalize() for part in text.split("_"))
+
+
+def check_functions():
+    """Where an argument is not chosen by the class itself (None or empty), its default is that of the property."""
+    compared = 0
+    for function, stem in STAGES.items():
+        stage = getattr(sh, "vtk" + stem)()
+        for name, parameter in inspect.signature(getattr(seismichorizons, function)).parameters.items():
+            get = getattr(stage, "Get" + camel(name), None)
+            if get is None or parameter.default in (None, "", inspect.Parameter.empty) or get() is None:
+                continue
+            compared += 1
+            default = getattr(stage, camel(parameter.default), None) if isinstance(parameter.default, str) else parameter.default
+            expect(default == get(), "%s: %s is %r, %r in C++" % (function, name, parameter.default, get()))
+    expect(compared >= FEWEST_COMPARED, "only %d arguments have the names of properties" % compared)
+
+
 def main():
+    check_functions()
     texts = property_texts.Texts(TREE)
     proxies = [proxy for proxy in texts.proxies.values() if not proxy.is_base]
     expect(len(proxies) >= 20, "only %d proxies" % len(proxies))

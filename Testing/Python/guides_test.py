@@ -6,6 +6,7 @@ compared with the reflectors that the generator wrote. Arguments: generate_cube,
 
 import dataclasses
 import pathlib
+import re
 import random
 import subprocess
 import sys
@@ -113,6 +114,21 @@ class GuidesTest(unittest.TestCase):
         own = columns[origins == 0.0]
         expected = np.abs(columns[:, None, :] - own[None, :, :]).max(axis=2).min(axis=1)
         np.testing.assert_array_equal(distances, expected)
+        confidence, seeds, blocks = (array_of(top, array) for array in ("Confidence", "Seed", "Block"))
+        self.assertTrue(np.all((confidence > 0.0) & (confidence <= 1.0)) and np.all(confidence[origins == 0] == 1.0))
+        self.assertEqual(seeds[origins == 0].tolist(), [np.argmin(np.hypot(*(np.array(picks[name])[:, :2] - place[:2]).T))
+                                                        for place in places[origins == 0]])
+        sizes = np.bincount(blocks)[1:]
+        self.assertTrue(sizes.min() > 0 and np.all(np.diff(sizes) <= 0))
+        self.assertEqual(set(blocks[seeds < 0].tolist()) & set(blocks[origins == 0].tolist()), set())
+
+    def test_least_confidence(self):
+        picks = dict(list(self.picks(8).items())[:1])
+        (name, whole), = self.extract(picks).items()
+        sure = self.extract(picks, LeastConfidence=0.9)[name]
+        kept = (array_of(whole, "Confidence") >= 0.9) | (array_of(whole, "Origin") == 0)
+        np.testing.assert_array_equal(places_of(whole)[kept], places_of(sure))
+        self.assertLess(sure.GetNumberOfPoints(), whole.GetNumberOfPoints())
 
     def test_forms(self):
         """A dict of arrays, datasets, and one dataset with names give the same; without a name it is Guide 1."""
@@ -226,9 +242,9 @@ class GuidesTest(unittest.TestCase):
                     results.append(str(error).partition(" at (")[0])
                     continue
                 line = next(line for line in extraction.GetDescription().splitlines() if line.startswith("Guide 1: "))
-                numbers = [int(word) for word in line.replace(",", " ").replace(":", " ").split() if word.isdigit()][1:]
-                points, on_picks, on_parts, grown, shared, _, near_none, contradicted, outside = numbers
-                self.assertEqual(shared, 0)
+                numbers = re.findall(r"(\d+) (?:points|picks|on parts|grown|left out|shared|near no|contradicted|outside)", line)
+                points, on_picks, on_parts, grown, left_out, shared, near_none, contradicted, outside = map(int, numbers)
+                self.assertEqual((left_out, shared), (0, 0))
                 self.assertEqual(points, on_picks + on_parts + grown)
                 self.assertLessEqual(on_picks + near_none + contradicted + outside, len(given))
                 results.append(places_of(extraction.GetOutput().GetPartition(0, 0)).tolist())

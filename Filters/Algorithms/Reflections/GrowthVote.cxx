@@ -21,7 +21,7 @@ namespace SeismicHorizons
 namespace
 {
 // Weights beside that of the seam, which is from -2 to 2. They were fitted to regions of generated cubes.
-constexpr double LikenessWeight = 7.0;
+constexpr double LikenessWeight = 2.5;
 constexpr double ContrastWeight = 1.2;
 constexpr double PartWeight = 1.0;
 // A seam of this number of pairs per root of columns counts in full.

@@ -68,8 +68,8 @@ void TestConflicts()
   Line line("==xx==");
   CHECK_EQUAL(line.Vote(), "PPGGPP"); // Parts jump at both ends, growth continues.
   line.SetParts(0.5F, 0.0F, false);
-  CHECK_EQUAL(line.Vote(), "PPPPPP"); // A seam of 2 pairs per 2 columns weighs less than 7 x 0.5.
-  line.SetParts(0.1F, 3.0F, false);
+  CHECK_EQUAL(line.Vote(), "PPPPPP"); // A seam of 2 pairs per 2 columns weighs less than 2.5 x 0.5.
+  line.SetParts(0.5F, 3.0F, false);
   CHECK_EQUAL(line.Vote(), "PPGGPP");
   line.SetParts(0.0F, 0.0F, true);
   CHECK_EQUAL(line.Vote(), "PPPPPP"); // A part stays if little is known.

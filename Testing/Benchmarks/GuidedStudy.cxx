@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GuidedStudy.h"
+
+#include "PlainTracker.h"
+#include "Tools/GuideScore.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// Cubes that no constant was chosen by have seeds from here on.
+constexpr std::uint64_t FirstWildSeed = 2000;
+
+struct GuidedPlan
+{
+  std::string Name;
+  PickPlan Picks;
+};
+
+const std::vector<GuidedPlan> GuidedPlans = { { "1", { 1, 0.0, 0.0 } }, { "5", { 5, 0.0, 0.0 } },
+  { "5, within 2 samples", { 5, 2.0, 0.0 } }, { "5, one of ten on the next reflector", { 5, 0.0, 0.1 } },
+  { "20", { 20, 0.0, 0.0 } }, { "every 20th line", { 0, 0.0, 0.0 } } };
+
+/// The surface of each reflector, empty where its guide has no pick.
+std::vector<LatticeHorizon> ExtractGuided(
+  const CubeGenerator& cube, const ExtractionOptions& options, const std::vector<Guide>& guides)
+{
+  std::vector<Guide> given;
+  for (const Guide& guide : guides)
+  {
+    if (!guide.Picks.empty())
+    {
+      given.push_back(guide);
+    }
+  }
+  std::vector<LatticeHorizon> found = ExtractFrom(cube, options, given).Surfaces;
+  std::vector<LatticeHorizon> surfaces(guides.size());
+  std::size_t next = 0;
+  for (std::size_t n = 0; n < guides.size(); ++n)
+  {
+    if (!guides[n].Picks.empty())
+    {
+      surfaces[n] = std::move(found[next++]);
+    }
+  }
+  return surfaces;
+}
+
+std::vector<LatticeHorizon> TrackAll(const CubeGenerator& cube, const std::vector<Guide>& guides)
+{
+  const std::vector<float> traces = cube.MakeTraces();
+  const double period = 1000.0 / (cube.Options().Frequency * cube.Options().SampleInterval);
+  std::vector<LatticeHorizon> surfaces;
+  for (const Guide& guide : guides)
+  {
+    surfaces.push_back(TrackPlainly(traces, cube.Options().Size, period, guide));
+  }
+  return surfaces;
+}
+
+const std::vector<double> GuidedNoises = { 0.0, 0.2, 0.5 };
+
+std::vector<CubeGenerator> MakeWildCubes(int cubes, double noise)
+{
+  std::vector<CubeGenerator> generators;
+  for (int n = 0; n < cubes; ++n)
+  {
+    CubeGeneratorOptions wild = WildCube(FirstWildSeed + std::uint64_t(n));
+    wild.NoiseFraction = noise;
+    wild.Noise = NoiseKind::Mixed;
+    generators.emplace_back(wild);
+  }
+  return generators;
+}
+
+/// A row of the table: `score` gives that of a cube.
+template <typename Score>
+void PrintGuidedRow(const std::string& name, int cubes, Score&& score)
+{
+  std::printf("| %s |", name.c_str());
+  for (const double noise : GuidedNoises)
+  {
+    GuideScore total;
+    double weakest = 0.0;
+    for (const CubeGenerator& cube : MakeWildCubes(cubes, noise))
+    {
+      const GuideScore one = score(cube);
+      total.Add(one);
+      weakest += one.Weakest / cubes;
+    }
+    std::printf(
+      " %.1f/%.1f/%.1f/%.1f |", 100.0 * total.Found(), 100.0 * weakest, 100.0 * total.Off(), 100.0 * total.Absent());
+    std::fflush(stdout);
+  }
+  std::printf("\n");
+}
+
+void PrintGuidedTable(int cubes)
+{
+  ExtractionOptions options;
+  options.SmallestSize = 10;
+  options.LargestNumber = 1000000;
+  std::printf("| picks |");
+  for (const double noise : GuidedNoises)
+  {
+    std::printf(" noise %.0f %% |", 100.0 * noise);
+  }
+  std::printf("\n| --- | --- | --- | --- |\n");
+  PrintGuidedRow(
+    "none", cubes, [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
+  for (const GuidedPlan& plan : GuidedPlans)
+  {
+    PrintGuidedRow(plan.Name, cubes,
+      [&](const CubeGenerator& cube)
+      { return ScoreGuided(cube, ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed))); });
+    PrintGuidedRow("- plain tracker", cubes,
+      [&](const CubeGenerator& cube)
+      { return ScoreGuided(cube, TrackAll(cube, MakeGuides(cube, plan.Picks, cube.Options().Seed))); });
+  }
+}
+
+// ---- Confidence ----------------------------------------------------------------------------------------------------
+
+struct Reliability
+{
+  std::int64_t Picks = 0;
+  double Confidence = 0.0; // sum
+  std::int64_t Right = 0; // within half a period
+  std::int64_t Absent = 0;
+};
+
+constexpr std::array<double, 6> ConfidenceBins = { 0.0, 0.3, 0.5, 0.7, 0.9, 1.0 };
+
+void AddPicks(const LatticeHorizon& surface, const std::vector<double>& misses, std::vector<Reliability>& bins)
+{
+  const HeapArray<double>& confidence = surface.Attributes.front().second;
+  const HeapArray<int>& origins = surface.Labels.front().second;
+  for (std::size_t n = 0; n < misses.size(); ++n)
+  {
+    const auto bin = std::upper_bound(ConfidenceBins.begin() + 1, ConfidenceBins.end() - 1, confidence[n]);
+    Reliability& own = bins[std::size_t(bin - ConfidenceBins.begin()) - 1];
+    if (PickOrigin(origins[n]) != PickOrigin::Guide)
+    {
+      ++own.Picks;
+      own.Confidence += confidence[n];
+      own.Right += misses[n] <= 1.0 ? 1 : 0;
+      own.Absent += std::isinf(misses[n]) ? 1 : 0;
+    }
+  }
+}
+
+void PrintReliability(const std::string& name, const std::vector<Reliability>& bins)
+{
+  std::int64_t all = 0;
+  std::for_each(bins.begin(), bins.end(), [&all](const Reliability& bin) { all += bin.Picks; });
+  std::printf("| %s |", name.c_str());
+  for (const Reliability& bin : bins)
+  {
+    const auto picks = double(std::max<std::int64_t>(1, bin.Picks));
+    const auto present = double(std::max<std::int64_t>(1, bin.Picks - bin.Absent));
+    std::printf(" %.1f: %.0f/%.0f/%.1f |", 100.0 * bin.Picks / double(all), 100.0 * bin.Confidence / picks,
+      100.0 * bin.Right / picks, 100.0 * double(bin.Picks - bin.Absent - bin.Right) / present);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+void PrintConfidenceTable(int cubes)
+{
+  ExtractionOptions options;
+  options.SmallestSize = 10;
+  std::printf("| picks, noise |");
+  for (std::size_t bin = 1; bin < ConfidenceBins.size(); ++bin)
+  {
+    std::printf(" %.1f to %.1f |", ConfidenceBins[bin - 1], ConfidenceBins[bin]);
+  }
+  std::printf("\n| --- | --- | --- | --- | --- | --- |\n");
+  for (const GuidedPlan& plan : { GuidedPlans[0], GuidedPlans[1], GuidedPlans[4] })
+  {
+    for (const double noise : GuidedNoises)
+    {
+      std::vector<Reliability> bins(ConfidenceBins.size() - 1);
+      for (const CubeGenerator& cube : MakeWildCubes(cubes, noise))
+      {
+        const std::vector<LatticeHorizon> surfaces =
+          ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed));
+        for (std::size_t n = 0; n < surfaces.size(); ++n)
+        {
+          if (!surfaces[n].Column.empty())
+          {
+            AddPicks(surfaces[n], MeasureMisses(cube, int(n), surfaces[n]), bins);
+          }
+        }
+      }
+      PrintReliability(plan.Name + ", " + std::to_string(int(100.0 * noise)) + " %", bins);
+    }
+  }
+}
+
+/// How many of the first surfaces are main reflectors, by each order.
+void PrintOrders(int cubes)
+{
+  ExtractionOptions options;
+  options.SmallestSize = 10;
+  options.LargestNumber = 1000000;
+  std::printf(
+    "\nOf the first 20 surfaces, number on a reflector or a channel's floor; the others are on side lobes:\n\n"
+    "| order |");
+  for (const double noise : GuidedNoises)
+  {
+    std::printf(" noise %.0f %% |", 100.0 * noise);
+  }
+  std::printf("\n| --- | --- | --- | --- |\n");
+  for (const SurfaceOrder order : { SurfaceOrder::Strength, SurfaceOrder::Size })
+  {
+    options.Order = order;
+    std::printf("| %s |", order == SurfaceOrder::Strength ? "strength" : "size");
+    for (const double noise : GuidedNoises)
+    {
+      int found = 0;
+      for (const CubeGenerator& cube : MakeWildCubes(cubes, noise))
+      {
+        constexpr std::size_t first = 20;
+        found += CountMain(cube, ExtractFrom(cube, options).Surfaces, first);
+      }
+      std::printf(" %.1f |", double(found) / cubes);
+    }
+    std::printf("\n");
+  }
+}
+
+constexpr const char* Guided = R"(## Guided
+
+Five picks per piece find most of a horizon, even with some wrong picks. %d wild cubes (`generate_cube --wild`) of 110 x
+96 traces of 280 samples: difficult cubes with an unconformity, two channels, and one to four short faults; half of the
+noise is in band, a quarter white, and a quarter dipping waves. *Picks* are random in each piece of a reflector (100 or
+more connected columns), or all of every 20th line. Entries in percent: *found* / *weakest* / *off*, picks more than
+half a period away / *absent*, picks where the reflector is not. Without picks the surface is the best one of each
+piece. The plain tracker, a peer with the same picks that is given the true period, grows from these alone, best
+correlation first.
+)";
+
+constexpr const char* Confidence = R"(
+## Confidence
+
+The array `Confidence` of guided horizons on the same cubes, in bins. Entries in percent: of all points, those in the
+bin: their mean confidence / those within half a period of the reflector / *off*, where the reflector is.
+
+)";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Extraction ExtractFrom(const CubeGenerator& cube, const ExtractionOptions& options, const std::vector<Guide>& guides)
+{
+  const std::vector<float> traces = cube.MakeTraces();
+  const std::array<int, 3>& size = cube.Options().Size;
+  StridedSamples<float> samples;
+  samples.First = traces.data();
+  samples.Strides = { size[2], std::ptrdiff_t(size[0]) * size[2], 1 };
+  return ExtractReflections(MakeTraceCube(size, samples), options, Monitor(), guides);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PrintGuidedStudy(int cubes)
+{
+  std::printf(Guided, cubes);
+  std::printf("\n");
+  PrintGuidedTable(cubes);
+  PrintOrders(cubes);
+  std::printf("%s", Confidence);
+  PrintConfidenceTable(cubes);
+}
+}
