@@ -116,15 +116,20 @@ def panel(title, caption, actors, exaggeration, toward, zoom):
     return renderer
 
 
-def origin_strokes(horizon, row):
-    """Draws the picks of a guided horizon on an inline: grown picks, taken surfaces, and picks of the guide on top."""
-    is_on_row = horizon.columns[:, 1] == row
-    return [stroke(places_of(horizon)[is_on_row & (horizon["Origin"] == origin)], color, size)
-            for origin, color, size in ((2, "17a2e0", 3.5), (1, "ffb000", 3.5), (0, "e3123c", 9.0))]
+# Least and largest confidence, colour.
+CONFIDENCE = ((0.9, 1.1, "3a7fb5"), (0.5, 0.9, "f5b041"), (0.0, 0.5, "c0172b"))
+
+
+def confidence_strokes(horizon, chosen, lift=0.0):
+    """Draws points of a guided horizon by confidence, and picks of the guide on top."""
+    places, confidence, is_pick = places_of(horizon), horizon["Confidence"], horizon["Origin"] == 0
+    strokes = [stroke(places[chosen & ~is_pick & (confidence >= low) & (confidence < high)], color) for low, high, color in CONFIDENCE]
+    return [*strokes, stroke(places[chosen & is_pick] + [0.0, 0.0, lift], "101418", 8.0)]
 
 
 def draw_guides(path, picture, truth):
-    """Draws a section with the strongest surfaces, and with the horizons of guides on reflectors."""
+    """Draws a section with the strongest surfaces and with the horizons of guides on reflectors, and the least certain of
+    these in map view."""
     picks_of_each = 25
     cube = sh.read_cube(path)
     row = len(cube.values) // 2
@@ -134,14 +139,18 @@ def draw_guides(path, picture, truth):
     for reflector in np.unique(rows[:, 0]):
         own = draw.choice(rows[rows[:, 0] == reflector], picks_of_each)
         guides["Reflector %d" % reflector] = own[:, 3:6]
-    guided = [drawn for horizon in sh.extract(cube, guides).values() for drawn in origin_strokes(horizon, row)]
+    found = sh.extract(cube, guides)
+    guided = [drawn for horizon in found.values() for drawn in confidence_strokes(horizon, horizon.columns[:, 1] == row)]
+    name, doubtful = min(found.items(), key=lambda item: item[1]["Confidence"].mean())
     exaggeration, _, across = view_of(cube)
     panels = [panel(title, caption, [section(cube, row), *dots], exaggeration, -across, 1.18) for title, caption, dots in (
         ("Without guides", "the %d strongest surfaces" % LARGEST_NUMBER, strokes),
-        ("With guides", "picks red, parts yellow, grown blue", guided))]
+        ("With guides", "confidence above 0.9 blue, above 0.5 orange, less red", guided))]
+    panels.append(panel(name, "the least certain one in map view, picks black", confidence_strokes(doubtful, np.full(len(doubtful), True), 500.0),
+                        1.0, np.array([0.0, -0.01, 1.0]), 1.05))
     for number, renderer in enumerate(panels):
-        renderer.SetViewport(0.5 * number, 0.0, 0.5 * number + 0.5, 1.0)
-    pictures.write(pictures.render(panels, (2 * PANEL_SIZE[0], PANEL_SIZE[1])), picture)
+        renderer.SetViewport(number / len(panels), 0.0, (number + 1) / len(panels), 1.0)
+    pictures.write(pictures.render(panels, (len(panels) * PANEL_SIZE[0], PANEL_SIZE[1])), picture)
 
 
 def main():
