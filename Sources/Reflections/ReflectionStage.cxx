@@ -109,8 +109,9 @@ void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)
     text << guide.Given.Name << ": " << surface.Column.size() << " points of "
          << (use.IsNegative ? "negative" : "positive") << " reflections, " << counts[0] << " picks, " << counts[1]
          << " on parts, " << counts[2] << " grown, " << LikelyWrong(surface) << " % likely wrong; " << use.Doubtful
-         << " left out, " << use.Shared << " shared, " << use.Seams << " seams; unused picks: " << use.Unused.size() << " near no reflection, " << use.Strays.size()
-         << " contradicted, " << guide.Outside << " outside of the cube\n";
+         << " left out, " << use.Shared << " shared, " << use.Seams << " seams; unused picks: " << use.Unused.size()
+         << " near no reflection, " << use.Strays.size() << " contradicted, " << guide.Outside
+         << " outside of the cube\n";
     WarnOfGuide(guide, use, surface.Column.size(), hasGrowth, found);
   }
 }
@@ -122,7 +123,8 @@ void DescribeReflections(const GuidanceOptions& options, FoundReflections& found
   text.precision(4);
   text << result.Samples << " samples, " << result.Picks << " picks of an amplitude of " << result.Threshold
        << " or more\n"
-       << "dominant period " << result.Period << " samples, largest step " << result.LargestStep << '\n';
+       << "dominant period " << result.Period << " samples, largest step " << result.LargestStep
+       << (result.IsLowPassed ? "; frequencies above twice the dominant one removed" : "") << '\n';
   text << "phase of the wavelet " << result.Phase.Degrees << " or " << result.Phase.Degrees + 180.0
        << " degrees, parts of the traces within " << result.Phase.Deviation << '\n';
   if (result.MedianCorrelation != 0.0)

@@ -8,7 +8,8 @@
 // 4. The first surfaces are written. Traces are read again, as keeping thicknesses and amplitudes of all picks would
 // take more memory.
 //
-// Before these come the phase of the wavelet and the reflections that picks of guides mean.
+// Before these come the phase of the wavelet, the filter of finely sampled traces (LowPass.h), and the reflections that
+// picks of guides mean.
 
 #include "ReflectionExtraction.h"
 
@@ -18,6 +19,7 @@
 #include "Common/Horizon/DataModel.h"
 #include "GuideConfidence.h"
 #include "GuidedJoining.h"
+#include "LowPass.h"
 #include "SharedEvents.h"
 #include "SurfaceJoining.h"
 
@@ -806,14 +808,20 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   {
     throw InputError("guides and Joining Components, whose surfaces pass columns twice, expected BestFirst");
   }
-  const TraceCube cube = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
+  TraceCube cube = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
   ReflectionOptions reflectionOptions = options.Reflections;
   if (!guides.empty())
   {
     reflectionOptions.AmplitudePercentile = 0.0; // interpreters follow weak reflections
   }
-  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.3), limits);
+  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.15), limits);
   Extraction result;
+  result.IsLowPassed = reflections.Period > LongestCoarsePeriod && options.Joining == SurfaceJoining::BestFirst;
+  if (result.IsLowPassed)
+  {
+    cube = LowPass(cube, reflections.Period);
+    reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.15, 0.3), limits);
+  }
   result.Samples = reflections.Samples;
   result.Picks = reflections.CountPicks();
   result.Threshold = reflections.Threshold;

@@ -87,6 +87,7 @@ struct Extraction
   std::int64_t Picks = 0; // above the threshold
   float Threshold = 0.0F; // of absolute amplitude
   double Period = 0.0; // in samples
+  bool IsLowPassed = false; // as finely sampled
   WaveletPhase Phase; // after rotation
   double LargestStep = 0.0; // in samples
   double MedianCorrelation = 0.0; // of all links, before any is dropped

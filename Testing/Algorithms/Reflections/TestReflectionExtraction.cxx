@@ -125,6 +125,32 @@ std::set<bool> SidesOf(const CubeGenerator& cube, const LatticeHorizon& surface)
   return sides;
 }
 
+/// However finely traces are sampled, about as much is found in noise.
+void TestSampling()
+{
+  std::vector<double> found;
+  for (const double fineness : { 1.0, 2.0, 3.3 })
+  {
+    ExtractionScore score;
+    for (const std::uint64_t seed : { 22, 23 })
+    {
+      CubeGeneratorOptions options = HardCube(seed);
+      options.Size = { 50, 40, int(220 * fineness) };
+      options.SampleInterval /= fineness;
+      options.Spacing *= fineness;
+      options.FoldHeight *= fineness;
+      options.FaultThrow *= fineness;
+      options.NoiseFraction = 0.4;
+      const Extraction extraction = ExtractReflections(Generate(options).View());
+      CHECK_EQUAL(extraction.IsLowPassed, fineness > 1.0);
+      score.Add(ScoreExtraction(CubeGenerator(options), extraction));
+    }
+    CHECK(score.Wrong() < 0.03);
+    found.push_back(score.Found());
+  }
+  CHECK(found[1] > 0.95 * found[0] && found[2] > 0.95 * found[0]);
+}
+
 /// No surface crosses a fault whose throw is above the largest step, on cubes without noise.
 void TestFault()
 {
@@ -289,6 +315,7 @@ int TestReflectionExtraction(int, char*[])
   TestThreads();
   TestEasyCube();
   TestNoise();
+  TestSampling();
   TestFault();
   TestHardCube();
   TestSelection();

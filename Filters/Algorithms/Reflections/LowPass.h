@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Removes the noise that breaks the peaks of finely sampled traces up.
+
+#ifndef SeismicHorizonsLowPass_h
+#define SeismicHorizonsLowPass_h
+
+#include "TraceCube.h"
+
+namespace SeismicHorizons
+{
+/// In samples: noise makes several peaks of one where the dominant period is longer.
+constexpr double LongestCoarsePeriod = 11.0;
+
+/// Frequencies above twice the dominant one go, by a symmetric filter. Missing samples stay missing, and count as 0 for
+/// their neighbours.
+TraceCube LowPass(const TraceCube& cube, double period);
+}
+
+#endif
