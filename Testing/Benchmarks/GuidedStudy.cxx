@@ -309,8 +309,8 @@ bin: their mean confidence / those within half a period of the reflector / *off*
 constexpr const char* Sampling = R"(
 ## Fine sampling
 
-Parts of wild cubes of 70 x 60 traces, sampled more and more finely, with white noise; entries as under *Guided*. The
-filter of traces with more than 11 samples a period leaves as much to be found in each.
+Parts of wild cubes of 70 x 60 traces, sampled more and more finely, with white noise; entries as under *Guided*. Traces
+with more than 11 samples a period are smoothed first, so that as much is found in each.
 
 )";
 }

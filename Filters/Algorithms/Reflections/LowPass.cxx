@@ -3,6 +3,7 @@
 
 #include "LowPass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -11,24 +12,19 @@ namespace SeismicHorizons
 {
 namespace
 {
-/// One side of a Lanczos kernel of three lobes, which leaves the dominant frequency as it is.
-std::vector<float> MakeLanczosKernel(double period)
+/// One side of a Gaussian, which makes no waves of its own, with a gain that leaves the dominant frequency as it is.
+std::vector<float> MakeGaussianKernel(double period)
 {
   constexpr double pi = 3.14159265358979323846;
-  constexpr int lobes = 3;
-  const double zero = period / 4.0; // of the sine
-  std::vector<double> weights = { 1.0 };
-  double sum = 1.0;
-  for (int n = 1; n < lobes * zero; ++n)
-  {
-    const double x = pi * n / zero;
-    weights.push_back(std::sin(x) / x * std::sin(x / lobes) / (x / lobes));
-    sum += 2.0 * weights.back();
-  }
+  constexpr double deviationPerPeriod = 1.0 / 10.0;
+  constexpr double reach = 4.0; // in standard deviations
+  const double deviation = deviationPerPeriod * period;
   std::vector<float> kernel;
-  for (const double weight : weights)
+  const double gain =
+    std::exp(2.0 * pi * pi * deviationPerPeriod * deviationPerPeriod) / (deviation * std::sqrt(2.0 * pi));
+  for (int n = 0; n <= reach * deviation; ++n)
   {
-    kernel.push_back(float(weight / sum));
+    kernel.push_back(float(gain * std::exp(-0.5 * n * n / (deviation * deviation))));
   }
   return kernel;
 }
@@ -36,10 +32,11 @@ std::vector<float> MakeLanczosKernel(double period)
 void Filter(const std::vector<float>& kernel, int samples, std::vector<float>& padded, float* trace)
 {
   const int reach = int(kernel.size()) - 1;
-  padded.assign(std::size_t(samples + 2 * reach), 0.0F);
-  for (int k = 0; k < samples; ++k)
+  padded.clear();
+  for (int k = -reach; k < samples + reach; ++k)
   {
-    padded[std::size_t(k + reach)] = std::isnan(trace[k]) ? 0.0F : trace[k];
+    const float sample = trace[std::clamp(k, 0, samples - 1)];
+    padded.push_back(std::isnan(sample) ? 0.0F : sample);
   }
   for (int k = 0; k < samples; ++k)
   {
@@ -58,7 +55,7 @@ void Filter(const std::vector<float>& kernel, int samples, std::vector<float>& p
 TraceCube LowPass(const TraceCube& cube, double period)
 {
   TraceCube filtered = cube;
-  filtered.Read = [cube, kernel = MakeLanczosKernel(period)](int j, int first, int count, float* traces)
+  filtered.Read = [cube, kernel = MakeGaussianKernel(period)](int j, int first, int count, float* traces)
   {
     cube.Read(j, first, count, traces);
     std::vector<float> padded;

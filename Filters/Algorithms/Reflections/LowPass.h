@@ -13,8 +13,9 @@ namespace SeismicHorizons
 /// In samples: noise makes several peaks of one where the dominant period is longer.
 constexpr double LongestCoarsePeriod = 11.0;
 
-/// Frequencies above twice the dominant one go, by a symmetric filter. Missing samples stay missing, and count as 0 for
-/// their neighbours.
+/// A Gaussian of a tenth of the period weakens higher frequencies, those of twice the dominant one by a half, and leaves
+/// the dominant one as it is. Traces continue with their first and last sample. Missing samples stay missing, and count as
+/// 0 for their neighbours.
 TraceCube LowPass(const TraceCube& cube, double period);
 }
 

@@ -653,6 +653,32 @@ private:
   Extraction& Result;
 };
 
+// ---- Picks ---------------------------------------------------------------------------------------------------------
+
+/// The cube is filtered where noise would break peaks up.
+CubeReflections FindPicks(TraceCube& cube, const ExtractionOptions& options, bool isGuided, const TraceLimits& limits,
+  Extraction& result, const Monitor& monitor)
+{
+  ReflectionOptions own = options.Reflections;
+  if (isGuided)
+  {
+    own.AmplitudePercentile = 0.0; // interpreters follow weak reflections
+  }
+  CubeReflections reflections = FindReflections(cube, own, monitor.Step(0.0, 0.5), limits);
+  result.IsLowPassed = reflections.Period > LongestCoarsePeriod && options.Joining == SurfaceJoining::BestFirst;
+  if (result.IsLowPassed)
+  {
+    cube = LowPass(cube, reflections.Period);
+    reflections = FindReflections(cube, own, monitor.Step(0.5, 1.0), limits);
+  }
+  result.Samples = reflections.Samples;
+  result.Picks = reflections.CountPicks();
+  result.Threshold = reflections.Threshold;
+  result.Period = reflections.Period;
+  result.Phase = EstimatePhase(cube);
+  return reflections;
+}
+
 // ---- Writing -------------------------------------------------------------------------------------------------------
 
 struct Taken
@@ -809,24 +835,8 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     throw InputError("guides and Joining Components, whose surfaces pass columns twice, expected BestFirst");
   }
   TraceCube cube = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
-  ReflectionOptions reflectionOptions = options.Reflections;
-  if (!guides.empty())
-  {
-    reflectionOptions.AmplitudePercentile = 0.0; // interpreters follow weak reflections
-  }
-  CubeReflections reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.0, 0.15), limits);
   Extraction result;
-  result.IsLowPassed = reflections.Period > LongestCoarsePeriod && options.Joining == SurfaceJoining::BestFirst;
-  if (result.IsLowPassed)
-  {
-    cube = LowPass(cube, reflections.Period);
-    reflections = FindReflections(cube, reflectionOptions, monitor.Step(0.15, 0.3), limits);
-  }
-  result.Samples = reflections.Samples;
-  result.Picks = reflections.CountPicks();
-  result.Threshold = reflections.Threshold;
-  result.Period = reflections.Period;
-  result.Phase = EstimatePhase(cube);
+  CubeReflections reflections = FindPicks(cube, options, !guides.empty(), limits, result, monitor.Step(0.0, 0.3));
   result.LargestStep =
     options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastLinkStep, StepPerPeriod * result.Period);
   result.SmallestSize = options.SmallestSize > 0
