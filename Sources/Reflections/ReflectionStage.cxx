@@ -7,6 +7,7 @@
 #include "Common/Survey/HorizonDataSet.h"
 #include "Common/Survey/SurveyFields.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -91,7 +92,7 @@ double LikelyWrong(const LatticeHorizon& surface)
   {
     sum += 1.0 - confidence;
   }
-  return std::round(1000.0 * sum / double(surface.Column.size())) / 10.0;
+  return std::round(1000.0 * sum / double(std::max<std::size_t>(1, surface.Column.size()))) / 10.0;
 }
 
 void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)

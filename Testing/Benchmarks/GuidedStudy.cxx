@@ -85,24 +85,29 @@ std::vector<CubeGenerator> MakeWildCubes(int cubes, double noise)
 
 /// A row of the table: `score` gives that of a cube.
 template <typename Score>
-void PrintGuidedRow(const std::string& name, int cubes, Score&& score)
+void PrintGuidedRow(const std::string& name, const std::vector<std::vector<CubeGenerator>>& byNoise, Score&& score)
 {
   std::printf("| %s |", name.c_str());
-  for (const double noise : GuidedNoises)
+  for (const std::vector<CubeGenerator>& cubes : byNoise)
   {
     GuideScore total;
     double weakest = 0.0;
-    for (const CubeGenerator& cube : MakeWildCubes(cubes, noise))
+    for (const CubeGenerator& cube : cubes)
     {
       const GuideScore one = score(cube);
       total.Add(one);
-      weakest += one.Weakest / cubes;
+      weakest += one.Weakest / double(cubes.size());
     }
     std::printf(
       " %.1f/%.1f/%.1f/%.1f |", 100.0 * total.Found(), 100.0 * weakest, 100.0 * total.Off(), 100.0 * total.Absent());
     std::fflush(stdout);
   }
   std::printf("\n");
+}
+
+GuideScore ScorePlan(const CubeGenerator& cube, const ExtractionOptions& options, const GuidedPlan& plan)
+{
+  return ScoreGuided(cube, ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed)));
 }
 
 void PrintGuidedTable(int cubes)
@@ -116,14 +121,17 @@ void PrintGuidedTable(int cubes)
     std::printf(" noise %.0f %% |", 100.0 * noise);
   }
   std::printf("\n| --- | --- | --- | --- |\n");
-  PrintGuidedRow(
-    "none", cubes, [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
+  std::vector<std::vector<CubeGenerator>> byNoise;
+  for (const double noise : GuidedNoises)
+  {
+    byNoise.push_back(MakeWildCubes(cubes, noise));
+  }
+  PrintGuidedRow("none", byNoise,
+    [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
   for (const GuidedPlan& plan : GuidedPlans)
   {
-    PrintGuidedRow(plan.Name, cubes,
-      [&](const CubeGenerator& cube)
-      { return ScoreGuided(cube, ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed))); });
-    PrintGuidedRow("- plain tracker", cubes,
+    PrintGuidedRow(plan.Name, byNoise, [&](const CubeGenerator& cube) { return ScorePlan(cube, options, plan); });
+    PrintGuidedRow("- plain tracker", byNoise,
       [&](const CubeGenerator& cube)
       { return ScoreGuided(cube, TrackAll(cube, MakeGuides(cube, plan.Picks, cube.Options().Seed))); });
   }
@@ -241,17 +249,6 @@ void PrintOrders(int cubes)
 
 // ---- Fine sampling -------------------------------------------------------------------------------------------------
 
-/// The same rock and noise on smaller and more samples.
-CubeGeneratorOptions SampleFinely(CubeGeneratorOptions options, double times)
-{
-  options.Size = { 70, 60, int(times * options.Size[2]) };
-  options.SampleInterval /= times;
-  options.Spacing *= times;
-  options.FoldHeight *= times;
-  options.FaultThrow *= times;
-  return options;
-}
-
 void PrintSamplingTable(int cubes)
 {
   ExtractionOptions options;
@@ -260,30 +257,23 @@ void PrintSamplingTable(int cubes)
   std::printf("| samples, picks | noise 0 %% | noise 25 %% | noise 50 %% |\n| --- | --- | --- | --- |\n");
   for (const double times : { 1.0, 1.7, 3.3 })
   {
-    for (const bool isGuided : { false, true })
+    std::vector<std::vector<CubeGenerator>> byNoise;
+    for (const double noise : { 0.0, 0.25, 0.5 })
     {
-      std::printf("| %.1f times, %s |", times, isGuided ? "5" : "none");
-      for (const double noise : { 0.0, 0.25, 0.5 })
+      byNoise.emplace_back();
+      for (int n = 0; n < cubes; ++n)
       {
-        GuideScore total;
-        double weakest = 0.0;
-        for (int n = 0; n < cubes; ++n)
-        {
-          CubeGeneratorOptions cubeOptions = SampleFinely(WildCube(FirstWildSeed + std::uint64_t(n)), times);
-          cubeOptions.NoiseFraction = noise;
-          const CubeGenerator cube(cubeOptions);
-          const GuideScore one = isGuided
-            ? ScoreGuided(cube, ExtractGuided(cube, options, MakeGuides(cube, GuidedPlans[1].Picks, cubeOptions.Seed)))
-            : ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces);
-          total.Add(one);
-          weakest += one.Weakest / cubes;
-        }
-        std::printf(" %.1f/%.1f/%.1f/%.1f |", 100.0 * total.Found(), 100.0 * weakest, 100.0 * total.Off(),
-          100.0 * total.Absent());
-        std::fflush(stdout);
+        CubeGeneratorOptions wild = WildCube(FirstWildSeed + std::uint64_t(n));
+        wild.Size = { 70, 60, wild.Size[2] };
+        wild.NoiseFraction = noise;
+        byNoise.back().emplace_back(SampleFinely(wild, times));
       }
-      std::printf("\n");
     }
+    const std::string name = std::to_string(times).substr(0, 3) + " times, ";
+    PrintGuidedRow(name + "none", byNoise,
+      [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
+    PrintGuidedRow(name + GuidedPlans[1].Name, byNoise,
+      [&](const CubeGenerator& cube) { return ScorePlan(cube, options, GuidedPlans[1]); });
   }
 }
 

@@ -10,7 +10,6 @@
 #include "Tools/ExtractionScore.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -53,6 +53,9 @@ CubeGeneratorOptions HardCube(std::uint64_t seed);
 /// A wild one: that, larger, with two channels, an unconformity, and one to four short faults beside the long one.
 CubeGeneratorOptions WildCube(std::uint64_t seed);
 
+/// The same rock, on so many times as many samples.
+CubeGeneratorOptions SampleFinely(CubeGeneratorOptions options, double times);
+
 /// Throws InputError when an option is out of range.
 void CheckOptions(const CubeGeneratorOptions& options);
 }

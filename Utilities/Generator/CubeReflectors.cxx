@@ -73,6 +73,17 @@ CubeGeneratorOptions WildCube(std::uint64_t seed)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+CubeGeneratorOptions SampleFinely(CubeGeneratorOptions options, double times)
+{
+  options.Size[2] = int(times * options.Size[2]);
+  options.SampleInterval /= times;
+  options.Spacing *= times;
+  options.FoldHeight *= times;
+  options.FaultThrow *= times;
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void CheckOptions(const CubeGeneratorOptions& options)
 {
   constexpr int mostColumns = 100000;

@@ -64,26 +64,6 @@ public:
     }
   }
 
-  /// Returns the values of all picks after they spread from the first ones, breadth first. None is free.
-  std::vector<std::int32_t> Spread(std::vector<std::int32_t> values, std::vector<std::int32_t> front) const
-  {
-    for (std::size_t n = 0; n < front.size(); ++n)
-    {
-      const std::int32_t number = front[n];
-      ForEachNeighbour(this->Picks, this->Columns[number], ColumnConnectivity::Four,
-        [&](std::int64_t column)
-        {
-          const std::int32_t next = this->Numbers[column];
-          if (next != None && values[next] == None && std::abs(this->Place(next) - this->Place(number)) <= this->Half)
-          {
-            values[next] = values[number];
-            front.push_back(next);
-          }
-        });
-    }
-    return values;
-  }
-
   std::vector<std::int32_t> FindNearestGiven() const
   {
     std::vector<std::int32_t> values(this->Columns.size(), None);
@@ -127,6 +107,26 @@ public:
 
 private:
   static constexpr std::int32_t None = -1;
+
+  /// Returns the values of all picks after they spread from the first ones, breadth first. None is free.
+  std::vector<std::int32_t> Spread(std::vector<std::int32_t> values, std::vector<std::int32_t> front) const
+  {
+    for (std::size_t n = 0; n < front.size(); ++n)
+    {
+      const std::int32_t number = front[n];
+      ForEachNeighbour(this->Picks, this->Columns[number], ColumnConnectivity::Four,
+        [&](std::int64_t column)
+        {
+          const std::int32_t next = this->Numbers[column];
+          if (next != None && values[next] == None && std::abs(this->Place(next) - this->Place(number)) <= this->Half)
+          {
+            values[next] = values[number];
+            front.push_back(next);
+          }
+        });
+    }
+    return values;
+  }
 
   PickDepth Place(std::int32_t number) const { return this->Picks.Places[this->Surface.Picks[number].Pick]; }
 

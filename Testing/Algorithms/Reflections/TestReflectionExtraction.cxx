@@ -135,11 +135,8 @@ void TestSampling()
     for (const std::uint64_t seed : { 22, 23 })
     {
       CubeGeneratorOptions options = HardCube(seed);
-      options.Size = { 50, 40, int(220 * fineness) };
-      options.SampleInterval /= fineness;
-      options.Spacing *= fineness;
-      options.FoldHeight *= fineness;
-      options.FaultThrow *= fineness;
+      options.Size = { 50, 40, 220 };
+      options = SampleFinely(options, fineness);
       options.NoiseFraction = 0.4;
       const Extraction extraction = ExtractReflections(Generate(options).View());
       CHECK_EQUAL(extraction.IsLowPassed, fineness > 1.0);
