@@ -179,6 +179,11 @@ FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOption
   }
   found.Result = ExtractReflections(found.Cube.Traces, options, monitor, guides, found.Limits.Traces);
   DescribeReflections(options.Guidance, found);
+  if (found.Result.IsBiased)
+  {
+    found.Warnings.push_back("amplitudes keep one sign throughout most traces, expected amplitudes about 0: reflections "
+                             "of the other sign are missed; remedy: subtract the mean first (Calculator)");
+  }
   for (std::size_t n = 0; n < found.Result.Surfaces.size(); ++n)
   {
     found.Names.push_back(n < guides.size() ? guides[n].Name : HorizonName(std::int64_t(n - guides.size()) + 1));

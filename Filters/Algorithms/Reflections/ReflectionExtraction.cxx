@@ -665,7 +665,11 @@ CubeReflections FindPicks(TraceCube& cube, const ExtractionOptions& options, boo
     own.AmplitudePercentile = 0.0; // interpreters follow weak reflections
   }
   CubeReflections reflections = FindReflections(cube, own, monitor.Step(0.0, 0.5), limits);
-  result.IsLowPassed = reflections.Period > LongestCoarsePeriod && options.Joining == SurfaceJoining::BestFirst;
+  // Biased amplitudes have runs as long as a trace, whatever their reflections.
+  const double traces = double(cube.Size[0]) * cube.Size[1];
+  result.IsBiased = traces * reflections.Period > double(reflections.Samples);
+  result.IsLowPassed =
+    reflections.Period > LongestCoarsePeriod && !result.IsBiased && options.Joining == SurfaceJoining::BestFirst;
   if (result.IsLowPassed)
   {
     cube = LowPass(cube, reflections.Period);

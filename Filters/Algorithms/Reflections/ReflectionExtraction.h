@@ -88,6 +88,7 @@ struct Extraction
   float Threshold = 0.0F; // of absolute amplitude
   double Period = 0.0; // in samples
   bool IsLowPassed = false; // as finely sampled
+  bool IsBiased = false;    // Most amplitudes have one sign throughout half a trace.
   WaveletPhase Phase; // after rotation
   double LargestStep = 0.0; // in samples
   double MedianCorrelation = 0.0; // of all links, before any is dropped

@@ -148,6 +148,23 @@ void TestSampling()
   CHECK(found[1] > 0.95 * found[0] && found[2] > 0.95 * found[0]);
 }
 
+/// Amplitudes that are all positive, as those of unsigned bytes, have runs as long as traces: no sign of fine sampling.
+void TestBias()
+{
+  for (const float bias : { 0.0F, 1.0F, 10.0F })
+  {
+    Traces traces = Generate(SmallCube(0.3));
+    const float largest = *std::max_element(traces.Samples.begin(), traces.Samples.end());
+    for (float& sample : traces.Samples)
+    {
+      sample += bias * largest;
+    }
+    const Extraction extraction = ExtractReflections(traces.View());
+    CHECK_EQUAL(extraction.IsBiased, bias > 0.0F);
+    CHECK(!extraction.IsLowPassed);
+  }
+}
+
 /// No surface crosses a fault whose throw is above the largest step, on cubes without noise.
 void TestFault()
 {
@@ -313,6 +330,7 @@ int TestReflectionExtraction(int, char*[])
   TestEasyCube();
   TestNoise();
   TestSampling();
+  TestBias();
   TestFault();
   TestHardCube();
   TestSelection();
