@@ -166,7 +166,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
 
 
 def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), limit_side: str = "below", polarity: str = "both",
-            position: str = "peak", threshold: float | None = None, percentile: float = 25.0, phase_rotation: float = 0.0, joining: str = "best_first",
+            position: str = "peak", threshold: float | None = None, percentile: float = 40.0, phase_rotation: float = 0.0, joining: str = "best_first",
             eight_neighbours: bool = False, largest_step: float = 0.0, smallest_correlation: float = 0.85, smallest_contact: float = 0.5,
             smallest_size: int = 0, largest_number: int = 100, order: str = "strength", guide_tolerance: float = 0.0, growth_correlation: float = 0.6,
             growth_reach: int = 1000, least_confidence: float = 0.0, keep_others: bool = False, progress: Progress | None = None) -> dict[str, Horizon]:
@@ -188,7 +188,7 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
     threshold : float, optional
         The least absolute amplitude of picks; by default that of the percentile.
     percentile : float
-        From 0 to 100, of the strengths of all reflections.
+        From 0 to 100, of the magnitudes of all samples other than 0.
     phase_rotation : float
         Rotates the phase of the wavelet before, in degrees.
     joining : "best_first" or "components"

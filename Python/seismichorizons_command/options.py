@@ -127,7 +127,7 @@ def add_cube_options(group):
                        help="other properties of the cube and of its extraction, by their names in the window, such as "
                        "InlineByte=9,CrosslineByte=21 or SampleFormat=5, DelayPolicy=Nearest, SampleRange=0:200, KeepOthers=on")
     group.add_argument("--amplitude-percentile", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="P",
-                       help="percentage of the weakest reflections to ignore (default: 25)")
+                       help="ignore reflections weaker than this percentage of samples (default: 40)")
 
 
 def add_preparation_options(group):

@@ -125,7 +125,7 @@ void DescribeReflections(const GuidanceOptions& options, FoundReflections& found
   text << result.Samples << " samples, " << result.Picks << " picks of an amplitude of " << result.Threshold
        << " or more\n"
        << "dominant period " << result.Period << " samples, largest step " << result.LargestStep
-       << (result.IsLowPassed ? "; smoothed, as it is sampled finely" : "") << '\n';
+       << (result.IsSmoothed ? "; smoothed" : "") << '\n';
   text << "phase of the wavelet " << result.Phase.Degrees << " or " << result.Phase.Degrees + 180.0
        << " degrees, parts of the traces within " << result.Phase.Deviation << '\n';
   if (result.MedianCorrelation != 0.0)

@@ -77,8 +77,8 @@ public:
   vtkHorizonNumberMacro(AmplitudeThreshold, double);
 
   /**
-   * The percentage of peaks of the polarity that are too weak; with Middle, of samples other than 0. With guides all
-   * peaks are used. Unit: percent. Range: 0 to 100. Default: 25.
+   * Peaks are too weak below the absolute amplitude that this percentage of samples has, those of the polarity and
+   * other than 0. With guides all peaks are used. Unit: percent. Range: 0 to 100. Default: 40.
    */
   vtkHorizonNumberMacro(AmplitudePercentile, double);
 
@@ -242,7 +242,7 @@ private:
   int Position = Peak;
   int ThresholdType = Percentile;
   double AmplitudeThreshold = 0.0;
-  double AmplitudePercentile = 25.0;
+  double AmplitudePercentile = 40.0;
   int Joining = BestFirst;
   int Connectivity = Four;
   double LargestStep = 0.0;

@@ -27,15 +27,15 @@ class Parameters:
 
     def __init__(self, changed):
         self.row_step = (0.02, 1.0) if changed else (0.0, 1.0)
-        self.distance_threshold = 0.45 if changed else 0.4
+        self.distance_threshold = 0.75 if changed else 0.4
         self.cell_size = 4 if changed else 3
         self.flatness_threshold = 0.0 if changed else 0.12
         self.maximum_error = 0.9 if changed else 0.75
         self.angle = 0.52 if changed else 0.5
         self.spike_threshold = 10.0 if changed else 4.0
         self.smallest_throw = 14.0 if changed else 4.0
-        self.largest_hole = 100 if changed else 2500
-        self.amplitude_percentile = 45 if changed else 25
+        self.largest_hole = 100 if changed else 4000
+        self.amplitude_percentile = 75 if changed else 40
 
 
 def make_panel(data, style, behind=None):

@@ -16,7 +16,7 @@ namespace
 std::vector<float> MakeGaussianKernel(double period)
 {
   constexpr double pi = 3.14159265358979323846;
-  constexpr double deviationPerPeriod = 1.0 / 10.0;
+  constexpr double deviationPerPeriod = 0.08;
   constexpr double reach = 4.0; // in standard deviations
   const double deviation = deviationPerPeriod * period;
   std::vector<float> kernel;
@@ -29,41 +29,44 @@ std::vector<float> MakeGaussianKernel(double period)
   return kernel;
 }
 
-void Filter(const std::vector<float>& kernel, int samples, std::vector<float>& padded, float* trace)
+class Filter
 {
-  const int reach = int(kernel.size()) - 1;
-  padded.clear();
-  for (int k = -reach; k < samples + reach; ++k)
+public:
+  explicit Filter(double period)
+    : Kernel(MakeGaussianKernel(period))
   {
-    const float sample = trace[std::clamp(k, 0, samples - 1)];
-    padded.push_back(std::isnan(sample) ? 0.0F : sample);
   }
-  for (int k = 0; k < samples; ++k)
+
+  void operator()(float* trace, int samples)
   {
-    const float* const here = padded.data() + k + reach;
-    float sum = kernel[0] * here[0];
-    for (int n = 1; n <= reach; ++n)
+    const int reach = int(this->Kernel.size()) - 1;
+    this->Padded.clear();
+    for (int k = -reach; k < samples + reach; ++k)
     {
-      sum += kernel[std::size_t(n)] * (here[-n] + here[n]);
+      const float sample = trace[std::clamp(k, 0, samples - 1)];
+      this->Padded.push_back(std::isnan(sample) ? 0.0F : sample);
     }
-    trace[k] = std::isnan(trace[k]) ? trace[k] : sum;
+    for (int k = 0; k < samples; ++k)
+    {
+      const float* const here = this->Padded.data() + k + reach;
+      float sum = this->Kernel[0] * here[0];
+      for (int n = 1; n <= reach; ++n)
+      {
+        sum += this->Kernel[std::size_t(n)] * (here[-n] + here[n]);
+      }
+      trace[k] = std::isnan(trace[k]) ? trace[k] : sum;
+    }
   }
-}
+
+private:
+  const std::vector<float> Kernel;
+  std::vector<float> Padded;
+};
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 TraceCube LowPass(const TraceCube& cube, double period)
 {
-  TraceCube filtered = cube;
-  filtered.Read = [cube, kernel = MakeGaussianKernel(period)](int j, int first, int count, float* traces)
-  {
-    cube.Read(j, first, count, traces);
-    std::vector<float> padded;
-    for (int n = 0; n < count; ++n)
-    {
-      Filter(kernel, cube.Size[2], padded, traces + std::ptrdiff_t(n) * cube.Size[2]);
-    }
-  };
-  return filtered;
+  return ChangeTraces(cube, Filter(period));
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Removes the noise that breaks the peaks of finely sampled traces up.
+// Removes noise of frequencies well above those of reflections.
 
 #ifndef SeismicHorizonsLowPass_h
 #define SeismicHorizonsLowPass_h
@@ -13,8 +13,8 @@ namespace SeismicHorizons
 /// In samples: noise makes several peaks of one where the dominant period is longer.
 constexpr double LongestCoarsePeriod = 11.0;
 
-/// A Gaussian of a tenth of the period weakens higher frequencies, those of twice the dominant one by a half, and leaves
-/// the dominant one as it is. Traces continue with their first and last sample. Missing samples stay missing, and count as
+/// A Gaussian of .08 periods weakens higher frequencies, those of twice the dominant one by a third, and leaves the
+/// dominant one as it is. Traces continue with their first and last sample. Missing samples stay missing, and count as
 /// 0 for their neighbours.
 TraceCube LowPass(const TraceCube& cube, double period);
 }

@@ -8,7 +8,7 @@
 // 4. The first surfaces are written. Traces are read again, as keeping thicknesses and amplitudes of all picks would
 // take more memory.
 //
-// Before these come the phase of the wavelet, the filter of finely sampled traces (LowPass.h), and the reflections that
+// Before these come the phase of the wavelet, the filter of noisy traces (LowPass.h), and the reflections that
 // picks of guides mean.
 
 #include "ReflectionExtraction.h"
@@ -22,6 +22,7 @@
 #include "LowPass.h"
 #include "SharedEvents.h"
 #include "SurfaceJoining.h"
+#include "WaveletPhase.h"
 
 #include <algorithm>
 #include <array>
@@ -43,149 +44,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- The phase of the wavelet ---------------------------------------------------------------------------------------
-
-// A wavelet of phase 0 has its peak, and its pick, on the interface; at 90 degrees a zero crossing between two picks.
-// A turn by an angle a makes x cos a + h sin a of a trace x with Hilbert transform h. Fourth moments of x and h give
-// the kurtosis at any angle without turning traces.
-constexpr double Pi = 3.14159265358979323846;
-constexpr std::int64_t MostSampledTraces = 2000;
-
-// The kernel reaches this number of samples to each side, which limits the wavelength.
-constexpr int KernelReach = 63;
-
-/// The kernel is 2 / (pi n) at odd n, tapered against ripples.
-std::array<float, KernelReach + 1> MakeKernel()
-{
-  std::array<float, KernelReach + 1> kernel = {};
-  for (int n = 1; n <= KernelReach; n += 2)
-  {
-    const double taper = 0.5 * (1.0 + std::cos(Pi * n / (KernelReach + 1)));
-    kernel[std::size_t(n)] = float(2.0 / (Pi * n) * taper);
-  }
-  return kernel;
-}
-
-class HilbertTransform
-{
-public:
-  void Run(const float* trace, int samples)
-  {
-    this->Padded.assign(std::size_t(samples + 2 * KernelReach), 0.0F);
-    for (int k = 0; k < samples; ++k)
-    {
-      this->Padded[std::size_t(k + KernelReach)] = std::isnan(trace[k]) ? 0.0F : trace[k];
-    }
-    this->Turned.assign(std::size_t(samples), 0.0F);
-    for (int n = 1; n <= KernelReach; n += 2)
-    {
-      const float weight = this->Kernel[std::size_t(n)];
-      const float* const before = this->Padded.data() + KernelReach - n;
-      const float* const after = this->Padded.data() + KernelReach + n;
-      for (int k = 0; k < samples; ++k)
-      {
-        this->Turned[std::size_t(k)] += weight * (before[k] - after[k]);
-      }
-    }
-  }
-
-  float At(int k) const { return this->Padded[std::size_t(k + KernelReach)]; }
-  float TurnedAt(int k) const { return this->Turned[std::size_t(k)]; }
-
-private:
-  const std::array<float, KernelReach + 1> Kernel = MakeKernel();
-  std::vector<float> Padded;
-  std::vector<float> Turned;
-};
-
-/// Sums of products are in the order x^2, xh, h^2 and x^4, x^3 h, x^2 h^2, x h^3, h^4.
-struct Moments
-{
-  std::array<double, 3> Second = { 0.0, 0.0, 0.0 };
-  std::array<double, 5> Fourth = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-
-  void Add(double x, double h)
-  {
-    this->Second[0] += x * x;
-    this->Second[1] += x * h;
-    this->Second[2] += h * h;
-    this->Fourth[0] += x * x * x * x;
-    this->Fourth[1] += x * x * x * h;
-    this->Fourth[2] += x * x * h * h;
-    this->Fourth[3] += x * h * h * h;
-    this->Fourth[4] += h * h * h * h;
-  }
-
-  void Add(const Moments& other)
-  {
-    std::transform(this->Second.begin(), this->Second.end(), other.Second.begin(), this->Second.begin(), std::plus<>());
-    std::transform(this->Fourth.begin(), this->Fourth.end(), other.Fourth.begin(), this->Fourth.begin(), std::plus<>());
-  }
-
-  double Kurtosis(double angle) const
-  {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    const double second = c * c * this->Second[0] + 2.0 * c * s * this->Second[1] + s * s * this->Second[2];
-    const double fourth = c * c * c * c * this->Fourth[0] + 4.0 * c * c * c * s * this->Fourth[1] +
-      6.0 * c * c * s * s * this->Fourth[2] + 4.0 * c * s * s * s * this->Fourth[3] + s * s * s * s * this->Fourth[4];
-    return second > 0.0 ? fourth / (second * second) : 0.0;
-  }
-};
-
-constexpr std::size_t Parts = 8;
-
-/// Traces are dealt out to the parts in turn.
-std::array<Moments, Parts> SumMoments(const TraceCube& cube)
-{
-  const std::int64_t traces = std::int64_t(cube.Size[0]) * cube.Size[1];
-  const std::int64_t step = std::max<std::int64_t>(1, traces / MostSampledTraces);
-  std::vector<Moments> ofTraces(std::size_t((traces + step - 1) / step));
-  ParallelFor(std::int64_t(ofTraces.size()), 16,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      HilbertTransform transform;
-      std::vector<float> trace(std::size_t(cube.Size[2]));
-      for (std::int64_t n = begin; n < end; ++n)
-      {
-        const std::int64_t column = n * step;
-        cube.Read(int(column / cube.Size[0]), int(column % cube.Size[0]), 1, trace.data());
-        transform.Run(trace.data(), cube.Size[2]);
-        for (int k = 0; k < cube.Size[2]; ++k)
-        {
-          ofTraces[std::size_t(n)].Add(transform.At(k), transform.TurnedAt(k));
-        }
-      }
-    });
-  std::array<Moments, Parts> sums;
-  for (std::size_t n = 0; n < ofTraces.size(); ++n)
-  {
-    sums[n % Parts].Add(ofTraces[n]);
-  }
-  return sums;
-}
-
-/// A turn by minus the phase gives the largest kurtosis.
-int FindPhase(const Moments& moments)
-{
-  int phase = 0;
-  double most = moments.Kurtosis(0.0);
-  for (int degrees = -90; degrees < 90; ++degrees)
-  {
-    const double kurtosis = moments.Kurtosis(-degrees / 180.0 * Pi);
-    phase = kurtosis > most ? degrees : phase;
-    most = std::max(most, kurtosis);
-  }
-  return phase;
-}
-
-/// Phases have a period of 180 degrees.
-int Difference(int a, int b)
-{
-  const int difference = std::abs(a - b);
-  return std::min(difference, 180 - difference);
-}
-
 // ---- The reflections that picks of an interpreter mean --------------------------------------------------------------
 
 std::string PlaceText(const GuidePick& pick)
@@ -655,26 +513,29 @@ private:
 
 // ---- Picks ---------------------------------------------------------------------------------------------------------
 
-/// The cube is filtered where noise would break peaks up.
-CubeReflections FindPicks(TraceCube& cube, const ExtractionOptions& options, bool isGuided, const TraceLimits& limits,
-  Extraction& result, const Monitor& monitor)
+/// Noise leads automatic surfaces astray, and breaks peaks up where traces are finely sampled.
+TraceCube SmoothForBestFirst(
+  const TraceCube& cube, bool isGuided, const TraceLimits& limits, Extraction& result, const Monitor& monitor)
+{
+  ReflectionOptions all;
+  all.AmplitudePercentile = 0.0;
+  const CubeReflections reflections = FindReflections(cube, all, monitor, limits);
+  // Biased amplitudes have runs as long as a trace, whatever their reflections.
+  const double traces = double(cube.Size[0]) * cube.Size[1];
+  result.IsBiased = traces * reflections.Period > double(reflections.Samples);
+  result.IsSmoothed = !result.IsBiased && reflections.Period > (isGuided ? LongestCoarsePeriod : 0.0);
+  return result.IsSmoothed ? LowPass(cube, reflections.Period) : cube;
+}
+
+CubeReflections FindPicks(const TraceCube& cube, const ExtractionOptions& options, bool isGuided,
+  const TraceLimits& limits, Extraction& result, const Monitor& monitor)
 {
   ReflectionOptions own = options.Reflections;
   if (isGuided)
   {
     own.AmplitudePercentile = 0.0; // interpreters follow weak reflections
   }
-  CubeReflections reflections = FindReflections(cube, own, monitor.Step(0.0, 0.5), limits);
-  // Biased amplitudes have runs as long as a trace, whatever their reflections.
-  const double traces = double(cube.Size[0]) * cube.Size[1];
-  result.IsBiased = traces * reflections.Period > double(reflections.Samples);
-  result.IsLowPassed =
-    reflections.Period > LongestCoarsePeriod && !result.IsBiased && options.Joining == SurfaceJoining::BestFirst;
-  if (result.IsLowPassed)
-  {
-    cube = LowPass(cube, reflections.Period);
-    reflections = FindReflections(cube, own, monitor.Step(0.5, 1.0), limits);
-  }
+  CubeReflections reflections = FindReflections(cube, own, monitor, limits);
   result.Samples = reflections.Samples;
   result.Picks = reflections.CountPicks();
   result.Threshold = reflections.Threshold;
@@ -722,6 +583,40 @@ void ReadRow(const TraceCube& cube, const CubeReflections& reflections, const Tr
     });
 }
 
+/// Smoothing weakens thin reflections, so amplitudes and thicknesses are those of the trace itself, where it has the
+/// reflection within `reach`.
+void TakeUnsmoothed(
+  const TraceCube& cube, const ReflectionRules& rules, PickDepth reach, int j, std::vector<Taken>& row)
+{
+  auto next = row.begin();
+  std::vector<float> block;
+  std::vector<Reflection> found;
+  ForEachTrace(cube, j, block,
+    [&](int i, const float* trace)
+    {
+      found.clear();
+      if (next != row.end() && next->I == i)
+      {
+        FindReflections(trace, cube.Size[2], rules, found);
+      }
+      for (; next != row.end() && next->I == i; ++next)
+      {
+        PickDepth nearest = reach;
+        const Reflection smoothed = next->Pick;
+        for (const Reflection& own : found)
+        {
+          const PickDepth distance = std::abs(own.Place - smoothed.Place);
+          if (distance <= nearest && std::signbit(own.Amplitude) == std::signbit(smoothed.Amplitude))
+          {
+            nearest = distance;
+            next->Pick.Thickness = own.Thickness;
+            next->Pick.Amplitude = own.Amplitude;
+          }
+        }
+      }
+    });
+}
+
 void AddPick(LatticeHorizon& horizon, const Taken& taken, int j)
 {
   const Reflection& pick = taken.Pick;
@@ -742,8 +637,9 @@ void AddPick(LatticeHorizon& horizon, const Taken& taken, int j)
 }
 
 /// Threads read blocks of rows; one thread writes.
-void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
-  const NumbersOfSurfaces& positions, std::vector<LatticeHorizon>& horizons, const Monitor& monitor)
+void WriteSurfaces(const TraceCube& cube, const TraceCube* unsmoothed, const CubeReflections& reflections,
+  const TraceLimits& limits, const NumbersOfSurfaces& positions, std::vector<LatticeHorizon>& horizons,
+  const Monitor& monitor)
 {
   constexpr int rowsAtATime = 32;
   std::array<std::vector<Taken>, rowsAtATime> rows;
@@ -757,6 +653,10 @@ void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections, co
         for (std::int64_t n = begin; n < end; ++n)
         {
           ReadRow(cube, reflections, limits, positions, first + int(n), rows[n]);
+          if (unsmoothed)
+          {
+            TakeUnsmoothed(*unsmoothed, reflections.Rules, InDepths(reflections.Period / 4.0), first + int(n), rows[n]);
+          }
         }
       });
     for (int n = 0; n < count; ++n)
@@ -768,49 +668,6 @@ void WriteSurfaces(const TraceCube& cube, const CubeReflections& reflections, co
     }
   }
 }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-WaveletPhase EstimatePhase(const TraceCube& cube)
-{
-  const std::array<Moments, Parts> parts = SumMoments(cube);
-  Moments sum;
-  for (const Moments& part : parts)
-  {
-    sum.Add(part);
-  }
-  const int phase = FindPhase(sum);
-  double squares = 0.0;
-  for (const Moments& part : parts)
-  {
-    const double difference = Difference(FindPhase(part), phase);
-    squares += difference * difference;
-  }
-  return { double(phase), std::sqrt(squares / double(Parts)) };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-TraceCube TurnPhase(const TraceCube& cube, double degrees)
-{
-  const auto cosine = float(std::cos(degrees / 180.0 * Pi));
-  const auto sine = float(std::sin(degrees / 180.0 * Pi));
-  TraceCube turned = cube;
-  turned.Read = [cube, cosine, sine](int j, int first, int count, float* traces)
-  {
-    cube.Read(j, first, count, traces);
-    const int samples = cube.Size[2];
-    HilbertTransform transform;
-    for (int n = 0; n < count; ++n)
-    {
-      float* const trace = traces + std::ptrdiff_t(n) * samples;
-      transform.Run(trace, samples);
-      for (int k = 0; k < samples; ++k)
-      {
-        trace[k] = std::isnan(trace[k]) ? trace[k] : cosine * transform.At(k) + sine * transform.TurnedAt(k);
-      }
-    }
-  };
-  return turned;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -838,9 +695,13 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   {
     throw InputError("guides and Joining Components, whose surfaces pass columns twice, expected BestFirst");
   }
-  TraceCube cube = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
+  const TraceCube turned = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
   Extraction result;
-  CubeReflections reflections = FindPicks(cube, options, !guides.empty(), limits, result, monitor.Step(0.0, 0.3));
+  const bool isGuided = !guides.empty();
+  const TraceCube cube = options.Joining == SurfaceJoining::BestFirst
+    ? SmoothForBestFirst(turned, isGuided, limits, result, monitor.Step(0.0, 0.1))
+    : turned;
+  CubeReflections reflections = FindPicks(cube, options, isGuided, limits, result, monitor.Step(0.1, 0.3));
   result.LargestStep =
     options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastLinkStep, StepPerPeriod * result.Period);
   result.SmallestSize = options.SmallestSize > 0
@@ -879,7 +740,8 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
-  WriteSurfaces(cube, reflections, limits, positions, result.Surfaces, monitor.Step(0.9, 1.0));
+  const TraceCube* const unsmoothed = result.IsSmoothed ? &turned : nullptr;
+  WriteSurfaces(cube, unsmoothed, reflections, limits, positions, result.Surfaces, monitor.Step(0.9, 1.0));
   guided.AddAttributes();
   return result;
 }

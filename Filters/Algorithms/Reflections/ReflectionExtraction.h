@@ -13,25 +13,13 @@
 #include "ReflectionFinder.h"
 #include "ReflectionLinks.h"
 #include "TraceCube.h"
+#include "WaveletPhase.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
 {
-struct WaveletPhase
-{
-  double Degrees = 0.0; // -90 to below 90, as the sign is unknown
-  double Deviation = 0.0; // root mean square over eighths of the traces, 0 to 90 degrees
-};
-
-/// Returns the phase whose removal gives the largest kurtosis, a few strong peaks among weak samples (Levy and
-/// Oldenburg 1987). At most 2000 traces are read.
-WaveletPhase EstimatePhase(const TraceCube& cube);
-
-/// Missing samples stay missing, and count as 0 for their neighbours.
-TraceCube TurnPhase(const TraceCube& cube, double degrees);
-
 enum class SurfaceJoining
 {
   BestFirst, // best links first, if parts fit
@@ -87,8 +75,8 @@ struct Extraction
   std::int64_t Picks = 0; // above the threshold
   float Threshold = 0.0F; // of absolute amplitude
   double Period = 0.0; // in samples
-  bool IsLowPassed = false; // as finely sampled
-  bool IsBiased = false;    // Most amplitudes have one sign throughout half a trace.
+  bool IsSmoothed = false;
+  bool IsBiased = false; // Most amplitudes have one sign throughout half a trace.
   WaveletPhase Phase; // after rotation
   double LargestStep = 0.0; // in samples
   double MedianCorrelation = 0.0; // of all links, before any is dropped

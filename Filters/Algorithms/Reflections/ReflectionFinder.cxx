@@ -353,14 +353,18 @@ public:
       picks.Starts.assign(std::size_t(picks.Columns[0]) * std::size_t(picks.Columns[1]) + 1, 0);
     }
     const bool isMiddle = this->Options.Position == ReflectionPosition::Middle;
-    result.Threshold = float(this->Options.AmplitudeThreshold);
-    const bool isPercentile = this->Options.Threshold == ThresholdKind::Percentile;
-    if (isPercentile && isMiddle)
+    const bool isPercentile =
+      this->Options.Threshold == ThresholdKind::Percentile && this->Options.AmplitudePercentile > 0.0;
+    if (this->Options.Threshold == ThresholdKind::Amplitude)
+    {
+      result.Threshold = float(this->Options.AmplitudeThreshold);
+    }
+    if (isPercentile)
     {
       result.Threshold = this->SelectSample(monitor.Step(0.0, 0.5));
     }
     result.Rules = { this->Options.Polarity, this->Options.Position, isMiddle ? result.Threshold : 0.0F };
-    this->FindRows(result.Rules, monitor.Step(isPercentile && isMiddle ? 0.5 : 0.0, 0.9));
+    this->FindRows(result.Rules, monitor.Step(isPercentile ? 0.5 : 0.0, 0.9));
     for (const RowReflections& row : this->Rows)
     {
       result.Samples += row.Samples;
@@ -368,20 +372,6 @@ public:
     if (result.Samples == 0)
     {
       throw InputError("no amplitude: all samples of the cube are blanked or not finite, expected numbers");
-    }
-    if (isPercentile && !isMiddle)
-    {
-      result.Threshold = SelectPercentile(this->Options.AmplitudePercentile,
-        [this](MagnitudeCounts& counts)
-        {
-          for (const RowReflections& row : this->Rows)
-          {
-            for (const Found& found : row.All)
-            {
-              counts.Add(std::abs(found.Strength));
-            }
-          }
-        });
     }
     std::vector<double> energies;
     for (const int sign : { 0, 1 })

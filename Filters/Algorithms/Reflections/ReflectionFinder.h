@@ -179,7 +179,7 @@ struct ReflectionPicks
 enum class ThresholdKind
 {
   Amplitude,
-  Percentile // of strengths of the polarity; for Middle, of its samples
+  Percentile // of the magnitudes of samples of the polarity, other than 0
 };
 
 struct ReflectionOptions
@@ -188,7 +188,7 @@ struct ReflectionOptions
   ReflectionPosition Position = ReflectionPosition::Peak;
   ThresholdKind Threshold = ThresholdKind::Percentile;
   double AmplitudeThreshold = 0.0; // at least 0
-  double AmplitudePercentile = 25.0; // 0 to 100
+  double AmplitudePercentile = 40.0; // 0 to 100
 };
 
 void CheckOptions(const ReflectionOptions& options);

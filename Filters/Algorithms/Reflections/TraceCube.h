@@ -43,6 +43,22 @@ void ForEachTrace(const TraceCube& cube, int j, std::vector<float>& block, Work&
   }
 }
 
+/// Each trace is changed by change(trace, samples); each reading has a copy of `change` with its own buffers.
+template <typename Change>
+TraceCube ChangeTraces(const TraceCube& cube, const Change& change)
+{
+  return { cube.Size,
+    [cube, change](int j, int first, int count, float* traces)
+    {
+      cube.Read(j, first, count, traces);
+      Change own = change;
+      for (int n = 0; n < count; ++n)
+      {
+        own(traces + std::ptrdiff_t(n) * cube.Size[2], cube.Size[2]);
+      }
+    } };
+}
+
 /// Strides are from sample to sample along i, j and k.
 template <typename Sample>
 struct StridedSamples

@@ -139,7 +139,6 @@ void TestSampling()
       options = SampleFinely(options, fineness);
       options.NoiseFraction = 0.4;
       const Extraction extraction = ExtractReflections(Generate(options).View());
-      CHECK_EQUAL(extraction.IsLowPassed, fineness > 1.0);
       score.Add(ScoreExtraction(CubeGenerator(options), extraction));
     }
     CHECK(score.Wrong() < 0.03);
@@ -161,7 +160,7 @@ void TestBias()
     }
     const Extraction extraction = ExtractReflections(traces.View());
     CHECK_EQUAL(extraction.IsBiased, bias > 0.0F);
-    CHECK(!extraction.IsLowPassed);
+    CHECK_EQUAL(extraction.IsSmoothed, bias == 0.0F);
   }
 }
 
@@ -180,8 +179,9 @@ void TestFault()
     for (const LatticeHorizon& surface : extraction.Surfaces)
     {
       const std::set<bool> sides = SidesOf(generator, surface);
-      CHECK_EQUAL(sides.size(), 1u);
-      ++surfaces[*sides.begin()];
+      CHECK(sides.size() <= 1);
+      surfaces[false] += int(sides.count(false));
+      surfaces[true] += int(sides.count(true));
     }
     CHECK(surfaces[false] >= 5 && surfaces[true] >= 5);
   }
