@@ -160,7 +160,8 @@ void PlaceVoxels(LatticeHorizon& voxels, const ImageCube& cube)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOptions& options, const Monitor& monitor)
+FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOptions& options, const Monitor& monitor,
+  std::shared_ptr<JoinedReflections>* kept)
 {
   FoundReflections found;
   found.Cube = MakeImageCube(std::move(inputs.Image));
@@ -177,7 +178,7 @@ FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOption
   {
     found.Limits = ReadLimits(*inputs.Limits, found.Cube, inputs.Side);
   }
-  found.Result = ExtractReflections(found.Cube.Traces, options, monitor, guides, found.Limits.Traces);
+  found.Result = ExtractReflections(found.Cube.Traces, options, monitor, guides, found.Limits.Traces, kept);
   DescribeReflections(options.Guidance, found);
   if (found.Result.IsBiased)
   {

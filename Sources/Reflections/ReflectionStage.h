@@ -11,6 +11,7 @@
 #include "ImageCube.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,8 +37,9 @@ struct FoundReflections
   std::vector<std::string> Warnings;
 };
 
-/// Throws InputError as MakeImageCube, ReadGuides, ReadLimits and ExtractReflections.
-FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOptions& options, const Monitor& monitor);
+/// Throws InputError as MakeImageCube, ReadGuides, ReadLimits and ExtractReflections, which `kept` is for.
+FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOptions& options, const Monitor& monitor,
+  std::shared_ptr<JoinedReflections>* kept = nullptr);
 
 /// Frees the surface. World z is of the nearest samples, unless `useRealZ`.
 Horizon TakeSurface(FoundReflections& found, std::size_t number, bool useRealZ);

@@ -60,6 +60,19 @@ struct vtkSeismicReflectionExtraction::Surfaces : FoundReflections
 {
 };
 
+struct vtkSeismicReflectionExtraction::Kept
+{
+  using State = std::pair<const void*, vtkMTimeType>;
+
+  std::vector<State> Inputs; // with all that is read, except for guides
+  std::shared_ptr<JoinedReflections> Reflections;
+
+  void Read(vtkObject* input, vtkMTimeType updated = 0)
+  {
+    this->Inputs.emplace_back(input, std::max(input->GetMTime(), updated));
+  }
+};
+
 vtkStandardNewMacro(vtkSeismicReflectionExtraction);
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -168,18 +181,32 @@ std::vector<std::string> vtkSeismicReflectionExtraction::ListHorizons(const Moni
 {
   vtkImageData* const image = this->GetCube();
   ReflectionInputs inputs;
-  inputs.Image = ReadImage(image, this->FindAmplitudes(image));
+  vtkDataArray* const amplitudes = this->FindAmplitudes(image);
+  inputs.Image = ReadImage(image, amplitudes);
+  auto kept = std::make_unique<Kept>();
+  kept->Read(image, image->GetUpdateTime());
+  kept->Read(amplitudes);
   if (vtkDataObject* const picks = this->GetInputDataObject(GuidesPort, 0))
   {
     AddLeaves(picks, inputs.Guides.emplace());
   }
   for (int n = 0; n < this->GetNumberOfInputConnections(LimitsPort); ++n)
   {
-    AddLeaves(this->GetInputDataObject(LimitsPort, n), inputs.Limits ? *inputs.Limits : inputs.Limits.emplace());
+    vtkDataObject* const limit = this->GetInputDataObject(LimitsPort, n);
+    AddLeaves(limit, inputs.Limits ? *inputs.Limits : inputs.Limits.emplace());
+    kept->Read(limit, limit->GetUpdateTime());
   }
   inputs.Side = this->LimitSide == Below ? LimitSide::Below : LimitSide::Above;
+  kept->Inputs.emplace_back(nullptr, this->LimitSide);
+  if (this->Joined && this->Joined->Inputs == kept->Inputs)
+  {
+    kept->Reflections = this->Joined->Reflections;
+  }
+  this->Joined.reset();
   this->Found = std::make_unique<Surfaces>();
-  static_cast<FoundReflections&>(*this->Found) = FindReflections(std::move(inputs), this->MakeOptions(), monitor);
+  static_cast<FoundReflections&>(*this->Found) =
+    FindReflections(std::move(inputs), this->MakeOptions(), monitor, &kept->Reflections);
+  this->Joined = std::move(kept);
   for (const std::string& warning : this->Found->Warnings)
   {
     vtkWarningMacro(<< warning);

@@ -267,6 +267,8 @@ private:
 
   struct Surfaces;
   std::unique_ptr<Surfaces> Found; // Set from listing horizons until they are made.
+  struct Kept;
+  std::unique_ptr<Kept> Joined; // What guides share, for other guides.
 };
 
 #endif

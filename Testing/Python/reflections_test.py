@@ -59,7 +59,8 @@ def main():
     places = [horizons["Horizon 1"].GetPoint(n) for n in (0, 20)]
     drawn = simple.PolyLineSource(Points=[number for place in places for number in place])
     assert list(fetch(simple.SeismicReflectionExtraction(wave, Guides=drawn))) == ["Guide 1"]
-    blocks = [simple.ExtractBlock(Input=extraction, Selectors=["/Root/Horizon%d" % n]) for n in (1, 2)]
+    extraction.LargestNumber = 100
+    blocks = [simple.ExtractBlock(Input=extraction, Selectors=["/Root/Horizon%d" % n]) for n in (3, 4)]
     limited = simple.SeismicReflectionExtraction(wave, SmallestSize=50, Limits=blocks[:1], LimitSide="Above")
     above = fetch(limited)
     limited.Limits = blocks

@@ -32,7 +32,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -386,20 +388,26 @@ public:
     }
   }
 
-  void Follow(
-    const TraceCube& cube, int sign, const ReflectionPicks& picks, RawVector<PointId>& surfaces, const Monitor& monitor)
+  bool HasAny(int sign) const
   {
     const std::vector<GuideUse>& guides = this->Result.Guides;
-    if (std::none_of(guides.begin(), guides.end(), [&](const GuideUse& use) { return use.IsNegative == (sign == 1); }))
-    {
-      return;
-    }
+    return std::any_of(
+      guides.begin(), guides.end(), [sign](const GuideUse& use) { return use.IsNegative == (sign == 1); });
+  }
+
+  GrowthLinks FindLinks(const TraceCube& cube, const ReflectionPicks& picks, const Monitor& monitor) const
+  {
     const double step = std::max(this->Result.LargestStep, this->IsStepGiven ? 0.0 : StepPerTruePeriod * this->Period);
     const LinkOptions link{ ColumnConnectivity::Eight, InDepths(step), HalfWidth(GrowthWaveform, this->Period) };
-    const GrowthLinks links(cube, picks, link, monitor.Step(0.0, 0.7));
+    return { cube, picks, link, monitor };
+  }
+
+  void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, const GrowthLinks& links,
+    RawVector<PointId>& surfaces, const Monitor& monitor)
+  {
     const GuidedJoining joining(
       cube, picks, surfaces, links, HalfWidth(LongWaveform, this->Period), this->Period, this->Options);
-    ParallelFor(std::int64_t(this->Seeds.size()), 1, monitor.Step(0.7, 1.0),
+    ParallelFor(std::int64_t(this->Seeds.size()), 1, monitor,
       [&](std::int64_t begin, std::int64_t end)
       {
         for (std::int64_t n = begin; n < end; ++n)
@@ -429,6 +437,8 @@ public:
     }
     positions.Sort();
   }
+
+  bool IsEmpty() const { return this->Surfaces.empty(); }
 
   std::size_t SizeOf(std::size_t guide) const { return this->Surfaces[guide].Picks.size(); }
 
@@ -513,35 +523,123 @@ private:
 
 // ---- Picks ---------------------------------------------------------------------------------------------------------
 
+bool AreSame(const ReflectionOptions& a, const ReflectionOptions& b)
+{
+  const auto tie = [](const ReflectionOptions& options)
+  {
+    return std::tie(
+      options.Polarity, options.Position, options.Threshold, options.AmplitudeThreshold, options.AmplitudePercentile);
+  };
+  return tie(a) == tie(b);
+}
+
+/// Guidance, and what is taken of the surfaces, do not count.
+bool JoinAlike(const ExtractionOptions& a, const ExtractionOptions& b)
+{
+  const auto tie = [](const ExtractionOptions& options)
+  {
+    return std::tie(options.PhaseRotation, options.Joining, options.Connectivity, options.LargestStep,
+      options.SmallestCorrelation, options.SmallestContact);
+  };
+  return AreSame(a.Reflections, b.Reflections) && tie(a) == tie(b);
+}
+}
+
+struct JoinedReflections
+{
+  ExtractionOptions Options;
+  double GivenPeriod = 0.0; // before smoothing
+  Extraction Figures;
+  CubeReflections Picks;
+  // By sign, once they are needed:
+  std::array<std::optional<RawVector<PointId>>, 2> Surfaces;
+  std::array<double, 2> MedianCorrelations = { 0.0, 0.0 };
+  std::array<std::optional<GrowthLinks>, 2> Links;
+
+  /// Starts of picks remain.
+  void Free(int sign)
+  {
+    this->Picks.BySign[sign].FreePicks();
+    this->Surfaces[sign].reset();
+    this->Links[sign].reset();
+  }
+};
+
+namespace
+{
 /// Noise leads automatic surfaces astray, and breaks peaks up where traces are finely sampled.
-TraceCube SmoothForBestFirst(
-  const TraceCube& cube, bool isGuided, const TraceLimits& limits, Extraction& result, const Monitor& monitor)
+TraceCube Smoothed(const TraceCube& cube, const JoinedReflections& joined)
+{
+  return joined.Figures.IsSmoothed ? LowPass(cube, joined.GivenPeriod) : cube;
+}
+
+void ChooseSmoothing(
+  const TraceCube& cube, bool isGuided, const TraceLimits& limits, JoinedReflections& joined, const Monitor& monitor)
 {
   ReflectionOptions all;
   all.AmplitudePercentile = 0.0;
   const CubeReflections reflections = FindReflections(cube, all, monitor, limits);
+  joined.GivenPeriod = reflections.Period;
   // Biased amplitudes have runs as long as a trace, whatever their reflections.
   const double traces = double(cube.Size[0]) * cube.Size[1];
-  result.IsBiased = traces * reflections.Period > double(reflections.Samples);
-  result.IsSmoothed = !result.IsBiased && reflections.Period > (isGuided ? LongestCoarsePeriod : 0.0);
-  return result.IsSmoothed ? LowPass(cube, reflections.Period) : cube;
+  joined.Figures.IsBiased = traces * reflections.Period > double(reflections.Samples);
+  joined.Figures.IsSmoothed = !joined.Figures.IsBiased && reflections.Period > (isGuided ? LongestCoarsePeriod : 0.0);
 }
 
-CubeReflections FindPicks(const TraceCube& cube, const ExtractionOptions& options, bool isGuided,
-  const TraceLimits& limits, Extraction& result, const Monitor& monitor)
+std::shared_ptr<JoinedReflections> FindPicks(const TraceCube& cube, const ExtractionOptions& options, bool isGuided,
+  const TraceLimits& limits, const Monitor& monitor)
 {
+  auto joined = std::make_shared<JoinedReflections>();
+  joined->Options = options;
+  if (options.Joining == SurfaceJoining::BestFirst)
+  {
+    ChooseSmoothing(cube, isGuided, limits, *joined, monitor.Step(0.0, 0.4));
+  }
   ReflectionOptions own = options.Reflections;
   if (isGuided)
   {
     own.AmplitudePercentile = 0.0; // interpreters follow weak reflections
   }
-  CubeReflections reflections = FindReflections(cube, own, monitor, limits);
-  result.Samples = reflections.Samples;
-  result.Picks = reflections.CountPicks();
-  result.Threshold = reflections.Threshold;
-  result.Period = reflections.Period;
-  result.Phase = EstimatePhase(cube);
-  return reflections;
+  const TraceCube smoothed = Smoothed(cube, *joined);
+  joined->Picks = FindReflections(smoothed, own, monitor.Step(0.4, 1.0), limits);
+  Extraction& figures = joined->Figures;
+  figures.Samples = joined->Picks.Samples;
+  figures.Picks = joined->Picks.CountPicks();
+  figures.Threshold = joined->Picks.Threshold;
+  figures.Period = joined->Picks.Period;
+  figures.Phase = EstimatePhase(smoothed);
+  figures.LargestStep =
+    options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastLinkStep, StepPerPeriod * figures.Period);
+  return joined;
+}
+
+/// Returns the automatic surfaces, without picks that guides took.
+RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, const ExtractionOptions& options,
+  GuidedExtraction& guided, bool isKept, JoinedReflections& joined, const Monitor& monitor)
+{
+  const ReflectionPicks& picks = joined.Picks.BySign[sign];
+  const bool hasGuides = guided.HasAny(sign);
+  if (guided.IsEmpty() || options.Guidance.KeepOthers || hasGuides)
+  {
+    std::optional<RawVector<PointId>>& automatic = joined.Surfaces[sign];
+    if (!automatic)
+    {
+      automatic = JoinSurfaces(cube, picks, options, joined.Figures, joined.MedianCorrelations[sign],
+        monitor.Step(0.0, hasGuides ? 0.7 : 1.0));
+    }
+    RawVector<PointId> surfaces = isKept ? *automatic : std::move(*automatic);
+    if (hasGuides)
+    {
+      std::optional<GrowthLinks>& links = joined.Links[sign];
+      if (!links)
+      {
+        links = guided.FindLinks(cube, picks, monitor.Step(0.7, 0.9));
+      }
+      guided.Follow(cube, sign, picks, *links, surfaces, monitor.Step(0.9, 1.0));
+    }
+    return surfaces;
+  }
+  return RawVector<PointId>(picks.Size(), NoPoint);
 }
 
 // ---- Writing -------------------------------------------------------------------------------------------------------
@@ -688,7 +786,7 @@ void CheckOptions(const ExtractionOptions& options)
 
 //----------------------------------------------------------------------------------------------------------------------
 Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& options, const Monitor& monitor,
-  const std::vector<Guide>& guides, const TraceLimits& limits)
+  const std::vector<Guide>& guides, const TraceLimits& limits, std::shared_ptr<JoinedReflections>* kept)
 {
   CheckOptions(options);
   if (!guides.empty() && options.Joining == SurfaceJoining::Components)
@@ -696,35 +794,34 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     throw InputError("guides and Joining Components, whose surfaces pass columns twice, expected BestFirst");
   }
   const TraceCube turned = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
-  Extraction result;
   const bool isGuided = !guides.empty();
-  const TraceCube cube = options.Joining == SurfaceJoining::BestFirst
-    ? SmoothForBestFirst(turned, isGuided, limits, result, monitor.Step(0.0, 0.1))
-    : turned;
-  CubeReflections reflections = FindPicks(cube, options, isGuided, limits, result, monitor.Step(0.1, 0.3));
-  result.LargestStep =
-    options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastLinkStep, StepPerPeriod * result.Period);
+  const bool isKept = kept && isGuided;
+  const std::shared_ptr<JoinedReflections> joined = isKept && *kept && JoinAlike((*kept)->Options, options)
+    ? *kept
+    : FindPicks(turned, options, isGuided, limits, monitor.Step(0.0, 0.3));
+  const TraceCube cube = Smoothed(turned, *joined);
+  Extraction result = joined->Figures;
   result.SmallestSize = options.SmallestSize > 0
     ? options.SmallestSize
     : std::clamp(std::int64_t(cube.Size[0]) * cube.Size[1] / TracesPerSmallest, LeastSize, LargestLeastSize);
-  std::array<double, 2> medians = { 0.0, 0.0 };
+  const bool hasOthers = !isGuided || options.Guidance.KeepOthers;
   std::array<RawVector<PointId>, 2> surfaces;
   std::vector<SurfaceSize> sizes;
-  GuidedExtraction guided(guides, reflections, cube.Size[2], options, result);
+  GuidedExtraction guided(guides, joined->Picks, cube.Size[2], options, result);
   for (const int sign : { 0, 1 })
   {
-    const ReflectionPicks& picks = reflections.BySign[sign];
     const Monitor part = monitor.Step(sign == 0 ? 0.3 : 0.6, sign == 0 ? 0.6 : 0.9);
-    const double joined = guides.empty() ? 1.0 : 0.7;
-    surfaces[sign] = JoinSurfaces(cube, picks, options, result, medians[sign], part.Step(0.0, joined));
-    guided.Follow(cube, sign, picks, surfaces[sign], part.Step(joined, 1.0));
-    if (guides.empty() || options.Guidance.KeepOthers)
+    surfaces[sign] = TakeSurfaces(cube, sign, options, guided, isKept, *joined, part);
+    if (hasOthers)
     {
-      ListSizes(picks, surfaces[sign], sign, result.SmallestSize, sizes);
+      ListSizes(joined->Picks.BySign[sign], surfaces[sign], sign, result.SmallestSize, sizes);
     }
-    reflections.BySign[sign].FreePicks();
+    if (!isKept)
+    {
+      joined->Free(sign);
+    }
   }
-  result.MedianCorrelation = std::max(medians[0], medians[1]);
+  result.MedianCorrelation = std::max(joined->MedianCorrelations[0], joined->MedianCorrelations[1]);
   result.NumberOfSurfaces = std::int64_t(sizes.size());
   TakeFirst(options, sizes);
   for (const int sign : { 0, 1 })
@@ -741,8 +838,12 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
   const TraceCube* const unsmoothed = result.IsSmoothed ? &turned : nullptr;
-  WriteSurfaces(cube, unsmoothed, reflections, limits, positions, result.Surfaces, monitor.Step(0.9, 1.0));
+  WriteSurfaces(cube, unsmoothed, joined->Picks, limits, positions, result.Surfaces, monitor.Step(0.9, 1.0));
   guided.AddAttributes();
+  if (kept)
+  {
+    *kept = isKept ? joined : nullptr;
+  }
   return result;
 }
 }

@@ -16,6 +16,7 @@
 #include "WaveletPhase.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace SeismicHorizons
@@ -86,10 +87,15 @@ struct Extraction
 
 void CheckOptions(const ExtractionOptions& options);
 
+/// Picks of a cube, and their links and surfaces, that guides share.
+struct JoinedReflections;
+
 /// With guides, all percentiles count. Throws InputError on options out of range, and on guides that do not fit.
-/// Takes about 30 bytes per pick beside the result, 100 with guides.
+/// Takes about 30 bytes per pick beside the result, 100 with guides. These leave what does not depend on them in `kept`,
+/// about 60 bytes per pick, from which the next extraction starts. It must have the same cube and limits.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
-  const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits());
+  const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits(),
+  std::shared_ptr<JoinedReflections>* kept = nullptr);
 }
 
 #endif
