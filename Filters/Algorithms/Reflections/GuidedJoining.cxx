@@ -245,8 +245,14 @@ private:
   {
     std::vector<PointId> members;
     const std::vector<PointId> misses = this->MissesOf(part);
-    std::map<PointId, bool> isNear; // to the surface
-    std::vector<PointId> front;
+    enum : unsigned char
+    {
+      Unknown,
+      Near, // to the surface
+      Far
+    };
+    std::vector<unsigned char> sides(this->Found.size(), Unknown); // by column
+    std::vector<std::int32_t> front;
     this->ForEachMember(part,
       [&](PointId member)
       {
@@ -254,8 +260,8 @@ private:
         const std::int32_t column = this->Joining.Columns[member];
         if (!misses.empty() && (this->Found[column] == member || this->Grown[column] == member))
         {
-          front.push_back(member);
-          isNear[member] = true;
+          front.push_back(column);
+          sides[column] = Near;
         }
       });
     if (misses.empty())
@@ -264,28 +270,24 @@ private:
     }
     for (const PointId miss : misses)
     {
-      front.push_back(miss);
-      isNear[miss] = false;
+      front.push_back(this->Joining.Columns[miss]);
+      sides[front.back()] = Far;
     }
     for (std::size_t n = 0; n < front.size(); ++n) // breadth first
     {
-      const bool near = isNear[front[n]];
-      this->ForEachBeside(this->Joining.Columns[front[n]],
+      const unsigned char side = sides[front[n]];
+      this->ForEachBeside(front[n],
         [&](std::int64_t column)
         {
-          const PointId next = this->MemberIn(part, column);
-          if (next != NoPoint && isNear.insert({ next, near }).second)
+          if (sides[column] == Unknown && this->MemberIn(part, column) != NoPoint)
           {
-            front.push_back(next);
+            sides[column] = side;
+            front.push_back(std::int32_t(column));
           }
         });
     }
     members.erase(std::remove_if(members.begin(), members.end(),
-                    [&](PointId member)
-                    {
-                      const auto found = isNear.find(member);
-                      return found == isNear.end() || !found->second;
-                    }),
+                    [&](PointId member) { return sides[this->Joining.Columns[member]] != Near; }),
       members.end());
     return members;
   }

@@ -57,6 +57,11 @@ struct GuideSeed
   PointId Pick = NoPoint;
   std::int32_t Column = 0;
   std::size_t Number = 0; // of the pick in the guide
+
+  friend bool operator==(const GuideSeed& a, const GuideSeed& b)
+  {
+    return a.Pick == b.Pick && a.Column == b.Column && a.Number == b.Number;
+  }
 };
 
 struct GuidedPick
@@ -77,6 +82,13 @@ struct GuidedSurface
   std::int64_t Doubtful = 0; // picks dropped for their confidence
   std::int64_t Seams = 0; // pairs of neighbours along i and j more than half a period apart where no fault is
   std::int64_t Stopped = 0; // empty columns just beyond the reach of growth
+};
+
+/// A guide that has been followed.
+struct FollowedGuide
+{
+  std::vector<GuideSeed> Seeds;
+  GuidedSurface Surface;
 };
 
 class GuidedJoining

@@ -402,8 +402,9 @@ public:
     return { cube, picks, link, monitor };
   }
 
+  /// Guides that have been followed with the same options are not followed again.
   void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, const GrowthLinks& links,
-    RawVector<PointId>& surfaces, const Monitor& monitor)
+    RawVector<PointId>& surfaces, std::vector<FollowedGuide>& followed, const Monitor& monitor)
   {
     const GuidedJoining joining(
       cube, picks, surfaces, links, HalfWidth(LongWaveform, this->Period), this->Period, this->Options);
@@ -414,15 +415,26 @@ public:
         {
           if (this->SignOf(n) == sign)
           {
-            GuidedSurface& surface = this->Surfaces[n] = joining.Follow(std::move(this->Seeds[n]));
+            const auto known = std::find_if(followed.begin(), followed.end(),
+              [&](const FollowedGuide& guide) { return guide.Seeds == this->Seeds[n]; });
+            GuidedSurface& surface = this->Surfaces[n] =
+              known != followed.end() ? known->Surface : joining.Follow(this->Seeds[n]);
             GuideUse& use = this->Result.Guides[n];
-            use.Strays = std::move(surface.Strays);
+            use.Strays = surface.Strays;
             use.Doubtful = surface.Doubtful;
             use.Seams = surface.Seams;
             use.Stopped = surface.Stopped;
           }
         }
       });
+    followed.clear();
+    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
+    {
+      if (this->SignOf(n) == sign)
+      {
+        followed.push_back({ std::move(this->Seeds[n]), this->Surfaces[n] });
+      }
+    }
     this->SharePicks(sign, picks, links, surfaces);
   }
 
@@ -543,6 +555,13 @@ bool JoinAlike(const ExtractionOptions& a, const ExtractionOptions& b)
   };
   return AreSame(a.Reflections, b.Reflections) && tie(a) == tie(b);
 }
+
+/// Seeds have the tolerance.
+bool FollowAlike(const GuidanceOptions& a, const GuidanceOptions& b)
+{
+  return a.GrowthCorrelation == b.GrowthCorrelation && a.GrowthReach == b.GrowthReach &&
+    a.LeastConfidence == b.LeastConfidence;
+}
 }
 
 struct JoinedReflections
@@ -555,6 +574,7 @@ struct JoinedReflections
   std::array<std::optional<RawVector<PointId>>, 2> Surfaces;
   std::array<double, 2> MedianCorrelations = { 0.0, 0.0 };
   std::array<std::optional<GrowthLinks>, 2> Links;
+  std::array<std::vector<FollowedGuide>, 2> Followed;
 
   /// Starts of picks remain.
   void Free(int sign)
@@ -562,6 +582,7 @@ struct JoinedReflections
     this->Picks.BySign[sign].FreePicks();
     this->Surfaces[sign].reset();
     this->Links[sign].reset();
+    this->Followed[sign].clear();
   }
 };
 
@@ -613,6 +634,21 @@ std::shared_ptr<JoinedReflections> FindPicks(const TraceCube& cube, const Extrac
   return joined;
 }
 
+std::shared_ptr<JoinedReflections> StartFrom(std::shared_ptr<JoinedReflections> joined, const TraceCube& cube,
+  const ExtractionOptions& options, bool isGuided, const TraceLimits& limits, const Monitor& monitor)
+{
+  if (!joined || !JoinAlike(joined->Options, options))
+  {
+    joined = FindPicks(cube, options, isGuided, limits, monitor);
+  }
+  if (!FollowAlike(joined->Options.Guidance, options.Guidance))
+  {
+    joined->Followed = {};
+  }
+  joined->Options = options;
+  return joined;
+}
+
 /// Returns the automatic surfaces, without picks that guides took.
 RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, const ExtractionOptions& options,
   GuidedExtraction& guided, bool isKept, JoinedReflections& joined, const Monitor& monitor)
@@ -635,7 +671,7 @@ RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, const Extractio
       {
         links = guided.FindLinks(cube, picks, monitor.Step(0.7, 0.9));
       }
-      guided.Follow(cube, sign, picks, *links, surfaces, monitor.Step(0.9, 1.0));
+      guided.Follow(cube, sign, picks, *links, surfaces, joined.Followed[sign], monitor.Step(0.9, 1.0));
     }
     return surfaces;
   }
@@ -796,9 +832,8 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   const TraceCube turned = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
   const bool isGuided = !guides.empty();
   const bool isKept = kept && isGuided;
-  const std::shared_ptr<JoinedReflections> joined = isKept && *kept && JoinAlike((*kept)->Options, options)
-    ? *kept
-    : FindPicks(turned, options, isGuided, limits, monitor.Step(0.0, 0.3));
+  const std::shared_ptr<JoinedReflections> joined =
+    StartFrom(isKept ? *kept : nullptr, turned, options, isGuided, limits, monitor.Step(0.0, 0.3));
   const TraceCube cube = Smoothed(turned, *joined);
   Extraction result = joined->Figures;
   result.SmallestSize = options.SmallestSize > 0
