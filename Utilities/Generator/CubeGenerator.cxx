@@ -139,14 +139,17 @@ void CubeGenerator::AddWavelet(double place, double strength, float* trace) cons
   {
     return;
   }
-  const double reach = double(this->Wavelet.size()) / 2.0 + 1.0;
+  constexpr double fall = 0.6;
+  const double frequency =
+    this->Given.Frequency * (this->Given.Has(Trouble::Wavelet) ? 1.0 - fall * place / this->Given.Size[2] : 1.0);
+  const double reach = std::sqrt(LargestExponent) / (Pi * frequency) * 1000.0 / this->Given.SampleInterval + 1.0;
   const int first = std::max(0, int(std::ceil(place - reach)));
   const int last = std::min(this->Given.Size[2] - 1, int(std::floor(place + reach)));
   for (int sample = first; sample <= last; ++sample)
   {
     const double time = TimeOf(sample - place, this->Given.SampleInterval);
-    const double turned = this->Turn[1] == 0.0 ? 0.0 : this->Turn[1] * TurnedRickerWavelet(this->Given.Frequency, time);
-    trace[sample] += float(strength * (this->Turn[0] * RickerWavelet(this->Given.Frequency, time) + turned));
+    const double turned = this->Turn[1] == 0.0 ? 0.0 : this->Turn[1] * TurnedRickerWavelet(frequency, time);
+    trace[sample] += float(strength * (this->Turn[0] * RickerWavelet(frequency, time) + turned));
   }
 }
 
@@ -155,7 +158,14 @@ void CubeGenerator::AddSignal(int i, int j, float* trace) const
 {
   for (int n = 0; n < this->Reflectors.Size(); ++n)
   {
-    this->AddWavelet(this->Reflectors.Place(n, i, j), this->Reflectors.Strength(n, i, j), trace);
+    const double place = this->Reflectors.Place(n, i, j);
+    const double strength = this->Reflectors.Strength(n, i, j);
+    this->AddWavelet(place, strength, trace);
+    if (this->Given.Has(Trouble::Multiples))
+    {
+      constexpr double part = -0.35;
+      this->AddWavelet(place + this->MultipleDelay(i, j), part * strength, trace);
+    }
   }
   for (int channel = 0; channel < this->Given.Channels; ++channel)
   {
@@ -199,12 +209,64 @@ double CubeGenerator::CoherentNoise(int i, int j, int sample) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// Between columns three apart, numbers change evenly.
+std::vector<double> CubeGenerator::LateralRandom(std::uint64_t seed, int i, int j, std::size_t size) const
+{
+  constexpr int step = 3;
+  const double x = double(i % step) / step;
+  const double y = double(j % step) / step;
+  const std::array<double, 4> weights = { (1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y };
+  std::vector<double> random(size, 0.0);
+  double squares = 0.0;
+  for (std::size_t corner = 0; corner < weights.size(); ++corner)
+  {
+    const std::int64_t column = i / step + std::int64_t(corner % 2);
+    const std::int64_t row = j / step + std::int64_t(corner / 2);
+    squares += weights[corner] * weights[corner];
+    for (std::size_t sample = 0; sample < size && weights[corner] > 0.0; ++sample)
+    {
+      const std::int64_t number = column + std::int64_t(this->Given.Size[0]) * row;
+      random[sample] += weights[corner] * NormalRandom(seed, number, std::int64_t(sample));
+    }
+  }
+  std::for_each(random.begin(), random.end(), [squares](double& value) { value /= std::sqrt(squares); });
+  return random;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeGenerator::MultipleDelay(int i, int j) const
+{
+  constexpr double width = 40.0; // columns
+  return this->Given.Spacing * (1.7 + 0.8 * Noise(Mix(this->Given.Seed + 0x3C3CU), i / width, j / width));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CubeGenerator::Clip(std::vector<float>& traces) const
+{
+  constexpr double largest = 127.0;
+  double energy = 0.0;
+  std::int64_t count = 0;
+  for (const float value : traces)
+  {
+    energy += std::isnan(value) ? 0.0 : double(value) * double(value);
+    count += std::isnan(value) || value == 0.0F ? 0 : 1;
+  }
+  const double unit = std::sqrt(energy / double(std::max<std::int64_t>(1, count))) / largest;
+  for (float& value : traces)
+  {
+    value = std::isnan(value) ? value : float(std::round(std::clamp(value / unit, -largest, largest)));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void CubeGenerator::AddNoise(int i, int j, double height, float* trace) const
 {
   const NoiseKind kind = this->Given.Noise;
   const bool isMixed = kind == NoiseKind::Mixed;
-  const double white = kind == NoiseKind::White ? 1.0 : (isMixed ? 0.5 : 0.0);
-  const double inBand = kind == NoiseKind::InBand ? 1.0 : (isMixed ? std::sqrt(0.5) : 0.0);
+  const bool isLateral = kind == NoiseKind::Lateral;
+  const double half = std::sqrt(0.5);
+  const double white = kind == NoiseKind::White ? 1.0 : (isMixed ? 0.5 : (isLateral ? half : 0.0));
+  const double inBand = kind == NoiseKind::InBand ? 1.0 : (isMixed || isLateral ? half : 0.0);
   const double coherent = kind == NoiseKind::Coherent ? 1.0 : (isMixed ? 0.5 : 0.0);
   const std::int64_t number = i + std::int64_t(this->Given.Size[0]) * j;
   const auto makeRandom = [&](std::uint64_t seed, std::size_t size)
@@ -218,9 +280,11 @@ void CubeGenerator::AddNoise(int i, int j, double height, float* trace) const
   };
   const std::uint64_t seed = Mix(this->Given.Seed + 0xA5A5U);
   const auto samples = std::size_t(this->Given.Size[2]);
-  const std::vector<double> random = makeRandom(isMixed ? Mix(seed) : seed, white > 0.0 ? samples : 0);
-  const std::vector<double> band =
-    inBand > 0.0 ? this->InBand(makeRandom(seed, samples + this->Wavelet.size())) : std::vector<double>();
+  const std::vector<double> random = makeRandom(isMixed || isLateral ? Mix(seed) : seed, white > 0.0 ? samples : 0);
+  const std::size_t more = samples + this->Wavelet.size();
+  const std::vector<double> band = inBand > 0.0
+    ? this->InBand(isLateral ? this->LateralRandom(seed, i, j, more) : makeRandom(seed, more))
+    : std::vector<double>();
   for (std::size_t sample = 0; sample < samples; ++sample)
   {
     const double value = (white > 0.0 ? white * random[sample] : 0.0) + (inBand > 0.0 ? inBand * band[sample] : 0.0) +
@@ -266,7 +330,17 @@ std::vector<float> CubeGenerator::MakeTraces() const
       {
         std::fill(trace, trace + nZ, 0.0F);
       }
+      if (this->Given.Has(Trouble::Footprint))
+      {
+        constexpr double lines = 6.3; // columns
+        const auto factor = float(1.0 + 0.4 * Wave(i / lines));
+        std::for_each(trace, trace + nZ, [factor](float& value) { value *= factor; });
+      }
     });
+  if (this->Given.Has(Trouble::Clipped))
+  {
+    this->Clip(traces);
+  }
   return traces;
 }
 }

@@ -15,6 +15,8 @@
 #include "CubeReflectors.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
@@ -35,9 +37,13 @@ private:
   void AddSignal(int i, int j, float* trace) const;
   void AddWavelet(double place, double strength, float* trace) const;
   void AddNoise(int i, int j, double height, float* trace) const;
+  /// When a multiple comes after its reflector, in samples.
+  double MultipleDelay(int i, int j) const;
+  void Clip(std::vector<float>& traces) const;
   void MakePlaneWaves();
   /// Random numbers of variance 1, and so many samples more, as the wavelet moves them.
   std::vector<double> InBand(const std::vector<double>& random) const;
+  std::vector<double> LateralRandom(std::uint64_t seed, int i, int j, std::size_t size) const;
   double CoherentNoise(int i, int j, int sample) const;
 
   /// A dipping wave: its samples at column (0, 0), from the first that any column needs on.

@@ -8,6 +8,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <set>
+#include <string>
 
 namespace SeismicHorizons
 {
@@ -16,8 +19,26 @@ enum class NoiseKind
   White, // of all frequencies, as of instruments
   InBand, // of the frequencies of the signal, as of sources
   Coherent, // three dipping plane waves of these frequencies, as of multiples and ground roll
-  Mixed // a half of its energy in band, a quarter white and a quarter coherent
+  Mixed, // a half of its energy in band, a quarter white and a quarter coherent
+  Lateral // a half white, and a half in band and alike in columns up to three apart, as after migration
 };
+
+/// What makes a cube hard in a way of its own.
+enum class Trouble
+{
+  Polarity, // reflectors turn their sign along a line, where they fade
+  Wavelet, // its frequency falls to 0.4 of that at the top
+  Multiples, // each reflector comes a second time, later by a layer with folds of its own
+  DeadStrips, // three strips of four dead traces across the cube
+  GasCloud, // which weakens and delays what is below it
+  Salt, // a plug with upturned flanks
+  Reef, // a bright and rough top with steep flanks on the middle reflector
+  Footprint, // amplitudes change from line to line
+  Clipped // to 8 bits at the root mean square
+};
+
+/// By the names that generate_cube knows.
+const std::map<std::string, Trouble>& TroubleNames();
 
 /// The default is an easy cube: reflectors far apart and of one strength all over, and a fault across which none faces
 /// another.
@@ -44,6 +65,9 @@ struct CubeGeneratorOptions
   double MissingFraction = 0.0; // traces that are not there
   double NoiseFraction = 0.0; // root mean square of the noise, as a part of that of the signal
   NoiseKind Noise = NoiseKind::White;
+  std::set<Trouble> Troubles;
+
+  bool Has(Trouble trouble) const { return this->Troubles.count(trouble) > 0; }
 };
 
 /// A hard one: layers thick and thin, reflectors that fade and face others across the fault, a channel, and dead and

@@ -28,7 +28,9 @@ enum Purpose : std::uint64_t
   DeadTraces,
   MissingTraces,
   Erosion,
-  FaultShape
+  FaultShape,
+  ReefShape,
+  TurningLine
 };
 
 double RandomOf(std::uint64_t seed, Purpose purpose, std::int64_t i, std::int64_t j)
@@ -40,6 +42,16 @@ double SmoothOf(std::uint64_t seed, Purpose purpose, double x, double y, int oct
 {
   return FractalNoise(Mix(seed + Mix(purpose)), x, y, octaves);
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const std::map<std::string, Trouble>& TroubleNames()
+{
+  static const std::map<std::string, Trouble> names = { { "polarity", Trouble::Polarity },
+    { "wavelet", Trouble::Wavelet }, { "multiples", Trouble::Multiples }, { "dead-strips", Trouble::DeadStrips },
+    { "gas-cloud", Trouble::GasCloud }, { "salt", Trouble::Salt }, { "reef", Trouble::Reef },
+    { "footprint", Trouble::Footprint }, { "clipped", Trouble::Clipped } };
+  return names;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -125,6 +137,10 @@ CubeReflectors::CubeReflectors(const CubeGeneratorOptions& options)
     this->AddLayer(depth, !options.HasUnconformity ? LayerKind::Plain : (isOld ? LayerKind::Old : LayerKind::Young));
     depth +=
       options.Spacing * (1.0 + options.SpacingVariation * (2.0 * RandomOf(options.Seed, LayerSpacing, n, 0) - 1.0));
+  }
+  if (options.Has(Trouble::Reef))
+  {
+    this->Layers[this->Layers.size() / 2].IsReef = true;
   }
   this->AddShortFaults();
 }
@@ -224,7 +240,7 @@ double CubeReflectors::LaidPlace(const Layer& layer, int i, int j) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
+double CubeReflectors::FaultedPlace(const Layer& layer, int i, int j) const
 {
   double place = this->LaidPlace(layer, i, j);
   for (const ShortFault& fault : this->Faults)
@@ -243,6 +259,58 @@ double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
     return place;
   }
   return this->FaultDistance(i, j, thrown) > 0.0 ? thrown : None;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
+{
+  double place = this->FaultedPlace(layer, i, j);
+  place -= layer.IsReef ? this->ReefHeight(i, j) : 0.0;
+  if (this->Given.Has(Trouble::Salt))
+  {
+    place = this->BesideSalt(place, i, j);
+  }
+  constexpr double delay = 6.0; // samples
+  return this->Given.Has(Trouble::GasCloud) ? place + delay * this->InGas(place, i, j) : place;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::FromBody(double centerX, double centerY, double radius, int i, int j) const
+{
+  const double x = i - centerX * this->Given.Size[0];
+  const double y = j - centerY * this->Given.Size[1];
+  return std::sqrt(x * x + y * y) / (radius * this->Given.Size[0]);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::BesideSalt(double place, int i, int j) const
+{
+  constexpr double top = 0.3; // of the trace
+  constexpr double rise = 30.0; // samples, at the end of the trace
+  const double distance = this->FromBody(0.35, 0.6, 0.15, i, j);
+  const double depth = place / this->Given.Size[2];
+  const double outside = std::max(0.0, distance - 1.0);
+  return distance < 1.0 && depth > top ? None : place - rise * depth / (1.0 + 3.0 * outside * outside);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::ReefHeight(int i, int j) const
+{
+  constexpr double height = 10.0; // samples
+  constexpr double roughness = 1.5;
+  constexpr double flank = 0.25; // of the radius
+  constexpr double width = 3.0; // columns
+  const double inside = std::clamp((1.0 - this->FromBody(0.5, 0.5, 0.2, i, j)) / flank, 0.0, 1.0);
+  return SmoothStep(inside) * (height + roughness * SmoothOf(this->Given.Seed, ReefShape, i / width, j / width, 1));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CubeReflectors::InGas(double place, int i, int j) const
+{
+  constexpr double top = 0.25; // of the trace
+  constexpr double thickness = 0.15;
+  const double inside = std::max(0.0, 1.0 - this->FromBody(0.6, 0.45, 0.22, i, j));
+  return SmoothStep(inside) * std::clamp((place / this->Given.Size[2] - top) / thickness, 0.0, 1.0);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -266,7 +334,22 @@ double CubeReflectors::Strength(int reflector, int i, int j) const
   const double noise = SmoothOf(layer.Seed, Fades, i / width, j / width, 1);
   // Whole over most of the area, and the weakest only where noise is lowest.
   const double part = SmoothStep(std::clamp(2.0 * (noise + 0.8), 0.0, 1.0));
-  return layer.Strength * (this->Given.Fading + (1.0 - this->Given.Fading) * part);
+  double strength = layer.Strength * (this->Given.Fading + (1.0 - this->Given.Fading) * part);
+  strength *= layer.IsReef ? 2.0 / std::abs(layer.Strength) : 1.0;
+  if (this->Given.Has(Trouble::GasCloud))
+  {
+    strength *= 1.0 - 0.85 * this->InGas(this->Place(reflector, i, j), i, j);
+  }
+  if (this->Given.Has(Trouble::Polarity))
+  {
+    constexpr double fading = 6.0; // columns
+    const auto random = [&](int which) { return 2.0 * RandomOf(layer.Seed, TurningLine, which, 0) - 1.0; };
+    const double x = i - (0.5 + 0.2 * random(0)) * this->Given.Size[0];
+    const double y = j - (0.5 + 0.2 * random(1)) * this->Given.Size[1];
+    const double across = x + random(2) * y;
+    strength *= across / std::sqrt(across * across + fading * fading);
+  }
+  return strength;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -307,7 +390,12 @@ double CubeReflectors::ChannelStrength(int channel) const
 //----------------------------------------------------------------------------------------------------------------------
 bool CubeReflectors::IsDead(int i, int j) const
 {
-  return RandomOf(this->Given.Seed, DeadTraces, i, j) < this->Given.DeadFraction;
+  bool isOnStrip = false;
+  for (int strip = 0; strip < 3 && this->Given.Has(Trouble::DeadStrips); ++strip)
+  {
+    isOnStrip = isOnStrip || std::abs(i - (0.25 + 0.25 * strip) * this->Given.Size[0] - 0.3 * (strip - 1) * j) < 2.0;
+  }
+  return isOnStrip || RandomOf(this->Given.Seed, DeadTraces, i, j) < this->Given.DeadFraction;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

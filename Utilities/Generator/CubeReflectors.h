@@ -57,6 +57,7 @@ private:
     double Depth = 0.0;
     double Strength = 1.0;
     std::uint64_t Seed = 0;
+    bool IsReef = false;
   };
 
   /// A plane fault that dips along `Across`, with the throw at its middle, and none from `HalfLength` along it on.
@@ -76,8 +77,15 @@ private:
   /// Before faults and channels; nan where the layer is eroded, or was never laid down.
   double LaidPlace(const Layer& layer, int i, int j) const;
   double UnconformityPlace(int i, int j) const;
+  double FaultedPlace(const Layer& layer, int i, int j) const;
   /// Before channels.
   double LayerPlace(const Layer& layer, int i, int j) const;
+  double BesideSalt(double place, int i, int j) const;
+  double ReefHeight(int i, int j) const;
+  /// From 0 to 1, at its middle and below.
+  double InGas(double place, int i, int j) const;
+  /// From the center of a round body, in its radii.
+  double FromBody(double centerX, double centerY, double radius, int i, int j) const;
   /// Half the width of a channel less the distance to its middle, in columns.
   double InsideChannel(int channel, int i, int j) const;
   double Fold(double x, double y) const;

@@ -44,6 +44,9 @@ and y at 181 and 185; a turned survey). The same options give the same file ever
   --in-band         noise of the frequencies of the signal
   --coherent        noise of dipping plane waves
   --mixed           noise of all three kinds
+  --lateral         half white, and half in band and alike in columns nearby
+  --trouble NAME    polarity (it turns), wavelet (longer below), multiples, dead-strips, gas-cloud, salt, reef, footprint
+                    or clipped (to 8 bits); several may be given
   --seed N          another number gives another cube (default 1)
   --truth TEXT      another file, with the place of each reflector in each column as text
   --help            this text
@@ -58,7 +61,7 @@ struct Arguments
 };
 
 const std::map<std::string, NoiseKind> Noises = { { "--in-band", NoiseKind::InBand },
-  { "--coherent", NoiseKind::Coherent }, { "--mixed", NoiseKind::Mixed } };
+  { "--coherent", NoiseKind::Coherent }, { "--mixed", NoiseKind::Mixed }, { "--lateral", NoiseKind::Lateral } };
 
 /// Options with one number.
 bool ParseNumberOption(const std::string& option, CommandWords& words, CubeGeneratorOptions& options)
@@ -111,6 +114,16 @@ void ParseOption(const std::string& option, CommandWords& words, Arguments& argu
   else if (const auto noise = Noises.find(option); noise != Noises.end())
   {
     options.Noise = noise->second;
+  }
+  else if (option == "--trouble")
+  {
+    const std::string name = words.TakeText(option, "a name");
+    const auto trouble = TroubleNames().find(name);
+    if (trouble == TroubleNames().end())
+    {
+      throw InputError("trouble \"" + name + "\", expected one of those that --help lists");
+    }
+    options.Troubles.insert(trouble->second);
   }
   else if (option == "--truth")
   {
