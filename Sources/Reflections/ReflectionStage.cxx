@@ -63,7 +63,7 @@ void WarnOfGuide(
     found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Unused, guide) +
       ", are near no reflection of their sign, expected most to be: see GuideTolerance");
   }
-  if (3 * use.OtherSign > std::int64_t(guide.Places.size()))
+  if (3 * (use.OtherSign - use.Turned) > std::int64_t(guide.Places.size()))
   {
     found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + std::to_string(use.OtherSign) + " of " +
       std::to_string(guide.Places.size()) + " picks are nearer to a reflection of " +
@@ -108,7 +108,8 @@ void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)
       ++counts[std::size_t(origin)];
     }
     text << guide.Given.Name << ": " << surface.Column.size() << " points of "
-         << (use.IsNegative ? "negative" : "positive") << " reflections, " << counts[0] << " picks, " << counts[1]
+         << (use.IsNegative ? "negative" : "positive") << " reflections, "
+         << (use.Turned > 0 ? "of the other sign where polarity turns, " : "") << counts[0] << " picks, " << counts[1]
          << " on parts, " << counts[2] << " grown, " << LikelyWrong(surface) << " % likely wrong; " << use.Doubtful
          << " left out, " << use.Shared << " shared, " << use.Seams << " seams; unused picks: " << use.Unused.size()
          << " near no reflection, " << use.Strays.size() << " contradicted, " << guide.Outside
@@ -182,8 +183,9 @@ FoundReflections FindReflections(ReflectionInputs inputs, const ExtractionOption
   DescribeReflections(options.Guidance, found);
   if (found.Result.IsBiased)
   {
-    found.Warnings.push_back("amplitudes keep one sign throughout most traces, expected amplitudes about 0: reflections "
-                             "of the other sign are missed; remedy: subtract the mean first (Calculator)");
+    found.Warnings.push_back(
+      "amplitudes keep one sign throughout most traces, expected amplitudes about 0: reflections "
+      "of the other sign are missed; remedy: subtract the mean first (Calculator)");
   }
   for (std::size_t n = 0; n < found.Result.Surfaces.size(); ++n)
   {

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -83,24 +85,30 @@ std::vector<CubeGenerator> MakeWildCubes(int cubes, double noise)
   return generators;
 }
 
-/// A row of the table: `score` gives that of a cube.
+/// An entry of a table: `score` gives that of a cube.
+template <typename Score>
+void PrintScore(const std::vector<CubeGenerator>& cubes, Score&& score)
+{
+  GuideScore total;
+  double weakest = 0.0;
+  for (const CubeGenerator& cube : cubes)
+  {
+    const GuideScore one = score(cube);
+    total.Add(one);
+    weakest += one.Weakest / double(cubes.size());
+  }
+  std::printf(
+    " %.1f/%.1f/%.1f/%.1f |", 100.0 * total.Found(), 100.0 * weakest, 100.0 * total.Off(), 100.0 * total.Absent());
+  std::fflush(stdout);
+}
+
 template <typename Score>
 void PrintGuidedRow(const std::string& name, const std::vector<std::vector<CubeGenerator>>& byNoise, Score&& score)
 {
   std::printf("| %s |", name.c_str());
   for (const std::vector<CubeGenerator>& cubes : byNoise)
   {
-    GuideScore total;
-    double weakest = 0.0;
-    for (const CubeGenerator& cube : cubes)
-    {
-      const GuideScore one = score(cube);
-      total.Add(one);
-      weakest += one.Weakest / double(cubes.size());
-    }
-    std::printf(
-      " %.1f/%.1f/%.1f/%.1f |", 100.0 * total.Found(), 100.0 * weakest, 100.0 * total.Off(), 100.0 * total.Absent());
-    std::fflush(stdout);
+    PrintScore(cubes, score);
   }
   std::printf("\n");
 }
@@ -277,6 +285,44 @@ void PrintSamplingTable(int cubes)
   }
 }
 
+// ---- Troubles ------------------------------------------------------------------------------------------------------
+
+void PrintTroubleTable(int cubes)
+{
+  ExtractionOptions options;
+  options.SmallestSize = 10;
+  options.LargestNumber = 1000000;
+  std::printf("| trouble | no picks | 5 picks | plain tracker, 5 | 20 picks |\n| --- | --- | --- | --- | --- |\n");
+  std::map<std::string, std::set<Trouble>> rows = { { "(none)", {} } };
+  for (const auto& [name, trouble] : TroubleNames())
+  {
+    rows[name] = { trouble };
+  }
+  const auto guidesOf = [](const CubeGenerator& cube, int plan)
+  { return MakeGuides(cube, GuidedPlans[std::size_t(plan)].Picks, cube.Options().Seed); };
+  for (const auto& [name, troubles] : rows)
+  {
+    std::vector<CubeGenerator> generators;
+    for (int n = 0; n < cubes; ++n)
+    {
+      CubeGeneratorOptions wild = WildCube(FirstWildSeed + std::uint64_t(n));
+      wild.Size = { 90, 80, wild.Size[2] };
+      wild.NoiseFraction = 0.25;
+      wild.Noise = NoiseKind::Lateral;
+      wild.Troubles = troubles;
+      generators.emplace_back(wild);
+    }
+    std::printf("| %s |", name.c_str());
+    PrintScore(
+      generators, [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
+    PrintScore(generators, [&](const CubeGenerator& cube) { return ScorePlan(cube, options, GuidedPlans[1]); });
+    PrintScore(
+      generators, [&](const CubeGenerator& cube) { return ScoreGuided(cube, TrackAll(cube, guidesOf(cube, 1))); });
+    PrintScore(generators, [&](const CubeGenerator& cube) { return ScorePlan(cube, options, GuidedPlans[4]); });
+    std::printf("\n");
+  }
+}
+
 constexpr const char* Guided = R"(## Guided
 
 Five picks per piece find most of a horizon, even with some wrong picks. %d wild cubes (`generate_cube --wild`) of 110 x
@@ -296,11 +342,22 @@ bin: their mean confidence / those within half a period of the reflector / *off*
 
 )";
 
+constexpr const char* Troubles = R"(
+## Other troubles
+
+Parts of wild cubes of 90 x 80 traces with 25 % noise, a half of it white and a half in band and alike in columns
+nearby, as after migration. Each has one trouble more (`generate_cube --trouble`): amplitudes clipped to 8 bits, three
+strips of dead traces, a footprint of acquisition, a gas cloud that weakens and delays, multiples that cross reflectors,
+polarity that turns along every reflector, a bright reef with steep flanks, a salt plug with upturned flanks, and a
+wavelet whose frequency falls to 0.4. Entries as under *Guided*.
+
+)";
+
 constexpr const char* Sampling = R"(
 ## Fine sampling
 
-Parts of wild cubes of 70 x 60 traces, sampled more and more finely, with white noise; entries as under *Guided*. Traces
-with more than 11 samples a period are smoothed first, so that as much is found in each.
+Parts of wild cubes of 70 x 60 traces, sampled more and more finely, with white noise; entries as under *Guided*. With
+guides, traces of more than 11 samples a period are smoothed first, so that as much is found in each.
 
 )";
 }
@@ -327,5 +384,7 @@ void PrintGuidedStudy(int cubes)
   PrintConfidenceTable(cubes);
   std::printf("%s", Sampling);
   PrintSamplingTable((cubes + 1) / 2);
+  std::printf("%s", Troubles);
+  PrintTroubleTable((cubes + 1) / 2);
 }
 }

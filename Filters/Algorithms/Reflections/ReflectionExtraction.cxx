@@ -17,10 +17,8 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
-#include "GuideConfidence.h"
-#include "GuidedJoining.h"
+#include "GuidedExtraction.h"
 #include "LowPass.h"
-#include "SharedEvents.h"
 #include "SurfaceJoining.h"
 #include "WaveletPhase.h"
 
@@ -46,135 +44,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- The reflections that picks of an interpreter mean --------------------------------------------------------------
-
-std::string PlaceText(const GuidePick& pick)
-{
-  std::ostringstream text;
-  text << "at column " << pick.I << ", row " << pick.J << ", sample " << pick.Place;
-  return text.str();
-}
-
-std::string NameText(const Guide& guide)
-{
-  return "guide \"" + guide.Name + "\": ";
-}
-
-std::vector<std::size_t> ListByColumn(const std::vector<GuidePick>& picks)
-{
-  std::vector<std::size_t> order(picks.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(),
-    [&picks](std::size_t a, std::size_t b) {
-      return std::tie(picks[a].J, picks[a].I, picks[a].Place, a) < std::tie(picks[b].J, picks[b].I, picks[b].Place, b);
-    });
-  return order;
-}
-
-/// Picks of a column must be within `quarter`.
-void CheckGuide(const Guide& guide, const std::vector<std::size_t>& order, const std::array<int, 2>& columns,
-  int samples, double quarter)
-{
-  if (guide.Picks.empty())
-  {
-    throw InputError(NameText(guide) + "no picks, expected one or more");
-  }
-  const GuidePick* previous = nullptr;
-  for (const std::size_t number : order)
-  {
-    const GuidePick& pick = guide.Picks[number];
-    if (pick.I < 0 || pick.I >= columns[0] || pick.J < 0 || pick.J >= columns[1] ||
-      !(pick.Place >= 0.0 && pick.Place <= samples - 1))
-    {
-      throw InputError(NameText(guide) + "pick " + std::to_string(number + 1) + ' ' + PlaceText(pick) +
-        ", is outside of the cube, which has " + std::to_string(columns[0]) + " columns, " +
-        std::to_string(columns[1]) + " rows and " + std::to_string(samples) + " samples");
-    }
-    if (previous && previous->I == pick.I && previous->J == pick.J && pick.Place - previous->Place > quarter)
-    {
-      std::ostringstream text;
-      text << NameText(guide) << "two picks in one column, " << PlaceText(*previous) << " and " << pick.Place
-           << ", expected one, or both within a quarter of the dominant period, " << quarter << " samples";
-      throw InputError(text.str());
-    }
-    previous = &pick;
-  }
-}
-
-struct SeedCandidate
-{
-  PointId Pick = NoPoint;
-  double Weight = 0.0;
-};
-
-SeedCandidate FindNearest(const ReflectionPicks& picks, const GuidePick& pick, double tolerance)
-{
-  const std::int64_t column = picks.ColumnAt(pick.I, pick.J);
-  SeedCandidate best;
-  for (PointId candidate = picks.Begin(column); candidate < picks.End(column); ++candidate)
-  {
-    // A little weight is left at the tolerance itself.
-    const double distance = std::abs(InSamples(picks.Places[candidate]) - pick.Place);
-    const double weight = (1.01 - distance / tolerance) * picks.StrengthOf(candidate);
-    if (distance <= tolerance && weight > best.Weight)
-    {
-      best = { candidate, weight };
-    }
-  }
-  return best;
-}
-
-/// Returns seeds in different columns. A guide has the sign whose stronger reflections are nearer to its picks. Throws
-/// InputError if picks are missing, outside of the cube, farther apart in a column than `quarter`, or all beyond
-/// `tolerance`.
-std::vector<GuideSeed> FindGuideSeeds(const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, int samples,
-  double tolerance, double quarter, GuideUse& use)
-{
-  const std::vector<std::size_t> order = ListByColumn(guide.Picks);
-  CheckGuide(guide, order, bySign[0].Columns, samples, quarter);
-  std::array<double, 2> votes = { 0.0, 0.0 };
-  for (const GuidePick& pick : guide.Picks)
-  {
-    for (const int sign : { 0, 1 })
-    {
-      votes[sign] += FindNearest(bySign[sign], pick, tolerance).Weight;
-    }
-  }
-  use.IsNegative = votes[1] > votes[0];
-  const ReflectionPicks& picks = bySign[use.IsNegative ? 1 : 0];
-  std::vector<GuideSeed> seeds;
-  for (const std::size_t number : order)
-  {
-    const GuidePick& pick = guide.Picks[number];
-    const SeedCandidate found = FindNearest(picks, pick, tolerance);
-    const SeedCandidate other = FindNearest(bySign[use.IsNegative ? 0 : 1], pick, tolerance);
-    use.OtherSign += other.Weight > found.Weight ? 1 : 0;
-    const auto column = std::int32_t(picks.ColumnAt(pick.I, pick.J));
-    if (found.Pick == NoPoint || (!seeds.empty() && seeds.back().Column == column))
-    {
-      use.Unused.push_back(number); // Or another pick of its column is nearer.
-    }
-    else
-    {
-      seeds.push_back({ found.Pick, column, number });
-    }
-  }
-  std::sort(use.Unused.begin(), use.Unused.end());
-  if (seeds.empty())
-  {
-    std::ostringstream text;
-    text << NameText(guide) << "none of " << guide.Picks.size() << " picks is within " << tolerance
-         << " samples of a strong reflection, expected one at least: a larger GuideTolerance, or a lower threshold";
-    throw InputError(text.str());
-  }
-  return seeds;
-}
-
 // ---- Joining -------------------------------------------------------------------------------------------------------
 
-// Half widths are in dominant periods. Long waveforms distinguish layers; short waveforms fill gaps where only one
-// layer is left.
-constexpr double LongWaveform = 3.5;
+// The half width, in dominant periods, of waveforms that fill gaps where only one layer is left.
 constexpr double ShortWaveform = 1.0;
 
 // Short waveforms join parts of fewer picks, and narrow strips, as along faults, where long waveforms reach across.
@@ -193,16 +65,6 @@ constexpr double SmallestWideCorrelation = 0.9;
 // The step is in dominant periods, and at least this number of samples.
 constexpr double StepPerPeriod = 0.3;
 constexpr double LeastLinkStep = 2.0;
-
-PickDepth InDepths(double samples)
-{
-  return PickDepth(std::lround(samples * DepthsPerSample));
-}
-
-int HalfWidth(double periods, double period)
-{
-  return std::max(1, int(std::lround(periods * period)));
-}
 
 RawVector<PointId> JoinSurfaces(const TraceCube& cube, const ReflectionPicks& picks, const ExtractionOptions& options,
   const Extraction& figures, double& medianCorrelation, const Monitor& monitor)
@@ -363,174 +225,6 @@ public:
 private:
   std::array<RawVector<PointId>, 2> First; // by sign and pick
   std::array<std::vector<std::pair<PointId, PointId>>, 2> More; // pick and position
-};
-
-// ---- Guides --------------------------------------------------------------------------------------------------------
-
-class GuidedExtraction
-{
-public:
-  GuidedExtraction(const std::vector<Guide>& guides, const CubeReflections& reflections, int samples,
-    const ExtractionOptions& options, Extraction& result)
-    : Options(options.Guidance)
-    , Period(reflections.Period)
-    , IsStepGiven(options.LargestStep > 0.0)
-    , Surfaces(guides.size())
-    , Result(result)
-  {
-    const double tolerance = this->Options.Tolerance > 0.0
-      ? this->Options.Tolerance
-      : std::max(LeastTolerance, TolerancePerPeriod * this->Period);
-    for (const Guide& guide : guides)
-    {
-      this->Seeds.push_back(FindGuideSeeds(
-        guide, reflections.BySign, samples, tolerance, this->Period / 4.0, result.Guides.emplace_back()));
-    }
-  }
-
-  bool HasAny(int sign) const
-  {
-    const std::vector<GuideUse>& guides = this->Result.Guides;
-    return std::any_of(
-      guides.begin(), guides.end(), [sign](const GuideUse& use) { return use.IsNegative == (sign == 1); });
-  }
-
-  GrowthLinks FindLinks(const TraceCube& cube, const ReflectionPicks& picks, const Monitor& monitor) const
-  {
-    const double step = std::max(this->Result.LargestStep, this->IsStepGiven ? 0.0 : StepPerTruePeriod * this->Period);
-    const LinkOptions link{ ColumnConnectivity::Eight, InDepths(step), HalfWidth(GrowthWaveform, this->Period) };
-    return { cube, picks, link, monitor };
-  }
-
-  /// Guides that have been followed with the same options are not followed again.
-  void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, const GrowthLinks& links,
-    RawVector<PointId>& surfaces, std::vector<FollowedGuide>& followed, const Monitor& monitor)
-  {
-    const GuidedJoining joining(
-      cube, picks, surfaces, links, HalfWidth(LongWaveform, this->Period), this->Period, this->Options);
-    ParallelFor(std::int64_t(this->Seeds.size()), 1, monitor,
-      [&](std::int64_t begin, std::int64_t end)
-      {
-        for (std::int64_t n = begin; n < end; ++n)
-        {
-          if (this->SignOf(n) == sign)
-          {
-            const auto known = std::find_if(followed.begin(), followed.end(),
-              [&](const FollowedGuide& guide) { return guide.Seeds == this->Seeds[n]; });
-            GuidedSurface& surface = this->Surfaces[n] =
-              known != followed.end() ? known->Surface : joining.Follow(this->Seeds[n]);
-            GuideUse& use = this->Result.Guides[n];
-            use.Strays = surface.Strays;
-            use.Doubtful = surface.Doubtful;
-            use.Seams = surface.Seams;
-            use.Stopped = surface.Stopped;
-          }
-        }
-      });
-    followed.clear();
-    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
-    {
-      if (this->SignOf(n) == sign)
-      {
-        followed.push_back({ std::move(this->Seeds[n]), this->Surfaces[n] });
-      }
-    }
-    this->SharePicks(sign, picks, links, surfaces);
-  }
-
-  void Number(NumbersOfSurfaces& positions) const
-  {
-    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
-    {
-      for (const GuidedPick& pick : this->Surfaces[n].Picks)
-      {
-        positions.Add(this->SignOf(n), pick.Pick, PointId(n));
-      }
-    }
-    positions.Sort();
-  }
-
-  bool IsEmpty() const { return this->Surfaces.empty(); }
-
-  std::size_t SizeOf(std::size_t guide) const { return this->Surfaces[guide].Picks.size(); }
-
-  void AddAttributes() const
-  {
-    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
-    {
-      const auto gather = [&](auto values, auto value)
-      {
-        using Value = std::decay_t<decltype(values[0])>;
-        for (const GuidedPick& pick : this->Surfaces[n].Picks)
-        {
-          values.push_back(static_cast<Value>(pick.*value));
-        }
-        return values;
-      };
-      LatticeHorizon& horizon = this->Result.Surfaces[n];
-      horizon.Attributes.push_back({ PointArray::Confidence, gather(HeapArray<double>(), &GuidedPick::Confidence) });
-      horizon.Attributes.push_back({ PointArray::Correlation, gather(HeapArray<double>(), &GuidedPick::Correlation) });
-      horizon.Attributes.push_back({ PointArray::GuideDistance, gather(HeapArray<double>(), &GuidedPick::Distance) });
-      horizon.Labels.push_back({ PointArray::Origin, gather(HeapArray<int>(), &GuidedPick::Origin) });
-      horizon.Labels.push_back({ PointArray::Block, gather(HeapArray<int>(), &GuidedPick::Block) });
-      horizon.Labels.push_back({ PointArray::Seed, gather(HeapArray<int>(), &GuidedPick::Seed) });
-    }
-  }
-
-private:
-  // Half widths of growth, in dominant periods, are short, to pass where layers thin out.
-  static constexpr double GrowthWaveform = 1.5;
-  // Runs make the period some percent short, and on steep flanks growth needs the whole step.
-  static constexpr double StepPerTruePeriod = 0.32;
-  static constexpr double TolerancePerPeriod = 0.2;
-  static constexpr double LeastTolerance = 1.5;
-
-  int SignOf(std::size_t guide) const { return this->Result.Guides[guide].IsNegative ? 1 : 0; }
-
-  /// Automatic surfaces lose the picks that guides keep.
-  void SharePicks(int sign, const ReflectionPicks& picks, const GrowthLinks& links, RawVector<PointId>& surfaces)
-  {
-    std::vector<std::size_t> guides;
-    std::vector<GuidedSurface*> guided;
-    for (std::size_t n = 0; n < this->Surfaces.size(); ++n)
-    {
-      if (this->SignOf(n) == sign)
-      {
-        guides.push_back(n);
-        guided.push_back(&this->Surfaces[n]);
-      }
-    }
-    for (const auto& [pair, count] : SettleSharedEvents(picks, links, guided))
-    {
-      this->NoteShared(guides[pair.first], guides[pair.second], count);
-      this->NoteShared(guides[pair.second], guides[pair.first], count);
-    }
-    for (GuidedSurface* const surface : guided)
-    {
-      FindBlocks(picks, InDepths(this->Period / 4.0), *surface);
-      for (const GuidedPick& pick : surface->Picks)
-      {
-        surfaces[pick.Pick] = NoPoint;
-      }
-    }
-  }
-
-  void NoteShared(std::size_t guide, std::size_t other, std::int64_t count)
-  {
-    GuideUse& use = this->Result.Guides[guide];
-    if (count > use.Shared)
-    {
-      use.Shared = count;
-      use.SharedWith = other;
-    }
-  }
-
-  const GuidanceOptions& Options;
-  const double Period;
-  const bool IsStepGiven;
-  std::vector<std::vector<GuideSeed>> Seeds; // by guide
-  std::vector<GuidedSurface> Surfaces;
-  Extraction& Result;
 };
 
 // ---- Picks ---------------------------------------------------------------------------------------------------------
@@ -864,7 +558,10 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     Renumber(sizes, sign, PointId(guides.size()), surfaces[sign]);
   }
   NumbersOfSurfaces positions(std::move(surfaces));
-  guided.Number(positions);
+  guided.JoinSigns(joined->Picks);
+  guided.ForEachPick(
+    [&positions](std::size_t guide, int sign, PointId pick) { positions.Add(sign, pick, PointId(guide)); });
+  positions.Sort();
   result.Surfaces.resize(guides.size() + sizes.size());
   for (std::size_t n = 0; n < result.Surfaces.size(); ++n)
   {

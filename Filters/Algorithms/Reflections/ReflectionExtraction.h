@@ -9,6 +9,7 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Survey/LatticeHorizon.h"
+#include "GuideSeeds.h"
 #include "GuidedJoining.h"
 #include "ReflectionFinder.h"
 #include "ReflectionLinks.h"
@@ -50,19 +51,6 @@ struct ExtractionOptions
   std::int64_t LargestNumber = 100; // of surfaces, at least 1
   SurfaceOrder Order = SurfaceOrder::Strength;
   GuidanceOptions Guidance;
-};
-
-struct GuideUse
-{
-  bool IsNegative = false; // sign of the reflections
-  std::int64_t OtherSign = 0; // picks that mean the other sign
-  std::vector<std::size_t> Unused; // picks without a reflection in tolerance
-  std::vector<std::size_t> Strays; // picks that contradict other picks
-  std::int64_t Shared = 0; // picks that another guide has, too
-  std::size_t SharedWith = 0; // the guide that shares most
-  std::int64_t Doubtful = 0; // picks dropped for their confidence
-  std::int64_t Seams = 0; // pairs of neighbours more than half a period apart where no fault is
-  std::int64_t Stopped = 0; // empty columns just beyond the reach of growth
 };
 
 struct Extraction

@@ -39,6 +39,11 @@ inline double InSamples(PickDepth place)
   return double(place) / DepthsPerSample;
 }
 
+inline PickDepth InDepths(double samples)
+{
+  return PickDepth(std::lround(samples * DepthsPerSample));
+}
+
 enum class ReflectionPolarity
 {
   Both,

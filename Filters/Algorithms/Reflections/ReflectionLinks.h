@@ -11,8 +11,10 @@
 #include "ReflectionFinder.h"
 #include "TraceCube.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -53,6 +55,15 @@ void ForEachNeighbour(const ReflectionPicks& picks, std::int32_t column, ColumnC
       }
     }
   }
+}
+
+/// The half width, in dominant periods, of waveforms that distinguish layers.
+constexpr double LongWaveform = 3.5;
+
+/// In samples.
+inline int HalfWidth(double periods, double period)
+{
+  return std::max(1, int(std::lround(periods * period)));
 }
 
 struct LinkOptions

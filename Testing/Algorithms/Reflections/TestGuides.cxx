@@ -320,6 +320,26 @@ void TestSurfaceOrder()
   CHECK_EQUAL(ExtractReflections(traces.View(), options).Surfaces[0].K[0], 10);
 }
 
+/// Horizons are followed on both signs where polarity turns, and on one where picks miss their reflections.
+void TestPolarity()
+{
+  CubeGeneratorOptions options = WildCube(9);
+  options.Size = { 70, 60, 200 };
+  for (const bool turns : { true, false })
+  {
+    options.Troubles = turns ? std::set<Trouble>{ Trouble::Polarity } : std::set<Trouble>();
+    const CubeGenerator generator(options);
+    const std::vector<Guide> guides = MakeGuides(generator, { 20, turns ? 0.0 : 2.0, 0.0 }, 1);
+    const Extraction extraction = ExtractReflections(Generate(options).View(), ExtractionOptions(), Monitor(), guides);
+    const auto turned = std::count_if(
+      extraction.Guides.begin(), extraction.Guides.end(), [](const GuideUse& use) { return use.Turned > 0; });
+    const GuideScore score = ScoreGuided(generator, extraction.Surfaces);
+    CHECK(turns ? 2 * turned > std::ptrdiff_t(guides.size()) : turned == 0);
+    CHECK(score.Found() > (turns ? 0.85 : 0.9));
+    CHECK(score.Off() < 0.05);
+  }
+}
+
 void TestErrors()
 {
   const Traces traces = TwoLayers();
@@ -371,6 +391,7 @@ int TestGuides(int, char*[])
   TestScore();
   TestWildCube();
   TestSurfaceOrder();
+  TestPolarity();
   TestErrors();
   TestMonitor();
   return Check::Result();
