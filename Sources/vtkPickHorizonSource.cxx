@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,6 +26,26 @@ using namespace SeismicHorizons;
 
 namespace
 {
+/// Columns are so near to each other that each pick is on one.
+void PutOnFineLattice(PickTable& picks, PlacementOptions& options)
+{
+  if (!picks.HasPlaces())
+  {
+    throw InputError("LatticeSource NoLattice for line numbers alone, expected x and y");
+  }
+  picks.Inline.clear();
+  picks.Crossline.clear();
+  constexpr double columns = 1 << 30;
+  const auto [left, right] = std::minmax_element(picks.X.begin(), picks.X.end());
+  const auto [bottom, top] = std::minmax_element(picks.Y.begin(), picks.Y.end());
+  const double extent = std::max(*right - *left, *top - *bottom);
+  const double step = extent > 0.0 ? extent / columns : 1.0;
+  options.Origin = { *left, *bottom };
+  options.ColumnStep = { step, 0.0 };
+  options.RowStep = { 0.0, step };
+  options.Tolerance = std::nextafter(0.5, 0.0); // of a step, which is nothing
+}
+
 CornerPoint MakeCorner(const double (&corner)[4])
 {
   return { corner[0], corner[1], corner[2], corner[3] };
@@ -50,7 +71,8 @@ vtkPickHorizonSource::~vtkPickHorizonSource() = default;
 PlacementOptions vtkPickHorizonSource::MakeOptions(const SurveyDescription& survey)
 {
   PlacementOptions options;
-  options.Source = static_cast<SeismicHorizons::LatticeSource>(this->LatticeSource);
+  using Source = SeismicHorizons::LatticeSource;
+  options.Source = this->LatticeSource == NoLattice ? Source::OriginAndSteps : Source(this->LatticeSource);
   options.Corners = { MakeCorner(this->FirstCorner), MakeCorner(this->SecondCorner), MakeCorner(this->ThirdCorner) };
   options.Origin = Eigen::Vector2d(this->Origin);
   options.ColumnStep = Eigen::Vector2d(this->ColumnStep);
@@ -71,6 +93,10 @@ void vtkPickHorizonSource::CheckParameters()
   if (this->Gridding != NoGridding && this->DuplicatePolicy == Sheets)
   {
     throw InputError("DuplicatePolicy Sheets with Gridding, expected one z for each column");
+  }
+  if (this->Gridding != NoGridding && this->LatticeSource == NoLattice)
+  {
+    throw InputError("LatticeSource NoLattice with Gridding, expected FromPoints or OriginAndSteps");
   }
 }
 
@@ -135,9 +161,15 @@ SurveyHorizons vtkPickHorizonSource::Place(PickTable picks, const Monitor& monit
   options.Radius = this->GriddingRadius;
   options.Smoothing = this->GriddingSmoothing;
   options.Placement = this->MakeOptions(picks.Survey);
+  const bool isOnLattice = this->LatticeSource != NoLattice;
+  if (!isOnLattice)
+  {
+    PutOnFineLattice(picks, options.Placement);
+  }
   SurveyHorizons placed = this->Gridding == NoGridding ? PlacePicks(std::move(picks), options.Placement, monitor)
                                                        : GridPicks(std::move(picks), options, monitor);
   placed.Sense = std::move(sense);
+  placed.IsOnLattice = isOnLattice;
   return placed;
 }
 

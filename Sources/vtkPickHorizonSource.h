@@ -42,12 +42,13 @@ public:
 
   /**
    * Where the lattice comes from. FromPoints: line numbers, x and y, or both. CornerPoints: line numbers and
-   * coordinates of three points. OriginAndSteps: a column and the steps to its neighbours. See "Lattice" in
-   * HorizonTextReader.md. Default: FromPoints.
+   * coordinates of three points. OriginAndSteps: a column and the steps to its neighbours. NoLattice: picks stay at x
+   * and y, as guides and limits of an extraction, which no other stage takes. See "Lattice" in HorizonTextReader.md.
+   * Default: FromPoints.
    *
    * Points must agree with a lattice that is given.
    */
-  vtkHorizonChoice3Macro(LatticeSource, LatticeSourceKind, FromPoints, CornerPoints, OriginAndSteps);
+  vtkHorizonChoice4Macro(LatticeSource, LatticeSourceKind, FromPoints, CornerPoints, OriginAndSteps, NoLattice);
 
   /**
    * With CornerPoints: inline, crossline, x and y of a point; the three not on one line. Unit: line numbers, world

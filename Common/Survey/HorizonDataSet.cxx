@@ -105,6 +105,13 @@ Horizon TakeHorizonPoints(SurveyHorizons& survey, const FramedSurvey& framed, st
     AddValue<std::int64_t>(points.FieldData, FieldArray::DroppedRepeats, conflicts.Repeats);
     AddValue<double>(points.FieldData, FieldArray::LargestConflict, conflicts.Largest);
   }
+  if (!survey.IsOnLattice)
+  {
+    points.PointData.Remove(PointArray::Column);
+    points.FieldData.Remove(FieldArray::LatticeDimensions);
+    points.FieldData.Remove(FieldArray::LatticeToWorld);
+    points.FieldData.Remove(FieldArray::LatticeDeviation);
+  }
   return points;
 }
 }

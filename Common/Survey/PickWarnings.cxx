@@ -237,7 +237,7 @@ void RequireEvidence(std::vector<PlanePoint> columns, const SurveyLattice& latti
       " columns, expected picks in a tenth of these, or next to each other" +
       (areLines ? ", as line numbers have: columns without names may be X and Y, which Columns says"
                 : ": Gridding makes a horizon of wells, 2D lines and scattered picks, LatticeSource OriginAndSteps "
-                  "gives the lattice of a survey"));
+                  "gives the lattice of a survey, NoLattice takes picks for an extraction"));
   }
   if (!areLines && filled < Freedom && filled < all)
   {

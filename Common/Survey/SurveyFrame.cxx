@@ -101,7 +101,8 @@ FramedSurvey FrameSurvey(
       " z are negative, so that these may be elevations or depths; they are taken to increase downwards, which "
       "VerticalDirection Up turns, and Down confirms");
   }
-  framed.Description = DescribeFrame(frame, framed.Samplings) + "\nz increases " + (isUp ? "upwards" : "downwards") +
+  framed.Description = (survey.IsOnLattice ? DescribeFrame(frame, framed.Samplings) : "picks without a lattice") +
+    "\nz increases " + (isUp ? "upwards" : "downwards") +
     (direction ? ", as VerticalDirection says"
                : ", " + survey.Sense + "; VerticalDirection " + (isUp ? "Down" : "Up") + " turns it");
   return framed;

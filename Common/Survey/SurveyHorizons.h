@@ -27,6 +27,7 @@ struct SurveyHorizons
 {
   SurveyDescription Survey;
   SurveyLattice Lattice;
+  bool IsOnLattice = true; // Otherwise columns are finer than picks.
   double LargestDistance = 0.0; // Largest distance of a pick from its column, in columns.
   std::vector<LatticeHorizon> Horizons;
   std::string Sense; // Reason for the direction of z.

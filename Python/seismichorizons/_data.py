@@ -97,7 +97,7 @@ def give_survey(of: Any) -> Data:
 
 # The core speaks of properties and their values.
 WORDS = {"VerticalDirection": "direction", "StrayPicks LeaveOut": "leave_out_strays=True", "StrayPicks": "leave_out_strays",
-         "LatticeSource OriginAndSteps": "origin=, column_step= and row_step=", "DuplicatePolicy": "duplicates",
+         "LatticeSource OriginAndSteps": "origin=, column_step= and row_step=", "NoLattice": "extract(cube, path)", "DuplicatePolicy": "duplicates",
          "LatticeTolerance": "tolerance", "NullValues": "nodata", "Gridding": "gridding=\"plate\"", "Columns": "columns", "the Fault Lines Reader": "read_faults(path)",
          "HeaderLines": "header_lines", "Where ": "where ", "Topmost": "topmost", "Lowest": "lowest", "Sheets": "sheets", "Mean": "mean",
          "VerticalStep": "vertical_step", "ColumnStep": "column_step", "RowStep": "row_step", "Origin ": "origin ",

@@ -16,7 +16,7 @@ SAME = (
 RENAMED = {"LargestNumber": "surfaces", "SmallestSize": "smallest_surface", "InlineRange": "inlines", "CrosslineRange": "crosslines"}
 # What messages of classes name, in the words of the command.
 NAMES = {**{name: "--cube " + name for name in CUBE_PROPERTIES}, **{name: "--" + option.replace("_", "-") for name, option in {**{name: snake(name) for name in SAME}, **RENAMED}.items()},
-         "LatticeSource OriginAndSteps": "--origin, --column-step and --row-step", "LatticeSource CornerPoints": "--corners",
+         "LatticeSource OriginAndSteps": "--origin, --column-step and --row-step", "LatticeSource CornerPoints": "--corners", "NoLattice": "--picks",
          "Order AsGiven": "--order AsGiven", "MinimumPatchSize": "--minimum-patch-size"}
 CORNERS = ("FirstCorner", "SecondCorner", "ThirdCorner")
 
