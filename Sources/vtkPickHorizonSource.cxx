@@ -6,6 +6,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Survey/PickPlacement.h"
 #include "Common/Survey/PickWarnings.h"
+#include "Common/Survey/ScatteredPicks.h"
 #include "Common/Survey/VerticalSense.h"
 #include "Common/Text/FileErrors.h"
 #include "Filters/Algorithms/Gridding/Gridding.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,26 +26,6 @@ using namespace SeismicHorizons;
 
 namespace
 {
-/// Columns are so near to each other that each pick is on one.
-void PutOnFineLattice(PickTable& picks, PlacementOptions& options)
-{
-  if (!picks.HasPlaces())
-  {
-    throw InputError("LatticeSource NoLattice for line numbers alone, expected x and y");
-  }
-  picks.Inline.clear();
-  picks.Crossline.clear();
-  constexpr double columns = 1 << 30;
-  const auto [left, right] = std::minmax_element(picks.X.begin(), picks.X.end());
-  const auto [bottom, top] = std::minmax_element(picks.Y.begin(), picks.Y.end());
-  const double extent = std::max(*right - *left, *top - *bottom);
-  const double step = extent > 0.0 ? extent / columns : 1.0;
-  options.Origin = { *left, *bottom };
-  options.ColumnStep = { step, 0.0 };
-  options.RowStep = { 0.0, step };
-  options.Tolerance = std::nextafter(0.5, 0.0); // of a step, which is nothing
-}
-
 CornerPoint MakeCorner(const double (&corner)[4])
 {
   return { corner[0], corner[1], corner[2], corner[3] };
@@ -161,15 +141,10 @@ SurveyHorizons vtkPickHorizonSource::Place(PickTable picks, const Monitor& monit
   options.Radius = this->GriddingRadius;
   options.Smoothing = this->GriddingSmoothing;
   options.Placement = this->MakeOptions(picks.Survey);
-  const bool isOnLattice = this->LatticeSource != NoLattice;
-  if (!isOnLattice)
-  {
-    PutOnFineLattice(picks, options.Placement);
-  }
-  SurveyHorizons placed = this->Gridding == NoGridding ? PlacePicks(std::move(picks), options.Placement, monitor)
-                                                       : GridPicks(std::move(picks), options, monitor);
+  SurveyHorizons placed = this->LatticeSource == NoLattice ? KeepPlaces(std::move(picks))
+    : this->Gridding == NoGridding                         ? PlacePicks(std::move(picks), options.Placement, monitor)
+                                                           : GridPicks(std::move(picks), options, monitor);
   placed.Sense = std::move(sense);
-  placed.IsOnLattice = isOnLattice;
   return placed;
 }
 
@@ -180,6 +155,9 @@ SurveyHorizons vtkPickHorizonSource::PlaceAll(const Monitor& monitor)
   const auto place = [&]() { return this->Place(std::move(picks), monitor.Step(0.6, 1.0)); };
   FileSeries* const files = this->GetFiles();
   SurveyHorizons placed = files ? PrefixFileErrors(files->GetCurrent(), place) : place();
-  placed.Warnings = FindWarnings(placed, SeismicHorizons::DuplicatePolicy(this->DuplicatePolicy));
+  if (placed.IsOnLattice)
+  {
+    placed.Warnings = FindWarnings(placed, SeismicHorizons::DuplicatePolicy(this->DuplicatePolicy));
+  }
   return placed;
 }

@@ -111,6 +111,8 @@ Horizon TakeHorizonPoints(SurveyHorizons& survey, const FramedSurvey& framed, st
     points.FieldData.Remove(FieldArray::LatticeDimensions);
     points.FieldData.Remove(FieldArray::LatticeToWorld);
     points.FieldData.Remove(FieldArray::LatticeDeviation);
+    points.FieldData.Remove(FieldArray::LedgerColumns);
+    points.FieldData.Remove(FieldArray::LedgerArea);
   }
   return points;
 }

@@ -243,7 +243,7 @@ void RequireEvidence(std::vector<PlanePoint> columns, const SurveyLattice& latti
   {
     throw InputError(std::to_string(int(filled)) +
       " places, expected at least 6, or all of a lattice, to find it: Gridding makes a horizon of few picks, "
-      "LatticeSource OriginAndSteps gives the lattice");
+      "LatticeSource OriginAndSteps gives the lattice, NoLattice takes picks for an extraction");
   }
 }
 }

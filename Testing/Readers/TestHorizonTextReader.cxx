@@ -168,6 +168,42 @@ void LatticeMayBeGiven()
   CHECK(point[0] == 104.0 && point[1] == 10.0);
 }
 
+/// A few picks stay where they are, in their order, twice in a place as well; without the fields that stages need.
+void PicksMayBeOnNoLattice()
+{
+  const auto reader = MakeReader("picks.txt",
+    "Horizon X Y Z\nTop 604964.1 6080030.1 201\nBase 604891.5 6080305.8 396\nTop 605161.1 6081038.8 216\n"
+    "Top 604964.1 6080030.1 205\nTop 604000.7 6080000.3 -999.25\n");
+  {
+    Messages errors(reader);
+    reader->Update();
+    CHECK(errors.WasOne("NoLattice"));
+    reader->SetLatticeSourceToNoLattice();
+    reader->SetGriddingToPlate();
+    reader->Update();
+    CHECK(errors.WasOne("LatticeSource NoLattice with Gridding, expected FromPoints or OriginAndSteps"));
+    reader->SetGriddingToNoGridding();
+  }
+  reader->Update();
+  CHECK_EQUAL(reader->GetOutput()->GetNumberOfPartitionedDataSets(), 2u);
+  vtkPolyData* const top = GetHorizon(reader, 0);
+  CHECK_EQUAL(top->GetNumberOfPoints(), 3);
+  const double expected[3][3] = { { 604964.1, 6080030.1, -201.0 }, { 605161.1, 6081038.8, -216.0 },
+    { 604964.1, 6080030.1, -205.0 } };
+  for (int n = 0; n < 3; ++n)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      CHECK(std::abs(top->GetPoint(n)[axis] - expected[n][axis]) < 1e-5);
+    }
+  }
+  for (const char* name : { "LatticeDimensions", "LatticeToWorld", "LedgerColumns" })
+  {
+    CHECK(!top->GetFieldData()->GetAbstractArray(name));
+  }
+  CHECK(!top->GetPointData()->GetArray("Column"));
+}
+
 void DuplicatePolicyChoosesThePick()
 {
   const auto reader = MakeReader("two.csv", TwoHorizons);
@@ -339,6 +375,7 @@ int TestHorizonTextReader(int argc, char* argv[])
   FieldDataDescribeTheSurvey();
   UnknownFieldsAreLeftOut();
   LatticeMayBeGiven();
+  PicksMayBeOnNoLattice();
   DuplicatePolicyChoosesThePick();
   SelectionIsObeyed();
   HorizonsAreDealtOutToPieces();
