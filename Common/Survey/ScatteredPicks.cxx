@@ -15,12 +15,12 @@ namespace SeismicHorizons
 {
 namespace
 {
-struct Range
+struct CoordinateRange
 {
   double Least = std::numeric_limits<double>::infinity();
   double Greatest = -std::numeric_limits<double>::infinity();
 
-  explicit Range(const std::vector<double>& values)
+  explicit CoordinateRange(const std::vector<double>& values)
   {
     for (const double value : values)
     {
@@ -42,8 +42,8 @@ SurveyHorizons KeepPlaces(PickTable picks)
     throw InputError("LatticeSource NoLattice for line numbers alone, expected x and y");
   }
   constexpr double columns = 1 << 30;
-  const Range x(picks.X);
-  const Range y(picks.Y);
+  const CoordinateRange x(picks.X);
+  const CoordinateRange y(picks.Y);
   const double extent = std::max({ 0.0, x.Greatest - x.Least, y.Greatest - y.Least });
   const double step = extent > 0.0 ? extent / columns : 1.0;
   SurveyHorizons kept;

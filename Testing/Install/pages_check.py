@@ -79,7 +79,7 @@ def run_examples(picks, cube):
 
 def main():
     picks = run_tutorial("Documentation/TutorialPicks.md", ["dome.ts", "dome.vtp"])
-    cube = run_tutorial("Documentation/TutorialCube.md", ["cube.ts"])
+    cube = run_tutorial("Documentation/TutorialCube.md", ["cube.ts", "faulted_Top.irap", "faulted_Top.ts"])
     run_examples(picks / "dome.dat", cube / "cube.sgy")
 
 

@@ -6,7 +6,10 @@
 #include "Common/Base/Errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <sstream>
 #include <string>

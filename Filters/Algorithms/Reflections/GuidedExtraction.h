@@ -16,6 +16,7 @@
 #include "TraceCube.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
