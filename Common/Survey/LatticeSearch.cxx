@@ -86,8 +86,8 @@ Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reac
   std::ostringstream text;
   text << points << " points without a lattice: the best steps, " << ToText(map.Steps.col(0)) << " and "
        << ToText(map.Steps.col(1)) << ", leave them " << std::round(100.0 * spread)
-       << " % of a step away from its columns on average; expected the regular lattice of a survey, or "
-          "Gridding, or NoLattice for an extraction";
+       << " % of a step away from its columns on average; expected the regular lattice of a survey, or Gridding, "
+          "or NoLattice for an extraction";
   throw InputError(text.str());
 }
 

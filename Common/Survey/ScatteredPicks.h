@@ -11,7 +11,7 @@
 
 namespace SeismicHorizons
 {
-/// The horizons are on no lattice: columns are finer than what coordinates tell apart. Throws InputError without x and y.
+/// The horizons are on no lattice: columns are finer than coordinates are. Throws InputError without x and y.
 SurveyHorizons KeepPlaces(PickTable picks);
 }
 

@@ -72,17 +72,36 @@ std::vector<LatticeHorizon> TrackAll(const CubeGenerator& cube, const std::vecto
 
 const std::vector<double> GuidedNoises = { 0.0, 0.2, 0.5 };
 
-std::vector<CubeGenerator> MakeWildCubes(int cubes, double noise)
+ExtractionOptions TakeAll()
+{
+  ExtractionOptions options;
+  options.SmallestSize = 10;
+  options.LargestNumber = 1000000;
+  return options;
+}
+
+/// With options that change(options) sets.
+template <typename Change>
+std::vector<CubeGenerator> MakeWildCubes(int cubes, Change&& change)
 {
   std::vector<CubeGenerator> generators;
   for (int n = 0; n < cubes; ++n)
   {
     CubeGeneratorOptions wild = WildCube(FirstWildSeed + std::uint64_t(n));
-    wild.NoiseFraction = noise;
-    wild.Noise = NoiseKind::Mixed;
+    change(wild);
     generators.emplace_back(wild);
   }
   return generators;
+}
+
+std::vector<CubeGenerator> MakeNoisyCubes(int cubes, double noise)
+{
+  return MakeWildCubes(cubes,
+    [noise](CubeGeneratorOptions& wild)
+    {
+      wild.NoiseFraction = noise;
+      wild.Noise = NoiseKind::Mixed;
+    });
 }
 
 /// An entry of a table: `score` gives that of a cube.
@@ -120,9 +139,7 @@ GuideScore ScorePlan(const CubeGenerator& cube, const ExtractionOptions& options
 
 void PrintGuidedTable(int cubes)
 {
-  ExtractionOptions options;
-  options.SmallestSize = 10;
-  options.LargestNumber = 1000000;
+  ExtractionOptions options = TakeAll();
   std::printf("| picks |");
   for (const double noise : GuidedNoises)
   {
@@ -132,7 +149,7 @@ void PrintGuidedTable(int cubes)
   std::vector<std::vector<CubeGenerator>> byNoise;
   for (const double noise : GuidedNoises)
   {
-    byNoise.push_back(MakeWildCubes(cubes, noise));
+    byNoise.push_back(MakeNoisyCubes(cubes, noise));
   }
   PrintGuidedRow("none", byNoise,
     [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
@@ -206,7 +223,7 @@ void PrintConfidenceTable(int cubes)
     for (const double noise : GuidedNoises)
     {
       std::vector<Reliability> bins(ConfidenceBins.size() - 1);
-      for (const CubeGenerator& cube : MakeWildCubes(cubes, noise))
+      for (const CubeGenerator& cube : MakeNoisyCubes(cubes, noise))
       {
         const std::vector<LatticeHorizon> surfaces =
           ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed));
@@ -226,9 +243,7 @@ void PrintConfidenceTable(int cubes)
 /// How many of the first surfaces are main reflectors, by each order.
 void PrintOrders(int cubes)
 {
-  ExtractionOptions options;
-  options.SmallestSize = 10;
-  options.LargestNumber = 1000000;
+  ExtractionOptions options = TakeAll();
   std::printf(
     "\nOf the first 20 surfaces, number on a reflector or a channel's floor; the others are on side lobes:\n\n"
     "| order |");
@@ -244,7 +259,7 @@ void PrintOrders(int cubes)
     for (const double noise : GuidedNoises)
     {
       int found = 0;
-      for (const CubeGenerator& cube : MakeWildCubes(cubes, noise))
+      for (const CubeGenerator& cube : MakeNoisyCubes(cubes, noise))
       {
         constexpr std::size_t first = 20;
         found += CountMain(cube, ExtractFrom(cube, options).Surfaces, first);
@@ -259,23 +274,20 @@ void PrintOrders(int cubes)
 
 void PrintSamplingTable(int cubes)
 {
-  ExtractionOptions options;
-  options.SmallestSize = 10;
-  options.LargestNumber = 1000000;
+  ExtractionOptions options = TakeAll();
   std::printf("| samples, picks | noise 0 %% | noise 25 %% | noise 50 %% |\n| --- | --- | --- | --- |\n");
   for (const double times : { 1.0, 1.7, 3.3 })
   {
     std::vector<std::vector<CubeGenerator>> byNoise;
     for (const double noise : { 0.0, 0.25, 0.5 })
     {
-      byNoise.emplace_back();
-      for (int n = 0; n < cubes; ++n)
-      {
-        CubeGeneratorOptions wild = WildCube(FirstWildSeed + std::uint64_t(n));
-        wild.Size = { 70, 60, wild.Size[2] };
-        wild.NoiseFraction = noise;
-        byNoise.back().emplace_back(SampleFinely(wild, times));
-      }
+      byNoise.push_back(MakeWildCubes(cubes,
+        [noise, times](CubeGeneratorOptions& wild)
+        {
+          wild.Size = { 70, 60, wild.Size[2] };
+          wild.NoiseFraction = noise;
+          wild = SampleFinely(wild, times);
+        }));
     }
     const std::string name = std::to_string(times).substr(0, 3) + " times, ";
     PrintGuidedRow(name + "none", byNoise,
@@ -289,9 +301,7 @@ void PrintSamplingTable(int cubes)
 
 void PrintTroubleTable(int cubes)
 {
-  ExtractionOptions options;
-  options.SmallestSize = 10;
-  options.LargestNumber = 1000000;
+  ExtractionOptions options = TakeAll();
   std::printf("| trouble | no picks | 5 picks | plain tracker, 5 | 20 picks |\n| --- | --- | --- | --- | --- |\n");
   std::map<std::string, std::set<Trouble>> rows = { { "(none)", {} } };
   for (const auto& [name, trouble] : TroubleNames())
@@ -302,16 +312,14 @@ void PrintTroubleTable(int cubes)
   { return MakeGuides(cube, GuidedPlans[std::size_t(plan)].Picks, cube.Options().Seed); };
   for (const auto& [name, troubles] : rows)
   {
-    std::vector<CubeGenerator> generators;
-    for (int n = 0; n < cubes; ++n)
-    {
-      CubeGeneratorOptions wild = WildCube(FirstWildSeed + std::uint64_t(n));
-      wild.Size = { 90, 80, wild.Size[2] };
-      wild.NoiseFraction = 0.25;
-      wild.Noise = NoiseKind::Lateral;
-      wild.Troubles = troubles;
-      generators.emplace_back(wild);
-    }
+    const std::vector<CubeGenerator> generators = MakeWildCubes(cubes,
+      [own = troubles](CubeGeneratorOptions& wild)
+      {
+        wild.Size = { 90, 80, wild.Size[2] };
+        wild.NoiseFraction = 0.25;
+        wild.Noise = NoiseKind::Lateral;
+        wild.Troubles = own;
+      });
     std::printf("| %s |", name.c_str());
     PrintScore(
       generators, [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });

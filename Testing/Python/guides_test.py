@@ -250,8 +250,9 @@ class GuidesTest(unittest.TestCase):
             sh.update(extraction)
         except ValueError as error:
             return str(error)
-        return {name: [places_of(top).tobytes()] + [vtk_to_numpy(top.GetPointData().GetArray(n)).tobytes() for n in range(
+        found = {name: [places_of(top)] + [vtk_to_numpy(top.GetPointData().GetArray(n)) for n in range(
             top.GetPointData().GetNumberOfArrays())] for name, top in sh.horizons_of(extraction.GetOutputDataObject(0)).items()}
+        return extraction.GetDescription(), {name: [own.tobytes() for own in arrays] for name, arrays in found.items()}
 
     def test_limits_errors(self):
         place = self.truth[next(iter(self.truth))]

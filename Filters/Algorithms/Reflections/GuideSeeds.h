@@ -31,8 +31,8 @@ struct GuideUse
 };
 
 /// Returns seeds in different columns, by sign. A guide has the sign whose stronger reflections are nearer to its picks,
-/// and both if a tenth of its picks mean the other one, where most picks nearby do. Throws InputError if picks are missing, outside of the
-/// cube, farther apart in a column than `quarter`, or all beyond `tolerance`.
+/// and both if a tenth of its picks mean the other one, where most picks nearby do. Throws InputError if picks are
+/// missing, outside of the cube, farther apart in a column than `quarter`, or all beyond `tolerance`.
 std::array<std::vector<GuideSeed>, 2> FindGuideSeeds(const Guide& guide, const std::array<ReflectionPicks, 2>& bySign,
   int samples, double tolerance, double quarter, GuideUse& use);
 }

@@ -145,8 +145,8 @@ void GuidedExtraction::NoteShared(std::size_t guide, std::size_t other, std::int
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Of the two in a column, the more confident one stays, or one nearer to its picks. Blocks of the second sign are numbered
-// after those of the first.
+// Of the two in a column, the more confident one stays, or one nearer to its picks. Blocks of the second sign have
+// numbers after those of the first.
 void GuidedExtraction::JoinSigns(const CubeReflections& reflections)
 {
   const auto trust = [](const GuidedPick& pick)

@@ -28,7 +28,6 @@ public:
   GuidedExtraction(const std::vector<Guide>& guides, const CubeReflections& reflections, int samples,
     const ExtractionOptions& options, Extraction& result);
 
-  bool IsEmpty() const { return this->Picks.empty(); }
   bool HasAny(int sign) const;
 
   GrowthLinks FindLinks(const TraceCube& cube, const ReflectionPicks& picks, const Monitor& monitor) const;

@@ -99,6 +99,13 @@ constexpr std::int64_t TracesPerSmallest = 20;
 constexpr std::int64_t LeastSize = 10;
 constexpr std::int64_t LargestLeastSize = 100;
 
+std::int64_t ChooseSmallestSize(const ExtractionOptions& options, const std::array<int, 3>& size)
+{
+  return options.SmallestSize > 0
+    ? options.SmallestSize
+    : std::clamp(std::int64_t(size[0]) * size[1] / TracesPerSmallest, LeastSize, LargestLeastSize);
+}
+
 struct SurfaceSize
 {
   int Sign = 0;
@@ -344,27 +351,23 @@ RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, const Extractio
 {
   const ReflectionPicks& picks = joined.Picks.BySign[sign];
   const bool hasGuides = guided.HasAny(sign);
-  if (guided.IsEmpty() || options.Guidance.KeepOthers || hasGuides)
+  std::optional<RawVector<PointId>>& automatic = joined.Surfaces[sign];
+  if (!automatic)
   {
-    std::optional<RawVector<PointId>>& automatic = joined.Surfaces[sign];
-    if (!automatic)
-    {
-      automatic = JoinSurfaces(cube, picks, options, joined.Figures, joined.MedianCorrelations[sign],
-        monitor.Step(0.0, hasGuides ? 0.7 : 1.0));
-    }
-    RawVector<PointId> surfaces = isKept ? *automatic : std::move(*automatic);
-    if (hasGuides)
-    {
-      std::optional<GrowthLinks>& links = joined.Links[sign];
-      if (!links)
-      {
-        links = guided.FindLinks(cube, picks, monitor.Step(0.7, 0.9));
-      }
-      guided.Follow(cube, sign, picks, *links, surfaces, joined.Followed[sign], monitor.Step(0.9, 1.0));
-    }
-    return surfaces;
+    automatic = JoinSurfaces(
+      cube, picks, options, joined.Figures, joined.MedianCorrelations[sign], monitor.Step(0.0, hasGuides ? 0.7 : 1.0));
   }
-  return RawVector<PointId>(picks.Size(), NoPoint);
+  RawVector<PointId> surfaces = isKept ? *automatic : std::move(*automatic);
+  if (hasGuides)
+  {
+    std::optional<GrowthLinks>& links = joined.Links[sign];
+    if (!links)
+    {
+      links = guided.FindLinks(cube, picks, monitor.Step(0.7, 0.9));
+    }
+    guided.Follow(cube, sign, picks, *links, surfaces, joined.Followed[sign], monitor.Step(0.9, 1.0));
+  }
+  return surfaces;
 }
 
 // ---- Writing -------------------------------------------------------------------------------------------------------
@@ -525,17 +528,20 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     StartFrom(isKept ? *kept : nullptr, turned, options, isGuided, limits, monitor.Step(0.0, 0.3));
   const TraceCube cube = Smoothed(turned, *joined);
   Extraction result = joined->Figures;
-  result.SmallestSize = options.SmallestSize > 0
-    ? options.SmallestSize
-    : std::clamp(std::int64_t(cube.Size[0]) * cube.Size[1] / TracesPerSmallest, LeastSize, LargestLeastSize);
+  result.SmallestSize = ChooseSmallestSize(options, cube.Size);
   const bool hasOthers = !isGuided || options.Guidance.KeepOthers;
   std::array<RawVector<PointId>, 2> surfaces;
   std::vector<SurfaceSize> sizes;
   GuidedExtraction guided(guides, joined->Picks, cube.Size[2], options, result);
   for (const int sign : { 0, 1 })
   {
-    const Monitor part = monitor.Step(sign == 0 ? 0.3 : 0.6, sign == 0 ? 0.6 : 0.9);
-    surfaces[sign] = TakeSurfaces(cube, sign, options, guided, isKept, *joined, part);
+    surfaces[sign].assign(joined->Picks.BySign[sign].Size(), NoPoint);
+    if (hasOthers || guided.HasAny(sign))
+    {
+      surfaces[sign] =
+        TakeSurfaces(cube, sign, options, guided, isKept, *joined, monitor.Step(0.3 + 0.3 * sign, 0.6 + 0.3 * sign));
+      result.MedianCorrelation = std::max(result.MedianCorrelation, joined->MedianCorrelations[sign]);
+    }
     if (hasOthers)
     {
       ListSizes(joined->Picks.BySign[sign], surfaces[sign], sign, result.SmallestSize, sizes);
@@ -545,7 +551,6 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
       joined->Free(sign);
     }
   }
-  result.MedianCorrelation = std::max(joined->MedianCorrelations[0], joined->MedianCorrelations[1]);
   result.NumberOfSurfaces = std::int64_t(sizes.size());
   TakeFirst(options, sizes);
   for (const int sign : { 0, 1 })
@@ -554,8 +559,7 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   }
   NumbersOfSurfaces positions(std::move(surfaces));
   guided.JoinSigns(joined->Picks);
-  guided.ForEachPick(
-    [&positions](std::size_t guide, int sign, PointId pick) { positions.Add(sign, pick, PointId(guide)); });
+  guided.ForEachPick([&positions](std::size_t n, int sign, PointId pick) { positions.Add(sign, pick, PointId(n)); });
   positions.Sort();
   result.Surfaces.resize(guides.size() + sizes.size());
   for (std::size_t n = 0; n < result.Surfaces.size(); ++n)
@@ -564,8 +568,8 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
-  const TraceCube* const unsmoothed = result.IsSmoothed ? &turned : nullptr;
-  WriteSurfaces(cube, unsmoothed, joined->Picks, limits, positions, result.Surfaces, monitor.Step(0.9, 1.0));
+  WriteSurfaces(cube, result.IsSmoothed ? &turned : nullptr, joined->Picks, limits, positions, result.Surfaces,
+    monitor.Step(0.9, 1.0));
   guided.AddAttributes();
   if (kept)
   {
