@@ -365,7 +365,7 @@ constexpr const char* Sampling = R"(
 ## Fine sampling
 
 Parts of wild cubes of 70 x 60 traces, sampled more and more finely, with white noise; entries as under *Guided*. With
-guides, traces of more than 11 samples a period are smoothed first, so that as much is found in each.
+guides, traces with more than 2.5 peaks in half a period are smoothed first, so that as much is found in each.
 
 )";
 }

@@ -168,11 +168,11 @@ void TestFound()
   CHECK_EQUAL(std::string(filter->GetDescription()), "");
   filter->Update();
   CHECK_EQUAL(filter->GetNumberOfSurfaces(), 2);
-  CHECK_EQUAL(filter->GetDominantPeriod(), 10.0);
+  CHECK_EQUAL(filter->GetDominantPeriod(), 6.0);
   const std::string found = filter->GetDescription();
   const auto has = [&found](const char* text) { return found.find(text) != std::string::npos; };
   CHECK(has("1200 samples, 60 picks of an amplitude of 0 or more\n"));
-  CHECK(has("dominant period 10 samples, largest step 3; smoothed\n"));
+  CHECK(has("dominant period 6 samples, largest step 2\n"));
   CHECK(has("median correlation of links 0.") && !has("median correlation of links 0.0"));
 }
 

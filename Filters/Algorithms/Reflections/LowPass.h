@@ -10,9 +10,6 @@
 
 namespace SeismicHorizons
 {
-/// In samples: noise makes several peaks of one where the dominant period is longer.
-constexpr double LongestCoarsePeriod = 11.0;
-
 /// A Gaussian of .08 periods weakens higher frequencies, those of twice the dominant one by a third, and leaves the
 /// dominant one as it is. Traces continue with their first and last sample. Missing samples stay missing, and count as
 /// 0 for their neighbours.

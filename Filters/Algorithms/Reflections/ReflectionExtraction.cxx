@@ -61,6 +61,11 @@ constexpr double SmallestWideCorrelation = 0.9;
 constexpr double StepPerPeriod = 0.3;
 constexpr double LeastLinkStep = 2.0;
 
+// Traces without noise have about one peak in two half periods, with noise in the band of reflections one in each, and
+// white noise adds more the finer the sampling.
+constexpr double PeaksOfAutomatic = 1.2;
+constexpr double PeaksOfGuided = 2.5;
+
 RawVector<PointId> JoinSurfaces(const TraceCube& cube, const ReflectionPicks& picks, const ExtractionOptions& options,
   const Extraction& figures, double& medianCorrelation, const Monitor& monitor)
 {
@@ -297,10 +302,11 @@ void ChooseSmoothing(
   all.AmplitudePercentile = 0.0;
   const CubeReflections reflections = FindReflections(cube, all, monitor, limits);
   joined.GivenPeriod = reflections.Period;
+  const double halfPeriods = 2.0 * double(reflections.Samples) / reflections.Period;
   // Biased amplitudes have runs as long as a trace, whatever their reflections.
-  const double traces = double(cube.Size[0]) * cube.Size[1];
-  joined.Figures.IsBiased = traces * reflections.Period > double(reflections.Samples);
-  joined.Figures.IsSmoothed = !joined.Figures.IsBiased && reflections.Period > (isGuided ? LongestCoarsePeriod : 0.0);
+  joined.Figures.IsBiased = halfPeriods < 2.0 * double(cube.Size[0]) * cube.Size[1];
+  joined.Figures.IsSmoothed = !joined.Figures.IsBiased &&
+    double(reflections.CountPicks()) > (isGuided ? PeaksOfGuided : PeaksOfAutomatic) * halfPeriods;
 }
 
 std::shared_ptr<JoinedReflections> FindPicks(const TraceCube& cube, const ExtractionOptions& options, bool isGuided,
