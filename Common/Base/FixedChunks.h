@@ -8,6 +8,7 @@
 #define SeismicHorizonsFixedChunks_h
 
 #include "Parallel.h"
+#include "RawVector.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -68,6 +69,17 @@ std::vector<Item> CollectChunks(std::int64_t size, std::int64_t chunkSize, const
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
+}
+
+/// Returns equal items.
+template <typename Item>
+RawVector<Item> FilledVector(std::size_t size, const Item& value)
+{
+  RawVector<Item> items(size);
+  ForEachChunk(std::int64_t(size), ChunkSize, Monitor(),
+    [&](std::size_t, std::int64_t first, std::int64_t last)
+    { std::fill(items.begin() + first, items.begin() + last, value); });
+  return items;
 }
 
 /// Sorts by a total order. Chunks are sorted, then merged in pairs.

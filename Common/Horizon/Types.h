@@ -4,6 +4,8 @@
 #ifndef SeismicHorizonsTypes_h
 #define SeismicHorizonsTypes_h
 
+#include "Common/Base/RawVector.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -114,7 +116,8 @@ public:
   }
 
   /// number[point] is the new index of each point.
-  Loops Renumbered(const std::vector<PointId>& number) const
+  template <typename Numbers>
+  Loops Renumbered(const Numbers& number) const
   {
     return this->RenumberedBy([&number](PointId point) { return number[std::size_t(point)]; });
   }
@@ -207,7 +210,7 @@ struct SimplificationCell
 struct Reduction
 {
   /// Output point that represents each input point.
-  std::vector<PointId> Target;
+  RawVector<PointId> Target;
   /// Input point at each output point, or nearest to it in its group.
   std::vector<PointId> Source;
   /// 1 if the output point is the barycentre of several input points. Threads cannot write bits of a std::vector<bool>.

@@ -10,7 +10,7 @@
 
 #include "CellLeaves.h"
 
-#include "Common/Base/LargePages.h"
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
@@ -230,7 +230,7 @@ private:
   void NumberBoundaryPoints()
   {
     const std::vector<unsigned char>& flags = this->Leaves.BoundaryFlags();
-    this->Result.Target = LargeVector(flags.size(), NoPoint);
+    this->Result.Target = FilledVector(flags.size(), NoPoint);
     // Few points are on the boundary, and memchr finds them many times faster than a loop over all flags.
     const unsigned char* const begin = flags.data();
     const unsigned char* const end = begin + flags.size();

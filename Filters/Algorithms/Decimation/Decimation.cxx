@@ -6,7 +6,6 @@
 #include "Decimation.h"
 
 #include "Common/Base/FixedChunks.h"
-#include "Common/Base/LargePages.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
@@ -69,7 +68,7 @@ private:
   void WritePoints()
   {
     Reduction& points = this->Result.Points;
-    points.Target = LargeVector(this->Surface.NumberOfAllPoints(), NoPoint);
+    points.Target = FilledVector(this->Surface.NumberOfAllPoints(), NoPoint);
     for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {
       const RaisedPoint& place = this->Surface.Raised(vertex);
@@ -163,7 +162,7 @@ private:
 
   void CheckAllAssigned() const
   {
-    const std::vector<PointId>& target = this->Result.Points.Target;
+    const RawVector<PointId>& target = this->Result.Points.Target;
     ParallelFor(std::int64_t(target.size()), Grain,
       [&](std::int64_t first, std::int64_t last)
       {

@@ -173,9 +173,13 @@ std::optional<std::vector<TriangleId>> HeightMesh::ChangeLoops(
   std::vector<PointId> moved;
   std::transform(
     changes.begin(), changes.end(), std::back_inserter(moved), [](const PointState& one) { return one.first; });
-  std::vector<unsigned char> mayStay;
-  std::transform(this->Sources.begin(), this->Sources.end(), std::back_inserter(mayStay),
-    [&](PointId point) { return std::binary_search(moved.begin(), moved.end(), point) ? 0 : 1; });
+  std::vector<unsigned char> mayStay(this->Sources.size());
+  ParallelFor(std::int64_t(mayStay.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      std::transform(this->Sources.begin() + first, this->Sources.begin() + last, mayStay.begin() + first,
+        [&](PointId point) { return std::binary_search(moved.begin(), moved.end(), point) ? 0 : 1; });
+    });
   const std::optional<LoopChange> change =
     SeismicHorizons::ChangeLoops(this->Mesh, this->Sources, mayStay, this->Places, this->Boundary());
   if (!change)
@@ -244,8 +248,10 @@ std::vector<TriangleId> HeightMesh::Exchange(const LoopChange& change)
   {
     if (vertices.count(point) == 0)
     {
-      vertices.emplace(point, this->Mesh.Add(this->Places[point]));
-      this->AddVertex(point);
+      const VertexId vertex = this->Mesh.Add(this->Places[point]);
+      this->AddVertices(1);
+      this->SetVertex(vertex, point);
+      vertices.emplace(point, vertex);
     }
   }
   this->Boundary().ForEachPoint(
@@ -385,26 +391,72 @@ VertexId HeightMesh::CornerOf(TriangleId triangle, PointId point) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around)
+void HeightMesh::Insert(
+  PointId point, TriangleId triangle, const PlaneMesh::Room& room, std::vector<TriangleId>& around)
 {
   assert(!this->IsVertex(point) && this->HasPoint(point));
-  this->Mesh.Insert(this->Places[point], triangle, around);
+  this->Mesh.Insert(this->Places[point], triangle, room, around);
   if (!around.empty())
   {
-    this->AddVertex(point);
+    this->SetVertex(room.Vertex, point);
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HeightMesh::AddVertex(PointId point)
+PlaneMesh::Room HeightMesh::AddRoom(std::size_t vertices)
 {
-  this->Marks[point] = 1;
-  this->Sources.push_back(point);
-  this->AreOnLoops.push_back(0);
-  this->AreFixed.push_back(0);
+  this->AddVertices(vertices);
+  return this->Mesh.AddRoom(vertices);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::CloseGaps(
+  const PlaneMesh::Room& first, std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged)
+{
+  auto next = std::size_t(first.Vertex);
+  for (std::size_t vertex = next; vertex < this->Sources.size(); ++vertex)
+  {
+    if (this->Sources[vertex] != NoPoint)
+    {
+      this->Sources[next] = this->Sources[vertex];
+      for (RaisedHorizon& raised : this->Horizons)
+      {
+        raised.Vertices[next] = raised.Vertices[vertex];
+      }
+      ++next;
+    }
+  }
+  this->Sources.resize(next);
+  this->AreOnLoops.resize(next);
+  this->AreFixed.resize(next);
   for (RaisedHorizon& raised : this->Horizons)
   {
-    raised.Vertices.push_back({ this->Places[point], raised.Heights[point] });
+    raised.Vertices.resize(next);
+  }
+  this->Mesh.CloseGaps(first, changed, isChanged);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::AddVertices(std::size_t vertices)
+{
+  const std::size_t size = this->Sources.size() + vertices;
+  this->Sources.resize(size, NoPoint);
+  this->AreOnLoops.resize(size, 0);
+  this->AreFixed.resize(size, 0);
+  for (RaisedHorizon& raised : this->Horizons)
+  {
+    raised.Vertices.resize(size);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void HeightMesh::SetVertex(VertexId vertex, PointId point)
+{
+  this->Marks[point] = 1;
+  this->Sources[vertex] = point;
+  for (RaisedHorizon& raised : this->Horizons)
+  {
+    raised.Vertices[vertex] = { this->Places[point], raised.Heights[point] };
   }
 }
 

@@ -98,8 +98,12 @@ public:
   /// Returns NoVertex if the point is no corner.
   VertexId CornerOf(TriangleId triangle, PointId point) const;
 
-  /// The point must lie in the triangle or on its edges.
-  void Insert(PointId point, TriangleId triangle, std::vector<TriangleId>& around);
+  /// The point must lie in the triangle or on its edges. Room must be added before and closed afterwards (PlaneMesh);
+  /// points that change other triangles can be inserted at the same time, unless there are kept edges.
+  void Insert(PointId point, TriangleId triangle, const PlaneMesh::Room& room, std::vector<TriangleId>& around);
+  PlaneMesh::Room AddRoom(std::size_t vertices);
+  void CloseGaps(
+    const PlaneMesh::Room& first, std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged);
   /// Resets a vertex to the height of its column.
   void PutBack(VertexId vertex);
   /// Gives vertices other points, NoPoint to remove them, other heights by horizon, and other triangles. Kept edges
@@ -195,7 +199,8 @@ private:
   void SetLoops(const Monitor& monitor);
   std::vector<PointState> PointStates() const;
   std::vector<TriangleId> Exchange(const LoopChange& change);
-  void AddVertex(PointId point);
+  void AddVertices(std::size_t vertices);
+  void SetVertex(VertexId vertex, PointId point);
   std::vector<TriangleId> FindBeside(const std::vector<PointId>& points) const;
   std::vector<RaisedPoint> RaisedSources(const double* heights) const;
   std::vector<HeightRaster> MakeRasters(const double* heights) const;

@@ -6,12 +6,14 @@
 #include "Common/Base/FixedChunks.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
+#include "RoundInsertion.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -33,6 +35,9 @@ constexpr double AngleOfMoreTries = 2.0;
 constexpr double LeastPart = 1.0 / 16;
 
 constexpr std::int64_t ErrorsPerChunk = 4096;
+
+// Fewer points are inserted one after the other.
+constexpr std::size_t LeastBySquares = 64;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -84,7 +89,7 @@ void MeshRefiner::InsertWhereFar(double error, const Monitor& monitor)
     fraction = std::max(fraction, 1.0 - 0.9 * this->Mesh.Error(urgent.front()).Largest / first);
     monitor.Progress(fraction);
     this->Mesh.FindPoints(urgent, bound);
-    if (!this->InsertRound(urgent))
+    if (!this->InsertRound(urgent, true))
     {
       throw InputError("point " + std::to_string(this->Mesh.Error(urgent.front()).Point) +
         " in several triangles, expected loops that enclose it once");
@@ -111,7 +116,7 @@ void MeshRefiner::InsertAtEdges(double error, double crossingError, const Monito
   {
     monitor.Progress(0.8);
     this->Mesh.FindPoints(far, bound);
-    this->InsertRound(far);
+    this->InsertRound(far, false);
     if (this->New.empty()) // all points lie beyond the boundary
     {
       std::for_each(
@@ -153,11 +158,12 @@ void MeshRefiner::InsertAtSlivers(double smallestAngle, const EdgeSizes* sizes)
         }
         else if (triangle != NoTriangle && this->CanInsert(place, triangle, sizes ? CosineOfEven : 0.0))
         {
-          this->Insert(this->Mesh.RasterOf(triangle).PointAt(place), triangle);
+          this->Insert(this->Mesh.RasterOf(triangle).PointAt(place), triangle, this->Mesh.AddRoom(1));
           isDone = true;
         }
       }
     }
+    this->SeeNew();
     slivers = this->New;
     std::copy_if(left.begin(), left.end(), std::back_inserter(slivers),
       [this](TriangleId triangle) { return this->IsNew[triangle] == 0; });
@@ -258,7 +264,7 @@ void MeshRefiner::InsertMarked(const std::vector<unsigned char>& marks)
   double limit = Bound;
   for (std::vector<TriangleId> marked; this->FindUrgent(limit, marked);)
   {
-    this->InsertRound(marked);
+    this->InsertRound(marked, true);
     this->Mesh.MeasureMarked(this->New, marks);
     this->KeepFar(Bound);
   }
@@ -305,18 +311,31 @@ void MeshRefiner::KeepFar(double bound)
 // If no triangle reaches the limit, it falls. Returns false if none is above the bound.
 bool MeshRefiner::FindUrgent(double& limit, std::vector<TriangleId>& urgent) const
 {
-  urgent.clear();
-  double most = 0.0;
-  for (const TriangleId triangle : this->Far)
+  struct Most
   {
-    most = std::max(most, this->UrgencyOf(triangle));
-  }
+    double Urgency = 0.0;
+
+    void Add(const Most& other) { this->Urgency = std::max(this->Urgency, other.Urgency); }
+  };
+  const auto size = std::int64_t(this->Far.size());
+  const double most = AddUpChunks<Most>(size, ErrorsPerChunk, Monitor(),
+    [this](Most& part, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        part.Add({ this->UrgencyOf(this->Far[n]) });
+      }
+    }).Urgency;
   if (most < limit)
   {
     limit = most * (this->Priority == DecimationPriority::LargestError ? FractionOfLargest : FractionOfSum);
   }
-  std::copy_if(this->Far.begin(), this->Far.end(), std::back_inserter(urgent),
-    [&](TriangleId triangle) { return this->UrgencyOf(triangle) >= limit; });
+  urgent = CollectChunks<TriangleId>(size, ErrorsPerChunk, Monitor(),
+    [&](std::vector<TriangleId>& found, std::int64_t first, std::int64_t last)
+    {
+      std::copy_if(this->Far.begin() + first, this->Far.begin() + last, std::back_inserter(found),
+        [&](TriangleId triangle) { return this->UrgencyOf(triangle) >= limit; });
+    });
   ParallelSort(urgent,
     [this](TriangleId a, TriangleId b)
     {
@@ -335,18 +354,35 @@ double MeshRefiner::UrgencyOf(TriangleId triangle) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+//----------------------------------------------------------------------------------------------------------------------
 // A round fills at most half of the vertices left, as new errors can be more urgent than its last.
-bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
+bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles, bool arePointsInside)
 {
-  const std::size_t before = this->Mesh.NumberOfVertices();
   bool isAnyPutBack = false;
-  const std::size_t room =
-    this->MostVertices > 0 ? this->MostVertices - this->Mesh.NumberOfVertices() : triangles.size();
-  const std::size_t most = this->Mesh.NumberOfVertices() + (this->MostVertices > 0 ? (room + 1) / 2 : room);
+  const std::size_t before = this->Mesh.NumberOfVertices();
+  const std::size_t most =
+    this->MostVertices > 0 ? (this->MostVertices - before + 1) / 2 : std::numeric_limits<std::size_t>::max();
+  const bool areBySquares = arePointsInside && triangles.size() >= LeastBySquares && this->MostVertices == 0 &&
+    !this->Mesh.Triangles().HasKept();
+  const PlaneMesh::Room room = this->Mesh.AddRoom(areBySquares ? triangles.size() : 0);
   this->New.clear();
-  this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + 2 * triangles.size(), 0);
-  for (const TriangleId triangle : triangles)
+  this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + (areBySquares ? 0 : 2 * triangles.size()), 0);
+  std::vector<std::size_t> waiting;
+  if (areBySquares)
   {
+    RoundInsertion insertion(this->Mesh, triangles, room, this->IsNew);
+    waiting = insertion.Run(this->New);
+    isAnyPutBack = insertion.IsAnyPutBack();
+  }
+  else
+  {
+    waiting.resize(triangles.size());
+    std::iota(waiting.begin(), waiting.end(), std::size_t(0));
+  }
+  std::size_t inserted = 0;
+  for (const std::size_t n : waiting)
+  {
+    const TriangleId triangle = triangles[n];
     const PointId point = this->Mesh.Error(triangle).Point;
     const VertexId corner = this->Mesh.CornerOf(triangle, point);
     if (corner != NoVertex)
@@ -358,30 +394,40 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles)
     {
       this->AddNew(triangle); // inserted from another triangle
     }
-    else if (this->IsNew[triangle] == 0 && this->Mesh.NumberOfVertices() < most)
+    else if (this->IsNew[triangle] == 0 && inserted < most)
     {
       this->Before.push_back(this->Mesh.Error(triangle).Largest);
-      this->Insert(point, this->Mesh.Triangles().Locate(this->Mesh.Column(point), triangle));
+      const TriangleId in = this->Mesh.Triangles().Locate(this->Mesh.Column(point), triangle);
+      if (in != NoTriangle && this->IsNew[in] == 0)
+      {
+        this->Insert(point, in, areBySquares ? room.At(n) : this->Mesh.AddRoom(1));
+        ++inserted;
+      }
     }
   }
+  this->Mesh.CloseGaps(room, this->New, this->IsNew);
+  this->SeeNew();
   return isAnyPutBack || this->Mesh.NumberOfVertices() > before;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::Insert(PointId point, TriangleId triangle)
+void MeshRefiner::Insert(PointId point, TriangleId triangle, const PlaneMesh::Room& room)
 {
-  if (triangle == NoTriangle || this->IsNew[triangle] != 0)
-  {
-    return;
-  }
-  this->Mesh.Insert(point, triangle, this->Around);
-  if (this->Around.empty())
+  this->InsertInto(point, triangle, room, this->Around);
+  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::InsertInto(
+  PointId point, TriangleId triangle, const PlaneMesh::Room& room, std::vector<TriangleId>& around)
+{
+  this->Mesh.Insert(point, triangle, room, around);
+  if (around.empty())
   {
     throw InputError(
       "point " + std::to_string(point) + " lies on the boundary, expected it inside or on a loop's line");
   }
-  this->Mesh.Triangles().Legalize(this->Around);
-  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
+  this->Mesh.Triangles().Legalize(around);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -400,10 +446,15 @@ void MeshRefiner::AddNew(TriangleId triangle)
   {
     this->IsNew[triangle] = 1;
     this->New.push_back(triangle);
-    if (!this->AreAllExamined)
-    {
-      this->Seen.push_back(triangle);
-    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MeshRefiner::SeeNew()
+{
+  if (!this->AreAllExamined)
+  {
+    this->Seen.insert(this->Seen.end(), this->New.begin(), this->New.end());
   }
 }
 }

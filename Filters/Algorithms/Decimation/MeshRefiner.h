@@ -38,7 +38,7 @@ public:
   /// The triangles given, and all that have changed since.
   const std::vector<TriangleId>& Examined();
 
-  /// Of triangles where points were inserted, as they were before.
+  /// With a limit: of triangles where points were inserted, as they were before.
   const std::vector<double>& ErrorsBefore() const { return this->Before; }
 
 private:
@@ -47,13 +47,15 @@ private:
   void KeepFar(double bound);
   bool FindUrgent(double& limit, std::vector<TriangleId>& urgent) const;
   double UrgencyOf(TriangleId triangle) const;
-  bool InsertRound(const std::vector<TriangleId>& triangles);
-  void Insert(PointId point, TriangleId triangle);
+  bool InsertRound(const std::vector<TriangleId>& triangles, bool arePointsInside);
+  void Insert(PointId point, TriangleId triangle, const PlaneMesh::Room& room);
+  void InsertInto(PointId point, TriangleId triangle, const PlaneMesh::Room& room, std::vector<TriangleId>& around);
   void PutBack(VertexId vertex, TriangleId triangle);
   PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle, double part) const;
   bool IsTooLong(TriangleId triangle, const EdgeSizes& sizes) const;
   bool CanInsert(const PlanePoint& place, TriangleId triangle, double leastCosine) const;
   void AddNew(TriangleId triangle);
+  void SeeNew();
   void SortNew();
 
   HeightMesh& Mesh;

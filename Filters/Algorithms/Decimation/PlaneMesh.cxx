@@ -28,6 +28,8 @@ constexpr std::uint64_t TileSide = 32;
 
 constexpr int Opposite = 0; // to the third corner
 
+constexpr std::int64_t TrianglesPerChunk = 1024;
+
 template <typename Call>
 void ForEachBelow(std::size_t size, Call&& call)
 {
@@ -233,7 +235,17 @@ TriangleId PlaneMesh::Locate(const PlanePoint& place, TriangleId near) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector<TriangleId>& around)
+PlaneMesh::Room PlaneMesh::AddRoom(std::size_t vertices)
+{
+  const Room first{ VertexId(this->Places.size()), this->Size() };
+  this->Places.resize(this->Places.size() + vertices);
+  this->Triangles.resize(this->Triangles.size() + 2 * vertices,
+    { { NoVertex, NoVertex, NoVertex }, { NoTriangle, NoTriangle, NoTriangle } });
+  return first;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, const Room& room, std::vector<TriangleId>& around)
 {
   assert(!this->IsGone(triangle));
   around.clear();
@@ -252,13 +264,12 @@ void PlaneMesh::Insert(const PlanePoint& place, TriangleId triangle, std::vector
   {
     return;
   }
-  const auto vertex = VertexId(this->Places.size());
-  this->Places.push_back(place);
+  this->Places[room.Vertex] = place;
   if (onEdge >= 0)
   {
-    this->CutKept(this->Corner(triangle, onEdge), this->Corner(triangle, NextCorner(onEdge)), vertex);
+    this->CutKept(this->Corner(triangle, onEdge), this->Corner(triangle, NextCorner(onEdge)), room.Vertex);
   }
-  this->Split(vertex, triangle, around);
+  this->Split(room, triangle, around);
   if (onEdge >= 0)
   {
     // The triangle between edge and vertex is flat; the vertex is its third corner.
@@ -280,19 +291,88 @@ void PlaneMesh::CutKept(VertexId a, VertexId b, VertexId between)
 
 //----------------------------------------------------------------------------------------------------------------------
 /// Triangle n gets the old edge n first, and the vertex as third corner.
-void PlaneMesh::Split(VertexId vertex, TriangleId triangle, std::vector<TriangleId>& around)
+void PlaneMesh::Split(const Room& room, TriangleId triangle, std::vector<TriangleId>& around)
 {
   const Triangle old = this->Triangles[triangle];
-  const TriangleId size = this->Size();
-  const std::array<TriangleId, 3> parts = { triangle, size, size + 1 };
-  this->Triangles.resize(this->Triangles.size() + 2);
+  const std::array<TriangleId, 3> parts = { triangle, room.First, room.First + 1 };
   for (int edge = 0; edge < 3; ++edge)
   {
-    this->Triangles[parts[edge]] = { { old.Corners[edge], old.Corners[NextCorner(edge)], vertex },
+    this->Triangles[parts[edge]] = { { old.Corners[edge], old.Corners[NextCorner(edge)], room.Vertex },
       { old.Neighbours[edge], parts[NextCorner(edge)], parts[PreviousCorner(edge)] } };
     this->Replace(old.Neighbours[edge], triangle, parts[edge]);
     around.push_back(parts[edge]);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PlaneMesh::CloseGaps(
+  const Room& first, std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged)
+{
+  std::vector<VertexId> vertices; // new numbers
+  VertexId next = first.Vertex;
+  for (TriangleId triangle = first.First; triangle < this->Size(); triangle += 2)
+  {
+    vertices.push_back(next);
+    next += this->IsGone(triangle) ? 0 : 1;
+  }
+  if (std::size_t(next) == this->Places.size())
+  {
+    return;
+  }
+  const auto renumbered = [&](TriangleId triangle)
+  {
+    const TriangleId place = triangle - first.First;
+    return place < 0 ? triangle : first.First + 2 * (vertices[place / 2] - first.Vertex) + place % 2;
+  };
+  struct Neighbour
+  {
+    TriangleId Triangle;
+    int Edge;
+    TriangleId Number;
+  };
+  const auto beside = CollectChunks<Neighbour>(std::int64_t(changed.size()), TrianglesPerChunk, Monitor(),
+    [&](std::vector<Neighbour>& found, std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t n = begin; n < end; ++n)
+      {
+        for (const TriangleId other : this->Triangles[changed[n]].Neighbours)
+        {
+          if (other != NoTriangle && isChanged[other] == 0)
+          {
+            found.push_back({ other, this->EdgeTo(other, changed[n]), renumbered(changed[n]) });
+          }
+        }
+      }
+    });
+  ForEachBelow(beside.size(),
+    [&](std::int64_t n) { this->Triangles[beside[n].Triangle].Neighbours[beside[n].Edge] = beside[n].Number; });
+  ForEachBelow(changed.size(),
+    [&](std::int64_t n)
+    {
+      Triangle& triangle = this->Triangles[changed[n]];
+      for (VertexId& corner : triangle.Corners)
+      {
+        corner = corner < first.Vertex ? corner : vertices[corner - first.Vertex];
+      }
+      for (TriangleId& neighbour : triangle.Neighbours)
+      {
+        neighbour = renumbered(neighbour);
+      }
+    });
+  for (std::size_t n = 0; n < vertices.size(); ++n)
+  {
+    const Room from = first.At(n);
+    const Room to = first.At(std::size_t(vertices[n] - first.Vertex));
+    if (!this->IsGone(from.First))
+    {
+      this->Places[to.Vertex] = this->Places[from.Vertex];
+      this->Triangles[to.First] = this->Triangles[from.First];
+      this->Triangles[to.First + 1] = this->Triangles[from.First + 1];
+    }
+  }
+  this->Places.resize(std::size_t(next));
+  this->Triangles.resize(std::size_t(first.At(std::size_t(next - first.Vertex)).First));
+  std::transform(changed.begin(), changed.end(), changed.begin(), renumbered);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

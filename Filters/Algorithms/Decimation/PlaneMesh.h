@@ -68,8 +68,22 @@ public:
   /// Walks from `near` across at most 100 edges. Returns NoTriangle if the boundary is in the way.
   TriangleId Locate(const PlanePoint& place, TriangleId near) const;
 
+  /// Numbers of a vertex to insert, and of the first of its two triangles.
+  struct Room
+  {
+    VertexId Vertex = NoVertex;
+    TriangleId First = NoTriangle;
+
+    Room At(std::size_t n) const { return { this->Vertex + VertexId(n), this->First + TriangleId(2 * n) }; }
+  };
+
+  /// Triangles are gone until a vertex is inserted.
+  Room AddRoom(std::size_t vertices);
   /// Returns the triangles around the vertex; none on the boundary or at a corner, where it cannot be inserted.
-  void Insert(const PlanePoint& place, TriangleId triangle, std::vector<TriangleId>& around);
+  void Insert(const PlanePoint& place, TriangleId triangle, const Room& room, std::vector<TriangleId>& around);
+  /// Takes away the room that was added last where no vertex is inserted. Needs all triangles that changed since, whose
+  /// numbers change, too.
+  void CloseGaps(const Room& first, std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged);
 
   /// Turns a, b, c and b, a, d into a, d, c and d, b, c, in the same order. Their union must be strictly convex.
   void Flip(TriangleId triangle, int edge);
@@ -91,6 +105,7 @@ public:
   void MoveTo(VertexId vertex, const PlanePoint& place) { this->Places[vertex] = place; }
   bool IsGone(TriangleId triangle) const { return this->Corner(triangle, 0) == NoVertex; }
 
+  bool HasKept() const { return !this->Kept.empty(); }
   bool IsKept(VertexId a, VertexId b) const { return !this->Kept.empty() && this->Kept.count(EdgeKey(a, b)) > 0; }
   bool IsKeptEdge(TriangleId triangle, int edge) const
   {
@@ -139,7 +154,7 @@ private:
   void CutKept(VertexId a, VertexId b, VertexId between);
   void Reorder(const std::vector<TriangleId>& order);
   void Replace(TriangleId triangle, TriangleId neighbour, TriangleId by);
-  void Split(VertexId vertex, TriangleId triangle, std::vector<TriangleId>& parts);
+  void Split(const Room& room, TriangleId triangle, std::vector<TriangleId>& parts);
   std::int64_t AreaAt(const PlanePoint& place, TriangleId triangle, int edge) const;
 
   std::vector<PlanePoint> Places;

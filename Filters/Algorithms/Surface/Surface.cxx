@@ -684,7 +684,7 @@ private:
       this->Result.Pins = std::move(this->Seams->Pins);
       this->Result.OpenGaps = std::move(this->Seams->OpenGaps);
     }
-    std::vector<PointId>& target = this->Result.Mesh.Points.Target;
+    RawVector<PointId>& target = this->Result.Mesh.Points.Target;
     for (const DroppedPoint& dropped : this->Dropped)
     {
       target[dropped.Point] = target[dropped.Target];

@@ -86,7 +86,7 @@ Result RunMethods(const Points& points, const SurfaceOptions& given, const Surfa
   decimation.Effort = given.Effort;
   decimation.Crossings = given.Crossings;
   Decimation mesh = Decimate(TestHorizons::Leave(horizon, simplified), decimation);
-  std::vector<PointId>& target = mesh.Points.Target;
+  RawVector<PointId>& target = mesh.Points.Target;
   std::for_each(simplified.Dropped.begin(), simplified.Dropped.end(),
     [&](const DroppedPoint& one) { target[std::size_t(one.Point)] = target[std::size_t(one.Target)]; });
   std::ostringstream text;
