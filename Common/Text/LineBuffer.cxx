@@ -17,6 +17,8 @@ namespace
 {
 constexpr std::size_t SmallestSize = 2; // One character and a newline.
 constexpr std::size_t LongestLine = (1 << 26) - 1; // Bytes, for streams of unknown length.
+constexpr std::size_t RoomInFront = 4096; // bytes
+constexpr std::size_t LeastAhead = 1 << 16; // bytes
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -57,57 +59,87 @@ LineBuffer::LineBuffer(std::istream& stream, std::size_t size)
   : Stream(stream)
   , Start(std::max<std::int64_t>(0, stream.tellg()))
   , BytesInStream(CountBytes(stream))
-  , Bytes(std::max(size, SmallestSize))
+  , PieceSize(std::max(size, SmallestSize) - 1)
 {
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-double LineBuffer::PartRead() const
-{
-  return SeismicHorizons::PartRead(this->Stream, static_cast<double>(this->BytesRead), this->BytesInStream);
+  this->Now.IsLast = stream.eof();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 bool LineBuffer::Read()
 {
-  std::copy(this->Last(), this->First() + this->Filled, this->Bytes.data());
-  this->Filled -= this->Complete;
-  this->Complete = 0;
-  while (this->Complete == 0)
+  do
   {
-    if (!this->ReadMore())
+    if (!this->Ahead.valid())
     {
-      return false;
+      this->ReadAhead();
     }
-  }
-  return true;
+    this->Ahead.get();
+    this->TakeNext();
+  } while (this->Complete == 0 && this->Now.IsRead);
+  return this->Now.IsRead;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-bool LineBuffer::ReadMore()
+// Starting a thread takes longer than reading a small piece.
+void LineBuffer::ReadAhead()
 {
-  if (this->Filled + 1 == this->Bytes.size())
+  const bool isSmall = this->PieceSize < LeastAhead;
+  this->Ahead = std::async(isSmall ? std::launch::deferred : std::launch::async, [this]() { this->ReadNext(); });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void LineBuffer::ReadNext()
+{
+  Piece& next = this->Next;
+  next.First = std::min(this->PieceSize, RoomInFront);
+  next.Bytes.resize(next.First + this->PieceSize + 1);
+  this->Stream.read(next.Bytes.data() + next.First, std::streamsize(this->PieceSize));
+  next.Size = std::size_t(this->Stream.gcount());
+  next.IsLast = this->Stream.eof();
+  next.IsRead = this->Stream.good() || next.IsLast;
+  this->BytesRead += next.Size;
+  next.Part = SeismicHorizons::PartRead(this->Stream, double(this->BytesRead), this->BytesInStream);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void LineBuffer::TakeNext()
+{
+  const char* const rest = this->Last();
+  const std::size_t restSize = this->Now.Size - this->Complete;
+  Piece& next = this->Next;
+  if (restSize >= LongestLine && double(restSize) > this->BytesInStream)
   {
-    if (this->Filled >= LongestLine && static_cast<double>(this->Filled) > this->BytesInStream)
-    {
-      throw InputError("byte " + std::to_string(this->Start + std::int64_t(this->BytesRead - this->Filled)) +
-        ": a line of more than " + std::to_string(this->Filled) + " bytes, expected a shorter one");
-    }
-    this->Bytes.resize(2 * this->Bytes.size());
+    const std::size_t before = this->BytesRead - next.Size - restSize;
+    throw InputError("byte " + std::to_string(this->Start + std::int64_t(before)) + ": a line of more than " +
+      std::to_string(restSize) + " bytes, expected a shorter one");
   }
-  this->Stream.read(
-    this->Bytes.data() + this->Filled, static_cast<std::streamsize>(this->Bytes.size() - this->Filled - 1));
-  const auto count = static_cast<std::size_t>(this->Stream.gcount());
-  const auto fresh = std::make_reverse_iterator(this->Bytes.begin() + static_cast<std::ptrdiff_t>(this->Filled));
-  this->Filled += count;
-  this->BytesRead += count;
-  if (this->Stream.eof())
+  if (restSize > next.First)
   {
-    this->Bytes[this->Filled++] = '\n';
+    // The room grows faster than the line, which is copied with each piece.
+    RawVector<char> bytes(2 * restSize + next.Size + 1);
+    std::copy_n(next.Bytes.data() + next.First, next.Size, bytes.data() + 2 * restSize);
+    next.Bytes.swap(bytes);
+    next.First = 2 * restSize;
   }
-  const auto last = std::make_reverse_iterator(this->Bytes.begin() + static_cast<std::ptrdiff_t>(this->Filled));
-  const auto newline = std::find(last, fresh, '\n');
-  this->Complete = newline == fresh ? 0 : static_cast<std::size_t>(newline.base() - this->Bytes.begin());
-  return this->Stream.good() || this->Stream.eof();
+  next.First -= restSize;
+  next.Size += restSize;
+  char* const first = next.Bytes.data() + next.First;
+  std::copy_n(rest, restSize, first);
+  if (next.IsLast)
+  {
+    first[next.Size++] = '\n';
+  }
+  const auto end = std::make_reverse_iterator(first + next.Size);
+  const auto newline = std::find(end, std::make_reverse_iterator(first + restSize), '\n');
+  this->Complete = std::size_t(newline.base() - first);
+  if (this->Complete == restSize)
+  {
+    this->Complete = 0;
+  }
+  std::swap(this->Now, this->Next);
+  if (this->Now.IsRead && !this->Now.IsLast)
+  {
+    this->ReadAhead();
+  }
 }
 }

@@ -28,7 +28,7 @@ constexpr std::uint64_t TileSide = 32;
 
 constexpr int Opposite = 0; // to the third corner
 
-constexpr std::int64_t TrianglesPerChunk = 1024;
+constexpr std::int64_t ChangesPerChunk = 1024;
 
 template <typename Call>
 void ForEachBelow(std::size_t size, Call&& call)
@@ -324,28 +324,7 @@ void PlaneMesh::CloseGaps(
     const TriangleId place = triangle - first.First;
     return place < 0 ? triangle : first.First + 2 * (vertices[place / 2] - first.Vertex) + place % 2;
   };
-  struct Neighbour
-  {
-    TriangleId Triangle;
-    int Edge;
-    TriangleId Number;
-  };
-  const auto beside = CollectChunks<Neighbour>(std::int64_t(changed.size()), TrianglesPerChunk, Monitor(),
-    [&](std::vector<Neighbour>& found, std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t n = begin; n < end; ++n)
-      {
-        for (const TriangleId other : this->Triangles[changed[n]].Neighbours)
-        {
-          if (other != NoTriangle && isChanged[other] == 0)
-          {
-            found.push_back({ other, this->EdgeTo(other, changed[n]), renumbered(changed[n]) });
-          }
-        }
-      }
-    });
-  ForEachBelow(beside.size(),
-    [&](std::int64_t n) { this->Triangles[beside[n].Triangle].Neighbours[beside[n].Edge] = beside[n].Number; });
+  this->RenumberBeside(changed, isChanged, renumbered);
   ForEachBelow(changed.size(),
     [&](std::int64_t n)
     {
@@ -373,6 +352,36 @@ void PlaneMesh::CloseGaps(
   this->Places.resize(std::size_t(next));
   this->Triangles.resize(std::size_t(first.At(std::size_t(next - first.Vertex)).First));
   std::transform(changed.begin(), changed.end(), changed.begin(), renumbered);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Neighbours that have not changed get the new numbers.
+template <typename Renumber>
+void PlaneMesh::RenumberBeside(
+  const std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged, const Renumber& renumbered)
+{
+  struct Neighbour
+  {
+    TriangleId Triangle;
+    int Edge;
+    TriangleId Number;
+  };
+  const auto beside = CollectChunks<Neighbour>(std::int64_t(changed.size()), ChangesPerChunk, Monitor(),
+    [&](std::vector<Neighbour>& found, std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t n = begin; n < end; ++n)
+      {
+        for (const TriangleId other : this->Triangles[changed[n]].Neighbours)
+        {
+          if (other != NoTriangle && isChanged[other] == 0)
+          {
+            found.push_back({ other, this->EdgeTo(other, changed[n]), renumbered(changed[n]) });
+          }
+        }
+      }
+    });
+  ForEachBelow(beside.size(),
+    [&](std::int64_t n) { this->Triangles[beside[n].Triangle].Neighbours[beside[n].Edge] = beside[n].Number; });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -146,6 +146,9 @@ private:
     return std::uint64_t(std::uint32_t(std::min(a, b))) << 32U | std::uint32_t(std::max(a, b));
   }
 
+  template <typename Renumber>
+  void RenumberBeside(
+    const std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged, const Renumber& renumbered);
   VertexId HigherEnd(TriangleId triangle, int edge) const;
   void Connect();
   OpenEdge OpenEdgeOf(TriangleId triangle, int edge) const;

@@ -30,7 +30,7 @@ constexpr std::size_t LeastPerSquare = 32;
 constexpr std::size_t MostPerSquare = 512;
 constexpr std::size_t UsualSquares = 64;
 
-constexpr std::int64_t PointsPerChunk = 64;
+constexpr std::int64_t ReachesPerChunk = 64;
 
 // Ranks are larger in later passes, and for earlier points.
 constexpr std::uint32_t BitsOfNumber = 28;
@@ -83,7 +83,7 @@ std::vector<std::size_t> RoundInsertion::Run(std::vector<TriangleId>& changed)
 //----------------------------------------------------------------------------------------------------------------------
 PlaneBox RoundInsertion::FindBox() const
 {
-  return AddUpChunks<PlaneBox>(std::int64_t(this->Triangles.size()), PointsPerChunk, Monitor(),
+  return AddUpChunks<PlaneBox>(std::int64_t(this->Triangles.size()), ReachesPerChunk, Monitor(),
     [this](PlaneBox& box, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
@@ -158,13 +158,13 @@ std::vector<RoundInsertion::Point> RoundInsertion::FindPoints(
 {
   const auto size = std::int64_t(numbers.size());
   std::vector<Point> points(numbers.size());
-  reached.resize(CountChunks(size, PointsPerChunk));
-  ForEachChunk(size, PointsPerChunk, Monitor(),
+  reached.resize(CountChunks(size, ReachesPerChunk));
+  ForEachChunk(size, ReachesPerChunk, Monitor(),
     [&](std::size_t chunk, std::int64_t first, std::int64_t last)
     {
       std::vector<TriangleId>& reach = reached[chunk];
       Scratch scratch;
-      std::array<std::size_t, PointsPerChunk + 1> starts = {};
+      std::array<std::size_t, ReachesPerChunk + 1> starts = {};
       for (std::int64_t n = first; n < last; ++n)
       {
         if (!this->IsDone(numbers[n]))
