@@ -59,7 +59,7 @@ public:
   {
     if (this->Count == this->Capacity)
     {
-      this->MakeRoom(this->Count + 1);
+      this->MakeRoom(this->Count + 1, this->Capacity);
     }
     this->First[this->Count++] = value;
   }
@@ -76,12 +76,12 @@ public:
     }
   }
 
-  /// The added numbers are not initialised.
-  T* Extend(std::size_t count)
+  /// The added numbers are not initialised. If there is no room, it is made for the expected number, or 0.
+  T* Extend(std::size_t count, std::size_t expected = 0)
   {
     if (this->Capacity - this->Count < count)
     {
-      this->MakeRoom(this->Count + count);
+      this->MakeRoom(std::max(this->Count + count, expected), expected > 0 ? this->Capacity / 8 : this->Capacity);
     }
     this->Count += count;
     return this->First + this->Count - count;
@@ -106,10 +106,10 @@ private:
     std::swap(this->Capacity, other.Capacity);
   }
 
-  void MakeRoom(std::size_t least)
+  void MakeRoom(std::size_t least, std::size_t more)
   {
     constexpr std::size_t fewest = 16;
-    this->Resize(std::max({ least, 2 * this->Capacity, fewest }));
+    this->Resize(std::max({ least, this->Capacity + more, fewest }));
   }
 
   void Resize(std::size_t capacity)

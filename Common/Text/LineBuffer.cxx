@@ -104,42 +104,58 @@ void LineBuffer::ReadNext()
 //----------------------------------------------------------------------------------------------------------------------
 void LineBuffer::TakeNext()
 {
-  const char* const rest = this->Last();
-  const std::size_t restSize = this->Now.Size - this->Complete;
-  Piece& next = this->Next;
-  if (restSize >= LongestLine && double(restSize) > this->BytesInStream)
+  const std::size_t rest = this->Now.Size - this->Complete;
+  if (rest >= LongestLine && double(rest) > this->BytesInStream)
   {
-    const std::size_t before = this->BytesRead - next.Size - restSize;
+    const std::size_t before = this->BytesRead - this->Next.Size - rest;
     throw InputError("byte " + std::to_string(this->Start + std::int64_t(before)) + ": a line of more than " +
-      std::to_string(restSize) + " bytes, expected a shorter one");
+      std::to_string(LongestLine) + " bytes, expected a shorter one");
   }
-  if (restSize > next.First)
+  rest <= this->Next.First ? this->MoveInFront(rest) : this->Append(rest);
+  char* const first = this->Now.Bytes.data() + this->Now.First;
+  if (this->Now.IsLast)
   {
-    // The room grows faster than the line, which is copied with each piece.
-    RawVector<char> bytes(2 * restSize + next.Size + 1);
-    std::copy_n(next.Bytes.data() + next.First, next.Size, bytes.data() + 2 * restSize);
-    next.Bytes.swap(bytes);
-    next.First = 2 * restSize;
+    first[this->Now.Size++] = '\n';
   }
-  next.First -= restSize;
-  next.Size += restSize;
-  char* const first = next.Bytes.data() + next.First;
-  std::copy_n(rest, restSize, first);
-  if (next.IsLast)
-  {
-    first[next.Size++] = '\n';
-  }
-  const auto end = std::make_reverse_iterator(first + next.Size);
-  const auto newline = std::find(end, std::make_reverse_iterator(first + restSize), '\n');
-  this->Complete = std::size_t(newline.base() - first);
-  if (this->Complete == restSize)
-  {
-    this->Complete = 0;
-  }
-  std::swap(this->Now, this->Next);
+  const auto end = std::make_reverse_iterator(first + this->Now.Size);
+  const auto start = std::make_reverse_iterator(first + rest);
+  const auto newline = std::find(end, start, '\n');
+  this->Complete = newline == start ? 0 : std::size_t(newline.base() - first);
   if (this->Now.IsRead && !this->Now.IsLast)
   {
     this->ReadAhead();
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void LineBuffer::MoveInFront(std::size_t rest)
+{
+  Piece& next = this->Next;
+  next.First -= rest;
+  next.Size += rest;
+  std::copy_n(this->Last(), rest, next.Bytes.data() + next.First);
+  std::swap(this->Now, next);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The buffer of a long line doubles, so that the line is not copied with each piece.
+void LineBuffer::Append(std::size_t rest)
+{
+  Piece& now = this->Now;
+  if (this->Last() != now.Bytes.data())
+  {
+    std::copy(this->Last(), this->Last() + rest, now.Bytes.data());
+  }
+  const std::size_t size = rest + this->Next.Size;
+  if (now.Bytes.size() <= size)
+  {
+    now.Bytes.resize(2 * size);
+  }
+  std::copy_n(this->Next.Bytes.data() + this->Next.First, this->Next.Size, now.Bytes.data() + rest);
+  now.First = 0;
+  now.Size = size;
+  now.IsRead = this->Next.IsRead;
+  now.IsLast = this->Next.IsLast;
+  now.Part = this->Next.Part;
 }
 }

@@ -56,6 +56,8 @@ private:
   void ReadAhead();
   void ReadNext();
   void TakeNext();
+  void MoveInFront(std::size_t rest);
+  void Append(std::size_t rest);
 
   std::istream& Stream;
   const std::int64_t Start; // Bytes before the first one to read.

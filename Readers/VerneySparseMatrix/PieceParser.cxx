@@ -298,8 +298,10 @@ LatticeHorizon& HorizonCollector::HorizonOf(int surfaceId)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t count)
+void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t count, double partOfAll)
 {
+  constexpr double Margin = 1.03; // of what is expected
+  const double times = partOfAll > 0.0 && partOfAll < 1.0 ? Margin / partOfAll : 0.0;
   std::vector<HorizonPart> parts;
   for (std::size_t block = 0; block < count; ++block)
   {
@@ -310,7 +312,9 @@ void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t
         LatticeHorizon& whole = this->HorizonOf(part.SurfaceId);
         parts.push_back({ &part, &whole, whole.Column.size() });
         whole.DroppedDuplicates += part.DroppedDuplicates;
-        ForEachVoxelArray(whole, [&part](auto& values) { values.Extend(part.Column.size()); });
+        const std::size_t size = part.Column.size();
+        const auto expected = std::size_t(times * double(whole.Column.size() + size));
+        ForEachVoxelArray(whole, [&](auto& values) { values.Extend(size, expected); });
       }
     }
   }

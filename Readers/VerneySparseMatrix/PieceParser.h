@@ -50,7 +50,8 @@ private:
 class HorizonCollector
 {
 public:
-  void Add(const std::vector<HorizonSorter>& blocks, std::size_t count);
+  /// With these voxels, about this part of all voxels is added; 0 if it is unknown.
+  void Add(const std::vector<HorizonSorter>& blocks, std::size_t count, double partOfAll);
 
   /// Returns the horizons with enough voxels, by ascending surface ID.
   std::vector<LatticeHorizon> Take(std::int64_t smallestSize);

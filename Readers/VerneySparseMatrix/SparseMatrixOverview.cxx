@@ -111,7 +111,8 @@ SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOvervi
   PieceParser pieces(overview.Size, options, first.Column);
   HorizonCollector horizons;
   pieces.ParseAll(
-    lines, monitor, [&](const std::vector<HorizonSorter>& blocks, std::size_t count) { horizons.Add(blocks, count); },
+    lines, monitor,
+    [&](const std::vector<HorizonSorter>& blocks, std::size_t count) { horizons.Add(blocks, count, 0.0); },
     [end](std::int64_t column) { return column < end; });
   matrix.Horizons = horizons.Take(options.SmallestSize);
   return matrix;

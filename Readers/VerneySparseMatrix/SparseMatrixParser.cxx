@@ -181,7 +181,8 @@ SparseMatrix ReadSparseMatrix(
   PieceParser pieces(matrix.Size, options);
   HorizonCollector horizons;
   pieces.ParseAll(
-    lines, monitor, [&](const std::vector<HorizonSorter>& blocks, std::size_t count) { horizons.Add(blocks, count); },
+    lines, monitor,
+    [&](const std::vector<HorizonSorter>& blocks, std::size_t count) { horizons.Add(blocks, count, lines.PartRead()); },
     [](std::int64_t) { return true; });
   pieces.RequireEnd();
   matrix.Horizons = horizons.Take(options.SmallestSize);
