@@ -241,7 +241,8 @@ void CheckFit(const PickFit& fit, const PickTable& picks)
     std::ostringstream text;
     text << range.OffLattice << " of " << picks.Size() << " picks off the lattice" << steps << ", the farthest, "
          << PicksText(picks, { range.Farthest }) << ", by " << range.LargestDistance
-         << " columns; expected at most LatticeTolerance, " << fit.Tolerance << ", or StrayPicks LeaveOut, or Gridding";
+         << " columns; expected at most LatticeTolerance, " << fit.Tolerance
+         << ", or StrayPicks LeaveOut, or Gridding, or NoLattice for an extraction";
     throw InputError(text.str());
   }
   if (!(columns.maxCoeff() <= MostColumnsPerSide))

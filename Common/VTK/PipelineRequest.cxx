@@ -240,10 +240,10 @@ void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vt
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void AskForWhole(vtkInformationVector* port)
+void AskForWhole(vtkInformationVector* port, int first)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int n = 0; n < port->GetNumberOfInformationObjects(); ++n)
+  for (int n = first; n < port->GetNumberOfInformationObjects(); ++n)
   {
     vtkInformation* const input = port->GetInformationObject(n);
     input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);

@@ -16,13 +16,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<const char*, Directions> DirectionNames = { "Reference to mesh", "Mesh to reference",
-  "Two-sided" };
-
-// Field data tuples and table rows have this order of units.
-constexpr std::size_t WorldUnit = 1;
 constexpr std::size_t DiagonalUnit = 2;
-constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal" };
 
 using DistanceFigure = std::pair<std::string, double>;
 

@@ -15,6 +15,12 @@ namespace SeismicHorizons
 {
 /// Directions are reference to mesh, mesh to reference, and both.
 constexpr std::size_t Directions = 3;
+constexpr std::array<const char*, Directions> DirectionNames = { "Reference to mesh", "Mesh to reference",
+  "Two-sided" };
+
+// Field data tuples and table rows have this order of units.
+constexpr std::size_t WorldUnit = 1;
+constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal" };
 
 struct FiguresOfPair
 {

@@ -9,7 +9,9 @@
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/RankedHorizons.h"
 #include "Common/VTK/Ranks.h"
+#include "Common/VTK/VersionDifferences.h"
 #include "DistanceStage.h"
+#include "Filters/Common/StageReport.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,11 +19,15 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct SeismicHorizons::HorizonPair
@@ -68,6 +74,79 @@ void AppendPairRows(vtkTable* rows, vtkTable* table)
   {
     table->InsertNextRow(rows->GetRow(row));
   }
+}
+
+std::vector<vtkDataObject*> ListInputs(vtkInformationVector** inputVector)
+{
+  std::vector<vtkDataObject*> inputs;
+  for (const int port : { ReferencePort, MeasuredPort })
+  {
+    for (int n = 0; n < inputVector[port]->GetNumberOfInformationObjects(); ++n)
+    {
+      inputs.push_back(vtkDataObject::GetData(inputVector[port], n));
+    }
+  }
+  return inputs;
+}
+
+/// Collective. Outputs are made before triangles are known, like the inputs in their order.
+void PutMeshLast(std::vector<vtkDataObject*>& inputs, const Ranks& ranks)
+{
+  if (inputs.size() != 2)
+  {
+    ranks.Refuse(std::to_string(inputs.size()) + (inputs.size() == 1 ? " input" : " inputs") +
+      ", expected two: a horizon and the mesh that represents it");
+  }
+  const auto hasTriangles = [&ranks](vtkDataObject* input)
+  {
+    bool isAny = false;
+    ranks.Together(
+      [&]()
+      {
+        const std::vector<HorizonLeaf> leaves = ListHorizons(input, {});
+        isAny = std::any_of(leaves.begin(), leaves.end(),
+          [](const HorizonLeaf& leaf) { return leaf.Input->GetNumberOfPolys() + leaf.Input->GetNumberOfStrips() > 0; });
+      });
+    return ranks.Any(isAny);
+  };
+  if (hasTriangles(inputs[0]) && !hasTriangles(inputs[1]))
+  {
+    if (inputs[0]->GetDataObjectType() != inputs[1]->GetDataObjectType())
+    {
+      ranks.Refuse("the mesh as the reference, and points as the mesh, expected them the other way round");
+    }
+    std::swap(inputs[0], inputs[1]);
+  }
+}
+
+/// Tells the figures of both directions.
+std::string TellFigures(vtkTable* figures, const std::string& unit)
+{
+  const std::vector<std::pair<const char*, std::string>> told = { { "largest distance ", FieldArray::LargestDistance },
+    { "mean distance ", FieldArray::MeanDistance }, { "root mean square ", FieldArray::RmsDistance },
+    { "95 % of the area within ", FieldArray::DistancePercentile + std::string("95") },
+    { "outlines apart on the map by at most ", FieldArray::OutlineDistance } };
+  std::ostringstream text = MakeReportStream();
+  for (vtkIdType row = 0; row < figures->GetNumberOfRows(); ++row)
+  {
+    const auto value = [&](const std::string& column) { return figures->GetValueByName(row, column.c_str()); };
+    if (value("Direction").ToString() != DirectionNames.back() || value("Unit").ToString() != unit)
+    {
+      continue;
+    }
+    const std::string name = value("Horizon").ToString();
+    text << (name.empty() ? "the horizon" : name) << ", in "
+         << (unit == "World" ? "units of the coordinates" : "columns and vertical indices") << ":\n";
+    for (const auto& [words, column] : told)
+    {
+      const double figure = value(column).ToDouble();
+      if (!std::isnan(figure))
+      {
+        text << "  " << words << figure << '\n';
+      }
+    }
+  }
+  return text.str();
 }
 
 /// A single horizon on either side makes a pair with any names. Otherwise names must agree, and equal names pair in
@@ -221,6 +300,13 @@ vtkHorizonSurfaceDistance::vtkHorizonSurfaceDistance()
 }
 
 //------------------------------------------------------------------------------
+int vtkHorizonSurfaceDistance::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(port == ReferencePort ? vtkAlgorithm::INPUT_IS_REPEATABLE() : vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= FiguresPort ? "vtkTable" : "vtkDataObject");
@@ -231,9 +317,11 @@ int vtkHorizonSurfaceDistance::FillOutputPortInformation(int port, vtkInformatio
 int vtkHorizonSurfaceDistance::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const std::vector<vtkDataObject*> inputs = ListInputs(inputVector);
   for (const int port : { ReferencePort, MeasuredPort }) // The executive makes the tables.
   {
-    MakeOutputLike(vtkDataObject::GetData(inputVector[port], 0), outputVector->GetInformationObject(port));
+    vtkDataObject* const input = inputs[std::min(std::size_t(port), inputs.size() - 1)];
+    MakeOutputLike(input, outputVector->GetInformationObject(port));
   }
   return 1;
 }
@@ -242,8 +330,7 @@ int vtkHorizonSurfaceDistance::RequestDataObject(
 int vtkHorizonSurfaceDistance::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* const reference = vtkDataObject::GetData(inputVector[ReferencePort], 0);
-  vtkDataObject* const mesh = vtkDataObject::GetData(inputVector[MeasuredPort], 0);
+  std::vector<vtkDataObject*> inputs = ListInputs(inputVector);
   const std::vector<vtkDataObject*> outputs = ListOutputs(outputVector);
   const Ranks ranks(this->GetController(), request, outputVector);
   const auto work = [&](std::string& subject, const Monitor& monitor)
@@ -253,7 +340,8 @@ int vtkHorizonSurfaceDistance::RequestData(
     const DistanceTables empty = MakeEmptyTables();
     ToVTK(empty.Figures, figures);
     ToVTK(empty.Histogram, histogram);
-    HorizonPairs pairs(reference, mesh, outputs[ReferencePort], outputs[MeasuredPort], ranks);
+    PutMeshLast(inputs, ranks);
+    HorizonPairs pairs(inputs[0], inputs[1], outputs[ReferencePort], outputs[MeasuredPort], ranks);
     const std::vector<HorizonPair>& own = pairs.OwnPairs();
     const auto measure = [&]()
     {
@@ -269,7 +357,13 @@ int vtkHorizonSurfaceDistance::RequestData(
     ranks.Together(measure);
     pairs.Deliver({ figures, histogram });
   };
-  return RunRequest(this, outputs, NotEnoughMemory, work, ranks);
+  this->Results.clear();
+  const bool isDone = RunRequest(this, outputs, NotEnoughMemory, work, ranks) != 0;
+  this->Results = IsAborted(this) ? "stopped before the end: nothing was made\n"
+    : isDone
+    ? TellFigures(vtkTable::SafeDownCast(outputs[FiguresPort]), UnitNames[this->DistanceUnit == World ? WorldUnit : 0])
+    : "";
+  return isDone ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,9 @@
  *
  * Input 0, the reference: a triangle mesh, or a horizon without triangles, which is meshed at full resolution inside
  * its loops, or else inside its exterior boundary: with the radius and the open holes of a mesh by vtkHorizonSurface,
- * else of the given Radius, with holes closed. Input 1: a triangle mesh from any source. In composite datasets each
- * horizon needs a counterpart of the same name.
+ * else of the given Radius, with holes closed. Input 1, or a second connection of input 0: a triangle mesh from any
+ * source. In composite datasets each horizon needs a counterpart of the same name. If the first has triangles and the
+ * second has none, they change places.
  *
  * Outputs 0 and 1: the reference as it was meshed, and the mesh, with all their arrays and new point arrays:
  *  - Distance (double): to the nearest place of the other surface, in DistanceUnit;
@@ -53,6 +54,8 @@
 #include "vtkHorizonStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <string> // for a member
+
 namespace SeismicHorizons
 {
 class Monitor;
@@ -66,6 +69,18 @@ public:
   static vtkHorizonSurfaceDistance* New();
   vtkTypeMacro(vtkHorizonSurfaceDistance, vtkHorizonStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The other one of the two surfaces: the triangle meshes to measure, from any source, or what they are compared with.
+   * Where there are several, they have the names of the horizons of the reference. Range: meshes or points. Default:
+   * none.
+   *
+   * Input 1.
+   */
+  void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(1, mesh); }
+  void RemoveMesh() { this->SetInputConnection(1, nullptr); }
+  ///@}
 
   /**
    * The unit of the arrays Distance and VerticalDistance; figures are in both. Lattice: one column sideways, one
@@ -95,10 +110,18 @@ public:
    */
   vtkHorizonFlagMacro(IncludeFilledPoints);
 
+  /**
+   * What the last update measured of each pair of surfaces, in both directions and in DistanceUnit.
+   *
+   * Lines of text, on the first process. Empty before the first update, and after an error; after a stop they say so.
+   */
+  const char* GetResults() { return this->Results.c_str(); }
+
 protected:
   vtkHorizonSurfaceDistance();
   ~vtkHorizonSurfaceDistance() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -114,6 +137,7 @@ private:
   int Seed = 1;
   int Radius = 1;
   bool IncludeFilledPoints = false;
+  std::string Results;
 };
 
 #endif

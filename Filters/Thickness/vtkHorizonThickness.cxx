@@ -73,6 +73,37 @@ vtkImageData* vtkHorizonThickness::GetMap()
 }
 
 //------------------------------------------------------------------------------
+int vtkHorizonThickness::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+int vtkHorizonThickness::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  AskForWhole(inputVector[0], 1);
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+// Two horizons can be selected at once in ParaView, which connects both to the first input.
+vtkDataObject* vtkHorizonThickness::GetOther()
+{
+  const int others = this->GetNumberOfInputConnections(0) - 1 + this->GetNumberOfInputConnections(OtherPort);
+  if (others > 1)
+  {
+    throw InputError(std::to_string(others + 1) + " inputs, expected two horizons, or one input that has both");
+  }
+  return this->GetNumberOfInputConnections(0) > 1 ? this->GetInputDataObject(0, 1)
+                                                  : this->GetInputDataObject(OtherPort, 0);
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonThickness::RequestDataObject(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -86,7 +117,7 @@ void vtkHorizonThickness::ShareHorizons(
   const std::vector<HorizonLeaf>& own, const std::vector<RankedHorizon>& all, const Ranks& ranks)
 {
   this->Others.clear();
-  vtkDataObject* const given = this->GetInputDataObject(OtherPort, 0);
+  vtkDataObject* const given = this->GetOther();
   if (given || ranks.Size() == 1)
   {
     for (const HorizonLeaf& leaf : given ? ListHorizons(given, {}) : own)

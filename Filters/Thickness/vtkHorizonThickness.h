@@ -4,9 +4,10 @@
  * @class   vtkHorizonThickness
  * @brief   measures the thickness of the layer between two horizons, column by column
  *
- * Input 0: a horizon, or a composite dataset of horizons, with at most one point per column. Input 1: the other
- * horizon, with points on columns of the same lattice; a window of the survey, or every second line, is enough. Without
- * input 1, each of two horizons at input 0 is measured to the other, also where they are on different processes.
+ * Input 0: a horizon, or a composite dataset of horizons, with at most one point per column. Input 1, or a second
+ * connection of input 0: the other horizon, with points on columns of the same lattice; a window of the survey, or every
+ * second line, is enough. Without it, each of two horizons at input 0 is measured to the other, also where they are on
+ * different processes.
  * Either may be a mesh: then it is measured in the columns that its triangles cover.
  *
  * Output 0: the points of input 0 in columns where the other horizon has one, a vertex cell per point, all arrays but
@@ -39,6 +40,7 @@
 
 #include <vector> // for a member
 
+class vtkDataObject;
 class vtkImageData;
 
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonThickness : public vtkHorizonAlgorithm
@@ -72,9 +74,13 @@ protected:
   int GetNumberOfHorizonPorts() override { return 1; }
   void ProcessOutputs(const std::vector<vtkDataObject*>& outputs) override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  vtkDataObject* GetOther();
+
   vtkHorizonThickness(const vtkHorizonThickness&) = delete;
   void operator=(const vtkHorizonThickness&) = delete;
 

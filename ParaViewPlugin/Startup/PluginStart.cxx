@@ -10,6 +10,7 @@
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
 #include "vtkSMPTools.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyLocator.h"
@@ -18,7 +19,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
 namespace
@@ -45,13 +45,26 @@ void Refresh(vtkObject* stage, unsigned long, void*, void*)
   static_cast<vtkSMSourceProxy*>(stage)->UpdatePropertyInformation();
 }
 
+/// Whether a source tells something in its panel.
+bool HasResults(vtkSMProxy* source)
+{
+  for (const char* const name : { "Results", "Description" })
+  {
+    vtkSMProperty* const property = source->GetProperty(name);
+    if (property && property->GetInformationOnly())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void Watch(vtkObject*, unsigned long, void* refresh, void* registered)
 {
   const auto& entry = *static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(registered);
   auto* const source = vtkSMSourceProxy::SafeDownCast(entry.Proxy);
   auto* const command = static_cast<vtkCommand*>(refresh);
-  if (source && source->GetVTKClassName() && std::strncmp(source->GetVTKClassName(), "vtkHorizon", 10) == 0 &&
-    !source->HasObserver(vtkCommand::UpdateDataEvent, command))
+  if (source && HasResults(source) && !source->HasObserver(vtkCommand::UpdateDataEvent, command))
   {
     source->AddObserver(vtkCommand::UpdateDataEvent, command);
   }

@@ -100,7 +100,8 @@ def play(paraview, sample, folder):
     events.save_state(folder / "changed.pvsm")
     events.undo(1)
     events.save_state(folder / "before.pvsm")
-    events.filter_of_two("HorizonSurfaceDistance", [("Mesh", len(STAGES) + 2), ("Reference", 1)])
+    events.filter("HorizonSurfaceDistance")
+    events.choose_input("Mesh", sample.name)
     events.apply()
     events.undo(2)  # Apply, and the filter; no further than to the last macro
     events.save_state(folder / "undone.pvsm")

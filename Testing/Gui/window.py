@@ -67,15 +67,9 @@ class Events:
         """A filter of the active source, without Apply."""
         self.add(WINDOW + "/menubar/menuFilters/pqProxyGroupMenuManager0/" + name, "activate")
 
-    def filter_of_two(self, name, inputs):
-        """A filter with two inputs, which a dialog asks for: pairs of an input and the depth of its source in the browser,
-        where each source is the input of the next."""
-        self.filter(name)
-        dialog = WINDOW + "/SelectInputDialog"
-        for which, depth in inputs:
-            self.add("%s/buttonFrame/%s" % (dialog, which), "set_boolean", "true")
-            self.add(dialog + "/pipelineView", "currentChanged", (depth + 1) * "/0|0")
-        self.add(dialog + "/buttonBox/1QPushButton0", "activate")
+    def choose_input(self, name, source):
+        """Chooses a second input in the panel; of a source with several outputs, SOURCE:OUTPUT."""
+        self.add(FIELDS + "ProxyPanel/%s/1QComboBox0" % name, "set_string", source)
 
     def apply(self):
         self.add(PANEL + "/Accept", "activate")

@@ -152,6 +152,8 @@ class Expander:
         name = attributes.pop("name", "Input")
         usual = {"command": "AddInputConnection", "clean_command": "RemoveAllInputs", "multiple_input": "1"} if several \
             else {"command": "SetInputConnection"}
+        if optional:
+            attributes = {"panel_visibility": "default", "panel_widget": "input_selector", **attributes}
         element = ElementTree.Element("InputProperty", {"name": name, **usual, **attributes})
         groups = ElementTree.SubElement(element, "ProxyGroupDomain", name="groups")
         for group in ("sources", "filters"):

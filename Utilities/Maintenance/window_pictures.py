@@ -105,7 +105,8 @@ def flagged(events, files):
 
 
 def measured(events, files):
-    events.filter_of_two("HorizonSurfaceDistance", [("Mesh", 3), ("Reference", 1)])
+    events.filter("HorizonSurfaceDistance")
+    events.choose_input("Mesh", "HorizonB.dat")
     events.apply()
 
 
