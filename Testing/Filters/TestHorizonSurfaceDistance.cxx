@@ -298,6 +298,29 @@ void TestErrors()
   CheckError(line, mesh, "reference: 1 triangles without any area, expected a surface");
 }
 
+/// The mesh is told by its triangles, at either input or both at the first one.
+void TestOrder()
+{
+  Data horizon = Horizon(HorizonFixtures::UnitSurvey());
+  Data mesh = Simplified(horizon);
+  Meter given(horizon, mesh);
+  given.Update(0);
+  const std::string told = given.Filter->GetResults();
+  CHECK(told.find("Horizon 1, in columns and vertical indices:\n  largest distance ") == 0);
+  Meter swapped(mesh, horizon);
+  Meter together(mesh, nullptr);
+  together.Filter->AddInputDataObject(0, horizon);
+  for (Meter* const meter : { &swapped, &together })
+  {
+    CHECK_EQUAL(meter->Update(1)->GetNumberOfPolys(), mesh->GetNumberOfPolys());
+    CHECK_EQUAL(meter->Filter->GetResults(), told);
+  }
+  together.Filter->AddInputDataObject(0, horizon);
+  HorizonFixtures::Errors errors(together.Filter);
+  together.Filter->Update();
+  CHECK(errors.FirstContains("3 inputs, expected two: a horizon and the mesh that represents it"));
+}
+
 /// The same bytes on one thread and on several.
 void TestThreads()
 {
@@ -368,6 +391,7 @@ int TestHorizonSurfaceDistance(int, char*[])
   TestPlainMeshes();
   TestMatching();
   TestErrors();
+  TestOrder();
   TestThreads();
   TestStop();
   TestPrint();

@@ -166,6 +166,17 @@ class ThicknessTest(unittest.TestCase):
         collection = filter.GetOutputDataObject(0)
         self.assertGreater(sum(collection.GetPartition(n, 0).GetNumberOfPoints() for n in range(2)), 2000)
 
+    def test_two_inputs(self):
+        """As of two sources that are selected in ParaView."""
+        top, base = self.horizons[:2]
+        filter = sh.vtkHorizonThickness()
+        filter.SetInputData(top)
+        filter.AddInputDataObject(base)
+        filter.Update()
+        expected = vtk_inputs.thickness(top, base)
+        np.testing.assert_array_equal(*(vtk_to_numpy(found.GetPointData().GetArray("Isochore"))
+                                        for found in (filter.GetOutputDataObject(0), expected)))
+
     def test_time(self):
         """Times have no true thickness and no volume."""
         top, base = self.horizons[:2]
