@@ -39,7 +39,8 @@ const DataArray& FindFieldArray(const Horizon& horizon, const char* name, int va
   {
     throw InputError((array ? std::to_string(found) + " values in the field data array " : "no field data array ") +
       name + ", expected " + std::to_string(values) +
-      " values that place the horizon on its lattice, as the reader of sparse-matrix files writes them");
+      " values that place the horizon on its lattice, as readers of horizons write them: Horizon From Points finds the "
+      "lattice of other points");
   }
   return *array;
 }

@@ -161,12 +161,25 @@ bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation)
   return true;
 }
 
-/// Returns true if the data are of a survey and not derived, and nobody has moved the camera since it was set.
+bool IsCameraMoved(vtkSMProxy* view)
+{
+  return !view->HasAnnotation(OwnCamera) || DescribeCamera(view) != view->GetAnnotation(OwnCamera);
+}
+
+/// Whether what comes sets the camera.
+bool IsFirst(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
+  const bool isAnyShown = std::any_of(all.begin(), all.end(),
+    [representation](vtkSMProxy* other) { return other != representation && FindShownData(other); });
+  return !ShowsOthers(view, representation) && !(isAnyShown && IsCameraMoved(view));
+}
+
+/// Whether the data are of a survey and not derived, and nobody has moved the camera since it was set.
 bool MayFollow(vtkSMProxy* view, vtkSMProxy* representation)
 {
   vtkPVDataInformation* const data = FindShownData(representation);
-  return data && IsOfSurvey(data) && FindProducer(representation)->GetNumberOfProducers() == 0 &&
-    view->HasAnnotation(OwnCamera) && DescribeCamera(view) == view->GetAnnotation(OwnCamera);
+  return data && IsOfSurvey(data) && FindProducer(representation)->GetNumberOfProducers() == 0 && !IsCameraMoved(view);
 }
 
 /// Hides inputs or other outputs of a stage if its hints say so.
@@ -306,7 +319,7 @@ void pqHorizonToolBar::watch(pqView* view)
 //------------------------------------------------------------------------------
 void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
 {
-  const bool isFirst = !ShowsOthers(view->getProxy(), representation);
+  const bool isFirst = IsFirst(view->getProxy(), representation);
   if (isFirst || MayFollow(view->getProxy(), representation))
   {
     // Runs after ParaView, which looks along an axis at flat data.
@@ -321,13 +334,20 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
         }
       });
   }
-  HideOthers(view->getProxy(), representation);
+  this->Added.insert(view, representation);
+  this->Updated.insert(view);
   ExaggerateRepresentation(representation, view->getProxy());
 }
 
 //------------------------------------------------------------------------------
 void pqHorizonToolBar::refresh(pqView* view)
 {
+  // Once ParaView has looked what else is shown, as it resets the camera where that is nothing.
+  for (const vtkSmartPointer<vtkSMProxy>& added : this->Added.values(view))
+  {
+    HideOthers(view->getProxy(), added);
+  }
+  this->Added.remove(view);
   for (vtkSMProxy* const representation : ListRepresentations(view->getProxy()))
   {
     auto* const shown = vtkSMPVRepresentationProxy::SafeDownCast(representation);

@@ -10,8 +10,10 @@
 #ifndef pqHorizonToolBar_h
 #define pqHorizonToolBar_h
 
+#include <QMultiHash>
 #include <QSet>
 #include <QToolBar>
+#include <vtkSmartPointer.h>
 
 class QAction;
 class QComboBox;
@@ -41,6 +43,7 @@ private:
   QComboBox* Factor;
   QAction* Axes;
   QSet<pqView*> Updated; // views whose colour ranges may be outdated
+  QMultiHash<pqView*, vtkSmartPointer<vtkSMProxy>> Added; // representations since the last rendering
 };
 
 #endif

@@ -241,6 +241,24 @@ def check_stages(notes):
     assert [note["axis"] for note in notes[1:]] == ["Z (ms)"] * 4, notes
 
 
+def keep_camera(events, flat):
+    """Nobody moves the camera but the user: not even stages that hide what they were made from."""
+    events.open(flat)
+    events.apply()
+    events.macro("NoteView")  # the first view comes late
+    events.macro("MoveCamera")
+    events.macro("NoteView")
+    events.filter("HorizonSurface")
+    events.apply()
+    events.macro("NoteView")
+
+
+def check_camera(notes):
+    first, moved, last = ([note[name] for name in ("seen from", "distance", "focus")] for note in notes)
+    assert first != moved and moved == last, notes
+    assert [shown[0] for shown in notes[2]["shown"]] == ["HorizonSurface"], notes
+
+
 def load_exaggerated(events):
     """The toolbar knows the factor of a state file, and gives it to what comes later."""
     events.check(TOOLBAR + "VerticalExaggeration", "currentText", "2")
@@ -265,7 +283,7 @@ def main():
               (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1),
               (see_first, folder / "steep.xyz", check_first_sight, 6), (see_two, folder / "steps.xyz", check_two, 1),
               (see_throws, folder / "fault.vsm", check_throws, 3),
-              (see_stages, folder / "line.vsm", check_stages, 5))
+              (see_stages, folder / "line.vsm", check_stages, 5), (keep_camera, folder / "flat.vsm", check_camera, 3))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()
         play(events, file)

@@ -21,7 +21,7 @@ def range_of(table):
 
 note = {
         "seen from": [round(part / length, 2) for part in sight], "axis": axes.ZTitle.strip(),
-        "focus": [round(part, 3) for part in view.CameraFocalPoint],
+        "distance": round(length, 3), "focus": [round(part, 3) for part in view.CameraFocalPoint],
         "shown": [[type(source).__name__, display.ColorArrayName[1], range_of(display.LookupTable)]
                   for source, display in shown],
         "colours": [[display.ColorArrayName[1], range_of(display.LookupTable)]
