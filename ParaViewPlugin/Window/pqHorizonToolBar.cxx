@@ -4,7 +4,7 @@
 #include "pqHorizonToolBar.h"
 
 #include "ColorRange.h"
-#include "Common/Horizon/DataModel.h"
+#include "FirstView.h"
 #include "ViewAxes.h"
 #include "ViewContents.h"
 #include "vtkSMHorizonDisplayHelper.h"
@@ -23,16 +23,13 @@
 #include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
-#include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMParaViewPipelineControllerWithRendering.h>
 #include <vtkSMPropertyHelper.h>
-#include <vtkSMRenderViewProxy.h>
 #include <vtkSMSourceProxy.h>
-#include <vtkSMTrace.h>
 #include <vtkSMViewProxy.h>
 #include <vtkSmartPointer.h>
 
@@ -48,138 +45,34 @@ using namespace SeismicHorizons;
 
 constexpr double Largest = 1e6;
 
-// ---- The first view -------------------------------------------------------------------------------------------------
-
-using ViewDirection = std::array<double, 3>;
-
-constexpr const char* OwnCamera = "SeismicHorizons.Camera";
-constexpr ViewDirection Oblique = { 0.35, -0.75, 0.56 }; // Direction to the eye.
-
-bool IsOfSurvey(vtkPVDataInformation* data)
+/// Sources that a stage is made from directly, where they are shown.
+std::vector<vtkSmartPointer<vtkSMProxy>> ListShownInputs(vtkSMProxy* view, vtkSMProxy* representation)
 {
-  return !ReadField(data, FieldArray::LatticeDimensions, 3).empty();
-}
-
-bool Has(vtkSMProxy* proxy, const char* property, const std::string& text)
-{
-  return proxy->GetProperty(property) && vtkSMPropertyHelper(proxy, property).GetAsString() == text;
-}
-
-/// Returns 0 for a line along i, 1 along j, else -1.
-int FindLine(const std::vector<double>& dimensions, vtkSMProxy* representation)
-{
-  if (dimensions[0] == 1.0 || dimensions[1] == 1.0)
+  vtkSMSourceProxy* const producer = FindProducer(representation);
+  std::vector<vtkSmartPointer<vtkSMProxy>> inputs;
+  for (vtkSMProxy* const other : ListRepresentations(view))
   {
-    return dimensions[0] > 1.0 ? 0 : 1;
-  }
-  if (!Has(representation, "Representation", "Slice"))
-  {
-    return -1;
-  }
-  return Has(representation, "SliceMode", "XZ Plane") ? 0 : Has(representation, "SliceMode", "YZ Plane") ? 1 : -1;
-}
-
-/// Looks at a line from its side, at a survey from above, and at a section of a cube from between.
-ViewDirection FindDirection(
-  const std::vector<double>& dimensions, const std::vector<double>& toWorld, vtkSMProxy* representation)
-{
-  const int along = FindLine(dimensions, representation);
-  const std::array<double, 2> line = along < 0
-    ? std::array<double, 2>()
-    : std::array<double, 2>{ toWorld[std::size_t(along)], toWorld[std::size_t(4 + along)] };
-  const double length = std::hypot(line[0], line[1]);
-  if (!(length > 0.0))
-  {
-    return Oblique;
-  }
-  // Looks from the south, or from the east of a line that runs north, so that it starts on the left.
-  const double side = line[0] > 0.0 || (line[0] == 0.0 && line[1] > 0.0) ? 1.0 : -1.0;
-  const std::array<double, 2> right = { side * line[0] / length, side * line[1] / length };
-  const bool isOfCube = std::min(dimensions[0], dimensions[1]) > 1.0;
-  const double turn = isOfCube ? 0.35 : 0.0;
-  return { right[1] + turn * right[0], -right[0] + turn * right[1], turn };
-}
-
-std::string DescribeCamera(vtkSMProxy* view)
-{
-  auto* const rendered = vtkSMRenderViewProxy::SafeDownCast(view);
-  vtkCamera* const camera = rendered ? rendered->GetActiveCamera() : nullptr;
-  std::string text;
-  for (const double* const place : camera
-      ? std::vector<const double*>{ camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp() }
-      : std::vector<const double*>())
-  {
-    text += std::to_string(place[0]) + " " + std::to_string(place[1]) + " " + std::to_string(place[2]) + " ";
-  }
-  return text;
-}
-
-void LookFrom(vtkSMProxy* view, const ViewDirection& direction)
-{
-  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", view);
-  const ViewDirection focus = { 0.0, 0.0, 0.0 };
-  const ViewDirection up = { 0.0, 0.0, 1.0 };
-  vtkSMPropertyHelper(view, "CameraPosition").Set(direction.data(), 3);
-  vtkSMPropertyHelper(view, "CameraFocalPoint").Set(focus.data(), 3);
-  vtkSMPropertyHelper(view, "CameraViewUp").Set(up.data(), 3);
-  view->UpdateVTKObjects();
-}
-
-/// Ignores other outputs of the same source, and maps or points that it was made from.
-bool ShowsOthers(vtkSMProxy* view, vtkSMProxy* representation)
-{
-  vtkSMProxy* const producer = representation ? FindProducer(representation) : nullptr;
-  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
-  return std::any_of(all.begin(), all.end(),
-    [representation, producer](vtkSMProxy* other)
+    for (unsigned int n = 0; producer && FindShownData(other) && n < producer->GetNumberOfProducers(); ++n)
     {
-      const bool isOwn = other == representation || (producer && FindProducer(other) == producer);
-      vtkPVDataInformation* const data = isOwn ? nullptr : FindShownData(other);
-      // The map or the points from which a horizon was made were seen from above.
-      const bool isRaw = data && producer && !IsOfSurvey(data) && LeadsTo(FindProducer(other), producer);
-      return data && !isRaw;
-    });
-}
-
-/// Sets the direction of the camera, which has to be moved to the data, and exaggerates flat heights. Returns false
-/// unless the data have a survey.
-bool SetFirstView(vtkSMProxy* view, vtkSMProxy* representation)
-{
-  vtkPVDataInformation* const data = FindShownData(representation);
-  if (!data)
-  {
-    return false;
+      if (producer->GetProducerProxy(n) == FindProducer(other))
+      {
+        inputs.push_back(other);
+      }
+    }
   }
-  const std::vector<double> dimensions = ReadField(data, FieldArray::LatticeDimensions, 3);
-  const std::vector<double> toWorld = ReadField(data, FieldArray::LatticeToWorld, 16);
-  if (dimensions.empty() || toWorld.empty())
-  {
-    return false;
-  }
-  LookFrom(view, FindDirection(dimensions, toWorld, representation));
-  SetVerticalExaggeration(view, SuggestVerticalExaggeration(view));
-  return true;
+  return inputs;
 }
 
-bool IsCameraMoved(vtkSMProxy* view)
-{
-  return !view->HasAnnotation(OwnCamera) || DescribeCamera(view) != view->GetAnnotation(OwnCamera);
-}
-
-/// Whether what comes sets the camera.
-bool IsFirst(vtkSMProxy* view, vtkSMProxy* representation)
+/// Whether no output of the source has points, as after an error.
+bool ShowsNothing(vtkSMProxy* view, vtkSMProxy* representation)
 {
   const std::vector<vtkSMProxy*> all = ListRepresentations(view);
-  const bool isAnyShown = std::any_of(all.begin(), all.end(),
-    [representation](vtkSMProxy* other) { return other != representation && FindShownData(other); });
-  return !ShowsOthers(view, representation) && !(isAnyShown && IsCameraMoved(view));
-}
-
-/// Whether the data are of a survey and not derived, and nobody has moved the camera since it was set.
-bool MayFollow(vtkSMProxy* view, vtkSMProxy* representation)
-{
-  vtkPVDataInformation* const data = FindShownData(representation);
-  return data && IsOfSurvey(data) && FindProducer(representation)->GetNumberOfProducers() == 0 && !IsCameraMoved(view);
+  return std::all_of(all.begin(), all.end(),
+    [representation](vtkSMProxy* other)
+    {
+      vtkPVDataInformation* const data = FindShownData(other);
+      return !data || FindProducer(other) != FindProducer(representation) || data->GetNumberOfPoints() == 0;
+    });
 }
 
 /// Hides inputs or other outputs of a stage if its hints say so.
@@ -330,11 +223,11 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
         if (!isFirst || SetFirstView(view->getProxy(), shown))
         {
           view->resetDisplay(true);
-          view->getProxy()->SetAnnotation(OwnCamera, DescribeCamera(view->getProxy()).c_str());
+          MarkCamera(view->getProxy());
         }
       });
   }
-  this->Added.insert(view, representation);
+  this->Added.insert(view, { representation, ListShownInputs(view->getProxy(), representation) });
   this->Updated.insert(view);
   ExaggerateRepresentation(representation, view->getProxy());
 }
@@ -342,12 +235,6 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
 //------------------------------------------------------------------------------
 void pqHorizonToolBar::refresh(pqView* view)
 {
-  // Once ParaView has looked what else is shown, as it resets the camera where that is nothing.
-  for (const vtkSmartPointer<vtkSMProxy>& added : this->Added.values(view))
-  {
-    HideOthers(view->getProxy(), added);
-  }
-  this->Added.remove(view);
   for (vtkSMProxy* const representation : ListRepresentations(view->getProxy()))
   {
     auto* const shown = vtkSMPVRepresentationProxy::SafeDownCast(representation);
@@ -357,6 +244,21 @@ void pqHorizonToolBar::refresh(pqView* view)
       this->take(view, shown);
     }
   }
+  // Once ParaView has looked what else is shown, as it resets the camera where that is nothing.
+  for (const AddedRepresentation& added : this->Added.values(view))
+  {
+    if (!ShowsNothing(view->getProxy(), added.Representation))
+    {
+      HideOthers(view->getProxy(), added.Representation);
+      continue;
+    }
+    for (const vtkSmartPointer<vtkSMProxy>& input : added.Inputs) // ParaView has hidden them
+    {
+      vtkSMPropertyHelper(input, "Visibility").Set(1);
+      input->UpdateVTKObjects();
+    }
+  }
+  this->Added.remove(view);
   RefreshRanges(view->getProxy());
   NameVerticalAxis(view->getProxy());
 }

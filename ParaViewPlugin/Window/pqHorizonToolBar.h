@@ -15,6 +15,8 @@
 #include <QToolBar>
 #include <vtkSmartPointer.h>
 
+#include <vector>
+
 class QAction;
 class QComboBox;
 class pqView;
@@ -35,6 +37,12 @@ private Q_SLOTS:
   void showAxes(bool areShown);
 
 private:
+  struct AddedRepresentation
+  {
+    vtkSmartPointer<vtkSMProxy> Representation;
+    std::vector<vtkSmartPointer<vtkSMProxy>> Inputs; // that were shown
+  };
+
   void take(pqView* view, vtkSMProxy* representation);
   void refresh(pqView* view);
   void showFactor();
@@ -43,7 +51,7 @@ private:
   QComboBox* Factor;
   QAction* Axes;
   QSet<pqView*> Updated; // views whose colour ranges may be outdated
-  QMultiHash<pqView*, vtkSmartPointer<vtkSMProxy>> Added; // representations since the last rendering
+  QMultiHash<pqView*, AddedRepresentation> Added; // since the last rendering
 };
 
 #endif

@@ -259,6 +259,22 @@ def check_camera(notes):
     assert [shown[0] for shown in notes[2]["shown"]] == ["HorizonSurface"], notes
 
 
+def fail(events):
+    """A stage that makes nothing leaves the view as it was."""
+    events.add(window.WINDOW + "/menubar/menuSources/pqProxyGroupMenuManager0/SphereSource", "activate")
+    events.apply()
+    events.macro("NoteView")
+    events.filter("HorizonSurface")
+    events.apply()
+    events.macro("NoteView")
+
+
+def check_failure(before, after):
+    assert [shown[0] for shown in before["shown"]] == ["Sphere"], before
+    assert "Sphere" in [shown[0] for shown in after["shown"]], after
+    assert [before[name] for name in ("distance", "focus")] == [after[name] for name in ("distance", "focus")], after
+
+
 def load_exaggerated(events):
     """The toolbar knows the factor of a state file, and gives it to what comes later."""
     events.check(TOOLBAR + "VerticalExaggeration", "currentText", "2")
@@ -290,6 +306,10 @@ def main():
         notes = window.play(paraview, events, window.new_folder(folder / str(number)))
         assert len(notes) == count, notes
         check(notes)
+
+    events = window.Events()
+    fail(events)
+    check_failure(*window.play(paraview, events, window.new_folder(folder / "failed"), error="Horizon From Points finds"))
 
     events = window.Events()
     load_exaggerated(events)
