@@ -59,8 +59,7 @@ def distance_errors(sphere):
     """Pairs that have no distance, as (name, parts of the message, reference, mesh)."""
     points = simple.PointSource(NumberOfPoints=10)
     plane = simple.Plane()
-    return (("mesh without triangles", ["mesh: ", "no triangles"], points, points),
-            ("reference without lattice", ["reference: ", "LatticeDimensions"], points, sphere),
+    return (("reference without lattice", ["reference: ", "LatticeDimensions"], points, sphere),
             ("mesh first", ["reference: ", "LatticeDimensions"], sphere, points),
             ("mesh of squares", ["mesh: ", "4 corners"], sphere, plane),
             ("two against one", ["no mesh for"], simple.GroupDatasets(Input=[sphere, sphere]), sphere))
