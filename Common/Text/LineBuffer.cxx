@@ -83,8 +83,10 @@ bool LineBuffer::Read()
 // Starting a thread takes longer than reading a small piece.
 void LineBuffer::ReadAhead()
 {
-  const bool isSmall = this->PieceSize < LeastAhead;
-  this->Ahead = std::async(isSmall ? std::launch::deferred : std::launch::async, [this]() { this->ReadNext(); });
+  const auto policy = this->PieceSize < LeastAhead
+    ? std::launch::deferred
+    : std::launch::async | std::launch::deferred; // where no thread can start
+  this->Ahead = std::async(policy, [this]() { this->ReadNext(); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

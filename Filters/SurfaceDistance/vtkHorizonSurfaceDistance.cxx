@@ -90,7 +90,7 @@ std::vector<vtkDataObject*> ListInputs(vtkInformationVector** inputVector)
 }
 
 /// Collective. Outputs are made before triangles are known, like the inputs in their order.
-void PutMeshLast(std::vector<vtkDataObject*>& inputs, const Ranks& ranks)
+void PutMeshLast(std::vector<vtkDataObject*>& inputs, const std::vector<vtkDataObject*>& outputs, const Ranks& ranks)
 {
   if (inputs.size() != 2)
   {
@@ -111,7 +111,7 @@ void PutMeshLast(std::vector<vtkDataObject*>& inputs, const Ranks& ranks)
   };
   if (hasTriangles(inputs[0]) && !hasTriangles(inputs[1]))
   {
-    if (inputs[0]->GetDataObjectType() != inputs[1]->GetDataObjectType())
+    if (outputs[ReferencePort]->GetDataObjectType() != outputs[MeasuredPort]->GetDataObjectType())
     {
       ranks.Refuse("the mesh as the reference, and points as the mesh, expected them the other way round");
     }
@@ -320,7 +320,7 @@ int vtkHorizonSurfaceDistance::RequestDataObject(
   const std::vector<vtkDataObject*> inputs = ListInputs(inputVector);
   for (const int port : { ReferencePort, MeasuredPort }) // The executive makes the tables.
   {
-    vtkDataObject* const input = inputs[std::min(std::size_t(port), inputs.size() - 1)];
+    vtkDataObject* const input = inputs.empty() ? nullptr : inputs[std::min(std::size_t(port), inputs.size() - 1)];
     MakeOutputLike(input, outputVector->GetInformationObject(port));
   }
   return 1;
@@ -340,7 +340,7 @@ int vtkHorizonSurfaceDistance::RequestData(
     const DistanceTables empty = MakeEmptyTables();
     ToVTK(empty.Figures, figures);
     ToVTK(empty.Histogram, histogram);
-    PutMeshLast(inputs, ranks);
+    PutMeshLast(inputs, outputs, ranks);
     HorizonPairs pairs(inputs[0], inputs[1], outputs[ReferencePort], outputs[MeasuredPort], ranks);
     const std::vector<HorizonPair>& own = pairs.OwnPairs();
     const auto measure = [&]()

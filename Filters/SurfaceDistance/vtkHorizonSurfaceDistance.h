@@ -8,7 +8,7 @@
  * its loops, or else inside its exterior boundary: with the radius and the open holes of a mesh by vtkHorizonSurface,
  * else of the given Radius, with holes closed. Input 1, or a second connection of input 0: a triangle mesh from any
  * source. In composite datasets each horizon needs a counterpart of the same name. If the first has triangles and the
- * second has none, they change places.
+ * second has none, they change places, unless only one is a composite dataset.
  *
  * Outputs 0 and 1: the reference as it was meshed, and the mesh, with all their arrays and new point arrays:
  *  - Distance (double): to the nearest place of the other surface, in DistanceUnit;

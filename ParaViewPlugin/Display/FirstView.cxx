@@ -146,7 +146,8 @@ bool IsFirst(vtkSMProxy* view, vtkSMProxy* representation)
 {
   const std::vector<vtkSMProxy*> all = ListRepresentations(view);
   const bool isAnyShown = std::any_of(all.begin(), all.end(),
-    [representation](vtkSMProxy* other) { return other != representation && FindShownData(other); });
+    [representation](vtkSMProxy* other)
+    { return FindProducer(other) != FindProducer(representation) && FindShownData(other); });
   return !ShowsOthers(view, representation) && !(isAnyShown && IsCameraMoved(view));
 }
 

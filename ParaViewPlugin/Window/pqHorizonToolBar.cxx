@@ -37,6 +37,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -61,6 +62,15 @@ std::vector<vtkSmartPointer<vtkSMProxy>> ListShownInputs(vtkSMProxy* view, vtkSM
     }
   }
   return inputs;
+}
+
+void SetVisibility(const std::vector<vtkSmartPointer<vtkSMProxy>>& representations, bool areShown)
+{
+  for (const vtkSmartPointer<vtkSMProxy>& representation : representations)
+  {
+    vtkSMPropertyHelper(representation, "Visibility").Set(areShown ? 1 : 0);
+    representation->UpdateVTKObjects();
+  }
 }
 
 /// Whether no output of the source has points, as after an error.
@@ -179,11 +189,19 @@ void pqHorizonToolBar::watch(pqView* view)
   {
     return; // Tables have no directions.
   }
+  this->connect(view, &QObject::destroyed, this,
+    [this, view]()
+    {
+      this->Updated.remove(view);
+      this->forget([view](const AddedRepresentation& added) { return added.View == view; });
+    });
   this->connect(view, &pqView::representationAdded, this,
     [this, view](pqRepresentation* representation) { this->take(view, representation->getProxy()); });
   this->connect(view, &pqView::representationRemoved, this,
-    [this, view]()
+    [this, view](pqRepresentation* representation)
     {
+      this->forget([representation](const AddedRepresentation& added)
+        { return added.Representation == representation->getProxy(); });
       if (!ShowsOthers(view->getProxy(), nullptr) && GetVerticalExaggeration(view->getProxy()) != 1.0)
       {
         SetVerticalExaggeration(view->getProxy(), 1.0);
@@ -223,11 +241,11 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
         if (!isFirst || SetFirstView(view->getProxy(), shown))
         {
           view->resetDisplay(true);
-          MarkCamera(view->getProxy());
         }
+        MarkCamera(view->getProxy());
       });
   }
-  this->Added.insert(view, { representation, ListShownInputs(view->getProxy(), representation) });
+  this->Added.push_back({ view, representation, ListShownInputs(view->getProxy(), representation), {} });
   this->Updated.insert(view);
   ExaggerateRepresentation(representation, view->getProxy());
 }
@@ -244,23 +262,40 @@ void pqHorizonToolBar::refresh(pqView* view)
       this->take(view, shown);
     }
   }
-  // Once ParaView has looked what else is shown, as it resets the camera where that is nothing.
-  for (const AddedRepresentation& added : this->Added.values(view))
-  {
-    if (!ShowsNothing(view->getProxy(), added.Representation))
-    {
-      HideOthers(view->getProxy(), added.Representation);
-      continue;
-    }
-    for (const vtkSmartPointer<vtkSMProxy>& input : added.Inputs) // ParaView has hidden them
-    {
-      vtkSMPropertyHelper(input, "Visibility").Set(1);
-      input->UpdateVTKObjects();
-    }
-  }
-  this->Added.remove(view);
+  this->arrange(view);
   RefreshRanges(view->getProxy());
   NameVerticalAxis(view->getProxy());
+}
+
+//------------------------------------------------------------------------------
+// Runs after ParaView has checked what else is shown: it resets the camera where that is nothing.
+void pqHorizonToolBar::arrange(pqView* view)
+{
+  std::vector<AddedRepresentation> left; // of other views, or whose stages have made nothing
+  for (AddedRepresentation& added : std::exchange(this->Added, {}))
+  {
+    if (added.View != view)
+    {
+      left.push_back(added);
+    }
+    else if (!FindShownData(added.Representation))
+    {
+      continue; // It has been hidden since.
+    }
+    else if (!ShowsNothing(view->getProxy(), added.Representation))
+    {
+      HideOthers(view->getProxy(), added.Representation);
+      SetVisibility(added.ShownAgain, false);
+    }
+    else
+    {
+      SetVisibility(added.Inputs, true); // ParaView has hidden them.
+      added.ShownAgain.insert(added.ShownAgain.end(), added.Inputs.begin(), added.Inputs.end());
+      added.Inputs.clear();
+      left.push_back(added);
+    }
+  }
+  this->Added.swap(left);
 }
 
 //------------------------------------------------------------------------------

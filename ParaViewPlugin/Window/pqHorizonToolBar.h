@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   pqHorizonToolBar
- * @brief   sets the vertical exaggeration of a view and the meaning of its axes
+ * @brief   sets the vertical exaggeration of a view, the meaning of its axes, its first camera, and what is hidden
  *
  * See Display/ViewAxes.h. The factor also applies to data shown later.
  */
@@ -10,11 +10,11 @@
 #ifndef pqHorizonToolBar_h
 #define pqHorizonToolBar_h
 
-#include <QMultiHash>
 #include <QSet>
 #include <QToolBar>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <vector>
 
 class QAction;
@@ -39,19 +39,29 @@ private Q_SLOTS:
 private:
   struct AddedRepresentation
   {
+    pqView* View;
     vtkSmartPointer<vtkSMProxy> Representation;
     std::vector<vtkSmartPointer<vtkSMProxy>> Inputs; // that were shown
+    std::vector<vtkSmartPointer<vtkSMProxy>> ShownAgain; // inputs, as the stage made nothing
   };
 
   void take(pqView* view, vtkSMProxy* representation);
   void refresh(pqView* view);
+  void arrange(pqView* view);
+
+  template <typename Predicate>
+  void forget(Predicate&& isForgotten)
+  {
+    this->Added.erase(std::remove_if(this->Added.begin(), this->Added.end(), isForgotten), this->Added.end());
+  }
+
   void showFactor();
   void setFactor(double factor);
 
   QComboBox* Factor;
   QAction* Axes;
   QSet<pqView*> Updated; // views whose colour ranges may be outdated
-  QMultiHash<pqView*, AddedRepresentation> Added; // since the last rendering
+  std::vector<AddedRepresentation> Added; // in their order, until they are rendered and have points
 };
 
 #endif

@@ -301,7 +301,8 @@ LatticeHorizon& HorizonCollector::HorizonOf(int surfaceId)
 void HorizonCollector::Add(const std::vector<HorizonSorter>& blocks, std::size_t count, double partOfAll)
 {
   constexpr double Margin = 1.03; // of what is expected
-  const double times = partOfAll > 0.0 && partOfAll < 1.0 ? Margin / partOfAll : 0.0;
+  constexpr double Most = 16.0; // times of what is there, as small horizons may lie in a small part of a file
+  const double times = partOfAll > 0.0 && partOfAll < 1.0 ? std::min(Most, Margin / partOfAll) : 0.0;
   std::vector<HorizonPart> parts;
   for (std::size_t block = 0; block < count; ++block)
   {

@@ -68,6 +68,18 @@ def thickness(events, top, base):
     events.check_results(expected.GetResults())
 
 
+def mended(events, top, base):
+    """Without the other horizon, the one at hand stays in sight; with it, the thickness takes its place."""
+    opened(events, top)
+    opened(events, base)
+    events.filter("HorizonThickness")
+    events.apply()
+    events.macro("NoteView")
+    events.choose_input("Other", top.name)
+    events.apply()
+    events.macro("NoteView")
+
+
 def distance(events, top):
     """In either order."""
     reader, surface, expected = read(top), sh.vtkHorizonSurface(), sh.vtkHorizonSurfaceDistance()
@@ -133,10 +145,10 @@ def faults(events, top, line):
     events.macro("NoteResults")
 
 
-def play(paraview, folder, action, *arguments):
+def play(paraview, folder, action, *arguments, error=None):
     events = window.Events()
     action(events, *arguments)
-    return window.play(paraview, events, window.new_folder(folder / action.__name__))
+    return window.play(paraview, events, window.new_folder(folder / action.__name__), error=error)
 
 
 def main(paraview, generator, folder):
@@ -147,6 +159,9 @@ def main(paraview, generator, folder):
     tops.write_text(TOPS, encoding="utf-8")
     subprocess.run([generator, "--hard", "--seed", "4", "--noise", "0.2", str(cube)], check=True)
     play(paraview, folder, thickness, top, base)
+    failed, done = play(paraview, folder, mended, top, base, error="expected one as the input Other")
+    shown = [sorted(one[0] for one in note["shown"]) for note in (failed, done)]
+    assert shown == [["HorizonTextReader", "HorizonTextReader", "HorizonThickness"], ["HorizonTextReader", "HorizonThickness"]], shown
     play(paraview, folder, distance, top)
     (note,) = play(paraview, folder, guides, cube, tops)
     assert note["array"] == "Confidence" and "\nTop: " in note["told"], note

@@ -81,8 +81,8 @@ public:
   Room AddRoom(std::size_t vertices);
   /// Returns the triangles around the vertex; none on the boundary or at a corner, where it cannot be inserted.
   void Insert(const PlanePoint& place, TriangleId triangle, const Room& room, std::vector<TriangleId>& around);
-  /// Takes away the room that was added last where no vertex is inserted. Needs all triangles that changed since, whose
-  /// numbers change, too.
+  /// Takes away the room that was added last where no vertex is inserted. Needs all triangles that changed since,
+  /// and renumbers them; marks keep the old numbers.
   void CloseGaps(const Room& first, std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged);
 
   /// Turns a, b, c and b, a, d into a, d, c and d, b, c, in the same order. Their union must be strictly convex.

@@ -302,9 +302,10 @@ void ChooseSmoothing(
   all.AmplitudePercentile = 0.0;
   const CubeReflections reflections = FindReflections(cube, all, monitor, limits);
   joined.GivenPeriod = reflections.Period;
-  const double halfPeriods = 2.0 * double(reflections.Samples) / reflections.Period;
   // Biased amplitudes have runs as long as a trace, whatever their reflections.
-  joined.Figures.IsBiased = halfPeriods < 2.0 * double(cube.Size[0]) * cube.Size[1];
+  const double traces = double(cube.Size[0]) * cube.Size[1];
+  joined.Figures.IsBiased = traces * reflections.Period > double(reflections.Samples);
+  const double halfPeriods = 2.0 * double(reflections.LiveSamples) / reflections.Period;
   joined.Figures.IsSmoothed = !joined.Figures.IsBiased &&
     double(reflections.CountPicks()) > (isGuided ? PeaksOfGuided : PeaksOfAutomatic) * halfPeriods;
 }

@@ -277,6 +277,7 @@ struct RowReflections
   RawVector<Found> All;
   std::vector<std::int32_t> Ends; // by column, in All
   std::int64_t Samples = 0;
+  std::int64_t LiveSamples = 0;
 };
 
 void CheckSize(const std::array<int, 3>& size)
@@ -368,6 +369,7 @@ public:
     for (const RowReflections& row : this->Rows)
     {
       result.Samples += row.Samples;
+      result.LiveSamples += row.LiveSamples;
     }
     if (result.Samples == 0)
     {
@@ -459,7 +461,9 @@ private:
             const std::size_t first = reflections.size();
             row.Samples += std::count_if(trace, trace + samples, [](float value) { return value == value; });
             FindReflections(trace, samples, rules, reflections);
-            LeaveOutBeyond(this->Limits, i + std::int64_t(this->Cube.Size[0]) * j, first, reflections);
+            const std::int64_t column = i + std::int64_t(this->Cube.Size[0]) * j;
+            row.LiveSamples += this->CountLive(trace, column);
+            LeaveOutBeyond(this->Limits, column, first, reflections);
             row.Ends.push_back(std::int32_t(reflections.size()));
           });
         row.All.resize(reflections.size());
@@ -468,6 +472,29 @@ private:
             return { reflection.Place, reflection.Thickness, std::copysign(reflection.Strength, reflection.Amplitude) };
           });
       });
+  }
+
+  std::int64_t CountLive(const float* trace, std::int64_t column) const
+  {
+    double first = 0.0;
+    double last = this->Cube.Size[2] - 1;
+    if (!this->Limits.AreNone()) // nan stays nan, as the first argument
+    {
+      first = std::ceil(std::max(this->Limits.First[column], first));
+      last = std::floor(std::min(this->Limits.Last[column], last));
+    }
+    if (!(first <= last))
+    {
+      return 0;
+    }
+    const auto isLive = [](float value) { return value == value && value != 0.0F; };
+    const float* const begin = std::find_if(trace + std::int64_t(first), trace + std::int64_t(last) + 1, isLive);
+    const float* end = trace + std::int64_t(last) + 1;
+    while (end > begin && !isLive(end[-1]))
+    {
+      --end;
+    }
+    return end - begin;
   }
 
   void CountPicks(ReflectionPicks& picks, bool isNegative, float threshold, std::vector<double>& energies) const

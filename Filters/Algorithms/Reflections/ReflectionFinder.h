@@ -202,6 +202,7 @@ struct CubeReflections
 {
   std::array<ReflectionPicks, 2> BySign; // positive, negative
   std::int64_t Samples = 0; // not missing
+  std::int64_t LiveSamples = 0; // within the limits, without what is missing or 0 at either end of traces
   float Threshold = 0.0F; // absolute amplitude
   /// The dominant period, in samples, is twice the median thickness of runs, weighted by energy, as tails of wavelets
   /// without noise are long, weak runs; 0 without picks.
