@@ -179,8 +179,8 @@ public:
 
   ///@{
   /**
-   * One or two older horizons: only what lies between them, or on the LimitSide of one, is searched; optional. Range:
-   * points. Default: none.
+   * One or two older horizons: only what lies between them, or on the LimitSide of one, is searched; optional. ParaView's
+   * panel takes one, its Change Input dialog two. Range: points. Default: none.
    *
    * Input 2, of several connections.
    */

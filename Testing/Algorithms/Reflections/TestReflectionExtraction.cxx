@@ -164,6 +164,24 @@ void TestBias()
   }
 }
 
+/// Noise is seen, and smoothed, however little of the traces is left by limits or by a mute.
+void TestLittleLeft()
+{
+  CubeGeneratorOptions cube = SmallCube(0.5);
+  Traces traces = Generate(cube);
+  CHECK(ExtractReflections(traces.View()).IsSmoothed);
+  const std::size_t columns = std::size_t(cube.Size[0]) * std::size_t(cube.Size[1]);
+  const TraceLimits limits{ std::vector<double>(columns, 100.0), std::vector<double>(columns, 150.0) };
+  CHECK(ExtractReflections(traces.View(), ExtractionOptions(), Monitor(), {}, limits).IsSmoothed);
+  for (std::size_t sample = 0; sample < traces.Samples.size(); ++sample)
+  {
+    const std::size_t depth = sample % std::size_t(cube.Size[2]);
+    traces.Samples[sample] = depth >= 100 && depth <= 150 ? traces.Samples[sample] : 0.0F;
+  }
+  CHECK(ExtractReflections(traces.View()).IsSmoothed);
+  CHECK(!ExtractReflections(Generate(SmallCube()).View()).IsSmoothed);
+}
+
 /// No surface crosses a fault whose throw is above the largest step, on cubes without noise.
 void TestFault()
 {
@@ -331,6 +349,7 @@ int TestReflectionExtraction(int, char*[])
   TestNoise();
   TestSampling();
   TestBias();
+  TestLittleLeft();
   TestFault();
   TestHardCube();
   TestSelection();
