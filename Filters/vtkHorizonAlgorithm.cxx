@@ -252,7 +252,7 @@ int vtkHorizonAlgorithm::RequestData(
   };
   this->Results.clear();
   const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
-  this->Results = IsAborted(this) ? "stopped before the end: nothing was made\n" : done ? report.Text() : std::string();
+  this->Results = IsAborted(this) ? StoppedReport : done ? report.Text() : std::string();
   this->Results = done && this->Results.empty() ? "no points in the input: nothing was made\n" : this->Results;
   return done;
 }

@@ -76,7 +76,8 @@ public:
     }
   }
 
-  /// The added numbers are not initialised. If there is no room, it is made for the expected number, or 0.
+  /// The added numbers are not initialised. Where there is no room, it is made for the number that is expected in the
+  /// end; 0 if that is unknown.
   T* Extend(std::size_t count, std::size_t expected = 0)
   {
     if (this->Capacity - this->Count < count)

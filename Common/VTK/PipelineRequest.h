@@ -52,7 +52,7 @@ void AnnounceExtent(const std::array<int, 6>& extent, vtkInformation* outputInfo
 
 void AnnounceImage(const std::array<int, 6>& extent, const ImageFrame& frame, vtkInformation* outputInformation);
 
-/// Requests the whole input, whatever piece or extent is requested of the output.
+/// Requests the whole input, from a connection on, whatever piece or extent is requested of the output.
 void AskForWhole(vtkInformationVector* port, int first = 0);
 
 /// With `mayLeaveOut` an InputError becomes a warning, and only these outputs are emptied.

@@ -18,6 +18,8 @@ namespace SeismicHorizons
 std::vector<std::string> RunStage(const Horizon& input, bool takesMeshes, std::vector<Horizon>& outputs,
   const std::function<std::vector<std::string>()>& stage);
 
+constexpr const char* StoppedReport = "stopped before the end: nothing was made\n";
+
 /// Numbers have four digits, in any locale.
 std::ostringstream MakeReportStream();
 

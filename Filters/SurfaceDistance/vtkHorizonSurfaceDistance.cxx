@@ -359,7 +359,7 @@ int vtkHorizonSurfaceDistance::RequestData(
   };
   this->Results.clear();
   const bool isDone = RunRequest(this, outputs, NotEnoughMemory, work, ranks) != 0;
-  this->Results = IsAborted(this) ? "stopped before the end: nothing was made\n"
+  this->Results = IsAborted(this) ? StoppedReport
     : isDone
     ? TellFigures(vtkTable::SafeDownCast(outputs[FiguresPort]), UnitNames[this->DistanceUnit == World ? WorldUnit : 0])
     : "";

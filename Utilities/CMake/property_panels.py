@@ -18,7 +18,7 @@ number of elements, the default and the domain that the header of the class stat
 A getter without a setter is information: a text is a box of the panel, a number is not shown. FileName and HorizonStatus
 add the properties that ParaView needs for series of files and lists of horizons. `<Input name="Other">Its text.</Input>` is
 an input of types="vtkPolyData vtkUnstructuredGrid", which may be composite unless single="1". several="1" takes several
-connections; optional="1" needs none.
+connections; optional="1" needs none, and is chosen in the panel.
 """
 
 import re

@@ -399,6 +399,7 @@ void HeightMesh::Insert(
   if (!around.empty())
   {
     this->SetVertex(room.Vertex, point);
+    this->Mesh.Legalize(around);
   }
 }
 

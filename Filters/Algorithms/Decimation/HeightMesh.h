@@ -98,8 +98,9 @@ public:
   /// Returns NoVertex if the point is no corner.
   VertexId CornerOf(TriangleId triangle, PointId point) const;
 
-  /// The point must lie in the triangle or on its edges. Room must be added before, and closed afterwards unless all is
-  /// used (PlaneMesh); points that change other triangles can be inserted at the same time, unless there are kept edges.
+  /// A Delaunay mesh remains one. The point must lie in the triangle or on its edges. Room must be added before, and
+  /// closed afterwards unless all is used (PlaneMesh). Points that change other triangles can be inserted at the same
+  /// time, unless there are kept edges.
   void Insert(PointId point, TriangleId triangle, const PlaneMesh::Room& room, std::vector<TriangleId>& around);
   PlaneMesh::Room AddRoom(std::size_t vertices);
   void CloseGaps(

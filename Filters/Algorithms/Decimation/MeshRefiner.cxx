@@ -35,9 +35,6 @@ constexpr double AngleOfMoreTries = 2.0;
 constexpr double LeastPart = 1.0 / 16;
 
 constexpr std::int64_t ErrorsPerChunk = 4096;
-
-// Fewer points are inserted one after the other.
-constexpr std::size_t LeastBySquares = 64;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -354,7 +351,6 @@ double MeshRefiner::UrgencyOf(TriangleId triangle) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-//----------------------------------------------------------------------------------------------------------------------
 // A round fills at most half of the vertices left, as new errors can be more urgent than its last.
 bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles, bool arePointsInside)
 {
@@ -362,8 +358,8 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles, bool are
   const std::size_t before = this->Mesh.NumberOfVertices();
   const std::size_t most =
     this->MostVertices > 0 ? (this->MostVertices - before + 1) / 2 : std::numeric_limits<std::size_t>::max();
-  const bool areBySquares = arePointsInside && triangles.size() >= LeastBySquares && this->MostVertices == 0 &&
-    !this->Mesh.Triangles().HasKept();
+  const bool areBySquares = arePointsInside && triangles.size() >= RoundInsertion::LeastPoints &&
+    this->MostVertices == 0 && !this->Mesh.Triangles().HasKept();
   const PlaneMesh::Room room = this->Mesh.AddRoom(areBySquares ? triangles.size() : 0);
   this->New.clear();
   this->IsNew.assign(std::size_t(this->Mesh.Triangles().Size()) + (areBySquares ? 0 : 2 * triangles.size()), 0);
@@ -405,7 +401,10 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles, bool are
       }
     }
   }
-  this->Mesh.CloseGaps(room, this->New, this->IsNew);
+  if (areBySquares)
+  {
+    this->Mesh.CloseGaps(room, this->New, this->IsNew);
+  }
   this->SeeNew();
   return isAnyPutBack || this->Mesh.NumberOfVertices() > before;
 }
@@ -413,21 +412,13 @@ bool MeshRefiner::InsertRound(const std::vector<TriangleId>& triangles, bool are
 //----------------------------------------------------------------------------------------------------------------------
 void MeshRefiner::Insert(PointId point, TriangleId triangle, const PlaneMesh::Room& room)
 {
-  this->InsertInto(point, triangle, room, this->Around);
-  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void MeshRefiner::InsertInto(
-  PointId point, TriangleId triangle, const PlaneMesh::Room& room, std::vector<TriangleId>& around)
-{
-  this->Mesh.Insert(point, triangle, room, around);
-  if (around.empty())
+  this->Mesh.Insert(point, triangle, room, this->Around);
+  if (this->Around.empty())
   {
     throw InputError(
       "point " + std::to_string(point) + " lies on the boundary, expected it inside or on a loop's line");
   }
-  this->Mesh.Triangles().Legalize(around);
+  std::for_each(this->Around.begin(), this->Around.end(), [this](TriangleId changedOne) { this->AddNew(changedOne); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -49,7 +49,6 @@ private:
   double UrgencyOf(TriangleId triangle) const;
   bool InsertRound(const std::vector<TriangleId>& triangles, bool arePointsInside);
   void Insert(PointId point, TriangleId triangle, const PlaneMesh::Room& room);
-  void InsertInto(PointId point, TriangleId triangle, const PlaneMesh::Room& room, std::vector<TriangleId>& around);
   void PutBack(VertexId vertex, TriangleId triangle);
   PlanePoint PlaceBeside(TriangleId sliver, double smallestAngle, double part) const;
   bool IsTooLong(TriangleId triangle, const EdgeSizes& sizes) const;

@@ -21,8 +21,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Fewer points are left to the caller.
-constexpr std::size_t LeastPoints = 64;
 constexpr std::uint32_t MostPasses = 4;
 
 // Larger squares have fewer points that reach beyond, smaller ones employ more threads.
@@ -226,7 +224,6 @@ bool RoundInsertion::Insert(const Point& point, Scratch& scratch, Square& square
   else if (!this->Mesh.IsVertex(inserted))
   {
     this->Mesh.Insert(inserted, triangle, this->Room.At(point.Number), around);
-    this->Mesh.Triangles().Legalize(around);
   }
   if (corner == NoVertex && around.empty()) // the caller complains
   {

@@ -27,6 +27,8 @@ namespace SeismicHorizons
 class RoundInsertion
 {
 public:
+  static constexpr std::size_t LeastPoints = 64; // Fewer are left to the caller.
+
   /// The points of the errors of these triangles, which they contain, are inserted into a Delaunay mesh without kept
   /// edges; vertices are put back. Point n has number n of the room. Triangles that change are marked.
   RoundInsertion(HeightMesh& mesh, const std::vector<TriangleId>& triangles, const PlaneMesh::Room& room,

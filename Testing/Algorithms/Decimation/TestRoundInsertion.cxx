@@ -66,7 +66,6 @@ struct Insertion
       else if (this->IsChanged[triangles[number]] == 0)
       {
         this->Mesh.Insert(point, triangles[number], room.At(number), around);
-        this->Mesh.Triangles().Legalize(around);
       }
       for (const TriangleId triangle : around)
       {
