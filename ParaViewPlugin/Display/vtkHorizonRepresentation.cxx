@@ -3,29 +3,37 @@
 
 #include "vtkHorizonRepresentation.h"
 
+#include "ContourShader.h"
+#include "HorizonSheet.h"
 #include "VerticalAxis.h"
 
 #include "Common/Horizon/DataModel.h"
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
+#include "vtkClientServerStream.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkGeometryRepresentation.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVView.h"
 #include "vtkPassInputTypeAlgorithm.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <cmath>
+#include <cstring>
 
 class vtkHorizonHeights : public vtkPassInputTypeAlgorithm
 {
@@ -33,8 +41,19 @@ public:
   static vtkHorizonHeights* New();
   vtkTypeMacro(vtkHorizonHeights, vtkPassInputTypeAlgorithm);
 
+  vtkSetMacro(ContourInterval, double);
+  vtkSetMacro(DrawsSurfaces, bool);
+  vtkGetMacro(DrawsSurfaces, bool);
+
+  /// Makes the sheets of drawn data coarser. Returns null if there are other data, too.
+  vtkSmartPointer<vtkDataObject> Thin(vtkDataObject* drawn) const;
+
 protected:
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  double ContourInterval = 0.0;
+  bool DrawsSurfaces = false;
 };
 
 vtkStandardNewMacro(vtkHorizonHeights);
@@ -96,6 +115,31 @@ void LiftFaultLines(vtkPointSet* points)
   points->SetPoints(lifted);
 }
 
+constexpr double MostPoints = 5e5;
+constexpr double MostPointsInMotion = 2e5;
+
+int FindStep(vtkIdType points, double most)
+{
+  return int(std::ceil(std::sqrt(double(points) / most)));
+}
+
+/// Calls a function for a data object, or for all blocks of it.
+template <class Function>
+void ForBlocks(vtkDataObject* data, const Function& function)
+{
+  auto* const blocks = vtkCompositeDataSet::SafeDownCast(data);
+  if (!blocks)
+  {
+    function(data);
+    return;
+  }
+  const auto all = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (all->InitTraversal(); !all->IsDoneWithTraversal(); all->GoToNextItem())
+  {
+    function(all->GetCurrentDataObject());
+  }
+}
+
 void AddArrays(vtkDataObject* block)
 {
   auto* const points = vtkPointSet::SafeDownCast(block);
@@ -107,9 +151,15 @@ void AddArrays(vtkDataObject* block)
   }
 }
 
-int CallBase(vtkClientServerInterpreter* interpreter, vtkObjectBase* object, const char* method,
+int CallMethod(vtkClientServerInterpreter* interpreter, vtkObjectBase* object, const char* method,
   const vtkClientServerStream& message, vtkClientServerStream& result, void*)
 {
+  double interval = 0.0;
+  if (std::strcmp(method, "SetContourInterval") == 0 && message.GetArgument(0, 2, &interval))
+  {
+    static_cast<vtkHorizonRepresentation*>(object)->SetContourInterval(interval);
+    return 1;
+  }
   return interpreter->CallCommandFunction("vtkPVCompositeRepresentation", object, method, message, result);
 }
 }
@@ -117,22 +167,40 @@ int CallBase(vtkClientServerInterpreter* interpreter, vtkObjectBase* object, con
 //----------------------------------------------------------------------------------------------------------------------
 int vtkHorizonHeights::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
   vtkDataObject* const output = vtkDataObject::GetData(outputs);
-  auto* const blocks = vtkCompositeDataSet::SafeDownCast(output);
-  if (!blocks)
-  {
-    output->ShallowCopy(input);
-    AddArrays(output);
-    return 1;
-  }
-  blocks->ShallowCopy(input);
-  const auto blocksToDo = vtk::TakeSmartPointer(blocks->NewIterator());
-  for (blocksToDo->InitTraversal(); !blocksToDo->IsDoneWithTraversal(); blocksToDo->GoToNextItem())
-  {
-    AddArrays(blocksToDo->GetCurrentDataObject());
-  }
+  output->ShallowCopy(vtkDataObject::GetData(inputs[0]));
+  const int step = FindStep(output->GetNumberOfElements(vtkDataObject::POINT), MostPoints);
+  ForBlocks(output,
+    [&](vtkDataObject* block)
+    {
+      auto* const horizon = vtkPolyData::SafeDownCast(block);
+      if (horizon && this->DrawsSurfaces)
+      {
+        MakeSheet(horizon, step, this->ContourInterval);
+      }
+      AddArrays(block);
+    });
   return 1;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> vtkHorizonHeights::Thin(vtkDataObject* drawn) const
+{
+  const auto thin = vtk::TakeSmartPointer(drawn->NewInstance());
+  thin->ShallowCopy(drawn);
+  const int step = FindStep(thin->GetNumberOfElements(vtkDataObject::POINT), MostPointsInMotion);
+  bool areSheets = true;
+  ForBlocks(thin,
+    [&](vtkDataObject* block)
+    {
+      auto* const sheet = vtkPolyData::SafeDownCast(block);
+      areSheets = areSheets && sheet && sheet->GetPointData()->HasArray(SheetIds);
+      if (areSheets && step > 1)
+      {
+        MakeSheet(sheet, step, this->ContourInterval);
+      }
+    });
+  return areSheets ? thin : nullptr;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -158,8 +226,15 @@ void vtkHorizonRepresentation::Register()
     {
       interpreter->AddNewInstanceFunction(
         "vtkHorizonRepresentation", [](void*) -> vtkObjectBase* { return vtkHorizonRepresentation::New(); });
-      interpreter->AddCommandFunction("vtkHorizonRepresentation", CallBase);
+      interpreter->AddCommandFunction("vtkHorizonRepresentation", CallMethod);
     });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void vtkHorizonRepresentation::SetContourInterval(double interval)
+{
+  this->Heights->SetContourInterval(interval);
+  this->MarkModified();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -167,6 +242,27 @@ int vtkHorizonRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
 {
   this->InsertHeights();
+  auto* const drawing = vtkGeometryRepresentation::SafeDownCast(this->GetActiveRepresentation());
+  if (drawing && request == vtkPVView::REQUEST_UPDATE())
+  {
+    drawing->SetArrayIdNames(SheetIds, SheetIds);
+  }
+  if (drawing && request == vtkPVView::REQUEST_RENDER())
+  {
+    DrawContours(drawing->GetActor());
+  }
+  if (drawing && request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    vtkDataObject* const drawn = vtkPVView::GetPiece(input, drawing);
+    if (const vtkSmartPointer<vtkDataObject> thin = drawn ? this->Heights->Thin(drawn) : nullptr)
+    {
+      drawing->SetSuppressLOD(true); // ParaView's would merge points.
+      const int isDone = this->Superclass::ProcessViewRequest(request, input, output);
+      drawing->SetSuppressLOD(false);
+      vtkPVView::SetPieceLOD(input, drawing, thin);
+      return isDone;
+    }
+  }
   return this->Superclass::ProcessViewRequest(request, input, output);
 }
 
@@ -193,6 +289,13 @@ bool vtkHorizonRepresentation::InsertHeights()
   if (!drawing || drawing->GetNumberOfInputConnections(0) == 0)
   {
     return false;
+  }
+  auto* const surface = vtkGeometryRepresentation::SafeDownCast(drawing);
+  const bool drawsSurfaces = surface && surface->GetRepresentation() != vtkGeometryRepresentation::POINTS;
+  if (drawsSurfaces != this->Heights->GetDrawsSurfaces())
+  {
+    this->Heights->SetDrawsSurfaces(drawsSurfaces);
+    drawing->MarkModified();
   }
   // ParaView may reconnect the mapper to the pipeline.
   if (drawing->GetInputConnection(0, 0) != this->Heights->GetOutputPort())

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonRepresentation
- * @brief   shows horizons, which can be coloured by their heights
+ * @brief   shows horizons as lit surfaces with contours
+ *
+ * Points on columns are drawn as a surface (see HorizonSheet.h) with contours, unless the representation is "Points". It
+ * is thinned to 500,000 points, or 200,000 while the view is moved, so that holes and faults smaller than the columns
+ * between may be hidden; the data are not thinned.
  *
  * All points get one more array on their way to the screen, with the name and the direction of the vertical axis:
  * "Depth (m)", "Time (ms)" or "Elevation (m)". Horizons of all files are coloured on one scale so, whatever their
@@ -18,6 +22,8 @@
 #include "vtkPVCompositeRepresentation.h"
 #include "vtkSmartPointer.h"
 
+class vtkHorizonHeights;
+
 class vtkHorizonRepresentation : public vtkPVCompositeRepresentation
 {
 public:
@@ -27,6 +33,9 @@ public:
 
   /// Lets ParaView make objects of this class, by its name in the XML, and call them like those of the base.
   static void Register();
+
+  /// Distance of contours in units of z; every fifth is bold. 0: none.
+  void SetContourInterval(double interval);
 
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
   vtkDataObject* GetRenderedDataObject(int port) override;
@@ -42,7 +51,7 @@ private:
   /// Inserts the heights between the pipeline and the mapper. Returns false if nothing is drawn.
   bool InsertHeights();
 
-  vtkSmartPointer<vtkAlgorithm> Heights;
+  vtkSmartPointer<vtkHorizonHeights> Heights;
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include "vtkSMHorizonDisplayHelper.h"
 
 #include "ColorRange.h"
+#include "ContourInterval.h"
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
@@ -64,6 +65,15 @@ void SetPointSize(vtkSMProxy* proxy, vtkPVXMLElement* hint, vtkPVDataInformation
     constexpr double across = 500.0; // Pixels along one side of a view that the points may cover.
     const double size = std::floor(across / std::sqrt(double(data->GetNumberOfPoints())));
     vtkSMPropertyHelper(proxy, "PointSize").Set(std::min(largest, std::max(least, size)));
+  }
+}
+
+void SetContours(vtkSMProxy* proxy, vtkPVDataInformation* data, vtkMTimeType start)
+{
+  vtkSMProperty* const interval = proxy->GetProperty("ContourInterval");
+  if (interval && interval->GetMTime() <= start)
+  {
+    vtkSMPropertyHelper(interval).Set(SeismicHorizons::SuggestContourInterval(proxy, data));
   }
 }
 
@@ -262,11 +272,11 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     return;
   }
   proxy->RemoveAnnotation(Empty);
+  SetContours(proxy, data, initializationTimeStamp);
   bool isColored = false;
   const char* representation = nullptr;
   for (vtkPVXMLElement* const hint : SeismicHorizons::ListHints(producer, port))
   {
-    representation = representation ? representation : hint->GetAttribute("representation");
     SetSize(proxy, "LineWidth", hint, "line_width", initializationTimeStamp);
     SetPointSize(proxy, hint, data, initializationTimeStamp);
     SetSize(proxy, "RenderLinesAsTubes", hint, Tubes, initializationTimeStamp);
@@ -274,7 +284,12 @@ void vtkSMHorizonDisplayHelper::PostInitializeProxy(
     SetSize(proxy, "Ambient", hint, "ambient", initializationTimeStamp);
     SetSize(proxy, "Diffuse", hint, "diffuse", initializationTimeStamp);
     ColorRange range;
-    if (!isColored && SeismicHorizons::FindRange(hint, producer, port, range))
+    const bool hasArray = SeismicHorizons::FindRange(hint, producer, port, range);
+    if (!representation && (hasArray || !hint->GetAttribute("array")))
+    {
+      representation = hint->GetAttribute("representation");
+    }
+    if (!isColored && hasArray)
     {
       ColorBy(proxy, range, hint, FindColorMap(xml, hint->GetAttributeOrEmpty("colors")));
       isColored = true;

@@ -35,9 +35,10 @@
  * Where `hides_inputs` is 1, what led to a stage is hidden in a view once the stage is shown there, not only its input;
  * where `hides_outputs` is 1, other outputs of the stage are.
  *
- * `representation` is the way to draw, as "Volume"; of several the first one counts. A "Slice" is the middle one of the
- * wider vertical sections of a cube. A volume is clear at the least value of the array, and has the `opacity` at all
- * others. Hints with `data` are for data of that class alone, and those with `most_points` for data of no more points.
+ * `representation` is the way to draw, as "Volume"; of several the first one counts whose array, if it names one, is
+ * there. A "Slice" is the middle one of the wider vertical sections of a cube. A volume is clear at the least value of
+ * the array, and has the `opacity` at all others. Hints with `data` are for data of that class alone, and those with
+ * `most_points` for data of no more points.
  */
 
 #ifndef vtkSMHorizonDisplayHelper_h

@@ -4,6 +4,7 @@
 #include "pqHorizonToolBar.h"
 
 #include "ColorRange.h"
+#include "ContourInterval.h"
 #include "FirstView.h"
 #include "ViewAxes.h"
 #include "ViewContents.h"
@@ -264,6 +265,7 @@ void pqHorizonToolBar::refresh(pqView* view)
   }
   this->arrange(view);
   RefreshRanges(view->getProxy());
+  DescribeContours(view->getProxy());
   NameVerticalAxis(view->getProxy());
 }
 

@@ -220,8 +220,8 @@ class FirstSightTest(unittest.TestCase):
         self.assertEqual(colored_by(display), ("POINTS", "Depth"))
 
     def test_spikes(self):
-        display = self.show(simple.HorizonDespiking(Input=self.horizons, Action="Flag", Threshold=0.5))
-        self.assertEqual(colored_by(display), ("POINTS", "Spike"))
+        display = simple.Show(simple.HorizonDespiking(Input=self.horizons, Action="Flag", Threshold=0.5), self.view)
+        self.assertEqual((display.Representation, colored_by(display)), ("Points", ("POINTS", "Spike")))
         self.assertEqual(labels(display), {"0": "kept", "1": "spike", "2": "spur"})
 
     def test_faults_have_colours_around_zero(self):

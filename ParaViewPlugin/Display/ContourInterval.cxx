@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ContourInterval.h"
+
+#include "Common/Horizon/DataModel.h"
+#include "HorizonSheet.h"
+#include "VerticalAxis.h"
+#include "ViewContents.h"
+
+#include "vtkCollection.h"
+#include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMRepresentationProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr const char* Contours = "contours every ";
+constexpr const char* Columns = "one of "; // and how many columns along a side
+
+struct Legend
+{
+  std::set<double> Intervals;
+  std::string Unit;
+  int Step = 1;
+};
+
+double GetInterval(vtkSMProxy* representation)
+{
+  return vtkSMPropertyHelper(representation, "ContourInterval", true).GetAsDouble();
+}
+
+/// Returns the nearest of 1, 2, 5, 10, 20, 50 and so on, by ratio.
+double Round(double number)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)));
+  double nearest = unit;
+  for (const double digit : { 2.0, 5.0, 10.0 })
+  {
+    nearest =
+      std::fabs(std::log(digit * unit / number)) < std::fabs(std::log(nearest / number)) ? digit * unit : nearest;
+  }
+  return nearest;
+}
+
+/// Returns 0 where no surface is drawn.
+int FindStep(vtkSMProxy* representation)
+{
+  auto* const shown = vtkSMRepresentationProxy::SafeDownCast(representation);
+  vtkPVArrayInformation* const steps =
+    shown ? shown->GetRepresentedDataInformation()->GetArrayInformation(SheetStep, vtkDataObject::FIELD) : nullptr;
+  double range[2] = { 0.0, 0.0 };
+  if (steps)
+  {
+    steps->GetComponentRange(0, range);
+  }
+  return int(range[1]);
+}
+
+std::string Describe(const Legend& legend)
+{
+  std::ostringstream text;
+  for (const double interval : legend.Intervals)
+  {
+    text << (interval == *legend.Intervals.begin() ? Contours : " and ") << interval;
+  }
+  text << (legend.Intervals.empty() || legend.Unit.empty() ? "" : " " + legend.Unit);
+  if (legend.Step > 1)
+  {
+    text << (legend.Intervals.empty() ? "" : ", ") << Columns << legend.Step << " columns and rows shown";
+  }
+  return text.str();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* data)
+{
+  if (!data->GetArrayInformation(PointArray::Column, vtkDataObject::POINT))
+  {
+    return 0.0;
+  }
+  vtkNew<vtkCollection> others;
+  representation->GetSessionProxyManager()->GetProxies("representations", others);
+  for (int n = 0; n < others->GetNumberOfItems(); ++n)
+  {
+    auto* const other = vtkSMProxy::SafeDownCast(others->GetItemAsObject(n));
+    vtkPVDataInformation* const shown = other != representation ? FindShownData(other) : nullptr;
+    if (shown && GetInterval(other) > 0.0 && ReadVerticalAxis(shown).Name == ReadVerticalAxis(data).Name)
+    {
+      return GetInterval(other);
+    }
+  }
+  const double range = data->GetBounds()[5] - data->GetBounds()[4];
+  return range > 0.0 && std::isfinite(range) ? Round(range / 12.0) : 0.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void DescribeContours(vtkSMProxy* view)
+{
+  std::map<vtkSMProxy*, Legend> legends;
+  for (vtkSMProxy* const representation : ListRepresentations(view))
+  {
+    vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable", true).GetAsProxy();
+    vtkPVDataInformation* const data = FindShownData(representation);
+    vtkSMProxy* const legend =
+      table && data ? vtkSMTransferFunctionProxy::FindScalarBarRepresentation(table, view) : nullptr;
+    if (!legend)
+    {
+      continue;
+    }
+    Legend& description = legends[legend];
+    const int step = FindStep(representation);
+    if (step > 0 && GetInterval(representation) > 0.0)
+    {
+      description.Intervals.insert(GetInterval(representation));
+      description.Unit = ReadVerticalAxis(data).Unit;
+    }
+    description.Step = std::max(description.Step, step);
+  }
+  for (const auto& [legend, description] : legends)
+  {
+    vtkSMPropertyHelper title(legend, "ComponentTitle");
+    const std::string old = title.GetAsString(), text = Describe(description);
+    if (old != text && (old.empty() || old.rfind(Contours, 0) == 0 || old.rfind(Columns, 0) == 0))
+    {
+      title.Set(text.c_str());
+      legend->UpdateVTKObjects();
+    }
+  }
+}
+}
