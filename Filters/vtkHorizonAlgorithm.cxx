@@ -31,18 +31,23 @@ namespace
 
 // A panel has no room for more.
 constexpr std::size_t MostLines = 50;
+constexpr std::size_t MostInFull = 3;
 
 class StageReport
 {
 public:
   void Add(const HorizonLeaf& leaf, const Horizon& input, const Horizon& output)
   {
-    this->Entries.push_back({ leaf.Position, input.NumberOfPoints(), output.NumberOfPoints(), std::string() });
-    if (this->Entries.size() > MostLines)
+    this->Entries.push_back(
+      { leaf.Position, input.NumberOfPoints(), output.NumberOfPoints(), std::string(), std::string() });
+    if (this->Entries.size() <= MostInFull)
     {
-      return;
+      this->Entries.back().Lines = ReportStage(leaf.Name, input, output);
     }
-    this->Entries.back().Lines = ReportStage(leaf.Name, input, output);
+    if (this->Entries.size() <= MostLines)
+    {
+      this->Entries.back().Row = ReportRow(leaf.Name, input, output);
+    }
   }
 
   /// Collects the entries of all ranks, sorted by position. Collective.
@@ -52,7 +57,8 @@ public:
     std::ostringstream own = MakeReportStream();
     for (const Entry& entry : this->Entries)
     {
-      own << entry.Position << ' ' << entry.PointsIn << ' ' << entry.PointsOut << ' ' << entry.Lines << separator;
+      own << entry.Position << ' ' << entry.PointsIn << ' ' << entry.PointsOut << ' ' << entry.Lines << separator
+          << entry.Row << separator;
     }
     this->Entries.clear();
     for (const std::string& others : ranks.Gather(own.str()))
@@ -61,7 +67,7 @@ public:
       text.imbue(std::locale::classic());
       Entry entry{};
       while (text >> entry.Position >> entry.PointsIn >> entry.PointsOut && text.get() == ' ' &&
-        std::getline(text, entry.Lines, separator))
+        std::getline(text, entry.Lines, separator) && std::getline(text, entry.Row, separator))
       {
         this->Entries.push_back(entry);
       }
@@ -70,25 +76,30 @@ public:
       [](const Entry& a, const Entry& b) { return a.Position < b.Position; });
   }
 
-  /// One line per horizon, and per figure as panels are narrow: "3 horizons: 900 points in, 100 out", "Horizon 1: 300
-  /// points in, 40 out" and so on. Only the first horizons are listed.
+  /// A line per figure, as panels are narrow: "2 horizons: 900 points in, 100 out", "Horizon 1: 300 points in, 40 out"
+  /// and so on; a table if there are more horizons, of the first ones.
   std::string Text() const
   {
     std::ostringstream text = MakeReportStream();
     std::int64_t pointsIn = 0;
     std::int64_t pointsOut = 0;
     std::string lines;
+    std::vector<std::string> rows;
     for (std::size_t n = 0; n < this->Entries.size(); ++n)
     {
       pointsIn += this->Entries[n].PointsIn;
       pointsOut += this->Entries[n].PointsOut;
-      lines += n < MostLines ? this->Entries[n].Lines : "";
+      lines += n < MostInFull ? this->Entries[n].Lines : "";
+      if (n < MostLines)
+      {
+        rows.push_back(this->Entries[n].Row);
+      }
     }
     if (this->Entries.size() > 1)
     {
       text << this->Entries.size() << " horizons: " << pointsIn << " points in, " << pointsOut << " out\n";
     }
-    text << lines;
+    text << (this->Entries.size() > MostInFull ? Tabulate(rows) : lines);
     if (this->Entries.size() > MostLines)
     {
       text << "and " << this->Entries.size() - MostLines << " more\n";
@@ -102,7 +113,8 @@ private:
     int Position; // HorizonLeaf::Position
     std::int64_t PointsIn;
     std::int64_t PointsOut;
-    std::string Lines; // empty after the first horizons
+    std::string Lines; // Empty after the first horizons, as is the row.
+    std::string Row;
   };
   std::vector<Entry> Entries;
 };

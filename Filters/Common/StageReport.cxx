@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <iomanip>
+#include <iterator>
 #include <locale>
 #include <optional>
 
@@ -101,12 +102,38 @@ std::string ReportUnit(const Figure& figure, double height, const Horizon& horiz
   return text.str();
 }
 
+/// Those that a table has, by the heads of their columns. Heights are in the unit of z.
+struct Column
+{
+  const char* Array;
+  const char* Head;
+  bool IsInIndices = false;
+};
+
+constexpr std::array<Column, 9> Columns = { {
+  { FieldArray::FaultLine, "faults" },
+  { FieldArray::NumberOfSpikes, "spikes" },
+  { FieldArray::NumberOfFilledHoles, "filled" },
+  { FieldArray::NumberOfPatches, "patches" },
+  { FieldArray::NumberOfHoles, "holes" },
+  { FieldArray::IsochoreMean, "mean" },
+  { FieldArray::TriangleCount, "triangles" },
+  { FieldArray::LargestError, "error", true },
+  { FieldArray::NumberOfOutsidePoints, "outside" },
+} };
+
 /// Null unless the stage has written the array.
 const DataArray* FindOwnFigure(const char* name, const Horizon& input, const Horizon& output)
 {
   const DataArray* const array = output.FieldData.Find(name);
   const DataArray* const given = input.FieldData.Find(name);
   return array && !(given && array->IsCopyOf(*given)) ? array : nullptr;
+}
+
+int CountFaultLines(const DataArray& lines)
+{
+  const int* const numbers = lines.As<int>();
+  return lines.Tuples() > 0 ? *std::max_element(numbers, numbers + lines.Tuples()) + 1 : 0;
 }
 
 std::string ReportCuts(const Horizon& input, const Horizon& output)
@@ -116,11 +143,19 @@ std::string ReportCuts(const Horizon& input, const Horizon& output)
   {
     return {};
   }
-  const int* const numbers = lines->As<int>();
   std::ostringstream text = MakeReportStream();
-  text << "\n  fault lines " << *std::max_element(numbers, numbers + lines->Tuples()) + 1 << "\n  links cut "
-       << lines->Tuples();
+  text << "\n  fault lines " << CountFaultLines(*lines) << "\n  links cut " << lines->Tuples();
   return text.str();
+}
+
+std::string ReportWarnings(const Ledger& ledger)
+{
+  std::string text;
+  for (const LedgerWarning& warning : FindWarnings(ledger))
+  {
+    text += (text.empty() ? "" : ", ") + warning.Text;
+  }
+  return text;
 }
 
 /// Entries that are a large fraction of the columns are a warning.
@@ -145,13 +180,37 @@ std::string ReportLedger(const Horizon& input, const Horizon& output)
       }
     }
   }
-  const char* before = "\n  warning: ";
-  for (const LedgerWarning& warning : FindWarnings(*ledger))
-  {
-    text << before << warning.Text;
-    before = ", ";
-  }
+  const std::string warnings = ReportWarnings(*ledger);
+  text << (warnings.empty() ? "" : "\n  warning: ") << warnings;
   return text.str();
+}
+
+std::vector<std::string> SplitCells(const std::string& row)
+{
+  std::vector<std::string> cells;
+  std::istringstream text(row);
+  for (std::string cell; std::getline(text, cell, '\t');)
+  {
+    cells.push_back(cell);
+  }
+  cells.resize(Columns.size() + 4); // name, points, figures, unit of z, warnings
+  return cells;
+}
+
+/// The first column, of names, is flush left, others are flush right.
+void AlignColumn(const std::vector<std::string>& cells, std::vector<std::string>& lines)
+{
+  std::size_t width = 0;
+  for (const std::string& cell : cells)
+  {
+    width = std::max(width, cell.size());
+  }
+  const bool isFirst = lines.front().empty();
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    const std::string blanks(width - cells[n].size(), ' ');
+    lines[n] += isFirst ? cells[n] + blanks : " " + blanks + cells[n];
+  }
 }
 }
 
@@ -213,5 +272,74 @@ std::string ReportStage(const std::string& name, const Horizon& input, const Hor
   }
   line << ReportLedger(input, output) << '\n';
   return line.str();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string ReportRow(const std::string& name, const Horizon& input, const Horizon& output)
+{
+  std::ostringstream row = MakeReportStream();
+  std::string first = name;
+  std::replace(first.begin(), first.end(), '\t', ' ');
+  row << first << '\t' << output.NumberOfPoints();
+  for (const Column& column : Columns)
+  {
+    const DataArray* const array = FindOwnFigure(column.Array, input, output);
+    row << '\t';
+    if (array && column.Array == FieldArray::FaultLine)
+    {
+      row << CountFaultLines(*array);
+    }
+    else if (array && array->Size() == 1 && array->Type() == ValueType::Double)
+    {
+      row << array->At(0) * (column.IsInIndices ? WorldPerIndex(ReadLattice(output)) : 1.0);
+    }
+    else if (array && array->Size() == 1)
+    {
+      row << std::int64_t(array->At(0));
+    }
+  }
+  const std::optional<Ledger> ledger = ReadLedger(output.FieldData);
+  const bool isOwn = ledger && FindOwnFigure(FieldArray::LedgerColumns, input, output);
+  row << '\t' << ReadSurveyFields(output.FieldData).VerticalUnit << '\t' << (isOwn ? ReportWarnings(*ledger) : "");
+  return row.str();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string Tabulate(const std::vector<std::string>& rows)
+{
+  std::vector<std::vector<std::string>> cells;
+  std::transform(rows.begin(), rows.end(), std::back_inserter(cells), SplitCells);
+  const std::size_t unit = Columns.size() + 2;
+  const bool isOneUnit = std::all_of(cells.begin(), cells.end(),
+    [&](const std::vector<std::string>& row) { return !row[unit].empty() && row[unit] == cells.front()[unit]; });
+  std::vector<std::string> lines(rows.size() + 1);
+  for (std::size_t column = 0; column < unit; ++column)
+  {
+    std::vector<std::string> entries = { column == 0 ? "horizon" : column == 1 ? "points" : Columns[column - 2].Head };
+    if (column > 1 && (Columns[column - 2].IsInIndices || Columns[column - 2].Array == FieldArray::IsochoreMean))
+    {
+      entries.front() += " (" + (isOneUnit ? cells.front()[unit] : "z") + ")";
+    }
+    bool isEmpty = true;
+    for (const std::vector<std::string>& row : cells)
+    {
+      isEmpty = isEmpty && row[column].empty();
+      entries.push_back(row[column]);
+    }
+    if (!isEmpty || column == 0)
+    {
+      AlignColumn(entries, lines);
+    }
+  }
+  std::string text;
+  for (const std::string& line : lines)
+  {
+    text += line + "\n";
+  }
+  for (const std::vector<std::string>& row : cells)
+  {
+    text += row[unit + 1].empty() ? "" : row[0] + ": " + row[unit + 1] + "\n";
+  }
+  return text;
 }
 }

@@ -25,6 +25,12 @@ std::ostringstream MakeReportStream();
 
 /// Lines of text: points before and after, and the figures that the stage has written.
 std::string ReportStage(const std::string& name, const Horizon& input, const Horizon& output);
+
+/// The same in short, as a row for Tabulate: its cells, with tabs between them.
+std::string ReportRow(const std::string& name, const Horizon& input, const Horizon& output);
+
+/// Returns rows as a table with a head, without columns that are empty in all of them, and then their warnings.
+std::string Tabulate(const std::vector<std::string>& rows);
 }
 
 #endif

@@ -80,19 +80,30 @@ void Cut(ColorRange& range, vtkPVDataInformation* data, const char* figure, int 
   }
 }
 
-/// Uses enough digits to distinguish the ends, unless the user has set a format.
-void FormatEnds(vtkSMProxy* legend, const std::array<double, 2>& range)
+/// Adds a unit that is in no name of an array, and uses enough digits to distinguish the ends, unless the user has set a
+/// title or a format.
+void LabelLegend(vtkSMProxy* legend, const ColorRange& shown)
 {
+  const std::array<double, 2>& range = shown.Ends;
+  if (legend && !shown.Unit.empty() && vtkSMPropertyHelper(legend, "Title").GetAsString() == shown.Array)
+  {
+    vtkSMPropertyHelper(legend, "Title").Set((shown.Array + " (" + shown.Unit + ")").c_str());
+  }
   vtkSMProperty* const format = legend ? legend->GetProperty("RangeLabelFormat") : nullptr;
-  if (!format || !format->IsValueDefault())
+  if (!format)
   {
     return;
   }
+  // Formats are for std::format or, in older versions, printf.
+  const std::string present = vtkSMPropertyHelper(format).GetAsString();
+  const std::string start = !present.empty() && present[0] == '{' ? "{:" : "%", end = start == "%" ? "" : "}";
   const std::string digits = range[1] - range[0] >= 10.0 ? ".0f" : range[1] - range[0] >= 0.1 ? ".2f" : ".3g";
-  // Formats are for std::format or, in older versions, printf; the default shows which.
-  const bool isBraced = vtkSMPropertyHelper(format).GetAsString()[0] == '{';
-  vtkSMPropertyHelper(format).Set((isBraced ? "{:" + digits + "}" : "%" + digits).c_str());
-  legend->UpdateVTKObjects();
+  const std::array<std::string, 3> own = { start + ".0f" + end, start + ".2f" + end, start + ".3g" + end };
+  if (format->IsValueDefault() || std::find(own.begin(), own.end(), present) != own.end())
+  {
+    vtkSMPropertyHelper(format).Set((start + digits + end).c_str());
+    legend->UpdateVTKObjects();
+  }
 }
 
 /// Requires a hint that sets another range than the data.
@@ -148,10 +159,13 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
     return false;
   }
   array->GetComponentRange(0, range.Ends.data());
-  range.Array = hint->GetAttributeOrDefault("shown_as", name.c_str());
+  const VerticalAxis axis = ReadVerticalAxis(data);
+  const ShownArray shown = ShowInUnit(name, axis);
+  range.Array = hint->GetAttributeOrDefault("shown_as", shown.Name.c_str());
+  range.Ends = { shown.Factor * range.Ends[0], shown.Factor * range.Ends[1] };
   const bool hasSeveral = range.Ends[0] < range.Ends[1];
   const std::string kind = hint->GetAttributeOrDefault("range", "data");
-  range.IsOfData = kind == "data";
+  range.IsOfData = kind == "data" && shown.Name == name;
   if (kind == "centred")
   {
     const std::vector<double> strong = ReadField(data, hint->GetAttributeOrEmpty("ends_at"), 1);
@@ -168,9 +182,11 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
     range.Ends = { 0.0, 1.0 };
     return true;
   }
-  else if (!range.IsOfData)
+  else if (kind != "data")
   {
-    Cut(range, data, kind.c_str(), vtkSMPropertyHelper(producer, hint->GetAttributeOrEmpty("unit"), true).GetAsInt());
+    const int unit = vtkSMPropertyHelper(producer, hint->GetAttributeOrEmpty("unit"), true).GetAsInt();
+    Cut(range, data, kind.c_str(), unit);
+    range.Unit = unit == 0 ? "lattice units" : axis.Unit.empty() || axis.IsTime ? "world units" : axis.Unit;
   }
   return hasSeveral;
 }
@@ -197,21 +213,21 @@ void ExtendRange(vtkSMProxy* table, const ColorRange& range)
 //----------------------------------------------------------------------------------------------------------------------
 void RefreshRanges(vtkSMProxy* view)
 {
-  std::map<vtkSMProxy*, std::array<double, 2>> ranges;
+  std::map<vtkSMProxy*, ColorRange> ranges;
   for (vtkSMProxy* const representation : ListRepresentations(view))
   {
     vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable", true).GetAsProxy();
     ColorRange range;
     if (FindShownData(representation) && table && HasOwnRange(table) && FindRange(representation, range))
     {
-      const auto [place, isNew] = ranges.insert({ table, range.Ends });
-      place->second = { std::min(place->second[0], range.Ends[0]), std::max(place->second[1], range.Ends[1]) };
+      std::array<double, 2>& ends = ranges.insert({ table, range }).first->second.Ends;
+      ends = { std::min(ends[0], range.Ends[0]), std::max(ends[1], range.Ends[1]) };
     }
   }
   for (const auto& [table, range] : ranges)
   {
-    SetRange(table, range);
-    FormatEnds(vtkSMTransferFunctionProxy::FindScalarBarRepresentation(table, view), range);
+    SetRange(table, range.Ends);
+    LabelLegend(vtkSMTransferFunctionProxy::FindScalarBarRepresentation(table, view), range);
   }
 }
 }

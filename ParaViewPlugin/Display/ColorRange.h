@@ -19,6 +19,7 @@ namespace SeismicHorizons
 struct ColorRange
 {
   std::string Array;
+  std::string Unit; ///< Where the name of the array has none.
   int Association = 0;
   std::array<double, 2> Ends = { 0.0, 0.0 };
   bool IsOfData = true; ///< The range includes all values.

@@ -4,6 +4,7 @@
 #include "VerticalAxis.h"
 
 #include "Common/Horizon/DataModel.h"
+#include "ViewContents.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace SeismicHorizons
 {
@@ -26,6 +29,7 @@ VerticalAxis NameAxis(double direction, const std::string& unit, const std::stri
     (domain.empty() && std::find(unitsOfTime.begin(), unitsOfTime.end(), unit) != unitsOfTime.end());
   VerticalAxis axis;
   axis.Unit = unit;
+  axis.IsTime = isTime;
   axis.IsDownwards = direction < 0.0;
   // "Elevation" without unit is an array of rasters with its own colours.
   axis.Name = isTime ? "Time" : axis.IsDownwards ? "Depth" : unit.empty() ? "Height" : "Elevation";
@@ -47,13 +51,31 @@ std::string ReadText(vtkPVDataInformation* data, const char* name)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+ShownArray ShowInUnit(const std::string& array, const VerticalAxis& axis)
+{
+  const bool isInIndices = array == PointArray::Throw;
+  const bool isHeight =
+    isInIndices || array == PointArray::Isochore || array == PointArray::Isopach || array == PointArray::Moved;
+  if (!isHeight || axis.Unit.empty() || (isInIndices && axis.Step == 0.0))
+  {
+    return { array };
+  }
+  return { array + " (" + axis.Unit + ")", isInIndices ? axis.Step : 1.0 };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 VerticalAxis ReadVerticalAxis(vtkFieldData* data)
 {
   vtkDataArray* const direction = data->GetArray(FieldArray::VerticalDirection);
-  return direction && direction->GetNumberOfValues() == 1
-    ? NameAxis(
-        direction->GetTuple1(0), ReadText(data, FieldArray::VerticalUnit), ReadText(data, FieldArray::VerticalDomain))
-    : VerticalAxis();
+  if (!direction || direction->GetNumberOfValues() != 1)
+  {
+    return {};
+  }
+  VerticalAxis axis = NameAxis(
+    direction->GetTuple1(0), ReadText(data, FieldArray::VerticalUnit), ReadText(data, FieldArray::VerticalDomain));
+  vtkDataArray* const toWorld = data->GetArray(FieldArray::LatticeToWorld);
+  axis.Step = toWorld && toWorld->GetNumberOfValues() == 16 ? std::fabs(toWorld->GetComponent(0, 10)) : 0.0;
+  return axis;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -66,8 +88,14 @@ VerticalAxis ReadVerticalAxis(vtkPVDataInformation* data)
   {
     direction->GetComponentRange(0, range);
   }
-  return range[0] == range[1]
-    ? NameAxis(range[0], ReadText(data, FieldArray::VerticalUnit), ReadText(data, FieldArray::VerticalDomain))
-    : VerticalAxis();
+  if (range[0] != range[1])
+  {
+    return {};
+  }
+  VerticalAxis axis =
+    NameAxis(range[0], ReadText(data, FieldArray::VerticalUnit), ReadText(data, FieldArray::VerticalDomain));
+  const std::vector<double> toWorld = ReadField(data, FieldArray::LatticeToWorld, 16);
+  axis.Step = !toWorld.empty() && std::isfinite(toWorld[10]) ? std::fabs(toWorld[10]) : 0.0;
+  return axis;
 }
 }

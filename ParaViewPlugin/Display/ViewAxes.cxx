@@ -3,10 +3,13 @@
 
 #include "ViewAxes.h"
 
+#include "Common/Horizon/DataModel.h"
 #include "VerticalAxis.h"
 #include "ViewContents.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkDataObject.h"
+#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -29,16 +32,25 @@ vtkSMProxy* FindAxes(vtkSMProxy* view)
   return vtkSMPropertyHelper(view, "AxesGrid", true).GetAsProxy();
 }
 
+constexpr const char* TitleMargin = "\n      ";
+
 std::string AxisTitle(const std::string& name)
 {
   // ParaView puts titles at the middle number, without a setting.
-  return "\n      " + name + "      \n";
+  return TitleMargin + name + "      \n";
+}
+
+/// Returns -1 if numbers along the vertical axis are those of -z.
+double FindSense(vtkSMProxy* axes)
+{
+  return vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) < 0.0 ? -1.0 : 1.0;
 }
 
 // ---- Vertical exaggeration ------------------------------------------------------------------------------------------
 
 constexpr const char* ExaggerationAnnotation = "SeismicHorizons.VerticalExaggeration";
 constexpr double FlatShare = 0.1; // Fractions of the width.
+constexpr double SteepShare = 0.5; // As of vertical indices, which are no lengths.
 constexpr double GoodShare = 0.25;
 
 void SetScale(vtkSMProxy* proxy, const char* name, double factor)
@@ -54,7 +66,7 @@ void SetScale(vtkSMProxy* proxy, const char* name, double factor)
   proxy->UpdateVTKObjects();
 }
 
-/// The result is 1, 2, 5, 10, 20, 50 and so on, at most `number`, which is at least 1.
+/// The result is 0.5, 1, 2, 5, 10, 20, 50 and so on, at most `number`.
 double RoundDown(double number)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(number)));
@@ -142,8 +154,8 @@ std::vector<double> ToWorld(const Survey& survey, double verticalExaggeration)
   return matrix;
 }
 
-/// Returns line numbers around a world box, clipped to the survey, and z.
-std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box)
+/// Returns line numbers around a world box, clipped to the survey, and z, or -z.
+std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box, double sense)
 {
   const std::array<double, 2> x = survey.Directions[0].Spacing;
   const std::array<double, 2> y = survey.Directions[1].Spacing;
@@ -164,7 +176,8 @@ std::vector<double> FindBounds(const Survey& survey, const vtkBoundingBox& box)
     const auto ends = std::minmax({ direction.First + direction.Step * low, direction.First + direction.Step * high });
     bounds.insert(bounds.end(), { ends.first, ends.second });
   }
-  bounds.insert(bounds.end(), { box.GetBound(4), box.GetBound(5) });
+  const auto heights = std::minmax({ sense * box.GetBound(4), sense * box.GetBound(5) });
+  bounds.insert(bounds.end(), { heights.first, heights.second });
   return bounds;
 }
 
@@ -196,6 +209,19 @@ struct AxesSettings
   }
 };
 
+/// The vertical axis agrees with the legend then.
+void CountDownwards(vtkSMProxy* axes, bool isDownwards)
+{
+  vtkSMPropertyHelper scale(axes, "DataScale");
+  if ((FindSense(axes) < 0.0) != isDownwards)
+  {
+    scale.Set(2, -scale.GetAsDouble(2));
+    // Turned upside down, the front of the box is its back.
+    vtkSMPropertyHelper(axes, "CullFrontface").Set(isDownwards ? 0 : 1);
+    vtkSMPropertyHelper(axes, "CullBackface").Set(isDownwards ? 1 : 0);
+  }
+}
+
 bool FindSurvey(vtkSMProxy* view, Survey& survey, vtkBoundingBox& box)
 {
   bool isFound = false;
@@ -216,7 +242,7 @@ double GetVerticalExaggeration(vtkSMProxy* view)
 {
   // Without the annotation the user may have scaled the axes for a unit.
   vtkSMProxy* const axes = view->HasAnnotation(ExaggerationAnnotation) ? FindAxes(view) : nullptr;
-  return axes ? vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) : 1.0;
+  return axes ? std::fabs(vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2)) : 1.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -229,7 +255,7 @@ void SetVerticalExaggeration(vtkSMProxy* view, double factor)
   }
   if (vtkSMProxy* const axes = FindAxes(view))
   {
-    SetScale(axes, "DataScale", factor);
+    SetScale(axes, "DataScale", factor * FindSense(axes));
   }
 }
 
@@ -246,12 +272,14 @@ void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view)
 double SuggestVerticalExaggeration(vtkSMProxy* view)
 {
   vtkBoundingBox box;
+  bool areHorizons = true; // Sections may be as high as they are.
   for (vtkSMProxy* const representation : ListRepresentations(view))
   {
     vtkPVDataInformation* const data = FindShownData(representation);
     if (data && representation->GetProperty("Scale"))
     {
       box.AddBounds(data->GetBounds());
+      areHorizons = areHorizons && data->GetArrayInformation(PointArray::Column, vtkDataObject::POINT);
     }
   }
   if (!box.IsValid())
@@ -260,8 +288,9 @@ double SuggestVerticalExaggeration(vtkSMProxy* view)
   }
   const double width = std::max(box.GetLength(0), box.GetLength(1));
   const double height = box.GetLength(2);
-  const bool isFlat = height > 0.0 && height < FlatShare * width;
-  return isFlat ? RoundDown(GoodShare * width / height) : 1.0;
+  const double factor = height > 0.0 && width > 0.0 ? GoodShare * width / height : 1.0;
+  const bool isFlat = height < FlatShare * width, isSteep = areHorizons && height > SteepShare * width;
+  return isFlat || isSteep ? RoundDown(factor) : 1.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -287,9 +316,10 @@ std::string ShowSurveyAxes(vtkSMProxy* view)
   settings.AreOfModel = true;
   settings.XTitle = AxisTitle(survey.Directions[0].Name);
   settings.YTitle = AxisTitle(survey.Directions[1].Name);
-  settings.Matrix = ToWorld(survey, GetVerticalExaggeration(view));
-  settings.Bounds = FindBounds(survey, box);
-  settings.Apply(FindAxes(view));
+  vtkSMProxy* const axes = FindAxes(view);
+  settings.Matrix = ToWorld(survey, GetVerticalExaggeration(view) * FindSense(axes));
+  settings.Bounds = FindBounds(survey, box, FindSense(axes));
+  settings.Apply(axes);
   view->SetAnnotation(AxesAnnotation, "1");
   return std::string();
 }
@@ -313,25 +343,32 @@ void HideSurveyAxes(vtkSMProxy* view)
 //----------------------------------------------------------------------------------------------------------------------
 void NameVerticalAxis(vtkSMProxy* view)
 {
-  std::set<std::string> units;
+  std::set<std::string> names, units;
+  bool isDownwards = true;
   for (vtkSMProxy* const representation : ListRepresentations(view))
   {
     vtkPVDataInformation* const data = FindShownData(representation);
     const VerticalAxis axis = data ? ReadVerticalAxis(data) : VerticalAxis();
     if (!axis.Name.empty())
     {
+      names.insert(axis.Name);
       units.insert(axis.Unit);
+      isDownwards = axis.IsDownwards;
     }
   }
+  const bool isOfOne = names.size() == 1;
+  const bool areOfUnit = units.size() == 1 && !units.begin()->empty();
+  const std::string title = isOfOne ? AxisTitle(*names.begin())
+    : areOfUnit                     ? AxisTitle("Z (" + *units.begin() + ")")
+                                    : "Z Axis";
   vtkSMProxy* const axes = FindAxes(view);
-  const std::string title =
-    units.size() == 1 && !units.begin()->empty() ? AxisTitle("Z (" + *units.begin() + ")") : "Z Axis";
-  const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : title;
-  const bool isOwn = present == "Z Axis" || present.find(" Z (") != std::string::npos;
-  if (isOwn && present != title)
+  const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : "";
+  if (present == "Z Axis" || present.rfind(TitleMargin, 0) == 0) // Otherwise the user has named it.
   {
     vtkSMPropertyHelper(axes, "ZTitle").Set(title.c_str());
+    CountDownwards(axes, isOfOne && isDownwards);
     axes->UpdateVTKObjects();
+    RefreshSurveyAxes(view);
   }
 }
 }

@@ -22,8 +22,8 @@ void SetVerticalExaggeration(vtkSMProxy* view, double factor);
 
 void ExaggerateRepresentation(vtkSMProxy* representation, vtkSMProxy* view);
 
-/// Returns a round factor that makes data about as high as a quarter of their width, or 1 unless they are flatter than
-/// 1 in 10.
+/// Returns a round factor that makes data about as high as a quarter of their width, or 1 if they are neither flatter
+/// than 1 in 10 nor higher than a half of their width.
 double SuggestVerticalExaggeration(vtkSMProxy* view);
 
 bool HasSurveyAxes(vtkSMProxy* view);
@@ -36,7 +36,8 @@ void RefreshSurveyAxes(vtkSMProxy* view);
 /// Restores axes of x and y, hidden.
 void HideSurveyAxes(vtkSMProxy* view);
 
-/// Data with different units leave the axis unnamed.
+/// The vertical axis has the name of the legend of heights, and its sense: numbers of time and depth are those of -z. Data
+/// with different units leave it unnamed.
 void NameVerticalAxis(vtkSMProxy* view);
 }
 

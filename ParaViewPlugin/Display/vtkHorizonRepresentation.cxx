@@ -15,6 +15,8 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkGeometryRepresentation.h"
@@ -94,6 +96,28 @@ void AddSimplifiedBoundary(vtkPointSet* points)
   }
 }
 
+/// Adds thickness and throw in the unit of z.
+void AddHeightsInUnit(vtkDataSet* data)
+{
+  const VerticalAxis axis = ReadVerticalAxis(data->GetFieldData());
+  for (const char* const name : { PointArray::Isochore, PointArray::Isopach, PointArray::Moved, PointArray::Throw })
+  {
+    vtkDataArray* const array = data->GetPointData()->GetArray(name);
+    const ShownArray shown = ShowInUnit(name, axis);
+    if (array && shown.Name != name && array->GetNumberOfComponents() == 1)
+    {
+      vtkNew<vtkDoubleArray> inUnit;
+      inUnit->SetName(shown.Name.c_str());
+      inUnit->SetNumberOfValues(array->GetNumberOfTuples());
+      for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
+      {
+        inUnit->SetValue(n, shown.Factor * array->GetComponent(n, 0));
+      }
+      data->GetPointData()->AddArray(inUnit);
+    }
+  }
+}
+
 /// Moves fault lines from mid throw to the upper edge, where the horizon does not hide them.
 void LiftFaultLines(vtkPointSet* points)
 {
@@ -142,6 +166,10 @@ void ForBlocks(vtkDataObject* data, const Function& function)
 
 void AddArrays(vtkDataObject* block)
 {
+  if (auto* const data = vtkDataSet::SafeDownCast(block))
+  {
+    AddHeightsInUnit(data);
+  }
   auto* const points = vtkPointSet::SafeDownCast(block);
   if (points && points->GetPoints())
   {

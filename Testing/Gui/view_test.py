@@ -94,7 +94,7 @@ def exaggerate(events, flat):
 def check_exaggeration(notes):
     for note in notes:
         assert len(note["scales"]) > 1 and note["scales"] == [[1, 1, 2]] * len(note["scales"]), note
-        assert note["axes scale"] == [1, 1, 2], note
+        assert note["axes scale"] == [1, 1, -2], note
 
 
 def count_lines(events, picks):
@@ -134,11 +134,11 @@ def check_lines(notes):
     assert refused["axes"] == hidden["axes"] == ["X Axis", "Y Axis"], notes
     assert not refused["counts lines"] and not hidden["counts lines"], notes
     assert shown["axes"] == ["Crossline", "Inline"] and shown["counts lines"], shown
-    assert shown["axes bounds"] == [20, 48, 10, 32, -504, -500], shown
+    assert shown["axes bounds"] == [20, 48, 10, 32, 500, 504], shown
     # Crossline 22 is the second one, and inline 14 the third.
-    assert place(shown, 22, 14, -500) == [1000 + 30 - 2 * 40, 2000 + 40 + 2 * 30, -500 * FITTED], shown
-    assert place(exaggerated, 20, 10, -500) == [1000, 2000, -1000], exaggerated
-    assert higher["axes bounds"] == [20, 48, 10, 32, -504, -2] and higher["scales"] == [[1, 1, 2]] * 2, higher
+    assert place(shown, 22, 14, 500) == [1000 + 30 - 2 * 40, 2000 + 40 + 2 * 30, -500 * FITTED], shown
+    assert place(exaggerated, 20, 10, 500) == [1000, 2000, -1000], exaggerated
+    assert higher["axes bounds"] == [20, 48, 10, 32, 2, 504] and higher["scales"] == [[1, 1, 2]] * 2, higher
 
 
 def check_lines_southwards(notes):
@@ -172,16 +172,16 @@ def see_first(events, steep):
 
 def check_first_sight(notes):
     flat, emptied, steep, both, left, turned = notes
-    assert flat["seen from"] == [0.35, -0.75, 0.56] and flat["axes scale"] == [1, 1, 5], flat
+    assert flat["seen from"] == [0.35, -0.75, 0.56] and flat["axes scale"] == [1, 1, -5], flat
     assert flat["shown"] == [["VerneySparseMatrixReader", "Depth", [2, 4]]], flat
     assert emptied["axes scale"] == [1, 1, 1] and emptied["shown"] == [], emptied
-    assert steep["axes scale"] == [1, 1, 1] and steep["axis"] == "Z (ms)", steep
+    assert steep["axes scale"] == [1, 1, -0.1] and steep["axis"] == "Time (ms)", steep
     assert steep["shown"] == [["HorizonTextReader", "Time (ms)", [1000, 1016]]], steep
     assert steep["formats"] in (["%.0f"], ["{:.0f}"]), steep  # of ParaView 5 and 6
     assert [entry[2] for entry in both["shown"]] == [[1000, 1116]] * 2, both
     assert left["shown"] == steep["shown"], left
     # The view is moved to see both, but not once somebody has turned it.
-    assert both["seen from"] == steep["seen from"] and both["focus"][2] == -1058, both
+    assert both["seen from"] == steep["seen from"] and both["focus"][2] == -105.8, both
     assert left["focus"] == both["focus"], left
     assert turned["seen from"] == [-1, 0, 0] and turned["focus"][2] == steep["focus"][2], turned
 
@@ -238,7 +238,7 @@ def check_stages(notes):
     assert names == [["HorizonExteriorBoundary"], ["HorizonBoundarySimplification", "HorizonExteriorBoundary"],
                      ["HorizonExteriorBoundary", "HorizonRoughSimplification"], ["HorizonTriangulation"]], names
     assert {entry[1] for entry in simplified["shown"]} == {"Boundary", "Simplified Boundary"}, simplified
-    assert [note["axis"] for note in notes[1:]] == ["Z (ms)"] * 4, notes
+    assert [note["axis"] for note in notes[1:]] == ["Time (ms)"] * 4, notes
 
 
 def keep_camera(events, flat):

@@ -272,7 +272,7 @@ class FirstSightTest(unittest.TestCase):
         self.assertEqual((colored_by(display), range_of(display)), (("CELLS", "Layer"), [0, 1]))
         self.assertEqual(colored_by(self.show(simple.HorizonLayers(Input=horizons[:2]), 1)), ("POINTS", "Depth (m)"))
         crossings = simple.HorizonCrossings(Input=horizons[:2], MinimumThickness=1000)
-        self.assertEqual(colored_by(self.show(crossings)), ("POINTS", "Moved"))
+        self.assertEqual(colored_by(self.show(crossings)), ("POINTS", "Moved (m)"))
 
     def test_thickness_at_points_and_as_a_map(self):
         base = FOLDER / "base.xyz"
@@ -282,7 +282,7 @@ class FirstSightTest(unittest.TestCase):
         other = simple.HorizonTextReader(FileName=[str(base)], VerticalUnit="m")
         thickness = simple.HorizonThickness(Input=self.picks("m", 100), OtherHorizon=other)
         for port in (0, 1):
-            self.assertEqual(colored_by(self.show(thickness, port)), ("POINTS", "Isochore"))
+            self.assertEqual(colored_by(self.show(thickness, port)), ("POINTS", "Isochore (m)"))
 
     def test_distances(self):
         mesh = simple.HorizonSurface(Input=self.horizons, MaximumError=0.75)

@@ -123,6 +123,33 @@ def check_filling(reader):
     simple.Delete(despiking)
 
 
+def check_table(folder):
+    """What a panel tells of more than three horizons is a table, with the figures of each."""
+    from paraview import simple
+
+    def voxel(column, row, number):
+        return "%d %d 1 0 0" % (60 * number + (column - 10) ** 2 // 9 + row // 3, number)
+
+    path = folder / "five.vsm"
+    size = 24
+    path.write_text("%d %d 400\n" % (size, size) + "\n".join(
+        " ".join(voxel(column, row, n) for n in range(1, 6)) for row in range(size) for column in range(size)) + "\n")
+    surface = simple.HorizonSurface(Input=simple.VerneySparseMatrixReader(FileName=str(path)))
+    surface.UpdatePipeline()
+    lines = surface.GetClientSideObject().GetResults().splitlines()
+    heads = lines[1].split()
+    assert lines[0].startswith("5 horizons: ") and heads[0] == "horizon" and "error (z)" in lines[1], lines
+    for line, (name, mesh) in zip(lines[2:7], fetch(surface).items()):
+        assert line.startswith(name + " "), (line, name)
+        row = dict(zip(lines[1].replace("horizon", "").replace(" (z)", "").split(), line[len(name):].split()))
+        figures = mesh.GetFieldData()
+        assert int(row["points"]) == mesh.GetNumberOfPoints() and int(row["triangles"]) == mesh.GetNumberOfPolys(), line
+        error = figures.GetArray("LargestError").GetValue(0)  # an index is 1 in z
+        assert abs(float(row["error"]) - error) <= 5e-4 * error, (line, error)
+        assert len(line) == len(lines[1]), lines
+    simple.Delete(surface)
+
+
 def check_faults(reader, folder):
     """Lines of a file cut links beside those that are found, or alone, and no more once they are taken away."""
     from paraview import simple
@@ -225,6 +252,7 @@ def main():
     check_distance(proxies[0], proxies[-1])
     check_surface(proxies[0])
     check_filling(proxies[0])
+    check_table(pathlib.Path.cwd())
     check_faults(proxies[0], pathlib.Path.cwd())
     check_selection(proxies[0], names)
     check_reader_properties(proxies[0])
