@@ -107,7 +107,8 @@ double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* 
     }
   }
   const double range = data->GetBounds()[5] - data->GetBounds()[4];
-  return range > 0.0 && std::isfinite(range) ? Round(range / 12.0) : 0.0;
+  const double horizons = std::max(1.0, double(data->GetNumberOfLeaves())); // One lies below the other.
+  return range > 0.0 && std::isfinite(range) ? Round(range / 12.0 / std::sqrt(horizons)) : 0.0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

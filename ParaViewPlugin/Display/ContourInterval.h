@@ -11,7 +11,7 @@ class vtkSMProxy;
 
 namespace SeismicHorizons
 {
-/// Returns the interval of other horizons with the same axis, or a round one that gives about twelve contours; 0 if the
+/// Returns the interval of other horizons with the same axis, or a round one that gives about twelve contours on one horizon; 0 if the
 /// data are no horizons.
 double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* data);
 

@@ -3,6 +3,8 @@
 
 #include "pqSpecialValueDecorator.h"
 
+#include "VerticalAxis.h"
+
 #include "pqPropertyWidget.h"
 #include "vtkPVXMLElement.h"
 
@@ -10,6 +12,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QStringList>
+#include <pqCoreUtilities.h>
+#include <vtkCommand.h>
+#include <vtkSMProperty.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMProxy.h>
+#include <vtkSMSourceProxy.h>
+#include <vtkSMUncheckedPropertyHelper.h>
 
 #include <algorithm>
 
@@ -17,17 +26,19 @@
 pqSpecialValueDecorator::pqSpecialValueDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent)
   : Superclass(xml, parent)
   , Fields(parent->findChildren<QLineEdit*>())
+  , Special(xml->GetAttributeOrEmpty("text"))
+  , Unit(xml->GetAttributeOrEmpty("unit"))
 {
-  for (const QString& value : QString(xml->GetAttributeOrEmpty("value")).split(' '))
+  for (const QString& value : QString(xml->GetAttributeOrEmpty("value")).split(' ', Qt::SkipEmptyParts))
   {
     this->Values.append(value.toDouble());
   }
-  if (this->Fields.size() != this->Values.size())
+  if (this->Fields.isEmpty() || (!this->Values.isEmpty() && this->Fields.size() != this->Values.size()))
   {
     return;
   }
   QLineEdit* const last = this->Fields.last();
-  this->Text = new QLabel(xml->GetAttributeOrEmpty("text"), last);
+  this->Text = new QLabel(last);
   this->Text->setObjectName("SpecialValue");
   this->Text->setEnabled(false);
   this->Text->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -39,6 +50,7 @@ pqSpecialValueDecorator::pqSpecialValueDecorator(vtkPVXMLElement* xml, pqPropert
   {
     this->connect(field, SIGNAL(textChanged(QString)), SLOT(showText()));
   }
+  this->followInput();
   this->showText();
 }
 
@@ -46,12 +58,57 @@ pqSpecialValueDecorator::pqSpecialValueDecorator(vtkPVXMLElement* xml, pqPropert
 pqSpecialValueDecorator::~pqSpecialValueDecorator() = default;
 
 //------------------------------------------------------------------------------
+void pqSpecialValueDecorator::followInput()
+{
+  vtkSMProxy* const proxy = this->parentWidget()->proxy();
+  vtkSMProperty* const unit = proxy->GetProperty(this->Unit.constData());
+  vtkSMProperty* const input = proxy->GetProperty("Input");
+  if (unit && input)
+  {
+    pqCoreUtilities::connect(unit, vtkCommand::UncheckedPropertyModifiedEvent, this, SLOT(showText()));
+    pqCoreUtilities::connect(unit, vtkCommand::ModifiedEvent, this, SLOT(showText()));
+    pqCoreUtilities::connect(input, vtkCommand::ModifiedEvent, this, SLOT(showText()));
+    if (vtkSMProxy* const source = vtkSMPropertyHelper(input, true).GetAsProxy())
+    {
+      pqCoreUtilities::connect(source, vtkCommand::UpdateDataEvent, this, SLOT(showText()));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+QString pqSpecialValueDecorator::convert(double height) const
+{
+  vtkSMProxy* const proxy = this->parentWidget()->proxy();
+  vtkSMProperty* const unit = proxy->GetProperty(this->Unit.constData());
+  const vtkSMPropertyHelper input(proxy, "Input", true);
+  auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  if (!unit || !source)
+  {
+    return QString();
+  }
+  const SeismicHorizons::VerticalAxis axis =
+    SeismicHorizons::ReadVerticalAxis(source->GetDataInformation(input.GetOutputPort()));
+  const int chosen = vtkSMUncheckedPropertyHelper(unit).GetAsInt();
+  if (axis.Step == 0.0 || (axis.Step == 1.0 && axis.Unit.empty()) || chosen > 1)
+  {
+    return QString();
+  }
+  return chosen == 1 ? QString("= %1 indices").arg(height / axis.Step, 0, 'g', 3)
+                     : QString("= %1 %2").arg(height * axis.Step, 0, 'g', 3).arg(QString::fromStdString(axis.Unit));
+}
+
+//------------------------------------------------------------------------------
 void pqSpecialValueDecorator::showText()
 {
-  this->Text->setVisible(std::equal(this->Fields.begin(), this->Fields.end(), this->Values.begin(),
-    [](QLineEdit* field, double value)
-    {
-      bool isNumber = false;
-      return field->text().toDouble(&isNumber) == value && isNumber;
-    }));
+  bool isNumber = false;
+  const double last = this->Fields.last()->text().toDouble(&isNumber);
+  const bool isSpecial = !this->Values.isEmpty() &&
+    std::equal(this->Fields.begin(), this->Fields.end(), this->Values.begin(),
+      [](QLineEdit* field, double value)
+      {
+        bool isOne = false;
+        return field->text().toDouble(&isOne) == value && isOne;
+      });
+  this->Text->setText(isSpecial ? this->Special : isNumber ? this->convert(last) : QString());
+  this->Text->setVisible(!this->Text->text().isEmpty());
 }

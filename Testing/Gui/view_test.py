@@ -224,6 +224,14 @@ def see_stages(events, line):
     events.add(window.PANEL + "/Delete", "activate")
     events.open(line.parent / "steep.xyz", several_readers=True)
     events.apply()
+    # A height is also told in the other unit.
+    events.filter("HorizonDespiking")
+    events.set_number("Threshold", "2.5", "DoubleRangeWidget/DoubleLineEdit")
+    text = window.FIELDS + "ProxyPanel/Threshold/DoubleRangeWidget/DoubleLineEdit/SpecialValue"
+    events.check(text, "text", "= 2.5 ms")
+    events.add(window.FIELDS + "ProxyPanel/ThresholdUnit/ComboBox", "set_string", "World")
+    events.check(text, "text", "= 2.5 indices")
+    events.add(window.PANEL + "/Delete", "activate")
     for stage in ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
                   "HorizonTriangulation"):
         events.filter(stage)

@@ -246,9 +246,12 @@ class Expander:
             labels = ElementTree.SubElement(hints, "ShowComponentLabels")
             for number, label in enumerate(entry.get("components").split()):
                 ElementTree.SubElement(labels, "ComponentLabel", component=str(number), label=label)
-        if entry.get("special"):
-            ElementTree.SubElement(hints, "PropertyWidgetDecorator", type="HorizonSpecialValue", text=entry.get("special"),
-                                   value=entry.get("special_value", element.get("default_values")))
+        text = self.facts.texts.get(element.get("command"))
+        unit = text.unit if text and re.fullmatch(r"\w+Unit", text.unit or "") else None
+        special = {"text": entry.get("special"), "value": entry.get("special_value", element.get("default_values"))}
+        if entry.get("special") or unit:
+            ElementTree.SubElement(hints, "PropertyWidgetDecorator", type="HorizonSpecialValue",
+                                   **(special if entry.get("special") else {}), **({"unit": unit} if unit else {}))
         for condition, mode in (("visible_if", "visibility"), ("enabled_if", "enabled_state")):
             if entry.get(condition):
                 hints.append(self.decorator(entry.get(condition), mode))
