@@ -3,6 +3,8 @@
 
 #include "HorizonConversion.h"
 
+#include "Common/Survey/HeightArray.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -235,6 +237,7 @@ Horizon FromVTK(vtkPolyData* given)
   horizon.PointData = FromVTK(given->GetPointData());
   horizon.CellData = FromVTK(given->GetCellData());
   horizon.FieldData = FromVTK(given->GetFieldData());
+  RemoveHeights(horizon);
   return horizon;
 }
 
@@ -316,6 +319,11 @@ void ToVTK(const Horizon& horizon, vtkPolyData* output)
   ToVTK(horizon.PointData, output->GetPointData());
   ToVTK(horizon.CellData, output->GetCellData());
   ToVTK(horizon.FieldData, output->GetFieldData());
+  const VerticalAxis axis = ReadVerticalAxis(horizon.FieldData);
+  if (!axis.Name.empty() && horizon.Places.Components() == 3 && !horizon.PointData.Has(axis.Name))
+  {
+    output->GetPointData()->AddArray(ToVTK(MakeHeights(horizon, axis)));
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

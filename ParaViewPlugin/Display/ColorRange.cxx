@@ -3,7 +3,7 @@
 
 #include "ColorRange.h"
 
-#include "VerticalAxis.h"
+#include "ShownAxis.h"
 #include "ViewContents.h"
 
 #include "vtkDataObject.h"

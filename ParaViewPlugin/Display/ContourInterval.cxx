@@ -5,7 +5,7 @@
 
 #include "Common/Horizon/DataModel.h"
 #include "HorizonSheet.h"
-#include "VerticalAxis.h"
+#include "ShownAxis.h"
 #include "ViewContents.h"
 
 #include "vtkCollection.h"

@@ -4,7 +4,7 @@
 #include "ViewAxes.h"
 
 #include "Common/Horizon/DataModel.h"
-#include "VerticalAxis.h"
+#include "ShownAxis.h"
 #include "ViewContents.h"
 
 #include "vtkBoundingBox.h"

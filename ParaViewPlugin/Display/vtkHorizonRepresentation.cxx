@@ -5,10 +5,11 @@
 
 #include "ContourShader.h"
 #include "HorizonSheet.h"
-#include "VerticalAxis.h"
+#include "ShownAxis.h"
 
 #include "Common/Horizon/DataModel.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkClientServerStream.h"
@@ -36,6 +37,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <string>
 
 class vtkHorizonHeights : public vtkPassInputTypeAlgorithm
 {
@@ -65,10 +67,12 @@ namespace
 {
 using namespace SeismicHorizons;
 
-void AddHeights(vtkPointSet* points)
+/// Those of the data may be of before a transformation.
+void AddHeights(vtkPointSet* points, const VerticalAxis& axis)
 {
-  const VerticalAxis axis = ReadVerticalAxis(points->GetFieldData());
-  if (axis.Name.empty() || points->GetPointData()->HasArray(axis.Name.c_str()))
+  vtkAbstractArray* const known = points->GetPointData()->GetAbstractArray(axis.Name.c_str());
+  if (axis.Name.empty() ||
+    (known && !(known->GetComponentName(0) && known->GetComponentName(0) == std::string(HeightComponent))))
   {
     return;
   }
@@ -97,9 +101,8 @@ void AddSimplifiedBoundary(vtkPointSet* points)
 }
 
 /// Adds thickness and throw in the unit of z.
-void AddHeightsInUnit(vtkDataSet* data)
+void AddHeightsInUnit(vtkDataSet* data, const VerticalAxis& axis)
 {
-  const VerticalAxis axis = ReadVerticalAxis(data->GetFieldData());
   for (const char* const name : { PointArray::Isochore, PointArray::Isopach, PointArray::Moved, PointArray::Throw })
   {
     vtkDataArray* const array = data->GetPointData()->GetArray(name);
@@ -166,14 +169,15 @@ void ForBlocks(vtkDataObject* data, const Function& function)
 
 void AddArrays(vtkDataObject* block)
 {
+  const VerticalAxis axis = ReadVerticalAxis(block->GetFieldData());
   if (auto* const data = vtkDataSet::SafeDownCast(block))
   {
-    AddHeightsInUnit(data);
+    AddHeightsInUnit(data, axis);
   }
   auto* const points = vtkPointSet::SafeDownCast(block);
   if (points && points->GetPoints())
   {
-    AddHeights(points);
+    AddHeights(points, axis);
     AddSimplifiedBoundary(points);
     LiftFaultLines(points);
   }

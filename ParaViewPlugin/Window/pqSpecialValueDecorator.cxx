@@ -3,7 +3,7 @@
 
 #include "pqSpecialValueDecorator.h"
 
-#include "VerticalAxis.h"
+#include "ShownAxis.h"
 
 #include "pqPropertyWidget.h"
 #include "vtkPVXMLElement.h"

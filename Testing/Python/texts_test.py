@@ -89,7 +89,7 @@ ELEMENTS = """<SourceProxy>
 <DataTypeDomain name="input_type"><DataType value="vtkTable"/></DataTypeDomain></InputProperty>
 <DoubleVectorProperty name="RowWidth" command="SetRowWidth" number_of_elements="1" default_values="4.5">
 <DoubleRangeDomain name="range" min="0.5" max="20"/>
-<Hints><PropertyWidgetDecorator type="HorizonSpecialValue" text="none" value="4.5"/></Hints></DoubleVectorProperty>
+<Hints><PropertyWidgetDecorator type="HorizonSpecialValue" text="none" value="4.5" unit="WidthUnit"/></Hints></DoubleVectorProperty>
 <IntVectorProperty name="Kind" command="SetKind" number_of_elements="1" default_values="0">
 <EnumerationDomain name="enum"><Entry text="By Rows" value="0"/><Entry text="Column 2" value="1"/></EnumerationDomain>
 <Hints><PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="On" value="1"/></Hints></IntVectorProperty>

@@ -8,6 +8,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -41,7 +42,8 @@ void ArraysAreComplete()
   vtkPolyData* const horizon = GetHorizon(reader, 1);
   vtkPointData* const data = horizon->GetPointData();
   CHECK(horizon->GetNumberOfPoints() == 2 && horizon->GetPoints()->GetDataType() == VTK_DOUBLE);
-  CHECK(data->GetNumberOfArrays() == 6);
+  CHECK(data->GetNumberOfArrays() == 7);
+  CHECK(GetArray<vtkFloatArray>(data, "Depth", 2, 1)->GetValue(1) == float(-horizon->GetPoint(1)[2]));
   const auto* const column = GetArray<vtkIntArray>(data, "Column", 2, 2)->GetPointer(2);
   CHECK(column[0] == 1 && column[1] == 1);
   CHECK(GetArray<vtkIntArray>(data, "SurfaceId", 2, 1)->GetValue(1) == 7);

@@ -68,7 +68,9 @@ void ArraysAreComplete()
   surface->GetCellPoints(0, size, corners);
   CHECK(size == 3 && corners[0] == 0 && corners[1] == 2 && corners[2] == 1); // turned around with z
   vtkPointData* const data = surface->GetPointData();
-  CHECK_EQUAL(data->GetNumberOfArrays(), 3);
+  CHECK_EQUAL(data->GetNumberOfArrays(), 4);
+  CHECK_EQUAL(std::string(data->GetArray(3)->GetName()), "Time (ms)");
+  CHECK_EQUAL(data->GetArray(3)->GetComponent(0, 0), 10.0);
   auto* const p = vtkDoubleArray::SafeDownCast(data->GetArray("p"));
   CHECK(p && p->GetValue(0) == 5.0 && std::isnan(p->GetValue(1)) && p->GetValue(3) == 5.0);
   CHECK_EQUAL(std::string(p->GetInformation()->Get(vtkDataArray::UNITS_LABEL())), "km");

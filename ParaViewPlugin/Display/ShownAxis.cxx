@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "VerticalAxis.h"
+#include "ShownAxis.h"
 
 #include "Common/Horizon/DataModel.h"
 #include "ViewContents.h"
@@ -13,8 +13,6 @@
 #include "vtkPVDataInformation.h"
 #include "vtkStringArray.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -22,21 +20,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-VerticalAxis NameAxis(double direction, const std::string& unit, const std::string& domain)
-{
-  static constexpr std::array<const char*, 4> unitsOfTime = { "ms", "s", "us", "seconds" };
-  const bool isTime = domain == "time" ||
-    (domain.empty() && std::find(unitsOfTime.begin(), unitsOfTime.end(), unit) != unitsOfTime.end());
-  VerticalAxis axis;
-  axis.Unit = unit;
-  axis.IsTime = isTime;
-  axis.IsDownwards = direction < 0.0;
-  // "Elevation" without unit is an array of rasters with its own colours.
-  axis.Name = isTime ? "Time" : axis.IsDownwards ? "Depth" : unit.empty() ? "Height" : "Elevation";
-  axis.Name += unit.empty() ? "" : " (" + unit + ")";
-  return axis;
-}
-
 std::string ReadText(vtkFieldData* data, const char* name)
 {
   auto* const texts = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef VerticalAxis_h
-#define VerticalAxis_h
+#ifndef ShownAxis_h
+#define ShownAxis_h
+
+#include "Common/Horizon/VerticalAxis.h"
 
 #include <string>
 
@@ -11,17 +13,6 @@ class vtkPVDataInformation;
 
 namespace SeismicHorizons
 {
-/// Name is such as "Depth (m)", "Time (ms)" or "Elevation (m)", "Depth" or "Height" without a unit, and empty if the
-/// direction of z is unknown.
-struct VerticalAxis
-{
-  std::string Name;
-  std::string Unit;
-  bool IsDownwards = true; ///< The axis counts -z.
-  bool IsTime = false;
-  double Step = 0.0; ///< Of one vertical index; 0 if it is unknown.
-};
-
 /// How an array is called on the screen: thickness and throw have the unit of z in their names.
 struct ShownArray
 {
