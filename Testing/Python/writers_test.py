@@ -34,8 +34,10 @@ def same_array(first, second):
 
 
 def names_of_arrays(mesh):
+    """Of what files have: heights are made anew from z."""
     data = mesh.GetPointData()
-    return [data.GetArrayName(n) for n in range(data.GetNumberOfArrays())]
+    arrays = [data.GetAbstractArray(n) for n in range(data.GetNumberOfArrays())]
+    return [array.GetName() for array in arrays if array.GetComponentName(0) != "height"]
 
 
 def check_same_triangles(back, mesh):
