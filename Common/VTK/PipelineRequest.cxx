@@ -8,13 +8,19 @@
 #include "VersionDifferences.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -112,6 +118,25 @@ Outcome Run(vtkAlgorithm* algorithm, const std::string& noMemory, const RequestW
   }
 }
 
+void TellOtherError(vtkObject* executive, unsigned long event, void* command, void* text)
+{
+  executive->RemoveObservers(event, static_cast<vtkCommand*>(command));
+  const auto* const message = static_cast<const char*>(text);
+  if (message && !std::strstr(message, "returned failure for request"))
+  {
+    vtkOutputWindow::GetInstance()->DisplayErrorText(message);
+  }
+}
+
+/// VTK says after an error that the algorithm has failed, which tells users nothing more.
+void KeepOneError(vtkAlgorithm* algorithm)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(TellOtherError);
+  command->SetClientData(command);
+  algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, command);
+}
+
 bool IsFirst(const std::vector<std::string>& problems, int rank)
 {
   const auto own = problems.begin() + rank;
@@ -154,7 +179,13 @@ int RunRequest(vtkAlgorithm* algorithm, const std::vector<vtkDataObject*>& outpu
   {
     vtkErrorWithObjectMacro(algorithm, << problems[ranks.Own()]);
   }
-  return std::all_of(problems.begin(), problems.end(), [](const std::string& other) { return other.empty(); });
+  const bool areStopped =
+    std::all_of(problems.begin(), problems.end(), [](const std::string& other) { return other.empty(); });
+  if (!areStopped)
+  {
+    KeepOneError(algorithm);
+  }
+  return areStopped;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
