@@ -10,8 +10,8 @@
 
 namespace SeismicHorizons
 {
-/// Name is such as "Depth (m)", "Time (ms)" or "Elevation (m)", "Depth" or "Height" without a unit, and empty if the
-/// direction of z is unknown.
+/// Name is such as "Depth (m)", "Time (ms)", "Elevation (m)" or "Elevation time (ms)", "Depth" or "Height" without a unit,
+/// and empty if the direction of z is unknown.
 struct VerticalAxis
 {
   std::string Name;
@@ -33,7 +33,8 @@ inline VerticalAxis NameAxis(double direction, const std::string& unit, const st
   axis.IsTime = domain == "time" || (domain.empty() && isUnitOfTime);
   axis.IsDownwards = direction < 0.0;
   // "Elevation" without unit is an array of rasters with its own colours.
-  axis.Name = axis.IsTime ? "Time" : axis.IsDownwards ? "Depth" : unit.empty() ? "Height" : "Elevation";
+  const char* const upwards = axis.IsTime ? "Elevation time" : unit.empty() ? "Height" : "Elevation";
+  axis.Name = !axis.IsDownwards ? upwards : axis.IsTime ? "Time" : "Depth";
   axis.Name += unit.empty() ? "" : " (" + unit + ")";
   return axis;
 }

@@ -15,8 +15,8 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -118,9 +118,12 @@ Outcome Run(vtkAlgorithm* algorithm, const std::string& noMemory, const RequestW
   }
 }
 
-void TellOtherError(vtkObject* executive, unsigned long event, void* command, void* text)
+vtkCommand* OtherErrors();
+
+/// Is called for one error.
+void TellOtherError(vtkObject* executive, unsigned long event, void*, void* text)
 {
-  executive->RemoveObservers(event, static_cast<vtkCommand*>(command));
+  executive->RemoveObservers(event, OtherErrors());
   const auto* const message = static_cast<const char*>(text);
   if (message && !std::strstr(message, "returned failure for request"))
   {
@@ -128,13 +131,24 @@ void TellOtherError(vtkObject* executive, unsigned long event, void* command, vo
   }
 }
 
+vtkCommand* OtherErrors()
+{
+  static const vtkSmartPointer<vtkCallbackCommand> command = []()
+  {
+    auto made = vtkSmartPointer<vtkCallbackCommand>::New();
+    made->SetCallback(TellOtherError);
+    return made;
+  }();
+  return command;
+}
+
 /// VTK says after an error that the algorithm has failed, which tells users nothing more.
 void KeepOneError(vtkAlgorithm* algorithm)
 {
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(TellOtherError);
-  command->SetClientData(command);
-  algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, command);
+  if (!algorithm->GetExecutive()->HasObserver(vtkCommand::ErrorEvent, OtherErrors()))
+  {
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, OtherErrors());
+  }
 }
 
 bool IsFirst(const std::vector<std::string>& problems, int rank)

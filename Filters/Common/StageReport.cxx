@@ -110,16 +110,22 @@ struct Column
   bool IsInIndices = false;
 };
 
-constexpr std::array<Column, 9> Columns = { {
+constexpr std::array<Column, 15> Columns = { {
   { FieldArray::FaultLine, "faults" },
   { FieldArray::NumberOfSpikes, "spikes" },
-  { FieldArray::NumberOfFilledHoles, "filled" },
+  { FieldArray::NumberOfFilledPoints, "filled" },
+  { FieldArray::NumberOfOpenHoles, "open" },
   { FieldArray::NumberOfPatches, "patches" },
   { FieldArray::NumberOfHoles, "holes" },
+  { FieldArray::DroppedSmallPatchPoints, "dropped" },
   { FieldArray::IsochoreMean, "mean" },
+  { FieldArray::IsochoreCrossings, "crossing" },
   { FieldArray::TriangleCount, "triangles" },
+  { FieldArray::SliverCount, "slivers" },
   { FieldArray::LargestError, "error", true },
+  { FieldArray::LargestLoopError, "outline", true },
   { FieldArray::NumberOfOutsidePoints, "outside" },
+  { FieldArray::DroppedDuplicates, "duplicates" },
 } };
 
 /// Null unless the stage has written the array.
@@ -193,8 +199,14 @@ std::vector<std::string> SplitCells(const std::string& row)
   {
     cells.push_back(cell);
   }
-  cells.resize(Columns.size() + 4); // name, points, figures, unit of z, warnings
+  cells.resize(Columns.size() + 5); // name, points in and out, figures, unit of z, warnings
   return cells;
+}
+
+std::size_t CountCharacters(const std::string& text) // in UTF-8
+{
+  return std::size_t(std::count_if(
+    text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
 }
 
 /// The first column, of names, is flush left, others are flush right.
@@ -203,12 +215,12 @@ void AlignColumn(const std::vector<std::string>& cells, std::vector<std::string>
   std::size_t width = 0;
   for (const std::string& cell : cells)
   {
-    width = std::max(width, cell.size());
+    width = std::max(width, CountCharacters(cell));
   }
   const bool isFirst = lines.front().empty();
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
-    const std::string blanks(width - cells[n].size(), ' ');
+    const std::string blanks(width - CountCharacters(cells[n]), ' ');
     lines[n] += isFirst ? cells[n] + blanks : " " + blanks + cells[n];
   }
 }
@@ -280,7 +292,7 @@ std::string ReportRow(const std::string& name, const Horizon& input, const Horiz
   std::ostringstream row = MakeReportStream();
   std::string first = name;
   std::replace(first.begin(), first.end(), '\t', ' ');
-  row << first << '\t' << output.NumberOfPoints();
+  row << first << '\t' << input.NumberOfPoints() << '\t' << output.NumberOfPoints();
   for (const Column& column : Columns)
   {
     const DataArray* const array = FindOwnFigure(column.Array, input, output);
@@ -309,24 +321,29 @@ std::string Tabulate(const std::vector<std::string>& rows)
 {
   std::vector<std::vector<std::string>> cells;
   std::transform(rows.begin(), rows.end(), std::back_inserter(cells), SplitCells);
-  const std::size_t unit = Columns.size() + 2;
+  constexpr std::size_t before = 3; // columns before those of figures
+  const std::size_t unit = Columns.size() + before;
   const bool isOneUnit = std::all_of(cells.begin(), cells.end(),
     [&](const std::vector<std::string>& row) { return !row[unit].empty() && row[unit] == cells.front()[unit]; });
   std::vector<std::string> lines(rows.size() + 1);
   for (std::size_t column = 0; column < unit; ++column)
   {
-    std::vector<std::string> entries = { column == 0 ? "horizon" : column == 1 ? "points" : Columns[column - 2].Head };
-    if (column > 1 && (Columns[column - 2].IsInIndices || Columns[column - 2].Array == FieldArray::IsochoreMean))
+    const Column* const figure = column < before ? nullptr : &Columns[column - before];
+    std::vector<std::string> entries = { column == 0 ? "horizon"
+        : column == 1                                ? "in"
+        : column == 2                                ? "points"
+                                                     : figure->Head };
+    if (figure && (figure->IsInIndices || figure->Array == FieldArray::IsochoreMean))
     {
       entries.front() += " (" + (isOneUnit ? cells.front()[unit] : "z") + ")";
     }
-    bool isEmpty = true;
+    bool isNeeded = column == 0 || column == 2;
     for (const std::vector<std::string>& row : cells)
     {
-      isEmpty = isEmpty && row[column].empty();
+      isNeeded = isNeeded || (figure ? !row[column].empty() && row[column] != "0" : row[1] != row[2]);
       entries.push_back(row[column]);
     }
-    if (!isEmpty || column == 0)
+    if (isNeeded)
     {
       AlignColumn(entries, lines);
     }

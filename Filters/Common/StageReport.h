@@ -29,7 +29,7 @@ std::string ReportStage(const std::string& name, const Horizon& input, const Hor
 /// The same in short, as a row for Tabulate: its cells, with tabs between them.
 std::string ReportRow(const std::string& name, const Horizon& input, const Horizon& output);
 
-/// Returns rows as a table with a head, without columns that are empty in all of them, and then their warnings.
+/// Returns rows as a table with a head, without columns that are empty or 0 in all of them, and then their warnings.
 std::string Tabulate(const std::vector<std::string>& rows);
 }
 

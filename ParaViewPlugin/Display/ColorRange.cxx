@@ -58,9 +58,18 @@ bool FindHeights(vtkPVDataInformation* data, ColorRange& range)
   range.Array = axis.Name;
   range.Association = vtkDataObject::POINT;
   range.IsDownwards = axis.IsDownwards;
-  range.IsOfData = false; // No array of the data has these heights.
+  range.IsOfData = false; // Images and volumes do not have these heights as an array.
   range.Ends =
     axis.IsDownwards ? std::array<double, 2>{ -bounds[5], -bounds[4] } : std::array<double, 2>{ bounds[4], bounds[5] };
+  vtkPVArrayInformation* const array = data->GetArrayInformation(axis.Name.c_str(), vtkDataObject::POINT);
+  if (array && array->GetDataType() == VTK_STRING)
+  {
+    return false; // The user's, of the same name.
+  }
+  if (array && array->GetNumberOfComponents() == 1)
+  {
+    array->GetComponentRange(0, range.Ends.data());
+  }
   return !axis.Name.empty() && range.Ends[0] < range.Ends[1];
 }
 

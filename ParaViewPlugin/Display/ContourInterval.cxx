@@ -91,24 +91,33 @@ std::string Describe(const Legend& legend)
 //----------------------------------------------------------------------------------------------------------------------
 double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* data)
 {
-  if (!data->GetArrayInformation(PointArray::Column, vtkDataObject::POINT))
+  // The cells of points are vertices, those of meshes fewer or more.
+  if (!data->GetArrayInformation(PointArray::Column, vtkDataObject::POINT) ||
+    data->GetNumberOfCells() != data->GetNumberOfPoints())
   {
     return 0.0;
   }
+  const double horizons = std::max(1.0, double(data->GetNumberOfLeaves())); // One lies below the other.
+  const double range = (data->GetBounds()[5] - data->GetBounds()[4]) / std::sqrt(horizons);
+  if (!(range > 0.0 && std::isfinite(range)))
+  {
+    return 0.0;
+  }
+  constexpr double fewest = 2.0, most = 60.0; // Contours; others would show nothing of it.
   vtkNew<vtkCollection> others;
   representation->GetSessionProxyManager()->GetProxies("representations", others);
   for (int n = 0; n < others->GetNumberOfItems(); ++n)
   {
     auto* const other = vtkSMProxy::SafeDownCast(others->GetItemAsObject(n));
     vtkPVDataInformation* const shown = other != representation ? FindShownData(other) : nullptr;
-    if (shown && GetInterval(other) > 0.0 && ReadVerticalAxis(shown).Name == ReadVerticalAxis(data).Name)
+    const double interval = shown ? GetInterval(other) : 0.0;
+    if (interval > 0.0 && range / interval >= fewest && range / interval <= most &&
+      ReadVerticalAxis(shown).Name == ReadVerticalAxis(data).Name)
     {
-      return GetInterval(other);
+      return interval;
     }
   }
-  const double range = data->GetBounds()[5] - data->GetBounds()[4];
-  const double horizons = std::max(1.0, double(data->GetNumberOfLeaves())); // One lies below the other.
-  return range > 0.0 && std::isfinite(range) ? Round(range / 12.0 / std::sqrt(horizons)) : 0.0;
+  return Round(range / 12.0);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -11,8 +11,8 @@ class vtkSMProxy;
 
 namespace SeismicHorizons
 {
-/// Returns the interval of other horizons with the same axis, or a round one that gives about twelve contours on one horizon; 0 if the
-/// data are no horizons.
+/// Returns the interval of another horizon with the same axis, if it suits this one, or a round one that gives about
+/// twelve contours on one horizon; 0 if the data are no horizons.
 double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* data);
 
 /// Legends say at which interval contours are drawn, and of how many columns one is shown.

@@ -3,7 +3,7 @@
 
 #include "ContourShader.h"
 
-#include "HorizonSheet.h"
+#include "SheetNormals.h"
 
 #include "vtkActor.h"
 #include "vtkShaderProperty.h"
@@ -31,19 +31,21 @@ void DrawContours(vtkActor* actor)
     normal, false, normal + "\n  horizonLevel = length(normalMC) + (" + unknown + ");\n", false);
   shader->AddFragmentShaderReplacement(
     "//VTK::PositionVC::Dec", true, "//VTK::PositionVC::Dec\nin float horizonLevel;\n", false);
-  // Widths are in pixels. Contours fade where they come too close to each other, first those between bold ones.
+  // Widths are in pixels. What is level has no contour, though its height may be that of one. Contours fade where they come too close to each other, first those between bold ones.
   shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
     "//VTK::Light::Impl\n"
-    "  if (horizonLevel > -250.0)\n"
+    "  if (horizonLevel > -450.0)\n"
     "  {\n"
-    "    float perPixel = max(fwidth(horizonLevel), 1e-7);\n"
+    "    float slope = fwidth(horizonLevel);\n"
+    "    float perPixel = max(slope, 1e-7);\n"
     "    float offset = abs(fract(horizonLevel + 0.5) - 0.5) / perPixel;\n"
     "    float offsetBold = abs(fract(horizonLevel / 5.0 + 0.5) - 0.5) * 5.0 / perPixel;\n"
     "    float thin = 0.65 * (1.0 - smoothstep(0.4, 1.1, offset)) * (1.0 - smoothstep(0.15, 0.35, perPixel));\n"
     "    float bold = 0.9 * (1.0 - smoothstep(1.0, 1.7, offsetBold)) * (1.0 - smoothstep(0.75, 1.75, perPixel));\n"
     "    bool isDark = dot(ambientColor + diffuseColor, vec3(0.3, 0.6, 0.1)) < 0.3;\n"
     "    vec3 color = isDark ? vec3(0.75, 0.8, 0.85) : vec3(0.08, 0.07, 0.06);\n"
-    "    fragOutput0.rgb = mix(fragOutput0.rgb, color, max(thin, bold));\n"
+    "    float share = max(thin, bold) * smoothstep(2e-5, 1e-4, slope);\n"
+    "    fragOutput0.rgb = mix(fragOutput0.rgb, color, share);\n"
     "  }\n",
     false);
 }

@@ -15,9 +15,6 @@ namespace SeismicHorizons
 constexpr const char* SheetIds = "HorizonSheetIds";
 /// Field array of a sheet: of how many columns along a side one is shown.
 constexpr const char* SheetStep = "HorizonSheetStep";
-/// Is added to the length of normals, which are as long as the level of the contours.
-constexpr float SheetLevels = 500.0f;
-
 /// Of `step` columns along each side, one is shown. Contours are at multiples of `interval`, or there are none if it is
 /// 0. Returns false, and changes nothing, if the points are a row, at random, without columns, or already have cells.
 bool MakeSheet(vtkPolyData* horizon, int step, double interval);

@@ -55,16 +55,25 @@ bool ChooseShown(vtkIdType numberOfPoints, int step, SheetBlocks& blocks)
     last[axis] = std::max<std::int64_t>(last[axis], blocks.Columns[n]);
   }
   const AlongAxes size = { last[0] - blocks.First[0] + 1, last[1] - blocks.First[1] + 1 };
-  constexpr double mostPerPoint = 1000.0;
-  if (std::min(size[0], size[1]) < 2 || double(size[0]) * double(size[1]) > mostPerPoint * double(numberOfPoints))
+  constexpr double mostPerPoint = 100.0, most = 5e8; // Columns; few of random picks are known.
+  if (std::min(size[0], size[1]) < 2 ||
+    double(size[0]) * double(size[1]) > std::min(most, mostPerPoint * double(numberOfPoints)))
   {
     return false;
   }
   std::vector<char> isKnown(std::size_t(size[0] * size[1]));
+  std::int64_t known = 0;
   for (vtkIdType n = 0; n < numberOfPoints; ++n)
   {
-    isKnown[std::size_t(
-      (blocks.Columns[2 * n + 1] - blocks.First[1]) * size[0] + blocks.Columns[2 * n] - blocks.First[0])] = 1;
+    char& here = isKnown[std::size_t(
+      (blocks.Columns[2 * n + 1] - blocks.First[1]) * size[0] + blocks.Columns[2 * n] - blocks.First[0])];
+    known += here == 0 ? 1 : 0;
+    here = 1;
+  }
+  constexpr std::int64_t mostDuplicates = 50; // One in so many points; two surfaces have more.
+  if ((numberOfPoints - known) * mostDuplicates > numberOfPoints)
+  {
+    return false;
   }
   for (const std::size_t axis : { 0, 1 })
   {

@@ -37,7 +37,7 @@ struct SheetBlocks
 };
 
 /// In each block the point nearest to its middle is shown; a block is `step` times as wide as the usual distance of
-/// known columns. Returns false if blocks have points at random.
+/// known columns. Returns false if blocks have points at random, or columns several.
 bool ChooseShown(vtkIdType numberOfPoints, int step, SheetBlocks& blocks);
 }
 

@@ -26,10 +26,19 @@ std::string ReadText(vtkFieldData* data, const char* name)
   return texts && texts->GetNumberOfValues() == 1 ? texts->GetValue(0) : std::string();
 }
 
-std::string ReadText(vtkPVDataInformation* data, const char* name)
+/// Returns false if blocks differ.
+bool ReadText(vtkPVDataInformation* data, const char* name, std::string& text)
 {
   vtkPVArrayInformation* const array = data->GetArrayInformation(name, vtkDataObject::FIELD);
-  return array && array->GetNumberOfStringValues() > 0 ? array->GetStringValue(0) : std::string();
+  for (int n = 0; array && n < array->GetNumberOfStringValues(); ++n)
+  {
+    if (n > 0 && text != array->GetStringValue(n))
+    {
+      return false;
+    }
+    text = array->GetStringValue(n);
+  }
+  return true;
 }
 }
 
@@ -71,12 +80,13 @@ VerticalAxis ReadVerticalAxis(vtkPVDataInformation* data)
   {
     direction->GetComponentRange(0, range);
   }
-  if (range[0] != range[1])
+  std::string unit, domain;
+  if (range[0] != range[1] || !ReadText(data, FieldArray::VerticalUnit, unit) ||
+    !ReadText(data, FieldArray::VerticalDomain, domain))
   {
     return {};
   }
-  VerticalAxis axis =
-    NameAxis(range[0], ReadText(data, FieldArray::VerticalUnit), ReadText(data, FieldArray::VerticalDomain));
+  VerticalAxis axis = NameAxis(range[0], unit, domain);
   const std::vector<double> toWorld = ReadField(data, FieldArray::LatticeToWorld, 16);
   axis.Step = !toWorld.empty() && std::isfinite(toWorld[10]) ? std::fabs(toWorld[10]) : 0.0;
   return axis;

@@ -209,17 +209,19 @@ struct AxesSettings
   }
 };
 
-/// The vertical axis agrees with the legend then.
-void CountDownwards(vtkSMProxy* axes, bool isDownwards)
+/// The vertical axis agrees with the legend then. Returns whether it did not before.
+bool CountDownwards(vtkSMProxy* axes, bool isDownwards)
 {
-  vtkSMPropertyHelper scale(axes, "DataScale");
-  if ((FindSense(axes) < 0.0) != isDownwards)
+  if ((FindSense(axes) < 0.0) == isDownwards)
   {
-    scale.Set(2, -scale.GetAsDouble(2));
-    // Turned upside down, the front of the box is its back.
-    vtkSMPropertyHelper(axes, "CullFrontface").Set(isDownwards ? 0 : 1);
-    vtkSMPropertyHelper(axes, "CullBackface").Set(isDownwards ? 1 : 0);
+    return false;
   }
+  vtkSMPropertyHelper scale(axes, "DataScale");
+  scale.Set(2, -scale.GetAsDouble(2));
+  // Turned upside down, the front of the box is its back.
+  vtkSMPropertyHelper(axes, "CullFrontface").Set(isDownwards ? 0 : 1);
+  vtkSMPropertyHelper(axes, "CullBackface").Set(isDownwards ? 1 : 0);
+  return true;
 }
 
 bool FindSurvey(vtkSMProxy* view, Survey& survey, vtkBoundingBox& box)
@@ -362,12 +364,19 @@ void NameVerticalAxis(vtkSMProxy* view)
     : areOfUnit                     ? AxisTitle("Z (" + *units.begin() + ")")
                                     : "Z Axis";
   vtkSMProxy* const axes = FindAxes(view);
-  const std::string present = axes ? vtkSMPropertyHelper(axes, "ZTitle").GetAsString() : "";
+  if (!axes)
+  {
+    return;
+  }
+  const std::string present = vtkSMPropertyHelper(axes, "ZTitle").GetAsString();
   if (present == "Z Axis" || present.rfind(TitleMargin, 0) == 0) // Otherwise the user has named it.
   {
     vtkSMPropertyHelper(axes, "ZTitle").Set(title.c_str());
-    CountDownwards(axes, isOfOne && isDownwards);
-    axes->UpdateVTKObjects();
+  }
+  const bool isTurned = CountDownwards(axes, isOfOne && isDownwards);
+  axes->UpdateVTKObjects();
+  if (isTurned)
+  {
     RefreshSurveyAxes(view);
   }
 }

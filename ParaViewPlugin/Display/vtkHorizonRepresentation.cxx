@@ -9,7 +9,6 @@
 
 #include "Common/Horizon/DataModel.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkClientServerStream.h"
@@ -67,12 +66,9 @@ namespace
 {
 using namespace SeismicHorizons;
 
-/// Those of the data may be of before a transformation.
 void AddHeights(vtkPointSet* points, const VerticalAxis& axis)
 {
-  vtkAbstractArray* const known = points->GetPointData()->GetAbstractArray(axis.Name.c_str());
-  if (axis.Name.empty() ||
-    (known && !(known->GetComponentName(0) && known->GetComponentName(0) == std::string(HeightComponent))))
+  if (axis.Name.empty() || points->GetPointData()->HasArray(axis.Name.c_str()))
   {
     return;
   }
@@ -107,7 +103,7 @@ void AddHeightsInUnit(vtkDataSet* data, const VerticalAxis& axis)
   {
     vtkDataArray* const array = data->GetPointData()->GetArray(name);
     const ShownArray shown = ShowInUnit(name, axis);
-    if (array && shown.Name != name && array->GetNumberOfComponents() == 1)
+    if (array && !data->GetPointData()->HasArray(shown.Name.c_str()) && array->GetNumberOfComponents() == 1)
     {
       vtkNew<vtkDoubleArray> inUnit;
       inUnit->SetName(shown.Name.c_str());
@@ -141,6 +137,12 @@ void LiftFaultLines(vtkPointSet* points)
   }
   points->SetPoints(lifted);
 }
+
+/// Gives access to a switch that ParaView's panel sets.
+struct LODSwitch : vtkGeometryRepresentation
+{
+  static bool IsSuppressed(vtkGeometryRepresentation* drawing) { return drawing->*(&LODSwitch::SuppressLOD); }
+};
 
 constexpr double MostPoints = 5e5;
 constexpr double MostPointsInMotion = 2e5;
@@ -283,7 +285,7 @@ int vtkHorizonRepresentation::ProcessViewRequest(
   {
     DrawContours(drawing->GetActor());
   }
-  if (drawing && request == vtkPVView::REQUEST_UPDATE_LOD())
+  if (drawing && request == vtkPVView::REQUEST_UPDATE_LOD() && !LODSwitch::IsSuppressed(drawing))
   {
     vtkDataObject* const drawn = vtkPVView::GetPiece(input, drawing);
     if (const vtkSmartPointer<vtkDataObject> thin = drawn ? this->Heights->Thin(drawn) : nullptr)
@@ -322,8 +324,10 @@ bool vtkHorizonRepresentation::InsertHeights()
   {
     return false;
   }
-  auto* const surface = vtkGeometryRepresentation::SafeDownCast(drawing);
-  const bool drawsSurfaces = surface && surface->GetRepresentation() != vtkGeometryRepresentation::POINTS;
+  // Others derive from it, as those of outlines and glyphs.
+  const std::string kind = drawing->GetClassName();
+  const bool drawsSurfaces = (kind == "vtkGeometryRepresentation" || kind == "vtkGeometryRepresentationWithFaces") &&
+    vtkGeometryRepresentation::SafeDownCast(drawing)->GetRepresentation() != vtkGeometryRepresentation::POINTS;
   if (drawsSurfaces != this->Heights->GetDrawsSurfaces())
   {
     this->Heights->SetDrawsSurfaces(drawsSurfaces);

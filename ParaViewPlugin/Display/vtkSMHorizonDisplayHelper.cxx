@@ -71,7 +71,7 @@ void SetPointSize(vtkSMProxy* proxy, vtkPVXMLElement* hint, vtkPVDataInformation
 void SetContours(vtkSMProxy* proxy, vtkPVDataInformation* data, vtkMTimeType start)
 {
   vtkSMProperty* const interval = proxy->GetProperty("ContourInterval");
-  if (interval && interval->GetMTime() <= start)
+  if (interval && interval->GetMTime() <= start && interval->IsValueDefault())
   {
     vtkSMPropertyHelper(interval).Set(SeismicHorizons::SuggestContourInterval(proxy, data));
   }

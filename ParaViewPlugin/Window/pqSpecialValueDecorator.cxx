@@ -21,6 +21,7 @@
 #include <vtkSMUncheckedPropertyHelper.h>
 
 #include <algorithm>
+#include <cmath>
 
 //------------------------------------------------------------------------------
 pqSpecialValueDecorator::pqSpecialValueDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent)
@@ -67,12 +68,19 @@ void pqSpecialValueDecorator::followInput()
   {
     pqCoreUtilities::connect(unit, vtkCommand::UncheckedPropertyModifiedEvent, this, SLOT(showText()));
     pqCoreUtilities::connect(unit, vtkCommand::ModifiedEvent, this, SLOT(showText()));
-    pqCoreUtilities::connect(input, vtkCommand::ModifiedEvent, this, SLOT(showText()));
-    if (vtkSMProxy* const source = vtkSMPropertyHelper(input, true).GetAsProxy())
-    {
-      pqCoreUtilities::connect(source, vtkCommand::UpdateDataEvent, this, SLOT(showText()));
-    }
+    pqCoreUtilities::connect(input, vtkCommand::ModifiedEvent, this, SLOT(followSource()));
+    this->followSource();
   }
+}
+
+//------------------------------------------------------------------------------
+void pqSpecialValueDecorator::followSource()
+{
+  if (vtkSMProxy* const source = vtkSMPropertyHelper(this->parentWidget()->proxy(), "Input", true).GetAsProxy())
+  {
+    pqCoreUtilities::connect(source, vtkCommand::UpdateDataEvent, this, SLOT(showText()));
+  }
+  this->showText();
 }
 
 //------------------------------------------------------------------------------
@@ -93,8 +101,10 @@ QString pqSpecialValueDecorator::convert(double height) const
   {
     return QString();
   }
-  return chosen == 1 ? QString("= %1 indices").arg(height / axis.Step, 0, 'g', 3)
-                     : QString("= %1 %2").arg(height * axis.Step, 0, 'g', 3).arg(QString::fromStdString(axis.Unit));
+  const double other = chosen == 1 ? height / axis.Step : height * axis.Step;
+  const QString number =
+    QString::number(other, std::fabs(other) < 1000.0 ? 'g' : 'f', std::fabs(other) < 1000.0 ? 3 : 0);
+  return "= " + number + " " + (chosen == 1 ? QString("indices") : QString::fromStdString(axis.Unit));
 }
 
 //------------------------------------------------------------------------------

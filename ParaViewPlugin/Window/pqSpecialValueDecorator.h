@@ -36,6 +36,7 @@ public:
 
 private Q_SLOTS:
   void showText();
+  void followSource();
 
 private:
   Q_DISABLE_COPY(pqSpecialValueDecorator)

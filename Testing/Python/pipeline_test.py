@@ -143,7 +143,7 @@ def check_table(folder):
         assert line.startswith(name + " "), (line, name)
         row = dict(zip(lines[1].replace("horizon", "").replace(" (z)", "").split(), line[len(name):].split()))
         figures = mesh.GetFieldData()
-        assert int(row["points"]) == mesh.GetNumberOfPoints() and int(row["triangles"]) == mesh.GetNumberOfPolys(), line
+        assert int(row["in"]) == size * size and int(row["points"]) == mesh.GetNumberOfPoints() and int(row["triangles"]) == mesh.GetNumberOfPolys(), line
         error = figures.GetArray("LargestError").GetValue(0)  # an index is 1 in z
         assert abs(float(row["error"]) - error) <= 5e-4 * error, (line, error)
         assert len(line) == len(lines[1]), lines

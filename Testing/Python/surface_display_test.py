@@ -11,9 +11,12 @@ import random
 import sys
 import unittest
 
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 FOLDER = pathlib.Path(sys.argv.pop())
@@ -138,9 +141,9 @@ class SurfaceDisplayTest(unittest.TestCase):
     def test_contours_are_at_multiples_of_the_interval(self):
         """On z = -2 column, every tenth column for an interval of 20, and the fifth is bold."""
         source, _ = self.show(write_picks("plane", plane), ContourInterval=20)
-        dark = self.dark()
-        starts = [n for n in range(1, PIXELS) if dark[n] and not dark[n - 1]]
-        ends = [n for n in range(PIXELS - 1) if dark[n] and not dark[n + 1]]
+        dark = [False, *self.dark(), False]
+        starts = [n - 1 for n in range(1, PIXELS + 1) if dark[n] and not dark[n - 1]]
+        ends = [n - 1 for n in range(1, PIXELS + 1) if dark[n] and not dark[n + 1]]
         lines = [((start + end + 1) / 2.0 / PIXELS * SIDE, end - start + 1) for start, end in zip(starts, ends)]
         self.assertEqual([round(column) for column, _ in lines if 1 < column < 38], [10, 20, 30])
         self.assertTrue(all(abs(column - round(column)) < 0.15 for column, _ in lines if 1 < column < 38), lines)
@@ -158,9 +161,51 @@ class SurfaceDisplayTest(unittest.TestCase):
 
     def test_one_interval_for_all_of_a_unit(self):
         _, wide = self.show(write_picks("wide", lambda column, row: 10.0 * column + row))
-        _, narrow = self.show(write_picks("narrow", lambda column, row: 800 + 0.1 * column))
-        self.assertEqual(wide.ContourInterval, narrow.ContourInterval)
-        self.assertEqual(wide.ContourInterval, 50)  # 419 / 12 = 35, nearest by ratio
+        _, narrow = self.show(write_picks("narrow", lambda column, row: 800 + 4.0 * column))
+        _, flat = self.show(write_picks("flat", lambda column, row: 900 + 0.1 * column))
+        self.assertEqual((wide.ContourInterval, narrow.ContourInterval), (50, 50))  # 429 / 12 = 36, nearest by ratio
+        self.assertEqual(flat.ContourInterval, 0.5)  # of which 50 would show nothing
+
+    def test_terraces_are_no_contours(self):
+        """Heights of whole units, some at multiples of the interval: contours are lines at the edges of terraces."""
+        self.show(write_picks("terraces", lambda column, row: float(column // 4)), ContourInterval=2)
+        dark = self.dark()
+        self.assertTrue(2 <= sum(dark) < 60, sum(dark))
+
+    def test_two_points_in_a_column(self):
+        """Both surfaces are drawn, as points, also where they are more than a surface may have."""
+        for side in (40, 600):
+            source = simple.OpenDataFile(self.write_doubled(side))
+            source.UpdatePipeline()
+            display = servermanager.rendering.HorizonRepresentation(Input=source)
+            self.view.Representations.append(display)
+            count = source.GetDataInformation().GetNumberOfPoints()
+            self.assertEqual(self.drawn(display), (count, count))
+            self.view.Representations.remove(display)
+
+    def write_doubled(self, side):
+        made = simple.OpenDataFile(write_picks("single%d" % side, plane, 40, 40)) if side < 100 else \
+            simple.VerneySparseMatrixReader(FileName=write_large())
+        made.UpdatePipeline()
+        blocks = made.GetClientSideObject().GetOutputDataObject(0)
+        iterator = blocks.NewIterator()
+        iterator.InitTraversal()
+        points = iterator.GetCurrentDataObject()
+        lower = vtkPolyData()
+        lower.DeepCopy(points)
+        for n in range(lower.GetNumberOfPoints()):
+            x, y, z = lower.GetPoint(n)
+            lower.GetPoints().SetPoint(n, x, y, z - 500)
+        both = vtkAppendPolyData()
+        both.AddInputData(points)
+        both.AddInputData(lower)
+        both.Update()
+        path = FOLDER / ("doubled%d.vtp" % side)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(path))
+        writer.SetInputData(both.GetOutput())
+        writer.Write()
+        return str(path)
 
     def test_all_ways_to_draw(self):
         """Shaders that cannot be compiled leave nothing to see."""
