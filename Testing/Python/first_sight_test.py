@@ -220,8 +220,8 @@ class FirstSightTest(unittest.TestCase):
         self.assertEqual(range_of(display), [-1.96, 1.96])
 
     def test_filled_points(self):
-        display = self.show(simple.HorizonHoleFilling(Input=self.horizons))
-        self.assertEqual(colored_by(display), ("POINTS", "Filled"))
+        display = simple.Show(simple.HorizonHoleFilling(Input=self.horizons), self.view)
+        self.assertEqual((display.Representation, colored_by(display)), ("Points", ("POINTS", "Filled")))
         self.assertEqual(labels(display), {"0": "known", "1": "filled"})
 
     def test_nothing_filled_is_coloured_by_height(self):
@@ -319,7 +319,7 @@ class FirstSightTest(unittest.TestCase):
     def test_chosen_colours_are_left_alone(self):
         table = simple.GetColorTransferFunction("Filled")
         table.RGBPoints = [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0]
-        display = self.show(simple.HorizonHoleFilling(Input=self.horizons))
+        display = simple.Show(simple.HorizonHoleFilling(Input=self.horizons), self.view)
         self.assertEqual(colored_by(display), ("POINTS", "Filled"))
         self.assertIsNone(labels(display))
         self.assertEqual(list(table.RGBPoints), [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0])
