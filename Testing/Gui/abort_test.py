@@ -19,7 +19,7 @@ from seismichorizons import vtk as sh
 
 import window
 
-POINTS = os.environ.get("POINTS", "1000000")
+POINTS = os.environ.get("POINTS", "4000000")
 ERRORS = (-1.0, 1.5)  # the default, automatic, and another
 
 
