@@ -10,8 +10,8 @@
 
 namespace SeismicHorizons
 {
-/// Name is such as "Depth (m)", "Time (ms)", "Elevation (m)" or "Elevation time (ms)", "Depth" or "Height" without a unit,
-/// and empty if the direction of z is unknown.
+/// Name is such as "Depth (m)", "Time (ms)", "Elevation (m)" or "Elevation time (ms)", "Depth" or "Height" without a
+/// unit, and empty if the direction of z is unknown.
 struct VerticalAxis
 {
   std::string Name;

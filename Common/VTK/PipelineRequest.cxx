@@ -142,7 +142,7 @@ vtkCommand* OtherErrors()
   return command;
 }
 
-/// VTK says after an error that the algorithm has failed, which tells users nothing more.
+/// VTK reports a second error, that the algorithm has failed, which is of no use to anyone.
 void KeepOneError(vtkAlgorithm* algorithm)
 {
   if (!algorithm->GetExecutive()->HasObserver(vtkCommand::ErrorEvent, OtherErrors()))

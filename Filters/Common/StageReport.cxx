@@ -209,7 +209,7 @@ std::size_t CountCharacters(const std::string& text) // in UTF-8
     text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
 }
 
-/// The first column, of names, is flush left, others are flush right.
+/// Names, in the first column, are flush left, and figures flush right.
 void AlignColumn(const std::vector<std::string>& cells, std::vector<std::string>& lines)
 {
   std::size_t width = 0;
@@ -321,7 +321,7 @@ std::string Tabulate(const std::vector<std::string>& rows)
 {
   std::vector<std::vector<std::string>> cells;
   std::transform(rows.begin(), rows.end(), std::back_inserter(cells), SplitCells);
-  constexpr std::size_t before = 3; // columns before those of figures
+  constexpr std::size_t before = 3; // The figures start after so many columns.
   const std::size_t unit = Columns.size() + before;
   const bool isOneUnit = std::all_of(cells.begin(), cells.end(),
     [&](const std::vector<std::string>& row) { return !row[unit].empty() && row[unit] == cells.front()[unit]; });

@@ -89,8 +89,8 @@ void Cut(ColorRange& range, vtkPVDataInformation* data, const char* figure, int 
   }
 }
 
-/// Adds a unit that is in no name of an array, and uses enough digits to distinguish the ends, unless the user has set a
-/// title or a format.
+/// Adds the unit of an array without one in its name, and uses enough digits to distinguish the ends, unless the user has
+/// set a title or a format.
 void LabelLegend(vtkSMProxy* legend, const ColorRange& shown)
 {
   const std::array<double, 2>& range = shown.Ends;

@@ -91,7 +91,7 @@ std::string Describe(const Legend& legend)
 //----------------------------------------------------------------------------------------------------------------------
 double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* data)
 {
-  // The cells of points are vertices, those of meshes fewer or more.
+  // Points have a vertex each; meshes have more cells, or fewer.
   if (!data->GetArrayInformation(PointArray::Column, vtkDataObject::POINT) ||
     data->GetNumberOfCells() != data->GetNumberOfPoints())
   {
@@ -103,7 +103,7 @@ double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* 
   {
     return 0.0;
   }
-  constexpr double fewest = 2.0, most = 60.0; // Contours; others would show nothing of it.
+  constexpr double fewest = 2.0, most = 60.0; // The shape cannot be seen with fewer contours, or more.
   vtkNew<vtkCollection> others;
   representation->GetSessionProxyManager()->GetProxies("representations", others);
   for (int n = 0; n < others->GetNumberOfItems(); ++n)

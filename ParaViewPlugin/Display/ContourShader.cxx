@@ -31,7 +31,8 @@ void DrawContours(vtkActor* actor)
     normal, false, normal + "\n  horizonLevel = length(normalMC) + (" + unknown + ");\n", false);
   shader->AddFragmentShaderReplacement(
     "//VTK::PositionVC::Dec", true, "//VTK::PositionVC::Dec\nin float horizonLevel;\n", false);
-  // Widths are in pixels. What is level has no contour, though its height may be that of one. Contours fade where they come too close to each other, first those between bold ones.
+  // Widths are in pixels. A level area has no contour, although its height may be a multiple of the interval. Where
+  // contours come too close to each other they fade, and the bold contours fade last.
   shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
     "//VTK::Light::Impl\n"
     "  if (horizonLevel > -450.0)\n"

@@ -165,7 +165,7 @@ std::vector<vtkIdType> FindCells(vtkPolyData* horizon)
   return cells;
 }
 
-/// A cell stands for that of its first corner. `before` are the numbers of points in the horizon.
+/// A cell stands for the vertex of its first corner. `before` has the numbers of points in the horizon.
 void AddCellArrays(vtkPolyData* horizon, vtkPolyData* sheet, vtkIdTypeArray* before)
 {
   auto* const points = vtkIdTypeArray::SafeDownCast(sheet->GetPointData()->GetArray(SheetIds));
@@ -191,7 +191,7 @@ void AddCellArrays(vtkPolyData* horizon, vtkPolyData* sheet, vtkIdTypeArray* bef
   sheet->GetCellData()->AddArray(ids);
 }
 
-/// Whether the cells are a vertex for each point, in order, as those of horizons are.
+/// Whether each point has a vertex, in order, and there are no other cells.
 bool HasVertices(vtkPolyData* horizon)
 {
   if (horizon->GetNumberOfVerts() != horizon->GetNumberOfPoints() ||

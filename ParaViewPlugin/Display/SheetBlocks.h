@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which points of a horizon stand for it on the screen.
+// The points that are drawn of a large horizon.
 
 #ifndef SheetBlocks_h
 #define SheetBlocks_h
@@ -14,7 +14,7 @@
 
 namespace SeismicHorizons
 {
-/// Blocks of columns, of which one point each is shown.
+/// Blocks of columns; one point of each block is shown.
 struct SheetBlocks
 {
   const int* Columns = nullptr; ///< Of all points.

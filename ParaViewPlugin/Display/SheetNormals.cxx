@@ -73,8 +73,8 @@ NeighbourSteps MeasureSteps(const SheetBlocks& blocks)
   return { *middle, 5 * (pairs - steps.size()) > pairs };
 }
 
-/// Heights are averaged with those of neighbours on opposite sides, so that planes remain, also beside gaps. Scarps of
-/// more than `largestStep` remain as well.
+/// Averages heights over pairs of neighbours on opposite sides, so that planes remain, also beside gaps, and scarps of
+/// more than `largestStep`.
 std::vector<double> SmoothHeights(const SheetBlocks& blocks, double largestStep)
 {
   constexpr int radius = 3, passes = 2, across = 2 * radius + 1;
@@ -111,7 +111,7 @@ std::vector<double> SmoothHeights(const SheetBlocks& blocks, double largestStep)
   return averages;
 }
 
-/// Returns unit vectors, upwards, by differences of neighbours; `smooth` heights may take the place of those of points.
+/// Returns unit vectors, upwards, by differences of neighbours, in their heights or in `smooth` heights.
 std::vector<Vector> FindNormals(const SheetBlocks& blocks, const std::vector<double>& smooth)
 {
   std::vector<Vector> normals(blocks.Places.size(), Vector{ 0.0, 0.0, 1.0 });

@@ -12,11 +12,11 @@ namespace SeismicHorizons
 {
 struct SheetBlocks;
 
-/// Is added to the length of normals, which are as long as the level of the contours.
+/// The length of a normal at level 0.
 constexpr float SheetLevels = 500.0f;
 
-/// Returns normals of the points of a sheet. They are as long as the level, from the middle one, of which every fifth is
-/// bold; spikes end at the last level. Without an interval they are of length 1.
+/// Returns normals of the points of a sheet. Their length is the level of contours, counted from a bold one near the
+/// middle, plus SheetLevels; without an interval it is 1. Spikes end at the last level.
 vtkSmartPointer<vtkFloatArray> MakeNormals(const SheetBlocks& blocks, double interval);
 }
 

@@ -40,7 +40,7 @@ std::string AxisTitle(const std::string& name)
   return TitleMargin + name + "      \n";
 }
 
-/// Returns -1 if numbers along the vertical axis are those of -z.
+/// Returns -1 if the vertical axis counts -z.
 double FindSense(vtkSMProxy* axes)
 {
   return vtkSMPropertyHelper(axes, "DataScale").GetAsDouble(2) < 0.0 ? -1.0 : 1.0;

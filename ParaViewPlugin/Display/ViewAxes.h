@@ -36,8 +36,8 @@ void RefreshSurveyAxes(vtkSMProxy* view);
 /// Restores axes of x and y, hidden.
 void HideSurveyAxes(vtkSMProxy* view);
 
-/// The vertical axis has the name of the legend of heights, and its sense: numbers of time and depth are those of -z. Data
-/// with different units leave it unnamed.
+/// The vertical axis gets the name of the legend of heights, and counts as it does: time and depth downwards. Data with
+/// different units leave it unnamed.
 void NameVerticalAxis(vtkSMProxy* view);
 }
 

@@ -324,7 +324,7 @@ bool vtkHorizonRepresentation::InsertHeights()
   {
     return false;
   }
-  // Others derive from it, as those of outlines and glyphs.
+  // Classes that derive from it draw outlines and glyphs.
   const std::string kind = drawing->GetClassName();
   const bool drawsSurfaces = (kind == "vtkGeometryRepresentation" || kind == "vtkGeometryRepresentationWithFaces") &&
     vtkGeometryRepresentation::SafeDownCast(drawing)->GetRepresentation() != vtkGeometryRepresentation::POINTS;

@@ -4,16 +4,14 @@
  * @class   vtkHorizonRepresentation
  * @brief   shows horizons as lit surfaces with contours
  *
- * Points on columns are drawn as a surface (see HorizonSheet.h) with contours, unless the representation is "Points". It
- * is thinned to 500,000 points, or 200,000 while the view is moved, so that holes and faults smaller than the columns
- * between may be hidden; the data are not thinned.
+ * Points on columns are drawn as a surface (see HorizonSheet.h) with contours, unless the representation is "Points".
+ * It is thinned to 500,000 points, or 200,000 while the view is moved, which may hide holes and faults between the
+ * columns that are shown; the data are not thinned.
  *
- * All points get one more array on their way to the screen, with the name and the direction of the vertical axis:
- * "Depth (m)", "Time (ms)" or "Elevation (m)". Horizons of all files are coloured on one scale so, whatever their
- * vertical indices are counted from. The boundary of simplified outlines is also there as "Simplified Boundary", to
- * have other colours than that of the outlines it was made of. Fault lines are shown at the upper edge of the step, not
- * in its middle, where the horizon hides them. The pipeline does not carry these arrays along: they take memory where
- * points are shown alone.
+ * Images and volumes get their heights as an array, as horizons have it (see VerticalAxis.h), so that all are coloured
+ * on one scale. Thickness and throw are there in the unit of z, too, with it in their names. The boundary of simplified
+ * outlines is also there as "Simplified Boundary", to have other colours than the outlines it was made of. Fault lines
+ * are shown at the upper edge of the step, not in its middle, where the horizon hides them.
  */
 
 #ifndef vtkHorizonRepresentation_h
