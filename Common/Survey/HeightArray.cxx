@@ -56,7 +56,12 @@ void RemoveHeights(Horizon& horizon)
   const DataArray* const heights = name.empty() ? nullptr : horizon.PointData.Find(name);
   if (heights && heights->ComponentNames.size() == 1 && heights->ComponentNames.front() == HeightComponent)
   {
+    const bool isActive = heights->Role >= 0;
     horizon.PointData.Remove(name);
+    if (isActive && horizon.PointData.Has(PointArray::VerticalIndex))
+    {
+      horizon.PointData.SetActiveScalars(PointArray::VerticalIndex);
+    }
   }
 }
 }

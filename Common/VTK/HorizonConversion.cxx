@@ -3,6 +3,7 @@
 
 #include "HorizonConversion.h"
 
+#include "Common/Horizon/DataModel.h"
 #include "Common/Survey/HeightArray.h"
 
 #include "vtkAbstractArray.h"
@@ -323,6 +324,11 @@ void ToVTK(const Horizon& horizon, vtkPolyData* output)
   if (!axis.Name.empty() && horizon.Places.Components() == 3 && !horizon.PointData.Has(axis.Name))
   {
     output->GetPointData()->AddArray(ToVTK(MakeHeights(horizon, axis)));
+    const DataArray* const indices = horizon.PointData.Find(PointArray::VerticalIndex);
+    if (indices && indices->Role == vtkDataSetAttributes::SCALARS)
+    {
+      output->GetPointData()->SetActiveScalars(axis.Name.c_str()); // What ParaView's filters make has its colours.
+    }
   }
 }
 

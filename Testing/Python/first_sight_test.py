@@ -191,6 +191,11 @@ class FirstSightTest(unittest.TestCase):
         bounds = contours.GetDataInformation().GetBounds()
         self.assertAlmostEqual(bounds[4], -1010.0, places=3)
         self.assertAlmostEqual(bounds[5], -1006.0, places=3)
+        self.show(picks)
+        part = simple.Threshold(Input=picks, LowerThreshold=1005.0, UpperThreshold=1010.0)  # of what has these colours
+        display = simple.Show(part, self.view)
+        self.assertEqual(colored_by(display), ("POINTS", "Time (ms)"))
+        self.assertGreater(display.LookupTable.RGBPoints[1], 0.9)  # bright on top
         moved = simple.Transform(Input=picks)
         moved.Transform.Translate = [0, 0, -500]
         despiked = simple.HorizonDespiking(Input=moved)

@@ -94,7 +94,7 @@ void PointsAndArraysAreComplete()
   CHECK(HasValues<vtkIntArray>(data, "VerticalIndex", { 0, 4, 2 })); // index 0 is 10.5; 12.25 is nearer to none: up
   CHECK(HasValues<vtkIntArray>(data, "SurfaceId", { 1, 1, 1 }));
   CHECK(!data->HasArray("PointCount"));
-  CHECK(data->GetScalars() == data->GetArray("VerticalIndex"));
+  CHECK(data->GetScalars() == data->GetArray("Depth"));
   CHECK(HasValues<vtkIntArray>(GetHorizon(reader, 1)->GetPointData(), "SurfaceId", { 2 }));
 }
 

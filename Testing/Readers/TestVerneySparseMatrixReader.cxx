@@ -48,7 +48,7 @@ void ArraysAreComplete()
   CHECK(column[0] == 1 && column[1] == 1);
   CHECK(GetArray<vtkIntArray>(data, "SurfaceId", 2, 1)->GetValue(1) == 7);
   CHECK(GetArray<vtkIntArray>(data, "VerticalIndex", 2, 1)->GetValue(1) == 6);
-  CHECK(data->GetScalars() == data->GetArray("VerticalIndex"));
+  CHECK(data->GetScalars() == data->GetArray("Depth"));
   CHECK(GetArray<vtkDoubleArray>(data, "Thickness", 2, 1)->GetValue(1) == 3.0);
   CHECK(GetArray<vtkDoubleArray>(data, "Amplitude", 2, 1)->GetValue(1) == -3.0);
   CHECK(GetArray<vtkDoubleArray>(data, "RealZ", 2, 1)->GetValue(1) == 24.25);
