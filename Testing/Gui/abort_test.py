@@ -118,6 +118,7 @@ def main():
     for view in views[:2]:
         assert [entry[0] for entry in view["shown"]] == ["HorizonSurface", "VerneySparseMatrixReader"], view
         assert view["results"] == ["stopped before the end: nothing was made\n"], view
+        assert view["contours"][0].endswith(", one of 3 columns and rows shown"), view
     for view in views[2:]:
         assert [entry[:2] for entry in view["shown"]] == [["HorizonSurface", "Depth"]], view
     for note in notes[:2]:

@@ -178,6 +178,7 @@ def check_first_sight(notes):
     assert steep["axes scale"] == [1, 1, -0.1] and steep["axis"] == "Time (ms)", steep
     assert steep["shown"] == [["HorizonTextReader", "Time (ms)", [1000, 1016]]], steep
     assert steep["formats"] in (["%.0f"], ["{:.0f}"]), steep  # of ParaView 5 and 6
+    assert steep["contours"] == ["contours every 1 ms"], steep
     assert [entry[2] for entry in both["shown"]] == [[1000, 1116]] * 2, both
     assert left["shown"] == steep["shown"], left
     # The view is moved to see both, but not once somebody has turned it.

@@ -28,6 +28,8 @@ note = {
                     for display in view.Representations if hasattr(display, "ColorArrayName") and display.Visibility],
         "formats": [simple.GetScalarBar(display.LookupTable, view).RangeLabelFormat
                     for _, display in shown if display.LookupTable],
+        "contours": [simple.GetScalarBar(display.LookupTable, view).ComponentTitle
+                     for _, display in shown if display.LookupTable],
         "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
         "axes": [axes.XTitle.strip(), axes.YTitle.strip()], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
         "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
