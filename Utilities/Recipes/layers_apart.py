@@ -32,7 +32,8 @@ def draw_bodies(bodies, view):
     scale = max(1.0, HEIGHT_SHARE * width / height) if height > 0.0 else 1.0
     for number, selector in enumerate(names_of(bodies)):
         display = simple.Show(simple.ExtractBlock(Input=bodies, Selectors=[selector]), view)
-        simple.ColorBy(display, None)
+        if display.ColorArrayName[1]:
+            simple.ColorBy(display, None)
         display.SetRepresentationType("Surface With Edges")
         display.DiffuseColor = COLORS[number % len(COLORS)]
         display.EdgeColor = (0.25, 0.25, 0.25)
