@@ -60,7 +60,8 @@ def main():
     drawn = simple.PolyLineSource(Points=[number for place in places for number in place])
     assert list(fetch(simple.SeismicReflectionExtraction(wave, Guides=drawn))) == ["Guide 1"]
     extraction.LargestNumber = 100
-    blocks = [simple.ExtractBlock(Input=extraction, Selectors=["/Root/Horizon%d" % n]) for n in (3, 4)]
+    blocks = [simple.ExtractBlock(Input=extraction, Assembly="Hierarchy", Selectors=["/Root/Horizon%d" % n])
+              for n in (3, 4)]
     limited = simple.SeismicReflectionExtraction(wave, SmallestSize=50, Limits=blocks[:1], LimitSide="Above")
     above = fetch(limited)
     limited.Limits = blocks

@@ -31,14 +31,15 @@ def draw_bodies(bodies, view):
     width, height = max(bounds[1] - bounds[0], bounds[3] - bounds[2]), bounds[5] - bounds[4]
     scale = max(1.0, HEIGHT_SHARE * width / height) if height > 0.0 else 1.0
     for number, selector in enumerate(names_of(bodies)):
-        display = simple.Show(simple.ExtractBlock(Input=bodies, Selectors=[selector]), view)
+        display = simple.Show(simple.ExtractBlock(Input=bodies, Assembly="Hierarchy", Selectors=[selector]), view)
         if display.ColorArrayName[1]:
             simple.ColorBy(display, None)
         display.SetRepresentationType("Surface With Edges")
         display.DiffuseColor = COLORS[number % len(COLORS)]
         display.EdgeColor = (0.25, 0.25, 0.25)
         display.Scale = (1.0, 1.0, scale)
-        display.Position = (0.0, 0.0, -number * GAP * height * scale)
+        place = "Position" if display.GetProperty("Position") else "Translation"  # in ParaView 5 and 6
+        setattr(display, place, (0.0, 0.0, -number * GAP * height * scale))
     view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = (0, 0, 0), (-0.5, -0.8, 0.45), (0, 0, 1)
     simple.ResetCamera(view)
 
