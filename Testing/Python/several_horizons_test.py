@@ -152,7 +152,7 @@ def content(data):
         found["points"] = vtk_to_numpy(data.GetPoints().GetData()).tobytes()
     for kind in ("GetVerts", "GetLines", "GetPolys", "GetCells"):
         cells = getattr(data, kind)() if hasattr(data, kind) else None
-        if cells is not None and cells.GetNumberOfCells():
+        if hasattr(cells, "GetConnectivityArray") and cells.GetNumberOfCells():  # not of an image
             found[kind] = vtk_to_numpy(cells.GetConnectivityArray()).tolist()
     return found
 
