@@ -30,13 +30,14 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr const char* Contours = "contours every ";
+constexpr const char* Contours = "contours ";
 constexpr const char* Columns = "one of "; // and how many columns along a side
 
 struct Legend
 {
   std::set<double> Intervals;
   std::string Unit;
+  std::string Of; ///< What contours are of, unless colours are of the same.
   int Step = 1;
 };
 
@@ -77,7 +78,7 @@ std::string Describe(const Legend& legend)
   std::ostringstream text;
   for (const double interval : legend.Intervals)
   {
-    text << (interval == *legend.Intervals.begin() ? Contours : " and ") << interval;
+    text << (interval == *legend.Intervals.begin() ? Contours + legend.Of + "every " : " and ") << interval;
   }
   text << (legend.Intervals.empty() || legend.Unit.empty() ? "" : " " + legend.Unit);
   if (legend.Step > 1)
@@ -139,7 +140,10 @@ void DescribeContours(vtkSMProxy* view)
     if (step > 0 && GetInterval(representation) > 0.0)
     {
       description.Intervals.insert(GetInterval(representation));
-      description.Unit = ReadVerticalAxis(data).Unit;
+      const VerticalAxis axis = ReadVerticalAxis(data);
+      const char* const colored = vtkSMPropertyHelper(representation, "ColorArrayName").GetInputArrayNameToProcess();
+      description.Unit = axis.Unit;
+      description.Of = colored && axis.Name != colored ? "of " + axis.Name.substr(0, axis.Name.find(" (")) + " " : "";
     }
     description.Step = std::max(description.Step, step);
   }
