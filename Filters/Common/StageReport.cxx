@@ -16,7 +16,6 @@
 #include <array>
 #include <cstdint>
 #include <iomanip>
-#include <iterator>
 #include <locale>
 #include <optional>
 
@@ -32,40 +31,43 @@ constexpr const char* WorldHeights = "in z";
 struct Figure
 {
   const char* Array;
-  const char* Name;
+  const char* Name; ///< Empty if it is in tables only.
   const char* Unit = "";
   bool IsToldAtZero = false;
+  const char* Head = ""; ///< Of its column in tables; empty if it is in none.
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 43> Figures = { {
-  { FieldArray::NumberOfSpikes, "spikes" },
+constexpr std::array<Figure, 45> Figures = { {
+  { FieldArray::FaultLine, "", "", false, "faults" },
+  { FieldArray::NumberOfSpikes, "spikes", "", false, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", LatticeHeights },
   { FieldArray::NumberOfSpurPoints, "points on spurs" },
   { FieldArray::FaultNoise, "noise", LatticeHeights },
   { FieldArray::SmallestFaultThrow, "smallest throw", LatticeHeights },
   { FieldArray::NumberOfFilledHoles, "holes filled" },
-  { FieldArray::NumberOfOpenHoles, "holes left open" },
+  { FieldArray::NumberOfFilledPoints, "", "", false, "filled" },
+  { FieldArray::NumberOfOpenHoles, "holes left open", "", false, "open" },
   { FieldArray::RimSmoothing, "rim smoothing", "", true },
   { FieldArray::RimWidth, "rim width", "columns" },
-  { FieldArray::NumberOfPatches, "patches" },
-  { FieldArray::NumberOfHoles, "holes with a loop" },
-  { FieldArray::DroppedSmallPatchPoints, "points in small patches left out" },
+  { FieldArray::NumberOfPatches, "patches", "", false, "patches" },
+  { FieldArray::NumberOfHoles, "holes with a loop", "", false, "holes" },
+  { FieldArray::DroppedSmallPatchPoints, "points in small patches left out", "", false, "dropped" },
   { FieldArray::IsochoreLeast, "least thickness", WorldHeights, true },
-  { FieldArray::IsochoreMean, "mean thickness", WorldHeights, true },
+  { FieldArray::IsochoreMean, "mean thickness", WorldHeights, true, "mean" },
   { FieldArray::IsochoreLargest, "largest thickness", WorldHeights, true },
   { FieldArray::IsochoreVolume, "volume", "cubic units" },
-  { FieldArray::IsochoreCrossings, "columns where the horizons cross", "", true },
-  { FieldArray::TriangleCount, "triangles" },
+  { FieldArray::IsochoreCrossings, "columns where the horizons cross", "", true, "crossing" },
+  { FieldArray::TriangleCount, "triangles", "", false, "triangles" },
   { FieldArray::FaultTriangleCount, "triangles that close faults" },
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },
   { FieldArray::SmallestAngle, "smallest angle", "degrees" },
-  { FieldArray::SliverCount, "triangles with an angle below the one asked for" },
-  { FieldArray::LargestError, "largest vertical error", LatticeHeights },
+  { FieldArray::SliverCount, "triangles with an angle below the one asked for", "", false, "slivers" },
+  { FieldArray::LargestError, "largest vertical error", LatticeHeights, false, "error" },
   { FieldArray::MeanError, "mean vertical error", LatticeHeights },
   { FieldArray::LargestEdgeError, "largest vertical error of edges inside", LatticeHeights },
-  { FieldArray::LargestLoopError, "largest vertical error of outlines", LatticeHeights },
-  { FieldArray::NumberOfOutsidePoints, "points outside the outlines" },
+  { FieldArray::LargestLoopError, "largest vertical error of outlines", LatticeHeights, false, "outline" },
+  { FieldArray::NumberOfOutsidePoints, "points outside the outlines", "", false, "outside" },
   { FieldArray::OutlineDeviation, "outlines moved on the map by up to", "columns" },
   { FieldArray::OutlineHeightDeviation, "outlines off in height by up to", LatticeHeights },
   { FieldArray::BoundaryDeviation, "outlines off in space by up to", "lattice units" },
@@ -81,7 +83,7 @@ constexpr std::array<Figure, 43> Figures = { {
   { FieldArray::ChosenMaximumNumberOfPoints, "most points" },
   { FieldArray::ChosenCellSize, "cell size", "columns" },
   { FieldArray::ChosenFlatnessThreshold, "flatness threshold" },
-  { FieldArray::DroppedDuplicates, "points left out of columns with several" },
+  { FieldArray::DroppedDuplicates, "points left out of columns with several", "", false, "duplicates" },
 } };
 
 /// Returns the unit, and a height in the unit of z as well.
@@ -101,32 +103,6 @@ std::string ReportUnit(const Figure& figure, double height, const Horizon& horiz
   text << ownUnit << ", " << height * WorldPerIndex(ReadLattice(horizon)) << (unit.empty() ? " in z" : " " + unit);
   return text.str();
 }
-
-/// Those that a table has, by the heads of their columns. Heights are in the unit of z.
-struct Column
-{
-  const char* Array;
-  const char* Head;
-  bool IsInIndices = false;
-};
-
-constexpr std::array<Column, 15> Columns = { {
-  { FieldArray::FaultLine, "faults" },
-  { FieldArray::NumberOfSpikes, "spikes" },
-  { FieldArray::NumberOfFilledPoints, "filled" },
-  { FieldArray::NumberOfOpenHoles, "open" },
-  { FieldArray::NumberOfPatches, "patches" },
-  { FieldArray::NumberOfHoles, "holes" },
-  { FieldArray::DroppedSmallPatchPoints, "dropped" },
-  { FieldArray::IsochoreMean, "mean" },
-  { FieldArray::IsochoreCrossings, "crossing" },
-  { FieldArray::TriangleCount, "triangles" },
-  { FieldArray::SliverCount, "slivers" },
-  { FieldArray::LargestError, "error", true },
-  { FieldArray::LargestLoopError, "outline", true },
-  { FieldArray::NumberOfOutsidePoints, "outside" },
-  { FieldArray::DroppedDuplicates, "duplicates" },
-} };
 
 /// Null unless the stage has written the array.
 const DataArray* FindOwnFigure(const char* name, const Horizon& input, const Horizon& output)
@@ -191,6 +167,19 @@ std::string ReportLedger(const Horizon& input, const Horizon& output)
   return text.str();
 }
 
+std::vector<const Figure*> ListColumns()
+{
+  std::vector<const Figure*> columns;
+  for (const Figure& figure : Figures)
+  {
+    if (*figure.Head)
+    {
+      columns.push_back(&figure);
+    }
+  }
+  return columns;
+}
+
 std::vector<std::string> SplitCells(const std::string& row)
 {
   std::vector<std::string> cells;
@@ -199,7 +188,6 @@ std::vector<std::string> SplitCells(const std::string& row)
   {
     cells.push_back(cell);
   }
-  cells.resize(Columns.size() + 5); // name, points in and out, figures, unit of z, warnings
   return cells;
 }
 
@@ -268,7 +256,7 @@ std::string ReportStage(const std::string& name, const Horizon& input, const Hor
   for (const Figure& figure : Figures)
   {
     const DataArray* const array = FindOwnFigure(figure.Array, input, output);
-    if (array && array->Size() == 1 && (figure.IsToldAtZero || array->At(0) != 0.0))
+    if (*figure.Name && array && array->Size() == 1 && (figure.IsToldAtZero || array->At(0) != 0.0))
     {
       line << "\n  " << figure.Name << ' ';
       if (array->Type() == ValueType::Double)
@@ -293,17 +281,17 @@ std::string ReportRow(const std::string& name, const Horizon& input, const Horiz
   std::string first = name;
   std::replace(first.begin(), first.end(), '\t', ' ');
   row << first << '\t' << input.NumberOfPoints() << '\t' << output.NumberOfPoints();
-  for (const Column& column : Columns)
+  for (const Figure* const figure : ListColumns())
   {
-    const DataArray* const array = FindOwnFigure(column.Array, input, output);
+    const DataArray* const array = FindOwnFigure(figure->Array, input, output);
     row << '\t';
-    if (array && column.Array == FieldArray::FaultLine)
+    if (array && figure->Array == FieldArray::FaultLine)
     {
       row << CountFaultLines(*array);
     }
     else if (array && array->Size() == 1 && array->Type() == ValueType::Double)
     {
-      row << array->At(0) * (column.IsInIndices ? WorldPerIndex(ReadLattice(output)) : 1.0);
+      row << array->At(0) * (figure->Unit == LatticeHeights ? WorldPerIndex(ReadLattice(output)) : 1.0);
     }
     else if (array && array->Size() == 1)
     {
@@ -319,21 +307,26 @@ std::string ReportRow(const std::string& name, const Horizon& input, const Horiz
 //----------------------------------------------------------------------------------------------------------------------
 std::string Tabulate(const std::vector<std::string>& rows)
 {
-  std::vector<std::vector<std::string>> cells;
-  std::transform(rows.begin(), rows.end(), std::back_inserter(cells), SplitCells);
+  const std::vector<const Figure*> columns = ListColumns();
   constexpr std::size_t before = 3; // The figures start after so many columns.
-  const std::size_t unit = Columns.size() + before;
+  const std::size_t unit = columns.size() + before;
+  std::vector<std::vector<std::string>> cells;
+  for (const std::string& row : rows)
+  {
+    cells.push_back(SplitCells(row));
+    cells.back().resize(unit + 2); // name, points in and out, figures, unit of z, warnings
+  }
   const bool isOneUnit = std::all_of(cells.begin(), cells.end(),
     [&](const std::vector<std::string>& row) { return !row[unit].empty() && row[unit] == cells.front()[unit]; });
   std::vector<std::string> lines(rows.size() + 1);
   for (std::size_t column = 0; column < unit; ++column)
   {
-    const Column* const figure = column < before ? nullptr : &Columns[column - before];
+    const Figure* const figure = column < before ? nullptr : columns[column - before];
     std::vector<std::string> entries = { column == 0 ? "horizon"
         : column == 1                                ? "in"
         : column == 2                                ? "points"
                                                      : figure->Head };
-    if (figure && (figure->IsInIndices || figure->Array == FieldArray::IsochoreMean))
+    if (figure && (figure->Unit == LatticeHeights || figure->Unit == WorldHeights))
     {
       entries.front() += " (" + (isOneUnit ? cells.front()[unit] : "z") + ")";
     }

@@ -105,6 +105,7 @@ double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* 
     return 0.0;
   }
   constexpr double fewest = 2.0, most = 60.0; // The shape cannot be seen with fewer contours, or more.
+  const std::string axis = ReadVerticalAxis(data).Name;
   vtkNew<vtkCollection> others;
   representation->GetSessionProxyManager()->GetProxies("representations", others);
   for (int n = 0; n < others->GetNumberOfItems(); ++n)
@@ -113,7 +114,7 @@ double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* 
     vtkPVDataInformation* const shown = other != representation ? FindShownData(other) : nullptr;
     const double interval = shown ? GetInterval(other) : 0.0;
     if (interval > 0.0 && range / interval >= fewest && range / interval <= most &&
-      ReadVerticalAxis(shown).Name == ReadVerticalAxis(data).Name)
+      ReadVerticalAxis(shown).Name == axis)
     {
       return interval;
     }

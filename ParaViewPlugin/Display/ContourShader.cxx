@@ -37,15 +37,14 @@ void DrawContours(vtkActor* actor)
     "//VTK::Light::Impl\n"
     "  if (horizonLevel > -450.0)\n"
     "  {\n"
-    "    float slope = fwidth(horizonLevel);\n"
-    "    float perPixel = max(slope, 1e-7);\n"
+    "    float perPixel = max(fwidth(horizonLevel), 1e-7);\n"
     "    float offset = abs(fract(horizonLevel + 0.5) - 0.5) / perPixel;\n"
     "    float offsetBold = abs(fract(horizonLevel / 5.0 + 0.5) - 0.5) * 5.0 / perPixel;\n"
     "    float thin = 0.65 * (1.0 - smoothstep(0.4, 1.1, offset)) * (1.0 - smoothstep(0.15, 0.35, perPixel));\n"
     "    float bold = 0.9 * (1.0 - smoothstep(1.0, 1.7, offsetBold)) * (1.0 - smoothstep(0.75, 1.75, perPixel));\n"
     "    bool isDark = dot(ambientColor + diffuseColor, vec3(0.3, 0.6, 0.1)) < 0.3;\n"
     "    vec3 color = isDark ? vec3(0.75, 0.8, 0.85) : vec3(0.08, 0.07, 0.06);\n"
-    "    float share = max(thin, bold) * smoothstep(2e-5, 1e-4, slope);\n"
+    "    float share = max(thin, bold) * smoothstep(2e-5, 1e-4, perPixel);\n"
     "    fragOutput0.rgb = mix(fragOutput0.rgb, color, share);\n"
     "  }\n",
     false);

@@ -106,7 +106,7 @@ vtkSmartPointer<vtkCellArray> MakeCells(
 }
 
 /// Leaves the points that are shown, or all if none need to be left out, and returns their numbers before.
-vtkSmartPointer<vtkIdTypeArray> TakeShown(SheetBlocks& blocks, bool areAll, vtkPolyData* horizon, vtkPolyData* sheet)
+vtkSmartPointer<vtkIdList> TakeShown(SheetBlocks& blocks, bool areAll, vtkPolyData* horizon, vtkPolyData* sheet)
 {
   const auto shown = vtkSmartPointer<vtkIdList>::New();
   for (vtkIdType n = 0; areAll && n < horizon->GetNumberOfPoints(); ++n)
@@ -134,18 +134,15 @@ vtkSmartPointer<vtkIdTypeArray> TakeShown(SheetBlocks& blocks, bool areAll, vtkP
   sheet->GetPointData()->CopyData(horizon->GetPointData(), shown);
   // A sheet may be thinned once more.
   vtkDataArray* const known = horizon->GetPointData()->GetArray(SheetIds);
-  const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  vtkNew<vtkIdTypeArray> ids;
   ids->SetName(SheetIds);
   ids->SetNumberOfValues(shown->GetNumberOfIds());
-  const auto before = vtkSmartPointer<vtkIdTypeArray>::New();
-  before->SetNumberOfValues(shown->GetNumberOfIds());
   for (vtkIdType n = 0; n < shown->GetNumberOfIds(); ++n)
   {
-    before->SetValue(n, shown->GetId(n));
     ids->SetValue(n, known ? vtkIdType(known->GetTuple1(shown->GetId(n))) : shown->GetId(n));
   }
   sheet->GetPointData()->AddArray(ids);
-  return before;
+  return shown;
 }
 
 /// Returns a cell for each point: its vertex, or in a sheet one that begins with it, or else has it.
@@ -166,11 +163,12 @@ std::vector<vtkIdType> FindCells(vtkPolyData* horizon)
 }
 
 /// A cell stands for the vertex of its first corner. `before` has the numbers of points in the horizon.
-void AddCellArrays(vtkPolyData* horizon, vtkPolyData* sheet, vtkIdTypeArray* before)
+void AddCellArrays(vtkPolyData* horizon, vtkPolyData* sheet, vtkIdList* before)
 {
   auto* const points = vtkIdTypeArray::SafeDownCast(sheet->GetPointData()->GetArray(SheetIds));
+  const int ownArrays = horizon->GetCellData()->HasArray(SheetIds) ? 1 : 0;
   const std::vector<vtkIdType> cells =
-    horizon->GetCellData()->GetNumberOfArrays() > 0 ? FindCells(horizon) : std::vector<vtkIdType>();
+    horizon->GetCellData()->GetNumberOfArrays() > ownArrays ? FindCells(horizon) : std::vector<vtkIdType>();
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(SheetIds);
   vtkNew<vtkIdList> corners, from;
@@ -180,7 +178,7 @@ void AddCellArrays(vtkPolyData* horizon, vtkPolyData* sheet, vtkIdTypeArray* bef
     ids->InsertNextValue(points->GetValue(corners->GetId(0)));
     if (!cells.empty())
     {
-      from->InsertNextId(cells[std::size_t(before->GetValue(corners->GetId(0)))]);
+      from->InsertNextId(cells[std::size_t(before->GetId(corners->GetId(0)))]);
     }
   }
   if (!cells.empty())
@@ -236,7 +234,7 @@ bool MakeSheet(vtkPolyData* horizon, int step, double interval)
   }
   const std::vector<char> isCut = FindCuts(blocks, horizon->GetFieldData()->GetArray(FieldArray::FaultedLinks));
   vtkNew<vtkPolyData> sheet;
-  const vtkSmartPointer<vtkIdTypeArray> before = TakeShown(blocks, step == 1, horizon, sheet);
+  const vtkSmartPointer<vtkIdList> before = TakeShown(blocks, step == 1, horizon, sheet);
   std::vector<vtkIdType> vertices;
   sheet->SetPolys(MakeCells(blocks, isCut, vertices));
   if (2 * std::int64_t(vertices.size()) > sheet->GetNumberOfPoints())

@@ -15,6 +15,7 @@ namespace SeismicHorizons
 constexpr const char* SheetIds = "HorizonSheetIds";
 /// Field array of a sheet: of how many columns along a side one is shown.
 constexpr const char* SheetStep = "HorizonSheetStep";
+
 /// Of `step` columns along each side, one is shown. Contours are at multiples of `interval`, or there are none if it is
 /// 0. Returns false, and changes nothing, if the points are a row, at random, without columns, or already have cells.
 bool MakeSheet(vtkPolyData* horizon, int step, double interval);

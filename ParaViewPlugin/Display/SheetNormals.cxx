@@ -3,6 +3,7 @@
 
 #include "SheetNormals.h"
 
+#include "Common/Horizon/Median.h"
 #include "SheetBlocks.h"
 
 #include "vtkFloatArray.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <vector>
@@ -68,9 +68,21 @@ NeighbourSteps MeasureSteps(const SheetBlocks& blocks)
   {
     return {};
   }
-  const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return { *middle, 5 * (pairs - steps.size()) > pairs };
+  return { UpperMedian(steps), 5 * (pairs - steps.size()) > pairs };
+}
+
+/// Returns the median height.
+double FindMiddle(const SheetBlocks& blocks)
+{
+  std::vector<double> heights;
+  for (const vtkIdType shown : blocks.Shown)
+  {
+    if (shown >= 0)
+    {
+      heights.push_back(blocks.Places[std::size_t(shown)][2]);
+    }
+  }
+  return UpperMedian(heights);
 }
 
 /// Averages heights over pairs of neighbours on opposite sides, so that planes remain, also beside gaps, and scarps of
@@ -146,16 +158,6 @@ std::vector<Vector> FindNormals(const SheetBlocks& blocks, const std::vector<dou
 //----------------------------------------------------------------------------------------------------------------------
 vtkSmartPointer<vtkFloatArray> MakeNormals(const SheetBlocks& blocks, double interval)
 {
-  std::vector<double> known;
-  for (const vtkIdType shown : blocks.Shown)
-  {
-    if (shown >= 0)
-    {
-      known.push_back(blocks.Places[std::size_t(shown)][2]);
-    }
-  }
-  const auto middle = known.begin() + std::ptrdiff_t(known.size() / 2);
-  std::nth_element(known.begin(), middle, known.end());
   const NeighbourSteps steps = MeasureSteps(blocks);
   const bool hasLevels = interval > 0.0;
   const std::vector<double> smooth = hasLevels || steps.AreCoarse
@@ -164,7 +166,7 @@ vtkSmartPointer<vtkFloatArray> MakeNormals(const SheetBlocks& blocks, double int
   const std::vector<Vector> unit = FindNormals(blocks, steps.AreCoarse ? smooth : std::vector<double>());
   // Contours of whole heights are at the edges of terraces, not on all of one.
   const double shift = steps.AreCoarse ? steps.Usual / 2.0 : 0.0;
-  const double first = hasLevels ? 5.0 * std::floor(*middle / interval / 5.0) : 0.0;
+  const double first = hasLevels ? 5.0 * std::floor(FindMiddle(blocks) / interval / 5.0) : 0.0;
   const auto normals = vtkSmartPointer<vtkFloatArray>::New();
   normals->SetName("HorizonSheetNormals");
   normals->SetNumberOfComponents(3);
