@@ -39,15 +39,17 @@ Horizon TakeCells(const Horizon& all, const std::vector<std::int64_t>& chosen)
   part.Lines = Take(all.Lines, all.Vertices.Size(), chosen);
   part.Polygons = Take(all.Polygons, all.Vertices.Size() + all.Lines.Size(), chosen);
   part.CellData = ArrayTable();
-  for (const char* const name : { CellArray::FaultName, CellArray::FaultStick })
+  const auto add = [&](const char* name, const char* from)
   {
     std::vector<std::string> texts;
     for (const std::int64_t cell : chosen)
     {
-      texts.push_back(TextOfCell(all, name, cell));
+      texts.push_back(TextOfCell(all, from, cell));
     }
     part.CellData.Add({ name, std::move(texts) });
-  }
+  };
+  add(CellArray::FaultName, NamesOfLines(all));
+  add(CellArray::FaultStick, CellArray::FaultStick);
   return part;
 }
 }
@@ -60,12 +62,18 @@ std::string TextOfCell(const Horizon& lines, const char* array, std::int64_t cel
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+const char* NamesOfLines(const Horizon& lines)
+{
+  return lines.CellData.Has(CellArray::IndexContour) ? CellArray::Label : CellArray::FaultName;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<NamedHorizon> SplitByFault(const std::vector<NamedHorizon>& all)
 {
   std::vector<NamedHorizon> parts;
   for (const NamedHorizon& whole : all)
   {
-    const DataArray* const names = whole.Data.CellData.Find(CellArray::FaultName);
+    const DataArray* const names = whole.Data.CellData.Find(NamesOfLines(whole.Data));
     if (!names || !names->IsText())
     {
       parts.push_back(whole);

@@ -4,7 +4,7 @@
 #include "HorizonConversion.h"
 
 #include "Common/Horizon/DataModel.h"
-#include "Common/Survey/HeightArray.h"
+#include "Common/Survey/DerivedArrays.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -238,7 +238,7 @@ Horizon FromVTK(vtkPolyData* given)
   horizon.PointData = FromVTK(given->GetPointData());
   horizon.CellData = FromVTK(given->GetCellData());
   horizon.FieldData = FromVTK(given->GetFieldData());
-  RemoveHeights(horizon);
+  RemoveDerivedArrays(horizon);
   return horizon;
 }
 
@@ -320,14 +320,12 @@ void ToVTK(const Horizon& horizon, vtkPolyData* output)
   ToVTK(horizon.PointData, output->GetPointData());
   ToVTK(horizon.CellData, output->GetCellData());
   ToVTK(horizon.FieldData, output->GetFieldData());
-  const VerticalAxis axis = ReadVerticalAxis(horizon.FieldData);
-  if (!axis.Name.empty() && horizon.Places.Components() == 3 && !horizon.PointData.Has(axis.Name))
+  for (const DataArray& array : MakeDerivedArrays(horizon))
   {
-    output->GetPointData()->AddArray(ToVTK(MakeHeights(horizon, axis)));
-    const DataArray* const indices = horizon.PointData.Find(PointArray::VerticalIndex);
-    if (indices && indices->Role == vtkDataSetAttributes::SCALARS)
+    const int index = output->GetPointData()->AddArray(ToVTK(array));
+    if (array.Role >= 0)
     {
-      output->GetPointData()->SetActiveScalars(axis.Name.c_str()); // What ParaView's filters make has its colours.
+      output->GetPointData()->SetActiveAttribute(index, array.Role);
     }
   }
 }

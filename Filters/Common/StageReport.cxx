@@ -38,7 +38,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 45> Figures = { {
+constexpr std::array<Figure, 47> Figures = { {
   { FieldArray::FaultLine, "", "", false, "faults" },
   { FieldArray::NumberOfSpikes, "spikes", "", false, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", LatticeHeights },
@@ -58,6 +58,8 @@ constexpr std::array<Figure, 45> Figures = { {
   { FieldArray::IsochoreLargest, "largest thickness", WorldHeights, true },
   { FieldArray::IsochoreVolume, "volume", "cubic units" },
   { FieldArray::IsochoreCrossings, "columns where the horizons cross", "", true, "crossing" },
+  { FieldArray::NumberOfContours, "contours", "", true, "contours" },
+  { FieldArray::ContourInterval, "interval", WorldHeights, false, "interval" },
   { FieldArray::TriangleCount, "triangles", "", false, "triangles" },
   { FieldArray::FaultTriangleCount, "triangles that close faults" },
   { FieldArray::NonDelaunayEdgeCount, "edges that are not Delaunay" },

@@ -17,6 +17,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr std::size_t SpikesPort = 1;
 constexpr double FewPercent = 2.0; // percent of points; picks of a tracker have fewer spikes
 }
 
@@ -35,13 +36,26 @@ std::vector<std::string> RunDespiking(
   Horizon& output = outputs.front();
   const auto isOther = [&kinds](std::size_t point) { return kinds[point] == SpikeKind::None; };
   CopyPoints(input, options.Remove ? KeptPoints::If(kinds.size(), isOther) : KeptPoints::All(kinds.size()), output);
-  if (!options.Remove)
+  const auto addKinds = [](const std::vector<SpikeKind>& of, Horizon& to)
   {
     AddArray<unsigned char>(
-      output.PointData, PointArray::Spike, kinds, [](SpikeKind kind) { return static_cast<unsigned char>(kind); });
+      to.PointData, PointArray::Spike, of, [](SpikeKind kind) { return static_cast<unsigned char>(kind); });
+  };
+  if (!options.Remove)
+  {
+    addKinds(kinds, output);
   }
-  output.PointData.Remove(PointArray::PatchId);
-  output.PointData.Remove(PointArray::Boundary);
+  if (outputs.size() > SpikesPort)
+  {
+    const auto spikes = KeptPoints::If(kinds.size(), [&isOther](std::size_t point) { return !isOther(point); });
+    CopyPoints(input, spikes, outputs[SpikesPort]);
+    addKinds(spikes.Select(kinds), outputs[SpikesPort]);
+  }
+  for (Horizon& made : outputs)
+  {
+    made.PointData.Remove(PointArray::PatchId);
+    made.PointData.Remove(PointArray::Boundary);
+  }
   const std::int64_t spikes = std::count(kinds.begin(), kinds.end(), SpikeKind::Spike);
   const std::int64_t spurs = std::count(kinds.begin(), kinds.end(), SpikeKind::Spur);
   AddValue<std::int64_t>(output.FieldData, FieldArray::NumberOfSpikes, spikes);

@@ -20,7 +20,7 @@ struct DespikingStageOptions : DespikingOptions
   bool Remove = true; // Otherwise the array Spike marks points.
 };
 
-/// Fills the output, which has the field data. Returns warnings.
+/// Fills the output, which has the field data, and the spikes if there is a second output. Returns warnings.
 std::vector<std::string> RunDespiking(
   const Horizon& horizon, DespikingStageOptions options, std::vector<Horizon>& outputs, const Monitor& monitor);
 }

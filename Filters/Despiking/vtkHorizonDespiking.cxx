@@ -13,6 +13,12 @@ using namespace SeismicHorizons;
 vtkStandardNewMacro(vtkHorizonDespiking);
 
 //------------------------------------------------------------------------------
+vtkHorizonDespiking::vtkHorizonDespiking()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
 int vtkHorizonDespiking::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

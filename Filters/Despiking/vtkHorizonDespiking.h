@@ -6,7 +6,8 @@
  *
  * Input: a horizon without an outline, or a composite dataset of horizons, with at most one point per column. Output:
  * with Remove the points that are neither spikes nor on spurs, with Flag all points; a vertex cell per point, and all
- * arrays but PatchId and Boundary. With Flag there is the point array
+ * arrays but PatchId and Boundary. The second output has the spikes and the points on spurs alone. There, and with Flag,
+ * is the point array
  *  - Spike (unsigned char): 0 for other points, 1 for a spike, 2 on a spur.
  *
  * Field data: NumberOfSpikes, NumberOfSpurPoints (vtkIdType), and SpikeThreshold (double), in vertical indices.
@@ -75,7 +76,7 @@ public:
   vtkGetMacro(NumberOfSpurPoints, vtkIdType);
 
 protected:
-  vtkHorizonDespiking() = default;
+  vtkHorizonDespiking();
   ~vtkHorizonDespiking() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

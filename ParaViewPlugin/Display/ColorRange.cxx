@@ -167,13 +167,18 @@ bool FindRange(vtkPVXMLElement* hint, vtkSMSourceProxy* producer, int port, Colo
   {
     return false;
   }
+  const std::string kind = hint->GetAttributeOrDefault("range", "data");
+  if (kind == "categories") // The array may be of text, or have a single value.
+  {
+    range.Array = hint->GetAttributeOrDefault("shown_as", name.c_str());
+    return true;
+  }
   array->GetComponentRange(0, range.Ends.data());
   const VerticalAxis axis = ReadVerticalAxis(data);
   const ShownArray shown = ShowInUnit(name, axis);
   range.Array = hint->GetAttributeOrDefault("shown_as", shown.Name.c_str());
   range.Ends = { shown.Factor * range.Ends[0], shown.Factor * range.Ends[1] };
   const bool hasSeveral = range.Ends[0] < range.Ends[1];
-  const std::string kind = hint->GetAttributeOrDefault("range", "data");
   range.IsOfData = kind == "data" && shown.Name == name;
   if (kind == "centred")
   {

@@ -3,6 +3,7 @@
 
 #include "ContourInterval.h"
 
+#include "Common/Horizon/ContourInterval.h"
 #include "Common/Horizon/DataModel.h"
 #include "HorizonSheet.h"
 #include "ShownAxis.h"
@@ -44,19 +45,6 @@ struct Legend
 double GetInterval(vtkSMProxy* representation)
 {
   return vtkSMPropertyHelper(representation, "ContourInterval", true).GetAsDouble();
-}
-
-/// Returns the nearest of 1, 2, 5, 10, 20, 50 and so on, by ratio.
-double Round(double number)
-{
-  const double unit = std::pow(10.0, std::floor(std::log10(number)));
-  double nearest = unit;
-  for (const double digit : { 2.0, 5.0, 10.0 })
-  {
-    nearest =
-      std::fabs(std::log(digit * unit / number)) < std::fabs(std::log(nearest / number)) ? digit * unit : nearest;
-  }
-  return nearest;
 }
 
 /// Returns 0 where no surface is drawn.
@@ -119,7 +107,7 @@ double SuggestContourInterval(vtkSMProxy* representation, vtkPVDataInformation* 
       return interval;
     }
   }
-  return Round(range / 12.0);
+  return ChooseContourInterval(range);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -3,6 +3,8 @@
 
 #include "ViewContents.h"
 
+#include "Common/Horizon/DataModel.h"
+
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -15,6 +17,39 @@
 
 namespace SeismicHorizons
 {
+namespace
+{
+/// True for points or triangles of a horizon; lines, volumes and images, which have fewer cells, cover nothing.
+bool Covers(vtkPVDataInformation* data)
+{
+  return data->GetNumberOfPoints() > 0 && 2 * data->GetNumberOfCells() >= data->GetNumberOfPoints() &&
+    data->GetArrayInformation(FieldArray::LatticeDimensions, vtkDataObject::FIELD);
+}
+
+/// True if the bounds are inside the others, or nearly.
+bool IsInside(vtkPVDataInformation* data, vtkPVDataInformation* other)
+{
+  const double* const inner = data->GetBounds();
+  const double* const outer = other->GetBounds();
+  constexpr double rounding = 0.01;
+  bool isInside = true;
+  for (int axis = 0; axis < 6; axis += 2)
+  {
+    const double margin = rounding * (outer[axis + 1] - outer[axis]);
+    isInside = isInside && inner[axis] >= outer[axis] - margin && inner[axis + 1] <= outer[axis + 1] + margin;
+  }
+  return isInside;
+}
+
+/// The first source with points or triangles that a stage is made from, or the stage itself.
+vtkSMSourceProxy* FindHorizon(vtkSMSourceProxy* stage)
+{
+  const vtkSMPropertyHelper input(stage, "Input", true);
+  auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  return source && Covers(source->GetDataInformation(input.GetOutputPort())) ? FindHorizon(source) : stage;
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<vtkSMProxy*> ListRepresentations(vtkSMProxy* view)
 {
@@ -68,5 +103,16 @@ bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other)
     }
   }
   return false;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool AreSiblings(vtkSMProxy* representation, vtkSMProxy* other)
+{
+  vtkPVDataInformation* const data = FindShownData(representation);
+  vtkPVDataInformation* const shown = FindShownData(other);
+  vtkSMSourceProxy* const producer = FindProducer(representation);
+  return data && shown && Covers(data) && Covers(shown) && !LeadsTo(producer, FindProducer(other)) &&
+    !LeadsTo(FindProducer(other), producer) && FindHorizon(producer) == FindHorizon(FindProducer(other)) &&
+    (IsInside(data, shown) || IsInside(shown, data));
 }
 }

@@ -24,6 +24,10 @@ vtkSMSourceProxy* FindProducer(vtkSMProxy* representation);
 
 /// True if `other` is made from `source`, directly or not.
 bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other);
+
+/// True if two stages have made points or triangles of one horizon, which would cover each other. Horizons of one file
+/// differ in their bounds.
+bool AreSiblings(vtkSMProxy* representation, vtkSMProxy* other);
 }
 
 #endif

@@ -9,6 +9,8 @@
 
 #include "Common/Horizon/DataModel.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkCellData.h"
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkClientServerStream.h"
@@ -83,16 +85,27 @@ void AddHeights(vtkPointSet* points, const VerticalAxis& axis)
   points->GetPointData()->AddArray(heights);
 }
 
-/// Simplified outlines need another name, since colours depend on names.
-void AddSimplifiedBoundary(vtkPointSet* points)
+/// Colours and legends depend on names.
+void AddRenamed(vtkAbstractArray* array, const char* name, vtkFieldData* arrays)
 {
-  vtkDataArray* const boundary = points->GetPointData()->GetArray(PointArray::Boundary);
-  if (boundary && points->GetFieldData()->HasArray(FieldArray::OutlineDeviation))
+  if (array)
   {
-    const auto renamed = vtk::TakeSmartPointer(boundary->NewInstance());
-    renamed->ShallowCopy(boundary);
-    renamed->SetName("Simplified Boundary");
-    points->GetPointData()->AddArray(renamed);
+    const auto renamed = vtk::TakeSmartPointer(array->NewInstance());
+    renamed->DeepCopy(array);
+    renamed->SetName(name);
+    arrays->AddArray(renamed);
+  }
+}
+
+void AddRenamedArrays(vtkPointSet* points)
+{
+  if (points->GetFieldData()->HasArray(FieldArray::OutlineDeviation))
+  {
+    AddRenamed(points->GetPointData()->GetArray(PointArray::Boundary), "Simplified Boundary", points->GetPointData());
+  }
+  if (points->GetCellData()->HasArray(CellArray::FaultLine)) // Cutoffs.
+  {
+    AddRenamed(points->GetCellData()->GetAbstractArray(CellArray::FaultStick), "Side", points->GetCellData());
   }
 }
 
@@ -180,7 +193,7 @@ void AddArrays(vtkDataObject* block)
   if (points && points->GetPoints())
   {
     AddHeights(points, axis);
-    AddSimplifiedBoundary(points);
+    AddRenamedArrays(points);
     LiftFaultLines(points);
   }
 }

@@ -36,6 +36,7 @@ using SeismicHorizons::ColorRange;
 
 // In VTK 9.6 lines drawn as tubes are hidden by the surrounding surface, and visible through it from behind.
 constexpr const char* Tubes = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) ? "" : "tubes";
+constexpr const char* OwnColors = "SeismicHorizons.Colors"; // Separate colour maps that have those of the hints.
 constexpr const char* Empty = "SeismicHorizons.Empty"; // Such representations had no data when first shown.
 constexpr std::array<double, 3> AboveColor = { 0.95, 0.0, 0.75 }; // No map has this colour.
 constexpr std::array<double, 3> EdgeColor = { 0.32, 0.36, 0.40 }; // ParaView's dark blue hides small triangles.
@@ -235,6 +236,35 @@ void vtkSMHorizonDisplayHelper::Register()
       interpreter->AddNewInstanceFunction(
         "vtkSMHorizonDisplayHelper", [](void*) -> vtkObjectBase* { return vtkSMHorizonDisplayHelper::New(); });
     });
+}
+
+//------------------------------------------------------------------------------
+void vtkSMHorizonDisplayHelper::ColorSeparately(vtkSMProxy* representation)
+{
+  vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable", true).GetAsProxy();
+  vtkPVXMLElement* const hints = representation->GetHints();
+  vtkPVXMLElement* const xml = hints ? hints->FindNestedElementByName("InitializationHelper") : nullptr;
+  const vtkSMPropertyHelper input(representation, "Input", true);
+  auto* const producer = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  const char* const name =
+    table ? representation->GetSessionProxyManager()->GetProxyName("lookup_tables", table) : nullptr;
+  if (!name || std::strncmp(name, "Separate_", 9) != 0 || !xml || !producer || table->HasAnnotation(OwnColors))
+  {
+    return;
+  }
+  table->SetAnnotation(OwnColors, "1"); // From now on the user may change them.
+  const std::string array = vtkSMPropertyHelper(representation, "ColorArrayName").GetInputArrayNameToProcess();
+  const int port = static_cast<int>(input.GetOutputPort());
+  for (vtkPVXMLElement* const hint : SeismicHorizons::ListHints(producer, port))
+  {
+    ColorRange range;
+    vtkPVXMLElement* const map = FindColorMap(xml, hint->GetAttributeOrEmpty("colors"));
+    if (map && SeismicHorizons::FindRange(hint, producer, port, range) && range.Array == array)
+    {
+      ApplyColors(table, map, range);
+      return;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,9 @@ public:
   /// done.
   static bool ShowLate(vtkSMProxy* representation);
 
+  /// Gives a separate colour map, which ParaView makes with its default colours, those of the hints, once.
+  static void ColorSeparately(vtkSMProxy* representation);
+
 protected:
   vtkSMHorizonDisplayHelper();
   ~vtkSMHorizonDisplayHelper() override;

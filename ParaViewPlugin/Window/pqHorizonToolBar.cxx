@@ -20,6 +20,8 @@
 #include <QTimer>
 #include <pqActiveObjects.h>
 #include <pqApplicationCore.h>
+#include <pqOutputPort.h>
+#include <pqPipelineSource.h>
 #include <pqRenderView.h>
 #include <pqRepresentation.h>
 #include <pqServerManagerModel.h>
@@ -86,7 +88,7 @@ bool ShowsNothing(vtkSMProxy* view, vtkSMProxy* representation)
     });
 }
 
-/// Hides inputs or other outputs of a stage if its hints say so.
+/// Hides what the representation replaces: siblings, and inputs or other outputs of a stage if its hints say so.
 void HideOthers(vtkSMProxy* view, vtkSMProxy* representation)
 {
   vtkSMSourceProxy* const producer = FindProducer(representation);
@@ -102,11 +104,33 @@ void HideOthers(vtkSMProxy* view, vtkSMProxy* representation)
     const bool isSame = FindProducer(other) == producer;
     if (FindShownData(other) && other != representation &&
       (isSame ? hidesOutputs && FindShownData(representation)->GetNumberOfPoints() > 0
-              : hidesInputs && LeadsTo(FindProducer(other), producer)))
+              : (hidesInputs && LeadsTo(FindProducer(other), producer)) || AreSiblings(representation, other)))
     {
       vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
       controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));
     }
+  }
+}
+
+/// Selects the output that is shown where its stage was selected, or an output that is not shown.
+void SelectShown(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  const vtkSMPropertyHelper input(representation, "Input", true);
+  pqOutputPort* const selected = pqActiveObjects::instance().activePort();
+  if (!selected || selected->getSourceProxy() != input.GetAsProxy())
+  {
+    return;
+  }
+  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
+  const auto isOfSelected = [selected](vtkSMProxy* other)
+  {
+    const vtkSMPropertyHelper shown(other, "Input", true);
+    return FindShownData(other) && shown.GetAsProxy() == selected->getSourceProxy() &&
+      int(shown.GetOutputPort()) == selected->getPortNumber();
+  };
+  if (std::none_of(all.begin(), all.end(), isOfSelected))
+  {
+    pqActiveObjects::instance().setActivePort(selected->getSource()->getOutputPort(int(input.GetOutputPort())));
   }
 }
 
@@ -223,6 +247,8 @@ void pqHorizonToolBar::watch(pqView* view)
       {
         this->refresh(view);
       }
+      const std::vector<vtkSMProxy*> all = ListRepresentations(view->getProxy());
+      std::for_each(all.begin(), all.end(), vtkSMHorizonDisplayHelper::ColorSeparately);
     });
   // Scripts, state files and undo may change the view.
   this->connect(view, SIGNAL(endRender()), SLOT(showState()));
@@ -287,6 +313,7 @@ void pqHorizonToolBar::arrange(pqView* view)
     else if (!ShowsNothing(view->getProxy(), added.Representation))
     {
       HideOthers(view->getProxy(), added.Representation);
+      SelectShown(view->getProxy(), added.Representation);
       SetVisibility(added.ShownAgain, false);
     }
     else

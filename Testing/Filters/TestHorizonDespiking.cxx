@@ -59,6 +59,11 @@ void TestRemove()
     }
   }
   CHECK(!output->GetPointData()->HasArray("Spike"));
+  auto* const spikes = vtkPolyData::SafeDownCast(despiking->GetOutputDataObject(1));
+  CHECK_EQUAL(spikes->GetNumberOfPoints(), 2);
+  CHECK_EQUAL(spikes->GetNumberOfVerts(), 2);
+  CHECK(spikes->GetPoint(0)[2] == input->GetPoint(15)[2] && spikes->GetPoint(1)[2] == input->GetPoint(28)[2]);
+  CHECK(Value(spikes, "Spike", 0) == 1.0 && Value(spikes, "Spike", 1) == 1.0);
   vtkNew<vtkHorizonHoleFilling> filling;
   filling->SetInputConnection(despiking->GetOutputPort());
   filling->Update();

@@ -268,6 +268,49 @@ def check_camera(notes):
     assert [shown[0] for shown in notes[2]["shown"]] == ["HorizonSurface"], notes
 
 
+def cover(events, steep):
+    """A new result hides another one of the same horizon, but not one of another horizon; what is shown is selected."""
+    first = "/0|0/0|0"
+    for _ in range(2):
+        events.open(steep, several_readers=True)
+        events.apply()
+    events.add(window.WINDOW + "/pipelineBrowserDock/pipelineBrowser", "currentChanged", first)
+    for stage in ("HorizonDespiking", "HorizonSurface"):
+        events.filter(stage)
+        events.apply()
+        events.macro("NoteView")
+        events.add(window.WINDOW + "/pipelineBrowserDock/pipelineBrowser", "currentChanged", first)
+    events.open(steep.parent / "steps.xyz", several_readers=True)
+    events.apply()
+    events.filter("HorizonLayers")
+    events.apply()
+    events.macro("NoteView")
+
+
+def check_cover(notes):
+    names = [sorted(entry[0] for entry in note["shown"]) for note in notes]
+    assert names[:2] == [["HorizonDespiking", "HorizonTextReader"], ["HorizonSurface", "HorizonTextReader"]], names
+    assert [note["selected"] for note in notes] == [0, 0, 1], notes
+
+
+def separate(events, steep):
+    """A horizon gets a scale of its own, in the same colours, by one click."""
+    for name in ("steep.xyz", "deep.xyz"):
+        events.open(steep.parent / name, several_readers=True)
+        events.apply()
+    events.macro("NoteView")
+    events.add(window.WINDOW + "/variableToolbar/1QToolButton2", "activate")
+    events.macro("NoteView")
+
+
+def check_separate(notes):
+    both, own = ([entry[1:] for entry in note["shown"]] for note in notes)
+    assert both == [["Time (ms)", [1000, 1116]]] * 2, both
+    assert sorted(own) == [["Time (ms)", [1000, 1016]], ["Time (ms)", [1100, 1116]]], own  # each its own
+    tops = [note["tops"] for note in notes]
+    assert tops[0] == tops[1] and min(tops[0][0][:2]) > 0.9, tops
+
+
 def fail(events):
     """A stage that makes nothing leaves the view as it was."""
     events.add(window.WINDOW + "/menubar/menuSources/pqProxyGroupMenuManager0/SphereSource", "activate")
@@ -308,7 +351,8 @@ def main():
               (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1),
               (see_first, folder / "steep.xyz", check_first_sight, 6), (see_two, folder / "steps.xyz", check_two, 1),
               (see_throws, folder / "fault.vsm", check_throws, 3),
-              (see_stages, folder / "line.vsm", check_stages, 5), (keep_camera, folder / "flat.vsm", check_camera, 3))
+              (see_stages, folder / "line.vsm", check_stages, 5), (cover, folder / "steep.xyz", check_cover, 3),
+              (separate, folder / "steep.xyz", check_separate, 2), (keep_camera, folder / "flat.vsm", check_camera, 3))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()
         play(events, file)

@@ -342,7 +342,7 @@ class FaultsOut(unittest.TestCase):
         for ending, words in ((".ts", "expected one of the extensions .dat"), (".irap", "expected one of the extensions .dat")):
             with self.assertRaisesRegex(ValueError, words):
                 sh.write(lines, FOLDER / ("refused" + ending))
-        with self.assertRaisesRegex(ValueError, "no fault lines, expected polylines or polygons"):
+        with self.assertRaisesRegex(ValueError, "no lines, expected polylines or polygons"):
             sh.write(sh.Lines([], []), FOLDER / "none.csv")
 
 

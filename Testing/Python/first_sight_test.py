@@ -238,6 +238,40 @@ class FirstSightTest(unittest.TestCase):
         self.assertEqual((display.Representation, colored_by(display)), ("Points", ("POINTS", "Spike")))
         self.assertEqual(labels(display), {"0": "kept", "1": "spike", "2": "spur"})
 
+    def test_removed_spikes(self):
+        despiking = simple.HorizonDespiking(Input=self.horizons, Threshold=0.5)
+        self.assertEqual(colored_by(self.show(despiking)), ("POINTS", "Depth"))
+        display = simple.Show(simple.OutputPort(despiking, 1), self.view)
+        self.assertEqual((display.Representation, colored_by(display)), ("Points", ("POINTS", "Spike")))
+        self.assertEqual(labels(display), {"0": "kept", "1": "spike", "2": "spur"})
+
+    def test_cutoffs_have_colours_of_their_sides(self):
+        display = self.show(simple.HorizonFaults(Input=self.horizons), 3)
+        self.assertEqual(colored_by(display), ("CELLS", "Side"))
+        self.assertEqual(labels(display), {"upthrown": "upthrown", "downthrown": "downthrown"})
+        simple.Render(self.view)
+        cells = display.SMProxy.GetRepresentedDataInformation().GetCellDataInformation()
+        self.assertIsNotNone(cells.GetArrayInformation("Side"))
+
+    def test_numbers_of_lines_are_in_the_data(self):
+        path = FOLDER / "lines.xyz"
+        path.write_text("Inline Crossline X Y Z\n" + "".join(
+            "%d %d %d %d %d\n" % (1206 - 2 * row, 500 + 3 * column, 25 * column, 40 * row, 9 + row * column % 7)
+            for row in range(10) for column in range(12)))
+        picks = simple.HorizonTextReader(FileName=[str(path)], VerticalUnit="ms")
+        part = simple.Threshold(Input=simple.HorizonDespiking(Input=picks), Scalars=["POINTS", "Inline"],
+                                LowerThreshold=1192, UpperThreshold=1200)
+        surface = simple.HorizonSurface(Input=part, MaximumError=0.1)
+        surface.UpdatePipeline()
+        arrays = surface.PointData
+        self.assertEqual(tuple(arrays["Inline"].GetRange()), (1192, 1200))
+        self.assertEqual(tuple(arrays["Crossline"].GetRange()), (500, 533))
+        places = simple.servermanager.Fetch(surface)
+        for point in range(places.GetNumberOfPoints()):
+            x, y, _ = places.GetPoint(point)
+            self.assertEqual(places.GetPointData().GetArray("Inline").GetValue(point), 1206 - 2 * y / 40)
+            self.assertEqual(places.GetPointData().GetArray("Crossline").GetValue(point), 500 + 3 * x / 25)
+
     def test_faults_have_colours_around_zero(self):
         display = self.show(simple.HorizonFaults(Input=self.horizons), 1)
         self.assertEqual((display.LineWidth, colored_by(display)), (5, ("POINTS", "Throw")))

@@ -140,7 +140,7 @@ void WithoutLines()
   writer->SetFileName((Folder + "/none.csv").c_str());
   const HorizonFixtures::Errors errors(writer);
   CHECK_EQUAL(writer->Write(), 0);
-  CHECK(errors.FirstContains("no fault lines, expected polylines or polygons"));
+  CHECK(errors.FirstContains("no lines, expected polylines or polygons"));
 }
 
 void SurfacesHaveNames()

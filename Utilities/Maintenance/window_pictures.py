@@ -98,12 +98,6 @@ def closed(events, files):
     events.apply()
 
 
-def flagged(events, files):
-    events.filter("HorizonDespiking")
-    events.add(window.FIELDS + "ProxyPanel/Action/ComboBox", "set_string", "Flag")
-    events.apply()
-
-
 def measured(events, files):
     events.filter("HorizonSurfaceDistance")
     events.choose_input("Mesh", "HorizonB.dat")
@@ -125,7 +119,7 @@ SCENES = {
     "seismic_line": [opened("penobscot_xl1155.sgy"), stage("SeismicReflectionExtraction")],
     "seismic_cube": [opened("cube.sgy")],
     "reflections": [opened("cube.sgy"), stage("SeismicReflectionExtraction")],
-    "despiking": [B, flagged],
+    "despiking": [B, stage("HorizonDespiking")],
     "faults": [B, stage("HorizonFaults")],
     "hole_filling": [B, stage("HorizonDespiking"), stage("HorizonHoleFilling")],
     "boundary": OUTLINED,

@@ -26,10 +26,12 @@ note = {
                   for source, display in shown],
         "colours": [[display.ColorArrayName[1], range_of(display.LookupTable)]
                     for display in view.Representations if hasattr(display, "ColorArrayName") and display.Visibility],
+        "tops": [[round(part, 2) for part in display.LookupTable.RGBPoints[1:4]] for _, display in shown if display.LookupTable],
         "formats": [simple.GetScalarBar(display.LookupTable, view).RangeLabelFormat
                     for _, display in shown if display.LookupTable],
         "contours": [simple.GetScalarBar(display.LookupTable, view).ComponentTitle
                      for _, display in shown if display.LookupTable],
+        "selected": simple.GetActiveSource().Port if hasattr(simple.GetActiveSource(), "Port") else 0,
         "results": [source.Results for source, _ in shown if source.GetProperty("Results")],
         "axes": [axes.XTitle.strip(), axes.YTitle.strip()], "axes scale": list(axes.DataScale), "counts lines": axes.UseModelTransform,
         "axes matrix": list(axes.ModelTransformMatrix), "axes bounds": list(axes.ModelBounds),
