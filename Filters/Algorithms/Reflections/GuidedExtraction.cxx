@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -91,7 +90,13 @@ void GuidedExtraction::Follow(const TraceCube& cube, int sign, const ReflectionP
         Strand& strand = *strands[n];
         const auto known = std::find_if(followed.begin(), followed.end(),
           [&strand](const FollowedGuide& guide) { return guide.Seeds == strand.Seeds; });
-        strand.Surface = known != followed.end() ? known->Surface : joining.Follow(strand.Seeds);
+        if (known != followed.end())
+        {
+          strand.Surface = known->Surface;
+          continue;
+        }
+        strand.Surface = joining.Follow(strand.Seeds);
+        FindBlocks(picks, InDepths(this->Period / 4.0), strand.Surface);
       }
     });
   followed.clear();
@@ -120,16 +125,23 @@ void GuidedExtraction::Share(
   const std::vector<Strand*>& strands, const ReflectionPicks& picks, const GrowthLinks& links)
 {
   std::vector<GuidedSurface*> surfaces;
-  std::transform(
-    strands.begin(), strands.end(), std::back_inserter(surfaces), [](Strand* strand) { return &strand->Surface; });
+  std::vector<std::size_t> sizes;
+  for (Strand* const strand : strands)
+  {
+    surfaces.push_back(&strand->Surface);
+    sizes.push_back(strand->Surface.Picks.size());
+  }
   for (const auto& [pair, count] : SettleSharedEvents(picks, links, surfaces))
   {
     this->NoteShared(strands[pair.first]->Guide, strands[pair.second]->Guide, count);
     this->NoteShared(strands[pair.second]->Guide, strands[pair.first]->Guide, count);
   }
-  for (GuidedSurface* const surface : surfaces)
+  for (std::size_t n = 0; n < surfaces.size(); ++n)
   {
-    FindBlocks(picks, InDepths(this->Period / 4.0), *surface);
+    if (surfaces[n]->Picks.size() != sizes[n])
+    {
+      FindBlocks(picks, InDepths(this->Period / 4.0), *surfaces[n]);
+    }
   }
 }
 

@@ -265,6 +265,13 @@ bool FollowAlike(const GuidanceOptions& a, const GuidanceOptions& b)
 }
 }
 
+/// What a horizon has of a pick besides its place.
+struct PickValues
+{
+  std::int32_t Thickness = 0; // 0 until it is known
+  float Amplitude = 0.0F;
+};
+
 struct JoinedReflections
 {
   ExtractionOptions Options;
@@ -276,6 +283,7 @@ struct JoinedReflections
   std::array<double, 2> MedianCorrelations = { 0.0, 0.0 };
   std::array<std::optional<GrowthLinks>, 2> Links;
   std::array<std::vector<FollowedGuide>, 2> Followed;
+  std::array<std::vector<PickValues>, 2> Values; // by sign and pick; empty unless they are kept
 
   /// Starts of picks remain.
   void Free(int sign)
@@ -384,7 +392,39 @@ struct Taken
   int I = 0;
   PointId Position = NoPoint;
   Reflection Pick;
+  int Sign = 0;
+  PointId Number = NoPoint; // of the pick
 };
+
+/// Without traces. Returns false if the values of a pick are not known.
+bool ReadKnownRow(const JoinedReflections& joined, const NumbersOfSurfaces& positions, int j, std::vector<Taken>& row)
+{
+  row.clear();
+  const std::array<ReflectionPicks, 2>& picks = joined.Picks.BySign;
+  bool areKnown = !joined.Values[0].empty() || !joined.Values[1].empty();
+  for (int i = 0; i < picks[0].Columns[0] && areKnown; ++i)
+  {
+    const std::int64_t column = picks[0].ColumnAt(i, j);
+    const std::size_t first = row.size();
+    for (const int sign : { 0, 1 })
+    {
+      for (PointId pick = picks[sign].Begin(column); pick < picks[sign].End(column); ++pick)
+      {
+        positions.ForEachOf(sign, pick,
+          [&](PointId position)
+          {
+            const PickValues& values = joined.Values[sign][pick];
+            areKnown = areKnown && values.Thickness > 0;
+            const Reflection known = { picks[sign].Places[pick], values.Thickness, values.Amplitude, 0.0F };
+            row.push_back({ i, position, known, sign, pick });
+          });
+      }
+    }
+    std::stable_sort(row.begin() + std::ptrdiff_t(first), row.end(),
+      [](const Taken& a, const Taken& b) { return a.Pick.Place < b.Pick.Place; });
+  }
+  return areKnown;
+}
 
 void ReadRow(const TraceCube& cube, const CubeReflections& reflections, const TraceLimits& limits,
   const NumbersOfSurfaces& positions, int j, std::vector<Taken>& row)
@@ -406,9 +446,10 @@ void ReadRow(const TraceCube& cube, const CubeReflections& reflections, const Tr
         const int sign = reflections.SignOf(reflection);
         if (sign >= 0)
         {
-          positions.ForEachOf(sign, next[sign]++,
+          const PointId pick = next[sign]++;
+          positions.ForEachOf(sign, pick,
             [&](PointId position) {
-              row.push_back({ i, position, reflection });
+              row.push_back({ i, position, reflection, sign, pick });
             });
         }
       }
@@ -469,9 +510,32 @@ void AddPick(LatticeHorizon& horizon, const Taken& taken, int j)
   horizon.RealZ.push_back(InSamples(pick.Place));
 }
 
+/// Traces are read only where values of picks are not known.
+void TakeRow(const TraceCube& cube, const TraceCube* unsmoothed, const TraceLimits& limits,
+  const NumbersOfSurfaces& positions, int j, JoinedReflections& joined, std::vector<Taken>& row)
+{
+  if (ReadKnownRow(joined, positions, j, row))
+  {
+    return;
+  }
+  const CubeReflections& reflections = joined.Picks;
+  ReadRow(cube, reflections, limits, positions, j, row);
+  if (unsmoothed)
+  {
+    TakeUnsmoothed(*unsmoothed, reflections.Rules, InDepths(reflections.Period / 4.0), j, row);
+  }
+  for (const Taken& taken : row)
+  {
+    if (!joined.Values[taken.Sign].empty())
+    {
+      joined.Values[taken.Sign][taken.Number] = { taken.Pick.Thickness, taken.Pick.Amplitude };
+    }
+  }
+}
+
 /// Threads read blocks of rows; one thread writes.
-void WriteSurfaces(const TraceCube& cube, const TraceCube* unsmoothed, const CubeReflections& reflections,
-  const TraceLimits& limits, const NumbersOfSurfaces& positions, std::vector<LatticeHorizon>& horizons,
+void WriteSurfaces(const TraceCube& cube, const TraceCube* unsmoothed, const TraceLimits& limits,
+  const NumbersOfSurfaces& positions, JoinedReflections& joined, std::vector<LatticeHorizon>& horizons,
   const Monitor& monitor)
 {
   constexpr int rowsAtATime = 32;
@@ -485,11 +549,7 @@ void WriteSurfaces(const TraceCube& cube, const TraceCube* unsmoothed, const Cub
       {
         for (std::int64_t n = begin; n < end; ++n)
         {
-          ReadRow(cube, reflections, limits, positions, first + int(n), rows[n]);
-          if (unsmoothed)
-          {
-            TakeUnsmoothed(*unsmoothed, reflections.Rules, InDepths(reflections.Period / 4.0), first + int(n), rows[n]);
-          }
+          TakeRow(cube, unsmoothed, limits, positions, first + int(n), joined, rows[n]);
         }
       });
     for (int n = 0; n < count; ++n)
@@ -575,8 +635,12 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
     const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
     ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
   }
-  WriteSurfaces(cube, result.IsSmoothed ? &turned : nullptr, joined->Picks, limits, positions, result.Surfaces,
-    monitor.Step(0.9, 1.0));
+  for (const int sign : { 0, 1 })
+  {
+    joined->Values[sign].resize(isKept ? joined->Picks.BySign[sign].Size() : 0);
+  }
+  WriteSurfaces(
+    cube, result.IsSmoothed ? &turned : nullptr, limits, positions, *joined, result.Surfaces, monitor.Step(0.9, 1.0));
   guided.AddAttributes();
   if (kept)
   {

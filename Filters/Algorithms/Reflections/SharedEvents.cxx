@@ -52,6 +52,10 @@ public:
 
   SharedCounts Settle()
   {
+    if (this->Owners.empty())
+    {
+      return {};
+    }
     std::vector<Place> own;
     std::vector<Place> given;
     this->ForEachPick(
