@@ -285,6 +285,14 @@ struct JoinedReflections
   std::array<std::vector<FollowedGuide>, 2> Followed;
   std::array<std::vector<PickValues>, 2> Values; // by sign and pick; empty unless they are kept
 
+  void KeepValues()
+  {
+    for (const int sign : { 0, 1 })
+    {
+      this->Values[sign].resize(std::size_t(this->Picks.BySign[sign].Size()));
+    }
+  }
+
   /// Starts of picks remain.
   void Free(int sign)
   {
@@ -491,6 +499,18 @@ void TakeUnsmoothed(
     });
 }
 
+void MakeRoom(
+  std::size_t guides, const GuidedExtraction& guided, const std::vector<SurfaceSize>& sizes, Extraction& result)
+{
+  result.Surfaces.resize(guides + sizes.size());
+  for (std::size_t n = 0; n < result.Surfaces.size(); ++n)
+  {
+    result.Surfaces[n].SurfaceId = int(n) + 1;
+    const std::size_t size = n < guides ? guided.SizeOf(n) : sizes[n - guides].Columns;
+    ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
+  }
+}
+
 void AddPick(LatticeHorizon& horizon, const Taken& taken, int j)
 {
   const Reflection& pick = taken.Pick;
@@ -628,16 +648,10 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   guided.JoinSigns(joined->Picks);
   guided.ForEachPick([&positions](std::size_t n, int sign, PointId pick) { positions.Add(sign, pick, PointId(n)); });
   positions.Sort();
-  result.Surfaces.resize(guides.size() + sizes.size());
-  for (std::size_t n = 0; n < result.Surfaces.size(); ++n)
+  MakeRoom(guides.size(), guided, sizes, result);
+  if (isKept)
   {
-    result.Surfaces[n].SurfaceId = int(n) + 1;
-    const std::size_t size = n < guides.size() ? guided.SizeOf(n) : sizes[n - guides.size()].Columns;
-    ForEachVoxelArray(result.Surfaces[n], [size](auto& values) { values.Reserve(size); });
-  }
-  for (const int sign : { 0, 1 })
-  {
-    joined->Values[sign].resize(isKept ? joined->Picks.BySign[sign].Size() : 0);
+    joined->KeepValues();
   }
   WriteSurfaces(
     cube, result.IsSmoothed ? &turned : nullptr, limits, positions, *joined, result.Surfaces, monitor.Step(0.9, 1.0));
