@@ -44,7 +44,7 @@ std::vector<std::string> RunBoundary(
   Horizon& output = outputs.front();
   monitor.Progress(0.3);
   options.SmallestHoleSize = FindSmallestHoleSize(options, points.Lattice.ColumnArea());
-  const std::optional<LinkCuts> cuts = options.UseCuts ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
+  const std::optional<LinkCuts> cuts = options.TearAtFaults ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
   auto found = FindExteriorBoundary(points.Column, OptionsFor(options.Type, options), monitor.Step(0.3, 0.9));
   if (found.NumberOfPatches == 0)
@@ -56,7 +56,7 @@ std::vector<std::string> RunBoundary(
   WriteBoundary(input, kept, found, kept.Select(marks), output);
   const Loops loops = found.Boundary.RenumberedBy([&kept](PointId point) { return kept[std::size_t(point)]; });
   WriteLedger(points, kept, CoveredColumns(points.Column, loops, 1), output);
-  if (!options.UseCuts)
+  if (!options.TearAtFaults)
   {
     RemoveCuts(output);
   }

@@ -21,7 +21,7 @@ struct BoundaryStageOptions : BoundaryOptions
   BoundaryType Type = BoundaryType::Exterior;
   /// Square units of the world; the larger one of both sizes counts.
   double SmallestHoleArea = 0.0;
-  bool UseCuts = true; // Faulted links split the horizon. Otherwise the output has none.
+  bool TearAtFaults = true; // Faulted links split the horizon. Otherwise the output has none.
 };
 
 /// Fills the first output, which has the field data. Returns warnings.

@@ -17,11 +17,11 @@ void vtkHorizonExteriorBoundary::ProcessHorizon(const Horizon& horizon, Outputs&
   BoundaryStageOptions options;
   options.Radius = this->Radius;
   options.Growth = static_cast<SeismicHorizons::GrowthStrategy>(this->GrowthStrategy);
-  options.HoleBoundaries = this->HoleBoundaries;
+  options.KeepHoles = this->KeepHoles;
   options.SmallestHoleSize = this->SmallestHoleSize;
   options.SmallestHoleArea = this->SmallestHoleArea;
   options.MinimumPatchSize = this->MinimumPatchSize;
   options.Type = static_cast<SeismicHorizons::BoundaryType>(this->BoundaryType);
-  options.UseCuts = this->UseCuts;
+  options.TearAtFaults = this->TearAtFaults;
   this->Warn(RunBoundary(horizon, options, outputs, monitor));
 }

@@ -6,13 +6,13 @@
  *
  * Input: a horizon, or a composite dataset of horizons, with at most one point per column of the lattice. Output: the
  * same points and arrays, a vertex cell per point, and closed polylines (the first point is repeated at the end): one
- * per patch, clockwise seen from +z on the lattice, then, with HoleBoundaries, one per hole, counter-clockwise. Each
+ * per patch, clockwise seen from +z on the lattice, then, with KeepHoles, one per hole, counter-clockwise. Each
  * begins at its point of least x, then least y. New point arrays:
  *  - PatchId (int): the patch of the point, from 0; also the number of its loop;
  *  - Boundary (unsigned char): 0 inside, 1 on the loop of a patch, 2 on the loop of a hole (see BoundaryType).
  *
  * New field data, one vtkIdType each: NumberOfPatches, NumberOfHoles, and DroppedSmallPatchPoints. With faulted links
- * (UseCuts) also what CloseFaults needs (Documentation/DataModel.md):
+ * (TearAtFaults) also what CloseFaults needs (Documentation/DataModel.md):
  *  - CrackOpenEnds (int, 4 components): where cracks reach the outside or missing points, as two columns;
  *  - CrackLoops (vtkIdType): the numbers of the loops all along cracks.
  *
@@ -54,7 +54,7 @@ public:
    * Default: Exterior.
    *
    * Topological4 is Def. 3.2 of the thesis: loops run through just these points, around patches of neighbouring columns
-   * and all holes, whatever Radius, GrowthStrategy, HoleBoundaries and the smallest hole are. With Topological8 the
+   * and all holes, whatever Radius, GrowthStrategy, KeepHoles and the smallest hole are. With Topological8 the
    * loops are the same, and Boundary is that of the points beside.
    */
   vtkHorizonChoice3Macro(BoundaryType, BoundaryTypes, Exterior, Topological4, Topological8);
@@ -79,7 +79,10 @@ public:
    *
    * A hole is what the hops of the chosen rule leave open inside a patch, with at least one column strictly inside.
    */
-  vtkHorizonFlagMacro(HoleBoundaries);
+  vtkHorizonFlagMacro(KeepHoles);
+
+  /// The name of KeepHoles in version 0.2, for scripts of that version. @deprecated Use SetKeepHoles.
+  void SetHoleBoundaries(bool value) { this->SetKeepHoles(value); }
 
   /**
    * Holes with fewer columns strictly inside are closed. Unit: columns. Range: at least 1. Default: 1.
@@ -107,7 +110,10 @@ public:
    *
    * Off: the output has no FaultedLinks.
    */
-  vtkHorizonFlagMacro(UseCuts);
+  vtkHorizonFlagMacro(TearAtFaults);
+
+  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
+  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
 
 protected:
   vtkHorizonExteriorBoundary() = default;
@@ -123,11 +129,11 @@ private:
   int BoundaryType = Exterior;
   int Radius = 1;
   int GrowthStrategy = Clockwise;
-  bool HoleBoundaries = false;
+  bool KeepHoles = false;
   int SmallestHoleSize = 1;
   double SmallestHoleArea = 0.0;
   int MinimumPatchSize = 1;
-  bool UseCuts = true;
+  bool TearAtFaults = true;
 };
 
 #endif

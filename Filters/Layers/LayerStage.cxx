@@ -262,7 +262,7 @@ LayerStageResult RunLayers(const HorizonStack& stack, const LayerStageOptions& g
   {
     RequireFullColumns(stack);
   }
-  const std::optional<LinkCuts> cuts = given.UseCuts ? stack.FindCuts() : std::nullopt;
+  const std::optional<LinkCuts> cuts = given.TearAtFaults ? stack.FindCuts() : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
   const Layers layers = MakeLayers(stack.Views(), options, monitor.Step(0.1, 0.7));
   LayerStageResult result;

@@ -26,7 +26,7 @@ struct LayerStageOptions
   int SmallestPinch = 25;
   LayerDomain Domain = LayerDomain::EachLayer;
   bool KeepOutlines = false;
-  bool UseCuts = true;
+  bool TearAtFaults = true;
   MissingPolicy Missing = MissingPolicy::Follow;
   int LargestHoleSize = 2500;
   int LargestGap = 10;

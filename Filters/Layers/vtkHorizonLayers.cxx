@@ -129,7 +129,7 @@ LayerStageOptions vtkHorizonLayers::MakeOptions() const
   options.SmallestPinch = this->SmallestPinch;
   options.Domain = this->Domain == Common ? LayerDomain::Common : LayerDomain::EachLayer;
   options.KeepOutlines = this->KeepOutlines;
-  options.UseCuts = this->UseCuts;
+  options.TearAtFaults = this->TearAtFaults;
   options.Missing = static_cast<MissingPolicy>(this->Missing);
   options.LargestHoleSize = this->LargestHoleSize;
   options.LargestGap = this->LargestGap;

@@ -94,7 +94,10 @@ public:
   /**
    * Whether faults of the horizons (field data FaultedLinks) divide layers. Default: on.
    */
-  vtkHorizonFlagMacro(UseCuts);
+  vtkHorizonFlagMacro(TearAtFaults);
+
+  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
+  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
 
   /**
    * What happens where a horizon has no points. Void: both layers beside it are absent. Interpolate: its holes and gaps
@@ -199,7 +202,7 @@ private:
   int SmallestPinch = 25;
   int Domain = EachLayer;
   bool KeepOutlines = false;
-  bool UseCuts = true;
+  bool TearAtFaults = true;
   int Missing = Follow;
   int LargestHoleSize = 2500;
   int LargestGap = 10;

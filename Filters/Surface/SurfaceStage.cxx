@@ -95,7 +95,7 @@ SurfaceOptions MakeSurfaceOptions(const SurfaceStageOptions& given, const ErrorL
   }
   options.Radius = given.Radius;
   options.Growth = given.Growth;
-  options.HoleBoundaries = given.HoleBoundaries;
+  options.KeepHoles = given.KeepHoles;
   options.SmallestHoleSize = given.SmallestHoleSize;
   options.MinimumPatchSize = given.MinimumPatchSize;
   options.OutlineTolerance = given.OutlineTolerance;
@@ -136,7 +136,7 @@ std::vector<std::string> RunSurface(
     HasErrorTarget(given) ? FindMaximumError(given, points.Column, points.Height, points.Lattice) : ErrorLimit();
   SurfaceOptions options = MakeSurfaceOptions(given, limit);
   options.Seams = MakeSeams(given);
-  const std::optional<LinkCuts> cuts = given.UseCuts ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
+  const std::optional<LinkCuts> cuts = given.TearAtFaults ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
   const std::vector<PointId> onLowerSeam = FindPointsOn(options.Seams.Lower, points.Column);
   monitor.Progress(0.1);
@@ -144,7 +144,7 @@ std::vector<std::string> RunSurface(
   Horizon& outlines = outputs[OutlinePort];
   WriteBoundary(
     input, surface.Kept, surface.Boundary, MarkBoundary(BoundaryType::Exterior, {}, surface.Boundary), outlines);
-  if (!given.UseCuts)
+  if (!given.TearAtFaults)
   {
     RemoveCuts(outlines);
   }

@@ -23,8 +23,8 @@ struct SurfaceStageOptions : ReducedMeshOptions
   std::optional<std::int64_t> MaximumNumberOfTriangles; // the target in place of the error
   std::optional<int> Radius;
   GrowthStrategy Growth = GrowthStrategy::Clockwise;
-  bool HoleBoundaries = true;
-  bool UseCuts = true; // Faulted links split the horizon. Otherwise outputs have none.
+  bool KeepHoles = true;
+  bool TearAtFaults = true; // Faulted links split the horizon. Otherwise outputs have none.
   std::optional<std::int64_t> SmallestHoleSize;
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;

@@ -86,8 +86,8 @@ void vtkHorizonSurface::ProcessHorizon(const Horizon& horizon, Outputs& outputs,
   }
   options.Radius = UnlessAutomatic<int>(this->AutomaticRadius, this->Radius);
   options.Growth = static_cast<SeismicHorizons::GrowthStrategy>(this->GrowthStrategy);
-  options.HoleBoundaries = this->HoleBoundaries;
-  options.UseCuts = this->UseCuts;
+  options.KeepHoles = this->KeepHoles;
+  options.TearAtFaults = this->TearAtFaults;
   options.SmallestHoleSize = UnlessAutomatic<std::int64_t>(this->AutomaticSmallestHoleSize, this->SmallestHoleSize);
   options.MinimumPatchSize = this->MinimumPatchSize;
   options.OutlineTolerance = UnlessAutomatic<double>(this->AutomaticOutlineTolerance, this->OutlineTolerance);

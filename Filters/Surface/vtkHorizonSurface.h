@@ -85,7 +85,10 @@ public:
   /**
    * Whether holes stay open unless too small. Off: all are closed. Default: on.
    */
-  vtkHorizonFlagMacro(HoleBoundaries);
+  vtkHorizonFlagMacro(KeepHoles);
+
+  /// The name of KeepHoles in version 0.2, for scripts of that version. @deprecated Use SetKeepHoles.
+  void SetHoleBoundaries(bool value) { this->SetKeepHoles(value); }
 
   /**
    * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
@@ -93,7 +96,10 @@ public:
    *
    * Off: the outputs have no FaultedLinks.
    */
-  vtkHorizonFlagMacro(UseCuts);
+  vtkHorizonFlagMacro(TearAtFaults);
+
+  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
+  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
 
   /**
    * Whether the smallest hole that stays open is chosen, by the radius and the outline tolerance. Off:
@@ -173,8 +179,8 @@ private:
   bool AutomaticRadius = true;
   int Radius = 1;
   int GrowthStrategy = Clockwise;
-  bool HoleBoundaries = true;
-  bool UseCuts = true;
+  bool KeepHoles = true;
+  bool TearAtFaults = true;
   bool AutomaticSmallestHoleSize = true;
   int SmallestHoleSize = 1;
   int MinimumPatchSize = 1;

@@ -48,7 +48,7 @@ BoundaryOptions OptionsAsOf(const Horizon& mesh, int radius)
   if (chosen >= 1.0 && chosen <= LargestRadius && smallest >= 1.0 && smallest <= LargestHole && holes >= 0.0)
   {
     options.Radius = int(chosen);
-    options.HoleBoundaries = holes > 0.0;
+    options.KeepHoles = holes > 0.0;
     options.SmallestHoleSize = std::int64_t(smallest);
   }
   return options;

@@ -80,11 +80,16 @@ struct Rename
 };
 
 // Names of version 0.2, to be removed with the deprecated setters.
-constexpr std::array<Rename, 4> Renames = { {
+constexpr std::array<Rename, 9> Renames = { {
   { "HorizonDespiking", "ThreadWidth", "SpurWidth" },
   { "SeismicReflectionExtraction", "Elevation", "ZFrom" },
   { "VerneySparseMatrixReader", "Elevation", "ZFrom" },
   { "ByContentVerneySparseMatrixReader", "Elevation", "ZFrom" },
+  { "HorizonExteriorBoundary", "HoleBoundaries", "KeepHoles" },
+  { "HorizonExteriorBoundary", "UseCuts", "TearAtFaults" },
+  { "HorizonSurface", "HoleBoundaries", "KeepHoles" },
+  { "HorizonSurface", "UseCuts", "TearAtFaults" },
+  { "HorizonLayers", "UseCuts", "TearAtFaults" },
 } };
 
 vtkPVXMLElement* FindProperty(vtkPVXMLElement* proxy, const std::string& name)

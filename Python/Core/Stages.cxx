@@ -67,7 +67,7 @@ nb::tuple Outline(const nb::dict& given, const nb::dict& chosen, const nb::objec
   TakeChoice(chosen, "kind", { "exterior", "topological4", "topological8" }, options.Type);
   Take(chosen, "radius", options.Radius);
   TakeChoice(chosen, "growth", Growths, options.Growth);
-  Take(chosen, "hole_boundaries", options.HoleBoundaries);
+  Take(chosen, "keep_holes", options.KeepHoles);
   Take(chosen, "smallest_hole_size", options.SmallestHoleSize);
   Take(chosen, "smallest_hole_area", options.SmallestHoleArea);
   Take(chosen, "minimum_patch_size", options.MinimumPatchSize);
@@ -171,7 +171,7 @@ nb::tuple MeshSurface(const nb::dict& given, const nb::dict& chosen, const nb::o
   Take(chosen, "maximum_number_of_triangles", options.MaximumNumberOfTriangles);
   Take(chosen, "radius", options.Radius);
   TakeChoice(chosen, "growth", Growths, options.Growth);
-  Take(chosen, "hole_boundaries", options.HoleBoundaries);
+  Take(chosen, "keep_holes", options.KeepHoles);
   Take(chosen, "smallest_hole_size", options.SmallestHoleSize);
   Take(chosen, "minimum_patch_size", options.MinimumPatchSize);
   Take(chosen, "outline_tolerance", options.OutlineTolerance);

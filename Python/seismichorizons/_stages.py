@@ -181,7 +181,7 @@ def surface(horizon: Mapping[str, Horizon], largest_error: float | str | None = 
 def surface(horizon: Any, largest_error: float | str | None = None, *, triangles: int | None = None,  # type: ignore[misc]
             smallest_angle: float = 2.0, edge_length: float = 0.0, edge_growth: float = 0.0, effort: str = "best", fit_heights: bool = True, crossing_tolerance: str = "same",
             radius: int | None = None,
-            hole_boundaries: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
+            keep_holes: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
             outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
             seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
     """Makes a mesh of few triangles within an error.
@@ -210,7 +210,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         or any distance, where triangles may stand up like spikes.
     radius : int, optional
         The largest gap between neighbouring points of a patch, in columns; by default the least for nearly all gaps.
-    hole_boundaries : bool
+    keep_holes : bool
         Keeps holes open.
     smallest_hole_size : int, optional
         Smaller holes, in columns, are closed.
@@ -249,7 +249,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         given = dict(triangles=triangles, smallest_angle=smallest_angle, edge_length=edge_length, edge_growth=edge_growth,
                      effort=effort, fit_heights=fit_heights,
                      crossing_tolerance=crossing_tolerance, radius=radius,
-                     hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
+                     keep_holes=keep_holes, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
                      outline_tolerance=outline_tolerance, faults=faults,
                      close_faults=close_faults, seam_rows=seam_rows, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
@@ -258,7 +258,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         raise ValueError("largest_error and triangles, expected one of them")
     options = given_options(
         smallest_angle=float(smallest_angle), edge_length=float(edge_length), edge_growth=float(edge_growth), effort=effort,
-        fit_heights=bool(fit_heights), hole_boundaries=bool(hole_boundaries),
+        fit_heights=bool(fit_heights), keep_holes=bool(keep_holes),
         crossing_tolerance=crossing_tolerance,
         minimum_patch_size=_count("minimum_patch_size", minimum_patch_size), close_faults=bool(close_faults), error_unit="world",
         radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),

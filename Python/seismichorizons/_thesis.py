@@ -25,7 +25,7 @@ def _run(stage: Any, of: Horizon | Mesh, data: Any, options: dict[str, Any], pro
 
 
 def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: str | None = None, kind: str | None = None,
-                      hole_boundaries: bool | None = None, smallest_hole_size: int | None = None, smallest_hole_area: float | None = None,
+                      keep_holes: bool | None = None, smallest_hole_size: int | None = None, smallest_hole_area: float | None = None,
                       minimum_patch_size: int | None = None, faults: Faults | None = None, progress: Progress | None = None) -> Mesh:
     """Finds the outline of each connected patch, and of holes on request.
 
@@ -37,7 +37,7 @@ def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: st
     growth : "clockwise" or "distance"
         How outlines continue where the radius leaves a choice.
     kind : "exterior", "topological4" or "topological8"
-    hole_boundaries : bool
+    keep_holes : bool
         Gives holes outlines, too; off by default.
     smallest_hole_size : int
         Smaller holes, in columns strictly inside, have none.
@@ -56,7 +56,7 @@ def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: st
     96
     """
     require_horizon(horizon, "an exterior boundary")
-    options = given_options(radius=radius, growth=growth, kind=kind, hole_boundaries=hole_boundaries, smallest_hole_size=smallest_hole_size,
+    options = given_options(radius=radius, growth=growth, kind=kind, keep_holes=keep_holes, smallest_hole_size=smallest_hole_size,
                             smallest_hole_area=smallest_hole_area, minimum_patch_size=minimum_patch_size)
     return _run(_core.boundary, horizon, horizon._data(links_of(faults)), options, progress)
 

@@ -88,7 +88,7 @@ def make_settings(options):
     if settings.fault_formats and settings.torn is None:
         raise HorizonError("--fault-formats without faults, expected --cut-faults, --fault-lines or --fault-sticks")
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
-    settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "HoleBoundaries")
+    settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "KeepHoles")
     settings.simplified = {
         **({"Method": "FewestPoints"} if hasattr(options, "fewest_outline_points") else {}),
         **given(options, "BoundDeviation", "OutlineTolerance", "DistanceThreshold")}

@@ -112,7 +112,7 @@ public:
     BoundaryOptions options;
     options.Radius = radius;
     options.Growth = growth;
-    options.HoleBoundaries = holes;
+    options.KeepHoles = holes;
     this->Measure(what, radius,
       [&](Measurement& result)
       {

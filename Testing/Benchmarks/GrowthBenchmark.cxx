@@ -61,7 +61,7 @@ Case Boundary(const std::string& name, int size, int radius, double density)
     {
       BoundaryOptions options;
       options.Radius = radius;
-      options.HoleBoundaries = true;
+      options.KeepHoles = true;
       return [columns = Square(points, density), options]() { FindExteriorBoundary(columns, options); };
     } };
 }

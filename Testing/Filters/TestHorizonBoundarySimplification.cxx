@@ -162,7 +162,7 @@ void TestOutlineTolerance(vtkMatrix4x4* survey)
   boundary->SetInputDataObject(HorizonFixtures::FromPicture(
     { "##........", "####......", "######....", "########..", "##########", "##..######", "##....####", "##########" },
     2, survey, Level));
-  boundary->HoleBoundariesOn();
+  boundary->KeepHolesOn();
   vtkNew<vtkHorizonBoundarySimplification> straight;
   straight->SetInputConnection(boundary->GetOutputPort());
   straight->Update();

@@ -52,20 +52,20 @@ void TestBoundary()
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(MakeFaulted(HorizonFixtures::RotatedSurvey()));
   boundary->SetSmallestHoleSize(1000);
-  CHECK(boundary->GetUseCuts());
+  CHECK(boundary->GetTearAtFaults());
   vtkPolyData* const output = Update(boundary);
   CHECK_EQUAL(Figure(output, "NumberOfPatches"), 1.0);
   CHECK_EQUAL(Figure(output, "NumberOfHoles"), 1.0);
   CHECK_EQUAL(output->GetLines()->GetCellSize(1), 2 * (LastColumn - FirstColumn + 3) + 1);
   CHECK(output->GetFieldData()->HasArray("FaultedLinks") && output->GetFieldData()->HasArray("FaultThrow"));
-  boundary->UseCutsOff();
+  boundary->TearAtFaultsOff();
   boundary->Update();
   CHECK_EQUAL(Figure(output, "NumberOfHoles"), 0.0);
   CHECK(!output->GetFieldData()->HasArray("FaultedLinks") && !output->GetFieldData()->HasArray("FaultThrow"));
   CHECK(vtkPolyData::SafeDownCast(boundary->GetInputDataObject(0, 0))->GetFieldData()->HasArray("FaultedLinks"));
   std::ostringstream text;
   boundary->Print(text);
-  CHECK(text.str().find("UseCuts: off") != std::string::npos);
+  CHECK(text.str().find("TearAtFaults: off") != std::string::npos);
 }
 
 /// No stage joins the cutoffs, and cuts go on to the last one.
@@ -94,7 +94,7 @@ void TestStages()
   decimation->SetMaximumError(0.75);
   decimation->SetInputConnection(outlines->GetOutputPort());
   CHECK_EQUAL(CountAcross(Update(decimation)), 0);
-  boundary->UseCutsOff();
+  boundary->TearAtFaultsOff();
   CHECK(CountAcross(Update(decimation)) > 0);
 }
 
@@ -118,7 +118,7 @@ void TestCells()
     return between;
   };
   CHECK_EQUAL(countBetween(), 0);
-  boundary->UseCutsOff();
+  boundary->TearAtFaultsOff();
   CHECK(countBetween() > 0);
 }
 
@@ -129,11 +129,11 @@ void TestSurface()
   surface->SetInputDataObject(MakeFaulted(HorizonFixtures::UnitSurvey()));
   surface->SetOutlineTolerance(0.0);
   surface->AutomaticOutlineToleranceOff();
-  CHECK(surface->GetUseCuts());
+  CHECK(surface->GetTearAtFaults());
   vtkPolyData* const mesh = Update(surface);
   CHECK_EQUAL(CountAcross(mesh), 0);
   CHECK(mesh->GetFieldData()->HasArray("FaultedLinks"));
-  surface->UseCutsOff();
+  surface->TearAtFaultsOff();
   surface->Update();
   CHECK(CountAcross(mesh) > 0);
   for (int port = 0; port < 2; ++port)
@@ -142,7 +142,7 @@ void TestSurface()
   }
   std::ostringstream text;
   surface->Print(text);
-  CHECK(text.str().find("UseCuts: off") != std::string::npos);
+  CHECK(text.str().find("TearAtFaults: off") != std::string::npos);
 }
 
 void CheckRefused(vtkPolyData* horizon, int radius, const std::string& message)

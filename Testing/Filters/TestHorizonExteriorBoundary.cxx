@@ -97,7 +97,7 @@ void TestRadiusAndHoles()
 {
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(TwoSquares(HorizonFixtures::UnitSurvey()));
-  boundary->HoleBoundariesOn();
+  boundary->KeepHolesOn();
   boundary->Update();
   vtkPolyData* const output = boundary->GetPolyDataOutput();
   CHECK_EQUAL(output->GetNumberOfLines(), 3);
@@ -120,7 +120,7 @@ void TestSmallestHoleArea()
 {
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(FromPicture({ "######", "#.#..#", "######" }, 3, HorizonFixtures::RotatedSurvey()));
-  boundary->HoleBoundariesOn();
+  boundary->KeepHolesOn();
   for (const auto& [area, holes] : { std::pair<double, double>(0.0, 2.0), { 311.405, 2.0 }, { 312.0, 1.0 },
          { 622.81, 1.0 }, { 623.0, 0.0 }, { 1e300, 0.0 } })
   {
@@ -224,13 +224,13 @@ void TestPrint()
   boundary->SetBoundaryTypeToTopological8();
   boundary->SetRadius(7);
   boundary->SetGrowthStrategyToDistance();
-  boundary->HoleBoundariesOn();
+  boundary->KeepHolesOn();
   boundary->SetSmallestHoleSize(12);
   boundary->SetSmallestHoleArea(2.5);
   boundary->SetMinimumPatchSize(34);
   std::ostringstream text;
   boundary->Print(text);
-  for (const char* line : { "BoundaryType: Topological8", "Radius: 7", "GrowthStrategy: Distance", "HoleBoundaries: on",
+  for (const char* line : { "BoundaryType: Topological8", "Radius: 7", "GrowthStrategy: Distance", "KeepHoles: on",
          "SmallestHoleSize: 12", "SmallestHoleArea: 2.5", "MinimumPatchSize: 34" })
   {
     CHECK(text.str().find(line) != std::string::npos);

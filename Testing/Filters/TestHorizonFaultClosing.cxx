@@ -193,7 +193,7 @@ void TestSurface()
   vtkPolyData* const mesh = Update(surface);
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(horizon);
-  boundary->HoleBoundariesOn();
+  boundary->KeepHolesOn();
   vtkNew<vtkHorizonBoundarySimplification> outlines;
   outlines->SetInputConnection(boundary->GetOutputPort());
   outlines->SetMethodToFewestPoints();
@@ -221,9 +221,9 @@ void TestFieldData()
     CHECK_EQUAL(openEnds->GetComponent(0, n), expected[std::size_t(n)]);
   }
   CHECK_EQUAL(cracked->GetFieldData()->GetArray("CrackLoops")->GetNumberOfTuples(), 0);
-  boundary->UseCutsOff();
+  boundary->TearAtFaultsOff();
   CHECK(!Update(boundary)->GetFieldData()->HasArray("CrackOpenEnds"));
-  boundary->UseCutsOn();
+  boundary->TearAtFaultsOn();
   cracked->GetFieldData()->RemoveArray("FaultedLinks");
   boundary->SetInputDataObject(cracked);
   Update(boundary);
@@ -264,7 +264,7 @@ void TestOldFieldData()
   boundary->SetInputDataObject(old);
   for (const bool areUsed : { true, false })
   {
-    boundary->SetUseCuts(areUsed);
+    boundary->SetTearAtFaults(areUsed);
     CHECK(!Update(boundary)->GetFieldData()->HasArray("CutMouths"));
     CHECK_EQUAL(boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CutLinks"), int(areUsed));
     CHECK_EQUAL(boundary->GetPolyDataOutput()->GetFieldData()->HasArray("CrackOpenEnds"), int(areUsed));
@@ -292,7 +292,7 @@ void TestDistances()
   CHECK(open < 1.0);
   decimation->CloseFaultsOn();
   CHECK_EQUAL(largest(), open);
-  boundary->UseCutsOff();
+  boundary->TearAtFaultsOff();
   CHECK_EQUAL(Figure(Update(decimation), "FaultTriangleCount"), 0.0);
   CHECK(decimation->GetPolyDataOutput()->GetCellData()->HasArray("Fault"));
 }

@@ -94,7 +94,7 @@ void TestFollowingStages()
   decimation->SetMaximumError(0.75);
   surface->SetMaximumError(0.75);
   outline->SetInputConnection(filling->GetOutputPort());
-  outline->HoleBoundariesOn();
+  outline->KeepHolesOn();
   straight->SetInputConnection(outline->GetOutputPort());
   rough->SetInputConnection(straight->GetOutputPort());
   rough->SetCellSize(2);

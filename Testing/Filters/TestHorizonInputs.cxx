@@ -191,7 +191,7 @@ void TestStageTwice()
   const Data plain = FromPicture({ "#####", "#...#", "#...#", "#####" }, 1, UnitSurvey());
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(Apply<vtkHorizonExteriorBoundary>(plain));
-  boundary->HoleBoundariesOn();
+  boundary->KeepHolesOn();
   boundary->Update();
   CHECK_EQUAL(Figure(boundary->GetOutputDataObject(0), "NumberOfHoles"), 1.0);
   const Data fine = Apply<vtkHorizonTriangulation>(Bounded(9));
@@ -214,7 +214,7 @@ void TestHiddenPoints()
   SetPointArray<vtkUnsignedCharArray>(hidden, vtkDataSetAttributes::GhostArrayName(), ghosts);
   vtkNew<vtkHorizonExteriorBoundary> boundary;
   boundary->SetInputDataObject(hidden);
-  boundary->HoleBoundariesOn();
+  boundary->KeepHolesOn();
   boundary->Update();
   const Data found = boundary->GetPolyDataOutput();
   CHECK_EQUAL(found->GetNumberOfPoints(), 8);

@@ -81,7 +81,7 @@ struct Stages
   explicit Stages(vtkPolyData* horizon)
   {
     this->Boundary->SetInputData(horizon);
-    this->Boundary->HoleBoundariesOn();
+    this->Boundary->KeepHolesOn();
     this->Straight->SetInputConnection(this->Boundary->GetOutputPort());
     this->Straight->SetMethodToFewestPoints();
     this->Mesh->SetInputConnection(this->Straight->GetOutputPort());
@@ -159,7 +159,7 @@ void CheckRepeated(vtkHorizonSurface* surface, vtkPolyData* horizon)
   CHECK(mesh->GetNumberOfPolys() > 0);
   Stages stages(horizon);
   stages.Boundary->SetRadius(int(Figure(mesh, "ChosenRadius")));
-  stages.Boundary->SetHoleBoundaries(surface->GetHoleBoundaries());
+  stages.Boundary->SetKeepHoles(surface->GetKeepHoles());
   stages.Boundary->SetSmallestHoleSize(int(Figure(mesh, "ChosenSmallestHoleSize")));
   stages.Boundary->SetMinimumPatchSize(surface->GetMinimumPatchSize());
   stages.Boundary->SetGrowthStrategy(surface->GetGrowthStrategy());
@@ -250,7 +250,7 @@ void TestGivenParameters()
   CHECK_EQUAL(Figure(mesh, "ChosenSmallestHoleSize"), 2.0);
   CHECK_EQUAL(Figure(mesh, "ChosenOutlineTolerance"), 0.25);
   CHECK_EQUAL(Figure(mesh, "ChosenDistanceThreshold"), 0.5);
-  surface->HoleBoundariesOff();
+  surface->KeepHolesOff();
   CheckRepeated(surface, horizon);
   CHECK_EQUAL(Figure(surface->GetPolyDataOutput(), "NumberOfHoles"), 0.0);
 }
@@ -376,7 +376,7 @@ void TestPrint()
   surface->Print(text);
   for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Lattice",
          "MaximumNumberOfTriangles: 20000", "AutomaticRadius: on", "Radius: 1", "GrowthStrategy: Clockwise",
-         "HoleBoundaries: on", "AutomaticSmallestHoleSize: on", "SmallestHoleSize: 1", "MinimumPatchSize: 1",
+         "KeepHoles: on", "AutomaticSmallestHoleSize: on", "SmallestHoleSize: 1", "MinimumPatchSize: 1",
          "AutomaticOutlineTolerance: on", "OutlineTolerance: 0", "AutomaticDistanceThreshold: on",
          "DistanceThreshold: 0.4", "FitHeights: on", "Effort: Best", "Priority: SumOfSquares", "SmallestAngle: 2" })
   {

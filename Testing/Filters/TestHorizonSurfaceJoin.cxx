@@ -337,7 +337,7 @@ void TestSurfaceErrors()
   refuse(
     "a seam and a number of triangles", [](vtkHorizonSurface* surface) { surface->SetTargetToNumberOfTriangles(); });
   refuse("a seam and a minimum patch size of 4 points", [](vtkHorizonSurface* s) { s->SetMinimumPatchSize(4); });
-  refuse("a seam without hole boundaries", [](vtkHorizonSurface* surface) { surface->HoleBoundariesOff(); });
+  refuse("a seam without hole boundaries", [](vtkHorizonSurface* surface) { surface->KeepHolesOff(); });
   refuse("seam row -2, expected at least -1, which stands for none",
     [](vtkHorizonSurface* surface) { surface->SetSeamRows(-2, -1); });
   refuse("in row 30, expected none beyond the seams (lower: 11, upper: 29)",

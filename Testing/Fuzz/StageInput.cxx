@@ -170,7 +170,7 @@ BoundaryOptions StageInput::TakeBoundaryOptions()
   const int odd[] = { 0, -5, LargestRadius + 1, std::numeric_limits<int>::max() };
   options.Radius = this->TakeBelow(16) == 0 ? odd[this->TakeBelow(4)] : 1 + this->TakeBelow(6);
   options.Growth = this->TakeBool() ? GrowthStrategy::Clockwise : GrowthStrategy::Distance;
-  options.HoleBoundaries = this->TakeBool();
+  options.KeepHoles = this->TakeBool();
   options.SmallestHoleSize = this->TakeSize();
   options.MinimumPatchSize = this->TakeSize();
   return options;
@@ -244,7 +244,7 @@ SurfaceOptions StageInput::TakeSurfaceOptions()
   options.MaximumNumberOfTriangles = this->TakeBool() ? 0 : std::size_t(1 + this->TakeBelow(1000));
   const BoundaryOptions boundary = this->TakeBoundaryOptions();
   options.Growth = boundary.Growth;
-  options.HoleBoundaries = boundary.HoleBoundaries;
+  options.KeepHoles = boundary.KeepHoles;
   options.MinimumPatchSize = boundary.MinimumPatchSize;
   const BoundarySimplificationOptions simplification = this->TakeBoundarySimplificationOptions();
   if (this->TakeBool())

@@ -119,7 +119,7 @@ def run(chance, name, data):
     stage.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # it says that there was an error
     stage.AddObserver("WarningEvent", lambda *_: None)
     if name in ("ExteriorBoundary", "Surface") and chance.random() < 0.5:
-        stage.HoleBoundariesOn()
+        stage.KeepHolesOn()
     stage.SetInputDataObject(data)
     stage.Update()
     output = stage.GetOutputDataObject(0)

@@ -154,7 +154,7 @@ class BoundTest(unittest.TestCase):
             surface.SetMaximumError(error)
             surface.SetEffort(int(random.integers(2)))
             surface.SetFitHeights(bool(random.integers(2)))
-            surface.SetHoleBoundaries(bool(random.integers(2)))
+            surface.SetKeepHoles(bool(random.integers(2)))
             if random.random() < 0.3:
                 surface.AutomaticRadiusOff()
                 surface.SetRadius(int(random.integers(1, 4)))

@@ -239,7 +239,7 @@ class LayersTest(unittest.TestCase):
         columns = lattice_places(body)[mesh_checks.triangles(body)][face == FAULT][:, :, 0]
         self.assertGreaterEqual(np.count_nonzero(face == FAULT), 4)
         self.assertTrue(np.all((columns >= 19.0) & (columns <= 20.0)) or figures.area_at_faults > 25.0 * 12.5 * 21)
-        whole = vtk_inputs.layers(horizons, MaximumError=0.75, UseCuts=False)
+        whole = vtk_inputs.layers(horizons, MaximumError=0.75, TearAtFaults=False)
         self.assertEqual(whole.figures["Top to Base"].area_at_faults, 0.0)
         self.check(whole, horizons, 0.75)
 
@@ -289,7 +289,7 @@ class LayersTest(unittest.TestCase):
             for n in range(number):
                 horizons["ABC"[n]] = vtk_inputs.horizon(np.where(known, 100.0 + 20.0 * n + 0.1 * x + 0.05 * y, np.nan), VerticalStep=1.0)
                 add_cuts(horizons["ABC"[n]], links)
-            cut, whole = (vtk_inputs.layers(horizons, MaximumError=0.0, KeepOutlines=domain == "Common", UseCuts=use,
+            cut, whole = (vtk_inputs.layers(horizons, MaximumError=0.0, KeepOutlines=domain == "Common", TearAtFaults=use,
                                             Domain=domain).figures["A to B"] for use in (True, False))
             self.assertAlmostEqual(cut.area_at_faults, whole.area - cut.area, 6)
             self.assertAlmostEqual(cut.volume_at_faults, whole.volume - cut.volume, 5)

@@ -57,7 +57,7 @@ def random_stages(random):
     smallest_patch = int(random.choice([1, 1, 8]))
     kind = random.integers(4)
     if kind == 0:
-        made = [make("Surface", MaximumError=error, HoleBoundaries=bool(random.integers(2)), MinimumPatchSize=smallest_patch,
+        made = [make("Surface", MaximumError=error, KeepHoles=bool(random.integers(2)), MinimumPatchSize=smallest_patch,
                      CloseFaults=bool(random.integers(2)))]
         if random.random() < 0.5:
             made[0].AutomaticRadiusOff()

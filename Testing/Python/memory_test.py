@@ -202,7 +202,7 @@ class BatchTest(unittest.TestCase):
 
     def check_distances(self, horizon, mesh):
         """No point inside the outlines is farther from the mesh than the error, and all but few are above or below it."""
-        (outlines,), _ = core.run(_core.boundary, horizon, {"hole_boundaries": True, "smallest_hole_size": 9})
+        (outlines,), _ = core.run(_core.boundary, horizon, {"keep_holes": True, "smallest_hole_size": 9})
         reference, _, _ = core.run(_core.distance, outlines, data.from_vtk(mesh), {"in_world_units": False})
         inside = reference["point_data"]["Boundary"] == 0
         distances = reference["point_data"]["VerticalDistance"][inside]

@@ -93,6 +93,29 @@ def test_layers_apart():
     assert "layers_apart: none.vsm: no such file" in said, said
 
 
+def test_well_tops():
+    """Wells and their names are drawn; what a table lacks is said."""
+    i, j = np.meshgrid(np.arange(40), np.arange(40))
+    sh.write(sh.horizon(1000 + 0.05 * (i - 20.0) ** 2 + 0.3 * j, spacing=(25, 25)), FOLDER / "top.vsm")
+    tops = FOLDER / "tops.csv"
+    tops.write_text("Well,X,Y,Depth\nA-1,500,250,990\nB-2,850,700,1000\n", encoding="utf-8")
+
+    def reds(name):
+        reader = vtkPNGReader()
+        reader.SetFileName(str(FOLDER / name))
+        reader.Update()
+        picture = reader.GetOutput()
+        pixels = [[picture.GetScalarComponentAsDouble(x, y, 0, c) for c in range(3)] for x in range(1100) for y in range(700)]
+        return sum(red > 100 and green < 60 and blue < 60 for red, green, blue in pixels)
+
+    said = run(PVBATCH, "well_tops", FOLDER / "top.vsm", tops, FOLDER / "wells.png", "--exaggeration", 4)
+    assert "2 well tops" in said and reds("wells.png") > 100, said
+    tops.write_text("Well,X,Y,Depth\nA-1,500,250,-990\n", encoding="utf-8")
+    assert "1 well tops" in run(PVBATCH, "well_tops", FOLDER / "top.vsm", tops, FOLDER / "up.png", "--direction", "up")
+    said = run(PVBATCH, "well_tops", FOLDER / "top.vsm", tops, FOLDER / "none.png", "--columns", "Name,X,Y,Z", code=1)
+    assert "no column Name, Z, expected Name, X, Y, Z; there are " in said, said
+
+
 def test_fault_cut():
     """Across a straight fault of a throw of 12, a mesh that is cut is near with few triangles, one that is not is far."""
     i, j = np.meshgrid(np.arange(60), np.arange(50))
@@ -113,6 +136,7 @@ def main():
     test_own_points()
     test_side_by_side()
     test_layers_apart()
+    test_well_tops()
     test_fault_cut()
 
 

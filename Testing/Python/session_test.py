@@ -214,6 +214,7 @@ def main():
     check_states(expected, folder, trace)
     check_renamed(folder / "state.pvsm", "quiet", "ThreadWidth", "SpurWidth", (1, 2, 3))
     check_renamed(folder / "state.pvsm", "points", "Elevation", "ZFrom", (0, 1, 1))
+    check_renamed(folder / "state.pvsm", "outline", "UseCuts", "TearAtFaults", (1, 0, 1))
     simple.ResetSession()
     points = simple.OpenDataFile(str(sample))
     check_saved_data(points, simple.HorizonSurface(Input=points), folder)

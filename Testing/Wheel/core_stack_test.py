@@ -158,7 +158,7 @@ class ThesisTest(unittest.TestCase):
         z = noisy(7)
         z[20:30, 30:45] = np.nan
         horizon = sh.horizon(z, attributes={"amplitude": z, "count": np.arange(z.size).reshape(z.shape)}, **PLACE)
-        outlined = sh.exterior_boundary(horizon, hole_boundaries=True)
+        outlined = sh.exterior_boundary(horizon, keep_holes=True)
         self.assertEqual([len(loop) for loop in outlined.outlines], [276, 50])  # inner corners are cut diagonally
         fewer = sh.boundary_simplification(outlined, method="fewest_points", distance_threshold=0.75, outline_tolerance=0.75)
         self.assertLess(sum(map(len, fewer.outlines)), 200)

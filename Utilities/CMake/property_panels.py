@@ -10,7 +10,7 @@ number of elements, the default and the domain that the header of the class stat
     special             the text of a switch that sets the default, or special_value ("0"), in place of a number
     placeholder         the text of an empty field
     components          labels of the numbers of one property
-    visible_if          when it is shown: "Method=Plate" for a choice, "HoleBoundaries=on" for a switch, "Target!=LargestError"
+    visible_if          when it is shown: "Method=Plate" for a choice, "KeepHoles=on" for a switch, "Target!=LargestError"
                         for other choices, "Gridding=Plate|Nearest" for two choices, "A=on and B=off" for both conditions
     enabled_if          the same conditions; it is shown in grey otherwise
     entries             "IbmFloat: IBM Float; IeeeFloat: IEEE Float": labels of choices that differ from their names

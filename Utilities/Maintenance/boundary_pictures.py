@@ -30,7 +30,7 @@ def ragged(data):
 
 
 def outline_panel(data, rule, radius, holes):
-    options = {"radius": radius, "growth": rule.lower(), "hole_boundaries": holes, "smallest_hole_size": 2}
+    options = {"radius": radius, "growth": rule.lower(), "keep_holes": holes, "smallest_hole_size": 2}
     (outline,), _ = core.run(_core.boundary, data, options)
     counts = [value(outline, name) for name in ("NumberOfPatches", "NumberOfHoles")]
     points = len(outline["lines"][1]) - count_lines(outline)

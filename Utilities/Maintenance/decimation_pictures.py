@@ -75,7 +75,7 @@ def main():
         return
     generator, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     surface = make_surface(generator, SURFACE, ZFrom="RealZ")
-    outlined = apply(vtkHorizonExteriorBoundary(), surface, HoleBoundaries=True, SmallestHoleSize=9)
+    outlined = apply(vtkHorizonExteriorBoundary(), surface, KeepHoles=True, SmallestHoleSize=9)
     full = apply(vtkHorizonTriangulation(), outlined)
     meshes = [decimate(outlined, error) for error in ERRORS]
     shown = [pictures.Panel("Largest error %g" % error, "{:,} triangles".format(mesh.GetNumberOfPolys()), from_vtk(mesh),

@@ -162,7 +162,7 @@ def meshes(horizon, heights, error, length):
     number = len(triangles)
     mesh = sh.surface(horizon, error)
     coarse = mesh.points, mesh.triangles
-    mesh = sh.triangulation(sh.exterior_boundary(horizon, hole_boundaries=True, smallest_hole_size=9))
+    mesh = sh.triangulation(sh.exterior_boundary(horizon, keep_holes=True, smallest_hole_size=9))
     full = mesh.points, mesh.triangles
     if importlib.util.find_spec("gmsh"):
         places, found, seconds = adapted(0.7 * length, number, lambda size: by_gmsh(coarse, size))

@@ -55,7 +55,7 @@ public:
     , Parts(options.Cuts ? FindHopComponents(this->Index, this->Columns.size(), this->Hops, this->Graph)
                          : FindPatchComponents(this->Index, this->Columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
-    , WalksHoles(options.HoleBoundaries || options.Cuts)
+    , WalksHoles(options.KeepHoles || options.Cuts)
   {
     if (options.Cuts)
     {
@@ -140,7 +140,7 @@ private:
   {
     this->Walk(place, hop);
     const std::int64_t inside = ColumnsInside(this->Hops, this->Steps);
-    const bool isHole = this->Options.HoleBoundaries && inside > 0 && inside >= this->Options.SmallestHoleSize;
+    const bool isHole = this->Options.KeepHoles && inside > 0 && inside >= this->Options.SmallestHoleSize;
     const bool hasLoop = this->Cracks ? this->Cracks->AddHole(this->Steps, isHole, inside > 0) : isHole;
     DropStepsInGaps(this->Steps);
     if (hasLoop || inside > 0 || this->Steps.size() >= SmallestWalkToRemember)
@@ -409,7 +409,7 @@ public:
     , West(hops.Find({ -1, 0 }))
     , East(hops.Find({ 1, 0 }))
     , OutsideEast(this->Columns.size(), false)
-    , FilledHoleEast(options.HoleBoundaries ? this->Columns.size() : 0, false)
+    , FilledHoleEast(options.KeepHoles ? this->Columns.size() : 0, false)
   {
     this->Result.Patch = LargeVector(this->Columns.size(), NoPatch);
   }
@@ -508,7 +508,7 @@ private:
   /// run clockwise and have no size.
   bool EntersHole(std::int64_t place, std::int32_t patch)
   {
-    if (!this->Options.HoleBoundaries || this->HopGraph.LeadsEast(place) || this->FilledHoleEast[this->Index[place]])
+    if (!this->Options.KeepHoles || this->HopGraph.LeadsEast(place) || this->FilledHoleEast[this->Index[place]])
     {
       return false;
     }
@@ -765,7 +765,7 @@ BoundaryOptions OptionsFor(BoundaryType type, const BoundaryOptions& options)
   if (type != BoundaryType::Exterior)
   {
     result.Radius = 1;
-    result.HoleBoundaries = true;
+    result.KeepHoles = true;
     result.SmallestHoleSize = 1;
   }
   return result;

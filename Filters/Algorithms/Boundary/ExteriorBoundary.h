@@ -61,7 +61,7 @@ struct BoundaryOptions
   int Radius = 1;
   GrowthStrategy Growth = GrowthStrategy::Clockwise;
   /// A hole is an inner face of the graph of hops with at least one column strictly inside.
-  bool HoleBoundaries = false;
+  bool KeepHoles = false;
   /// The size counts columns strictly inside, islands included.
   std::int64_t SmallestHoleSize = 1;
   std::int64_t MinimumPatchSize = 1;

@@ -647,7 +647,7 @@ void CheckSeams(PlanePoints columns, const BoundaryOptions& options)
   {
     return;
   }
-  if (!options.HoleBoundaries)
+  if (!options.KeepHoles)
   {
     throw InputError("a seam without hole boundaries, expected them: a hole may continue beyond the seam");
   }

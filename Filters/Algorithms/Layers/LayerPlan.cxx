@@ -172,7 +172,7 @@ private:
     OrderedStack& stack = this->Result.Stack;
     BoundaryOptions options;
     options.Radius = this->Options.Radius ? *this->Options.Radius : ChooseRadius(stack.Columns);
-    options.HoleBoundaries = true;
+    options.KeepHoles = true;
     options.SmallestHoleSize = this->Options.SmallestHoleSize
       ? *this->Options.SmallestHoleSize
       : ChooseSmallestHoleSize(options.Radius, this->OutlineTolerance);

@@ -66,7 +66,7 @@ private:
   Loops FindLoops(const Monitor& monitor) const
   {
     BoundaryOptions options;
-    options.HoleBoundaries = true;
+    options.KeepHoles = true;
     options.SmallestHoleSize = this->Options.SmallestPinch;
     options.MinimumPatchSize = this->Options.SmallestPinch;
     return FindExteriorBoundary(this->Places, options, monitor).Boundary;

@@ -640,7 +640,7 @@ private:
     BoundaryOptions options;
     options.Radius = parameters.Radius;
     options.Growth = this->Options.Growth;
-    options.HoleBoundaries = this->Options.HoleBoundaries;
+    options.KeepHoles = this->Options.KeepHoles;
     options.MinimumPatchSize = this->Options.MinimumPatchSize;
     options.SmallestHoleSize = this->SmallestHoleFor(parameters.OutlineTolerance);
     if (this->HasBoundary && parameters.SmallestHoleSize == options.SmallestHoleSize)

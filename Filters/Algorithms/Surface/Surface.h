@@ -41,7 +41,7 @@ struct SurfaceOptions : DecimationQuality
   std::size_t MaximumNumberOfTriangles = 0;
   std::optional<int> Radius;
   GrowthStrategy Growth = GrowthStrategy::Clockwise;
-  bool HoleBoundaries = true;
+  bool KeepHoles = true;
   std::optional<std::int64_t> SmallestHoleSize;
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;

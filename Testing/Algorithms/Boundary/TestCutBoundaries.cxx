@@ -68,7 +68,7 @@ void TestStraightCracks()
   {
     BoundaryOptions options = With(patch, radius);
     CHECK_EQUAL(CracksOf(patch, options), oneLink);
-    options.HoleBoundaries = true;
+    options.KeepHoles = true;
     options.SmallestHoleSize = 100;
     CHECK_EQUAL(CracksOf(patch, options), oneLink);
   }
@@ -168,7 +168,7 @@ void TestErrors()
     "faulted links and growth by distance with a radius of 2 columns, expected clockwise growth, or a radius of 1");
   options.Radius = 1;
   CHECK_EQUAL(FindExteriorBoundary(patch.Columns, options).NumberOfPatches, 1u);
-  options.HoleBoundaries = true;
+  options.KeepHoles = true;
   options.Seams.Lower = 0;
   CHECK_THROWS_WITH(FindExteriorBoundary(patch.Columns, options),
     "faulted links and a seam, expected one of them: a crack may continue beyond the seam");
@@ -179,7 +179,7 @@ BoundaryOptions MakeOptions(int which, const LinkCuts& cuts)
 {
   BoundaryOptions options;
   options.Radius = 1 + which / 4;
-  options.HoleBoundaries = which % 4 != 0;
+  options.KeepHoles = which % 4 != 0;
   options.SmallestHoleSize = which % 4 == 1 ? 1 : which % 4 == 2 ? 4 : 1000;
   options.Cuts = &cuts;
   return options;

@@ -43,7 +43,7 @@ BoundaryOptions With(int radius, GrowthStrategy growth, bool holes = false)
   BoundaryOptions options;
   options.Radius = radius;
   options.Growth = growth;
-  options.HoleBoundaries = holes;
+  options.KeepHoles = holes;
   return options;
 }
 
@@ -199,7 +199,7 @@ BoundaryOptions RandomOptions(int radius, GrowthStrategy growth, Patches::Random
   BoundaryOptions options;
   options.Radius = radius;
   options.Growth = growth;
-  options.HoleBoundaries = random.Chance(0.5);
+  options.KeepHoles = random.Chance(0.5);
   options.SmallestHoleSize = 1 + random.Below(4) * random.Below(3);
   return options;
 }
@@ -219,7 +219,7 @@ void TestContract()
       if (!CHECK_EQUAL(wrong, std::string()))
       {
         std::cerr << "patch " << n << ", radius " << options.Radius << ", growth " << int(options.Growth) << ", holes "
-                  << options.HoleBoundaries << " from " << options.SmallestHoleSize << '\n';
+                  << options.KeepHoles << " from " << options.SmallestHoleSize << '\n';
       }
     }
   }

@@ -88,7 +88,7 @@ void Compare(const std::string& name, const Path& columns)
   BoundaryOptions options;
   bool isEqual =
     Ours(columns, FindExteriorBoundary(columns, options), false) == Theirs(columns, cv::RETR_EXTERNAL, false);
-  options.HoleBoundaries = true;
+  options.KeepHoles = true;
   const ExteriorBoundary all = FindExteriorBoundary(columns, options);
   isEqual = isEqual && Ours(columns, all, false) == Theirs(columns, cv::RETR_CCOMP, false);
   isEqual = isEqual && Ours(columns, all, true) == Theirs(columns, cv::RETR_CCOMP, true);

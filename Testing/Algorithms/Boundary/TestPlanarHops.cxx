@@ -218,7 +218,7 @@ void Compare(const Patches::Columns& columns, int radius, const std::string& nam
 {
   BoundaryOptions options;
   options.Radius = radius;
-  options.HoleBoundaries = true;
+  options.KeepHoles = true;
   const ExteriorBoundary boundary = FindExteriorBoundary(columns, options);
   std::multiset<std::vector<PlanePoint>> found;
   for (std::size_t loop = 0; loop < boundary.Boundary.Size(); ++loop)

@@ -18,7 +18,7 @@ BoundaryOptions With(int radius, GrowthStrategy growth, bool holes)
   BoundaryOptions options;
   options.Radius = radius;
   options.Growth = growth;
-  options.HoleBoundaries = holes;
+  options.KeepHoles = holes;
   return options;
 }
 

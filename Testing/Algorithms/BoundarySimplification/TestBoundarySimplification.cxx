@@ -296,7 +296,7 @@ void TestOutlineTolerance()
     BoundaryOptions kind;
     kind.Radius = 1 + random.Below(3);
     kind.Growth = GrowthStrategy(random.Below(2));
-    kind.HoleBoundaries = random.Chance(0.5);
+    kind.KeepHoles = random.Chance(0.5);
     const BoundedHorizon horizon = MakeHorizon(columns, MakeHeights(columns, random), kind);
     const BoundarySimplificationOptions options = RandomOptions(random);
     const std::vector<SpacePoint> points = ToSpacePoints(horizon);
@@ -323,7 +323,7 @@ void TestPointsInTheWay()
   options.OutlineTolerance = 10.0;
   const Patches::Columns columns = Patches::FromPicture({ "#####", "#...#", "#.#.#", "#...#", "#####" });
   BoundaryOptions holes;
-  holes.HoleBoundaries = true;
+  holes.KeepHoles = true;
   const BoundedHorizon horizon = MakeLevelHorizon(columns, holes);
   const BoundedHorizon result = Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, options));
   CHECK_EQUAL(result.Boundary.Size(), 3u);

@@ -159,7 +159,7 @@ void TestLongSides()
 void TestPointsInTheWay()
 {
   BoundaryOptions holes;
-  holes.HoleBoundaries = true;
+  holes.KeepHoles = true;
   const BoundedHorizon horizon =
     MakeLevelHorizon(Patches::FromPicture({ "#####", "#...#", "#.#.#", "#...#", "#####" }), holes);
   const BoundedHorizon result = Drop(horizon, Simplify(horizon, 10.0, 0.0));
@@ -197,7 +197,7 @@ BoundedHorizon RandomHorizon(int shape, Patches::Random& random)
   BoundaryOptions kind;
   kind.Radius = 1 + random.Below(3);
   kind.Growth = GrowthStrategy(random.Below(2));
-  kind.HoleBoundaries = random.Chance(0.5);
+  kind.KeepHoles = random.Chance(0.5);
   return MakeHorizon(columns, MakeHeights(columns, random), kind);
 }
 

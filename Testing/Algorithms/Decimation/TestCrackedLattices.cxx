@@ -33,7 +33,7 @@ BoundedHorizon MakeCracked(const CrackedPatch& patch, int n, Patches::Random& ra
 {
   BoundaryOptions options;
   options.Radius = 1 + n % 3;
-  options.HoleBoundaries = n / 3 % 3 != 0;
+  options.KeepHoles = n / 3 % 3 != 0;
   options.SmallestHoleSize = n / 3 % 3 == 1 ? 1 : 5;
   options.Cuts = &patch.Cuts;
   BoundedHorizon horizon = MakeHorizon(patch.Columns, MakeHeights(patch.Columns, random), options);

@@ -42,7 +42,7 @@ BoundedHorizon MakePatch(int n, Patches::Random& random)
     heights.push_back(HeightOf(n % 5, column, random));
   }
   BoundaryOptions boundary;
-  boundary.HoleBoundaries = n % 3 == 0;
+  boundary.KeepHoles = n % 3 == 0;
   boundary.Radius = 1 + n % 2;
   BoundedHorizon horizon = TestHorizons::OnColumns(TestHorizons::MakeHorizon(columns, heights, boundary));
   return n % 2 == 1 ? horizon

@@ -22,7 +22,7 @@ BoundaryOptions MakeOptions(const CrackedPatch& patch, int n)
 {
   BoundaryOptions options;
   options.Radius = 1 + n % 3;
-  options.HoleBoundaries = n / 3 % 3 != 0;
+  options.KeepHoles = n / 3 % 3 != 0;
   options.SmallestHoleSize = n / 3 % 3 == 1 ? 1 : 5;
   options.MinimumPatchSize = n / 9 % 4 == 3 ? 3 : 1;
   options.Cuts = &patch.Cuts;

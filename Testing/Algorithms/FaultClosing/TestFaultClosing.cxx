@@ -62,7 +62,7 @@ Closed Close(const CrackedPatch& patch, bool withHoles = false, int radius = 1)
 {
   BoundaryOptions options;
   options.Cuts = &patch.Cuts;
-  options.HoleBoundaries = withHoles;
+  options.KeepHoles = withHoles;
   options.Radius = radius;
   const Cracked cracked = Make(patch, options, std::vector<double>(patch.Columns.size(), 0.0));
   const RawVector<PointId> closing = ClosedFaults::Close(cracked, cracked.Horizon);

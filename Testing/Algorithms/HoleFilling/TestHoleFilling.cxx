@@ -182,7 +182,7 @@ void TestOutlines()
   {
     const Patches::Columns columns = Patches::Make(Patches::Shape(n % int(Patches::Shape::Count)), random);
     BoundaryOptions withHoles;
-    withHoles.HoleBoundaries = true;
+    withHoles.KeepHoles = true;
     const ExteriorBoundary before = FindExteriorBoundary(columns, withHoles);
     const FilledColumns filled =
       Fill(OnSurface(columns, [](double x, double y) { return x * y; }), AllHoles(FillMethod(n % 2), n % 3));

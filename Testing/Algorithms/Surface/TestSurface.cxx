@@ -69,7 +69,7 @@ Result RunMethods(const Points& points, const SurfaceOptions& given, const Surfa
   BoundaryOptions boundary;
   boundary.Radius = parameters.Radius;
   boundary.Growth = given.Growth;
-  boundary.HoleBoundaries = given.HoleBoundaries;
+  boundary.KeepHoles = given.KeepHoles;
   boundary.SmallestHoleSize = parameters.SmallestHoleSize;
   boundary.MinimumPatchSize = given.MinimumPatchSize;
   const BoundedHorizon horizon = TestHorizons::MakeHorizon(points.Columns, points.Height, boundary);
@@ -149,7 +149,7 @@ void TestSameAsMethods()
     const Points points = RandomPoints(n, random);
     SurfaceOptions options = n % 2 == 0 ? Within(0.3 * random.Below(8)) : AtMost(std::size_t(60 + random.Below(500)));
     options.Growth = n % 5 == 0 ? GrowthStrategy::Distance : GrowthStrategy::Clockwise;
-    options.HoleBoundaries = n % 4 != 3;
+    options.KeepHoles = n % 4 != 3;
     options.Effort = n % 7 < 3 ? DecimationEffort::Fast : DecimationEffort::Best;
     options.Crossings = n % 11 < 4 ? CrossingTolerance::Twice : CrossingTolerance::Same;
     const Surface surface = MakeSurface(points, options);

@@ -242,7 +242,7 @@ void TestDroppedOnSeams()
     points.Height.push_back(std::abs(column.X - 11.0)); // a fold, where the seam keeps a point
   }
   BoundaryOptions options;
-  options.HoleBoundaries = true;
+  options.KeepHoles = true;
   options.Seams.Lower = 0;
   const ExteriorBoundary boundary = FindExteriorBoundary(points.Columns, options);
   const SeamChains seams = SimplifySeams(points.Columns, points.Height, boundary.Boundary, options, 0.25);
@@ -299,12 +299,12 @@ void TestSeamErrors()
   const auto refuse = [&](const std::string& message, void (*change)(SurfaceOptions&))
   {
     SurfaceOptions options;
-    options.HoleBoundaries = true;
+    options.KeepHoles = true;
     options.Seams.Lower = 0;
     change(options);
     CHECK_THROWS_WITH(MakeSurface(points, options), message);
   };
-  refuse("a seam without hole boundaries, expected", [](SurfaceOptions& o) { o.HoleBoundaries = false; });
+  refuse("a seam without hole boundaries, expected", [](SurfaceOptions& o) { o.KeepHoles = false; });
   refuse("a seam and a minimum patch size of 3 points, expected 1", [](SurfaceOptions& o) { o.MinimumPatchSize = 3; });
   refuse("a seam and growth by distance with a radius of 2 columns, expected clockwise growth",
     [](SurfaceOptions& o)

@@ -137,7 +137,7 @@ std::string CheckLoops(const std::vector<PlanePoint>& columns, const ExteriorBou
   for (std::size_t loop = 0; loop < parts.Size(); ++loop)
   {
     const std::string name = " of loop " + std::to_string(loop);
-    if (parts.IsHole(loop) ? !options.HoleBoundaries && !options.Cuts : parts.PatchOf(loop) != std::int32_t(loop))
+    if (parts.IsHole(loop) ? !options.KeepHoles && !options.Cuts : parts.PatchOf(loop) != std::int32_t(loop))
     {
       return "number" + name;
     }

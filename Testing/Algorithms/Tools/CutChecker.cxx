@@ -160,13 +160,13 @@ std::string CheckBoundary(const CrackedPatch& patch, const ExteriorBoundary& bou
   for (std::size_t loop = boundary.NumberOfPatches; wrong.empty() && loop < boundary.Boundary.Size(); ++loop)
   {
     const std::int64_t inside = CountInside(patch, boundary, loop);
-    const bool isHole = options.HoleBoundaries && inside > 0 && inside >= options.SmallestHoleSize;
+    const bool isHole = options.KeepHoles && inside > 0 && inside >= options.SmallestHoleSize;
     if (!isHole && !HoldsCut(patch, boundary, loop))
     {
       wrong = "hole " + std::to_string(loop) + " holds no cut, and has the size " + std::to_string(inside);
     }
   }
-  const bool hasAllHoles = options.Radius == 1 && options.HoleBoundaries && options.SmallestHoleSize == 1;
+  const bool hasAllHoles = options.Radius == 1 && options.KeepHoles && options.SmallestHoleSize == 1;
   return wrong.empty() && hasAllHoles ? CheckBlocks(patch, boundary) : wrong;
 }
 }

@@ -40,7 +40,7 @@ void TestMeshes()
       BoundaryOptions options;
       options.Radius = 1 + which / 4;
       options.Growth = GrowthStrategy(which % 2);
-      options.HoleBoundaries = which % 4 >= 2;
+      options.KeepHoles = which % 4 >= 2;
       const BoundedHorizon horizon = MakeHorizon(columns, heights, options);
       const bool isSound = CHECK_EQUAL(Check(horizon), std::string()) &&
         CHECK_EQUAL(Check(Drop(horizon, SimplifyBoundary(horizon, horizon.Boundary, 0.4))), std::string()) &&

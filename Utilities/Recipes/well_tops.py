@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the horizons of a file with well tops, as spheres with the names of their wells.
+
+    pvbatch well_tops.py top_chalk.dat tops.csv picture.png
+
+Columns of the table are Well, X, Y and Depth, or the names given. Needs an X server; the plugin must be loaded.
+"""
+
+import argparse
+import csv
+import pathlib
+import sys
+
+from paraview import simple
+
+SIZE = (1100, 700)
+COLOR = (0.85, 0.15, 0.10)
+
+
+def show_tops(path, columns, direction, view):
+    """Positive depths or times are below 0 in the view."""
+    well, x, y, z = columns
+    with open(path, encoding="utf-8", newline="") as file:
+        names = next(csv.reader(file), [])
+    missing = [name for name in columns if name not in names]
+    if missing:
+        sys.exit("well_tops: %s: no column %s, expected %s; there are %s" % (
+            path, ", ".join(missing), ", ".join(columns), ", ".join(names)))
+    points = simple.TableToPoints(Input=simple.CSVReader(FileName=[path]), XColumn=x, YColumn=y, ZColumn=z, KeepAllDataArrays=1)
+    tops = simple.Transform(Input=points)
+    tops.Transform.Scale = (1.0, 1.0, 1.0 if direction == "up" else -1.0)
+    display = simple.Show(tops, view)
+    display.SetRepresentationType("Points")
+    display.PointSize, display.RenderPointsAsSpheres = 18, 1
+    display.AmbientColor = display.DiffuseColor = COLOR
+    # Names are drawn at selected points.
+    simple.QuerySelect(QueryString="(id >= 0)", FieldType="POINT", Source=tops)
+    display.SelectionPointLabelVisibility, display.SelectionPointFieldDataArrayName = 1, well
+    display.SelectionPointLabelFontSize, display.SelectionPointLabelColor = 20, (0.0, 0.0, 0.0)
+    display.SelectionColor = COLOR
+    return tops.GetDataInformation().GetNumberOfPoints()
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="well_tops", description=__doc__.splitlines()[0])
+    parser.add_argument("file", metavar="FILE", help="the horizons, in any format that is read")
+    parser.add_argument("tops", metavar="TOPS.csv", help="a table of well tops")
+    parser.add_argument("picture", metavar="PICTURE.png", help="the picture to write")
+    parser.add_argument("--columns", metavar="NAME,NAME,NAME,NAME", default="Well,X,Y,Depth",
+                        help="those of the well, of x, y and of z")
+    parser.add_argument("--direction", default="down", choices=("down", "up"), help="where z of the table increases to")
+    parser.add_argument("--exaggeration", metavar="N", type=float, default=1.0, help="of heights")
+    arguments = parser.parse_args()
+    for name in (arguments.file, arguments.tops):
+        if not pathlib.Path(name).is_file():
+            sys.exit("well_tops: %s: no such file" % name)
+    view = simple.CreateView("RenderView")
+    view.ViewSize, view.OrientationAxesVisibility = SIZE, 0
+    view.UseColorPaletteForBackground, view.Background = 0, (1.0, 1.0, 1.0)
+    horizons = simple.OpenDataFile(arguments.file)
+    simple.Show(horizons, view)
+    wells = show_tops(arguments.tops, arguments.columns.split(","), arguments.direction, view)
+    for display in view.Representations:
+        if display.GetProperty("Scale"):
+            display.Scale = (1.0, 1.0, arguments.exaggeration)
+    view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = (0, 0, 0), (-0.35, -0.75, 0.56), (0, 0, 1)
+    simple.ResetCamera(view)
+    simple.SaveScreenshot(arguments.picture, view)
+    print("%d well tops" % wells)
+
+
+main()
