@@ -96,7 +96,7 @@ def test_layers_apart():
 def test_well_tops():
     """Wells and their names are drawn; what a table lacks is said."""
     i, j = np.meshgrid(np.arange(40), np.arange(40))
-    sh.write(sh.horizon(1000 + 0.05 * (i - 20.0) ** 2 + 0.3 * j, spacing=(25, 25)), FOLDER / "top.vsm")
+    sh.write(sh.horizon(1000 + 0.05 * (i - 20.0) ** 2 + 0.3 * j, spacing=(25, 25)), FOLDER / "top.dat")
     tops = FOLDER / "tops.csv"
     tops.write_text("Well,X,Y,Depth\nA-1,500,250,990\nB-2,850,700,1000\n", encoding="utf-8")
 
@@ -108,11 +108,11 @@ def test_well_tops():
         pixels = [[picture.GetScalarComponentAsDouble(x, y, 0, c) for c in range(3)] for x in range(1100) for y in range(700)]
         return sum(red > 100 and green < 60 and blue < 60 for red, green, blue in pixels)
 
-    said = run(PVBATCH, "well_tops", FOLDER / "top.vsm", tops, FOLDER / "wells.png", "--exaggeration", 4)
+    said = run(PVBATCH, "well_tops", FOLDER / "top.dat", tops, FOLDER / "wells.png", "--exaggeration", 4)
     assert "2 well tops" in said and reds("wells.png") > 100, said
     tops.write_text("Well,X,Y,Depth\nA-1,500,250,-990\n", encoding="utf-8")
-    assert "1 well tops" in run(PVBATCH, "well_tops", FOLDER / "top.vsm", tops, FOLDER / "up.png", "--direction", "up")
-    said = run(PVBATCH, "well_tops", FOLDER / "top.vsm", tops, FOLDER / "none.png", "--columns", "Name,X,Y,Z", code=1)
+    assert "1 well tops" in run(PVBATCH, "well_tops", FOLDER / "top.dat", tops, FOLDER / "up.png", "--direction", "up")
+    said = run(PVBATCH, "well_tops", FOLDER / "top.dat", tops, FOLDER / "none.png", "--columns", "Name,X,Y,Z", code=1)
     assert "no column Name, Z, expected Name, X, Y, Z; there are " in said, said
 
 
