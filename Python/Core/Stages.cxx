@@ -14,6 +14,7 @@
 #include "Filters/Common/LatticePoints.h"
 #include "Filters/Common/StageReport.h"
 #include "Filters/Decimation/DecimationStage.h"
+#include "Filters/Contours/ContoursStage.h"
 #include "Filters/Despiking/DespikingStage.h"
 #include "Filters/Faults/FaultStage.h"
 #include "Filters/HoleFilling/HoleFillingStage.h"
@@ -266,6 +267,13 @@ nb::tuple FindFaults(const nb::dict& given, GivenFaults* lines, const nb::dict& 
     { RunFaults(horizon, lines ? *lines : none, options, outputs, monitor); });
 }
 
+nb::tuple DrawContours(const nb::dict& given, double interval, const nb::object& progress)
+{
+  return CallSilent(given, 1, true, progress,
+    [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
+    { RunContours(horizon, interval, outputs, monitor); });
+}
+
 // ---- Two horizons ---------------------------------------------------------------------------------------------------
 
 nb::tuple FindThickness(const nb::dict& given, const nb::dict& other, const nb::object& progress)
@@ -322,6 +330,7 @@ void BindStages(nb::module_& module)
       "lines"_a)
     .def("warnings", &GivenFaults::Warnings);
   module.def("faults", &FindFaults, "horizon"_a, "lines"_a.none(), "options"_a, "progress"_a.none());
+  module.def("contours", &DrawContours, "surface"_a, "interval"_a, "progress"_a.none());
   module.def("thickness", &FindThickness, "horizon"_a, "base"_a, "progress"_a.none());
   module.def("distance", &MeasureDistance, "reference"_a, "mesh"_a, "options"_a, "progress"_a.none());
 }

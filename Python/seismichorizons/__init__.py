@@ -19,7 +19,7 @@ from ._late import find as __getattr__  # noqa: F401 -- names that are not here
 from ._lines import Lines, read_faults
 from ._mesh import Ledger, Mesh
 from ._stack import Distance, Layers, crossings, distance, layers
-from ._stages import Faults, Thickness, despike, faults, fill_holes, surface, thickness
+from ._stages import Faults, Thickness, contours, despike, faults, fill_holes, surface, thickness
 from ._thesis import (
     boundary_simplification,
     decimation,
@@ -33,6 +33,6 @@ from ._version import VERSION as __version__
 from ._volume import amplitudes, cube
 
 __all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "amplitudes",
-           "boundary_simplification", "crossings", "cube", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",
+           "boundary_simplification", "contours", "crossings", "cube", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",
            "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "surface",
            "thickness", "triangulation", "write"]

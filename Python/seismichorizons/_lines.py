@@ -24,7 +24,7 @@ class Lines:
     Attributes
     ----------
     names : list of str
-        The fault of each line; empty where unknown.
+        The fault of each line, or the level of a contour; empty where unknown.
     lines : list of float64 arrays of shape (n, 3)
         x, y and z of the world, z upwards; closed where the last point is the first.
     sticks : list of str
@@ -68,8 +68,8 @@ class Lines:
         return iter(self.lines)
 
     def __repr__(self) -> str:
-        faults = len(set(self.names) - {""})
-        return "Lines: %s%d, of %d points" % ("%d fault%s, " % (faults, "s" * (faults > 1)) if faults else "", len(self), sum(map(len, self.lines)))
+        names = len(set(self.names) - {""})
+        return "Lines: %d%s, %d points" % (len(self), " of %d name%s" % (names, "s" * (names > 1)) if names else "", sum(map(len, self.lines)))
 
     def _data(self) -> Data:
         numbers = np.cumsum([0, *map(len, self.lines)])

@@ -161,6 +161,42 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
                   _by_fault(surfaces), horizon.vertical_unit)
 
 
+def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, progress: Progress | None = None) -> Lines:
+    """Contours of a horizon or a mesh, at multiples of an interval.
+
+    Parameters
+    ----------
+    surface : Horizon or Mesh
+        Contours of a mesh are smoother. Points of a horizon are joined to a surface between neighbouring columns.
+    interval : float or str, optional
+        In the unit of z or with a unit; by default a round one that gives about twelve contours.
+    progress : callable, optional
+
+    Returns
+    -------
+    Lines
+        With the levels as names; closed contours end with their first point, and the higher side is to the left.
+
+    Raises
+    ------
+    ValueError
+        If the interval gives more than 10,000 levels.
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> found = sh.contours(sh.horizon(1000.0 + np.arange(30) + np.zeros((20, 1)), spacing=(25, 25)), 10.0)
+    >>> found.names
+    ['1020', '1010', '1000']
+    """
+    if not isinstance(surface, (Horizon, Mesh)):
+        raise TypeError("contours of %s, expected a Horizon or a Mesh" % type(surface).__name__)
+    chosen = 0.0 if interval is None else height("interval", interval, surface.vertical_unit)
+    (lines,) = call(surface.name, _core.contours, surface._data(), chosen, progress)
+    lines["cell_data"]["FaultName"] = lines["cell_data"]["Label"]
+    return Lines.of(lines)
+
+
 def _by_fault(surfaces: Data) -> dict[str, Mesh]:
     """A mesh for each fault."""
     corners = np.asarray(surfaces["polygons"][1]).reshape(-1, 3)
