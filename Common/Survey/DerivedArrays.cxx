@@ -17,8 +17,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::int64_t Grain = 1 << 14;
-
 // Names the component of such arrays, as a user may have others of the same name.
 constexpr const char* LineComponent = "line";
 

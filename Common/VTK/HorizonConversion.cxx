@@ -3,6 +3,8 @@
 
 #include "HorizonConversion.h"
 
+#include "ArrayRanges.h"
+
 #include "Common/Horizon/DataModel.h"
 #include "Common/Survey/DerivedArrays.h"
 
@@ -326,6 +328,14 @@ void ToVTK(const Horizon& horizon, vtkPolyData* output)
     if (array.Role >= 0)
     {
       output->GetPointData()->SetActiveAttribute(index, array.Role);
+    }
+  }
+  FindRanges(points->GetData());
+  for (int n = 0; n < output->GetPointData()->GetNumberOfArrays(); ++n)
+  {
+    if (vtkDataArray* const array = output->GetPointData()->GetArray(n))
+    {
+      FindRanges(array);
     }
   }
 }

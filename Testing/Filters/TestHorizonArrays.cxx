@@ -26,7 +26,12 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <string>
+#include <vector>
 
 using namespace HorizonFixtures;
 
@@ -199,10 +204,68 @@ void TestCells()
   faults->SetInputDataObject(1, lines);
   CheckRefused(faults, "array FaultName of 0 tuples, expected one for each of the");
 }
+
+/// Ranges that come with large arrays are those that VTK finds in a copy, whatever the values are.
+void TestRanges()
+{
+  const auto horizon = FromPicture(Rectangle(400, 300), 1, HorizonFixtures::RotatedSurvey());
+  const auto add = [&](const char* name, double strange)
+  {
+    const auto array = MakeArray<vtkDoubleArray>(name, 400 * 300);
+    for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
+    {
+      array->SetValue(n, n % 7001 == 5 ? strange : double(n % 913) - 400.25);
+    }
+    horizon->GetPointData()->AddArray(array);
+  };
+  add("Finite", 1e200);
+  add("Missing", std::nan(""));
+  add("Infinite", -std::numeric_limits<double>::infinity());
+  const auto integers = MakeArray<vtkIntArray>("Whole", 400 * 300);
+  std::iota(integers->GetPointer(0), integers->GetPointer(0) + 400 * 300, -77);
+  horizon->GetPointData()->AddArray(integers);
+  vtkNew<vtkHorizonDespiking> despiking;
+  despiking->SetInputDataObject(horizon);
+  despiking->SetActionToFlag();
+  despiking->Update();
+  vtkPolyData* const output = despiking->GetPolyDataOutput();
+  std::vector<vtkDataArray*> arrays = { output->GetPoints()->GetData() };
+  for (int n = 0; n < output->GetPointData()->GetNumberOfArrays(); ++n)
+  {
+    arrays.push_back(output->GetPointData()->GetArray(n));
+  }
+  CHECK(arrays.size() >= 9);
+  for (vtkDataArray* const array : arrays)
+  {
+    const auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    copy->SetNumberOfComponents(array->GetNumberOfComponents());
+    copy->SetNumberOfTuples(array->GetNumberOfTuples());
+    for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
+    {
+      copy->SetTuple(n, n, array);
+    }
+    for (int component = -1; component < array->GetNumberOfComponents(); ++component)
+    {
+      double found[4], expected[4];
+      array->GetRange(found, component);
+      array->GetFiniteRange(found + 2, component);
+      copy->GetRange(expected, component);
+      copy->GetFiniteRange(expected + 2, component);
+      CHECK(std::equal(found, found + 4, expected));
+    }
+  }
+  double before[2], after[2];
+  integers->GetRange(before, 0);
+  integers->SetValue(0, -9000);
+  integers->Modified();
+  integers->GetRange(after, 0);
+  CHECK(before[0] == -77.0 && after[0] == -9000.0);
+}
 }
 
 int TestHorizonArrays(int, char*[])
 {
+  TestRanges();
   TestStages();
   TestSurfaceDistance();
   TestOneOfSeveral();
