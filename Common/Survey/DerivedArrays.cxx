@@ -73,15 +73,15 @@ VerticalAxis ReadVerticalAxis(const ArrayTable& fieldData)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<DataArray> MakeDerivedArrays(const Horizon& horizon)
+ArrayTable MakeDerivedArrays(const Horizon& horizon)
 {
-  std::vector<DataArray> made;
+  ArrayTable made;
   const VerticalAxis axis = ReadVerticalAxis(horizon.FieldData);
   if (!axis.Name.empty() && horizon.Places.Components() == 3 && !horizon.PointData.Has(axis.Name))
   {
-    made.push_back(MakeHeights(horizon, axis));
+    DataArray& heights = made.Add(MakeHeights(horizon, axis));
     const DataArray* const indices = horizon.PointData.Find(PointArray::VerticalIndex);
-    made.back().Role = indices ? indices->Role : -1; // What ParaView's filters make has the colours of heights.
+    heights.Role = indices ? indices->Role : -1; // What ParaView's filters make has the colours of heights.
   }
   const DataArray* const columns = horizon.PointData.Find(PointArray::Column);
   const DataArray* const numbers = horizon.FieldData.Find(FieldArray::LineNumbers);
@@ -94,7 +94,7 @@ std::vector<DataArray> MakeDerivedArrays(const Horizon& horizon)
   {
     if (!horizon.PointData.Has(name))
     {
-      made.push_back(NumberLines(name, *columns, side, numbers->Value(first), numbers->Value(first + 1)));
+      made.Add(NumberLines(name, *columns, side, numbers->Value(first), numbers->Value(first + 1)));
     }
   };
   add(PointArray::Inline, 1, 0);

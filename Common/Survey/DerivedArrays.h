@@ -11,14 +11,12 @@
 #include "Common/Horizon/Horizon.h"
 #include "Common/Horizon/VerticalAxis.h"
 
-#include <vector>
-
 namespace SeismicHorizons
 {
 VerticalAxis ReadVerticalAxis(const ArrayTable& fieldData);
 
 /// Returns those of whose name the horizon has no array. Heights are first, with the role of VerticalIndex.
-std::vector<DataArray> MakeDerivedArrays(const Horizon& horizon);
+ArrayTable MakeDerivedArrays(const Horizon& horizon);
 
 /// Stages move points, so that the arrays are made anew.
 void RemoveDerivedArrays(Horizon& horizon);

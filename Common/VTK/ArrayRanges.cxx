@@ -42,11 +42,9 @@ struct ValueRange
 struct ArrayRanges
 {
   std::array<ValueRange, MostComponents + 1> Of;
-  bool AreFinite = true;
 
   void Add(const ArrayRanges& other)
   {
-    this->AreFinite = this->AreFinite && other.AreFinite;
     for (std::size_t n = 0; n < this->Of.size(); ++n)
     {
       this->Of[n].Least = std::min(this->Of[n].Least, other.Of[n].Least);
@@ -55,7 +53,7 @@ struct ArrayRanges
   }
 };
 
-/// Tuples take turns in lanes, which are vectors of the processor. Zero times a value is zero unless it is not finite.
+/// Tuples take turns in lanes, which are vectors of the processor. NaN is in no range, as in VTK.
 template <int Components, typename Value>
 ArrayRanges FindInChunk(const Value* values, std::int64_t size)
 {
@@ -63,7 +61,6 @@ ArrayRanges FindInChunk(const Value* values, std::int64_t size)
   constexpr int last = Components;
   double least[Components + 1][lanes];
   double largest[Components + 1][lanes];
-  double zero[lanes] = {};
   std::fill_n(&least[0][0], (Components + 1) * lanes, std::numeric_limits<double>::infinity());
   std::fill_n(&largest[0][0], (Components + 1) * lanes, -std::numeric_limits<double>::infinity());
   const auto add = [&](std::int64_t tuple, std::int64_t lane)
@@ -78,7 +75,6 @@ ArrayRanges FindInChunk(const Value* values, std::int64_t size)
     }
     least[last][lane] = square < least[last][lane] ? square : least[last][lane];
     largest[last][lane] = square > largest[last][lane] ? square : largest[last][lane];
-    zero[lane] += 0.0 * square;
   };
   std::int64_t first = 0;
   for (; first + lanes <= size; first += lanes)
@@ -93,10 +89,6 @@ ArrayRanges FindInChunk(const Value* values, std::int64_t size)
     add(first, 0);
   }
   ArrayRanges ranges;
-  for (std::int64_t lane = 0; lane < lanes; ++lane)
-  {
-    ranges.AreFinite = ranges.AreFinite && zero[lane] == 0.0;
-  }
   for (int n = 0; n <= Components; ++n)
   {
     ranges.Of[std::size_t(n == last ? MostComponents : n)] = { *std::min_element(least[n], least[n] + lanes),
@@ -142,23 +134,23 @@ ArrayRanges FindIn(vtkDataArray* array)
   {
     return FindIn(bytes->GetPointer(0), components, size);
   }
-  ArrayRanges unknown;
-  unknown.AreFinite = false;
-  return unknown;
+  return {};
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void FindRanges(vtkDataArray* array)
 {
-  const int components = array->GetNumberOfComponents();
-  if (array->GetNumberOfTuples() < Large || components > MostComponents ||
+  const int components = array ? array->GetNumberOfComponents() : 0;
+  if (components == 0 || array->GetNumberOfTuples() < Large || components > MostComponents ||
     (array->HasInformation() && array->GetInformation()->Has(vtkAbstractArray::PER_FINITE_COMPONENT())))
   {
     return;
   }
   const ArrayRanges ranges = FindIn(array);
-  if (!ranges.AreFinite)
+  const auto isFinite = [](const ValueRange& range)
+  { return std::isfinite(range.Least) && std::isfinite(range.Largest); };
+  if (!std::all_of(ranges.Of.begin(), ranges.Of.begin() + components, isFinite) || !isFinite(ranges.Of.back()))
   {
     return;
   }

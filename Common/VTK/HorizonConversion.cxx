@@ -284,11 +284,13 @@ void ToVTK(const ArrayTable& data, vtkFieldData* output)
   auto* const attributes = vtkDataSetAttributes::SafeDownCast(output);
   for (const DataArray& array : data)
   {
-    const int index = output->AddArray(ToVTK(array));
+    const vtkSmartPointer<vtkAbstractArray> made = ToVTK(array);
+    const int index = output->AddArray(made);
     if (attributes && array.Role >= 0)
     {
       attributes->SetActiveAttribute(index, array.Role);
     }
+    FindRanges(vtkDataArray::SafeDownCast(made));
   }
 }
 
@@ -322,22 +324,8 @@ void ToVTK(const Horizon& horizon, vtkPolyData* output)
   ToVTK(horizon.PointData, output->GetPointData());
   ToVTK(horizon.CellData, output->GetCellData());
   ToVTK(horizon.FieldData, output->GetFieldData());
-  for (const DataArray& array : MakeDerivedArrays(horizon))
-  {
-    const int index = output->GetPointData()->AddArray(ToVTK(array));
-    if (array.Role >= 0)
-    {
-      output->GetPointData()->SetActiveAttribute(index, array.Role);
-    }
-  }
+  ToVTK(MakeDerivedArrays(horizon), output->GetPointData());
   FindRanges(points->GetData());
-  for (int n = 0; n < output->GetPointData()->GetNumberOfArrays(); ++n)
-  {
-    if (vtkDataArray* const array = output->GetPointData()->GetArray(n))
-    {
-      FindRanges(array);
-    }
-  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
