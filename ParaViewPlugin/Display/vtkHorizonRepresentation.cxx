@@ -20,7 +20,6 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkGeometryRepresentation.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -67,23 +66,6 @@ vtkStandardNewMacro(vtkHorizonRepresentation);
 namespace
 {
 using namespace SeismicHorizons;
-
-void AddHeights(vtkPointSet* points, const VerticalAxis& axis)
-{
-  if (axis.Name.empty() || points->GetPointData()->HasArray(axis.Name.c_str()))
-  {
-    return;
-  }
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName(axis.Name.c_str());
-  heights->SetNumberOfValues(points->GetNumberOfPoints());
-  const float sign = axis.IsDownwards ? -1.0f : 1.0f;
-  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n)
-  {
-    heights->SetValue(n, sign * static_cast<float>(points->GetPoint(n)[2]));
-  }
-  points->GetPointData()->AddArray(heights);
-}
 
 /// Colours and legends depend on names.
 void AddRenamed(vtkAbstractArray* array, const char* name, vtkFieldData* arrays)
@@ -192,7 +174,6 @@ void AddArrays(vtkDataObject* block)
   auto* const points = vtkPointSet::SafeDownCast(block);
   if (points && points->GetPoints())
   {
-    AddHeights(points, axis);
     AddRenamedArrays(points);
     LiftFaultLines(points);
   }

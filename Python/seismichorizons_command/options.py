@@ -190,8 +190,9 @@ def add_layer_options(group):
 
 
 def add_stage_options(group):
-    group.add_argument("--hole-boundaries", action="store_true", default=NOT_GIVEN, help="outline holes as well, so that they "
+    group.add_argument("--keep-holes", action="store_true", default=NOT_GIVEN, help="outline holes as well, so that they "
                        "stay open in the mesh")
+    group.add_argument("--hole-boundaries", dest="keep_holes", action="store_true", default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
     group.add_argument("--fewest-outline-points", action="store_true", default=NOT_GIVEN, help="use the fewest outline points "
                        "within the outline tolerance and the distance threshold")
     group.add_argument("--bound-deviation", action="store_true", default=NOT_GIVEN, help="keep dropped outline points within "

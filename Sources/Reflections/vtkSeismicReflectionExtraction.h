@@ -180,7 +180,7 @@ public:
   ///@{
   /**
    * One or two older horizons: only what lies between them, or on the LimitSide of one, is searched; optional. ParaView's
-   * panel takes one, its Change Input dialog two. Range: points. Default: none.
+   * panel takes one source: for two, a file with both horizons, or Group Datasets of two. Range: points. Default: none.
    *
    * Input 2, of several connections.
    */

@@ -159,7 +159,7 @@ class BatchTest(unittest.TestCase):
         self.assertGreater(after[1], after[2])
         self.succeed(SAMPLE, "--no-pictures", "--stages", "--horizons", "1", "--minimum-patch-size", "1000")
         closed = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
-        self.succeed(SAMPLE, "--no-pictures", "--stages", "--horizons", "1", "--minimum-patch-size", "1000", "--hole-boundaries")
+        self.succeed(SAMPLE, "--no-pictures", "--stages", "--horizons", "1", "--minimum-patch-size", "1000", "--keep-holes")
         holed = mesh_checks.read(self.output / "blobs_horizon_1.vtp")
         self.assertEqual(closed.GetNumberOfLines(), 1)
         self.assertGreater(holed.GetNumberOfLines(), 1)

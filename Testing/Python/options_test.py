@@ -10,9 +10,11 @@ import pathlib
 import re
 import sys
 import unittest
+from unittest import mock
 
 from seismichorizons import _core
 from seismichorizons import vtk as sh
+from seismichorizons_command import settings as command_settings
 from seismichorizons_command import core, data, horizon_mesh, options, pipeline, reading, writing
 from seismichorizons_command.parser import make_parser as parser_of
 from seismichorizons_command.settings import make_settings
@@ -57,7 +59,25 @@ class OptionsTest(unittest.TestCase):
         """Options of version 0.2 are taken, and not in the help."""
         self.assertEqual(self.settings("--elevation", "RealZ").reader, self.settings("--z-from", "RealZ").reader)
         self.assertEqual(self.settings("--z-from", "RealZ").reader, {"ZFrom": "RealZ"})
-        self.assertNotIn("elevation", horizon_mesh.make_parser().format_help())
+        self.assertEqual(self.settings("--stages", "--hole-boundaries").boundary, {"KeepHoles": True})
+        for name in ("elevation", "hole-boundaries"):
+            self.assertNotIn(name, horizon_mesh.make_parser().format_help())
+
+    def test_names_of_options(self):
+        """Properties come from options that there are; another name would never be given, without a word."""
+        known = {action.dest for action in horizon_mesh.make_parser()._actions}
+        asked = set()
+        given = command_settings.given
+
+        def note(parsed, *same, **renamed):
+            asked.update(map(core.snake, same), renamed.values())
+            return given(parsed, *same, **renamed)
+
+        with mock.patch.object(command_settings, "given", note):
+            self.settings("--stages", "--elaborate", "--measure-error", "--cut-faults", "0")
+            self.settings("--layers")
+        self.assertGreater(len(asked), 40)
+        self.assertLessEqual(asked, known)
 
     def test_horizons_with_commas(self):
         """A name of the file is not split."""
