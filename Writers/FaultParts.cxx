@@ -32,24 +32,23 @@ Cells Take(const Cells& cells, std::int64_t before, const std::vector<std::int64
   return { DataArray::Take(offsets), DataArray::Take(points) };
 }
 
-Horizon TakeCells(const Horizon& all, const std::vector<std::int64_t>& chosen)
+/// Names are those of the cells behind the given text.
+Horizon TakeCells(const Horizon& all, const std::vector<std::int64_t>& chosen, const std::string& before)
 {
   Horizon part = all;
   part.Vertices = Cells();
   part.Lines = Take(all.Lines, all.Vertices.Size(), chosen);
   part.Polygons = Take(all.Polygons, all.Vertices.Size() + all.Lines.Size(), chosen);
   part.CellData = ArrayTable();
-  const auto add = [&](const char* name, const char* from)
+  std::vector<std::string> names;
+  std::vector<std::string> sticks;
+  for (const std::int64_t cell : chosen)
   {
-    std::vector<std::string> texts;
-    for (const std::int64_t cell : chosen)
-    {
-      texts.push_back(TextOfCell(all, from, cell));
-    }
-    part.CellData.Add({ name, std::move(texts) });
-  };
-  add(CellArray::FaultName, NamesOfLines(all));
-  add(CellArray::FaultStick, CellArray::FaultStick);
+    names.push_back(before + TextOfCell(all, NamesOfLines(all), cell));
+    sticks.push_back(TextOfCell(all, CellArray::FaultStick, cell));
+  }
+  part.CellData.Add({ CellArray::FaultName, std::move(names) });
+  part.CellData.Add({ CellArray::FaultStick, std::move(sticks) });
   return part;
 }
 }
@@ -91,9 +90,12 @@ std::vector<NamedHorizon> SplitByFault(const std::vector<NamedHorizon>& all)
       }
       own.push_back(cell);
     }
+    // Levels are the same in all horizons.
+    const bool isOfMany = all.size() > 1 && std::string(NamesOfLines(whole.Data)) == CellArray::Label;
+    const std::string before = isOfMany ? whole.Name + " " : std::string();
     for (const std::string& fault : faults)
     {
-      parts.push_back({ fault.empty() ? whole.Name : fault, TakeCells(whole.Data, cells[fault]) });
+      parts.push_back({ fault.empty() ? whole.Name : before + fault, TakeCells(whole.Data, cells[fault], before) });
     }
   }
   return parts;

@@ -15,8 +15,9 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Largest cosine between perpendicular steps; it moves the last of a million columns by a thousandth of a column.
-constexpr double LargestCosine = 1e-9;
+// Largest cosine between perpendicular steps, as of rounded coordinates; it moves the last of ten thousand columns by a
+// hundredth of a column.
+constexpr double LargestCosine = 1e-6;
 
 Eigen::Vector2d TurnLeft(const Eigen::Vector2d& v)
 {

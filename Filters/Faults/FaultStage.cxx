@@ -224,8 +224,23 @@ void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double hei
   output.CellData.Add({ CellArray::FaultName, NamesOf(lines) });
 }
 
-/// The columns on the left and the right of each line, with a point; a line of a side needs two. The left has the larger
-/// vertical indices on average.
+/// The columns of a line on one side that have a point.
+std::vector<PlanePoint> ListBeside(const FaultLines& lines, std::size_t line, bool isLeft, const ColumnHeights& heights)
+{
+  std::vector<PlanePoint> columns;
+  for (std::size_t n = lines.Start(line); n < lines.End(line); ++n)
+  {
+    const LatticeLink& link = lines[n].Place;
+    const PlanePoint column = IsLeftBeyond(link.Side, lines[n].IsForward) == isLeft ? link.Beyond() : link.Column;
+    if (!std::isnan(heights[heights.Grid().ColumnOf(column)]) && (columns.empty() || columns.back() != column))
+    {
+      columns.push_back(column);
+    }
+  }
+  return columns;
+}
+
+/// Both sides of each line; a side needs two columns. Which is upthrown follows from the mean heights.
 void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const Lattice& lattice, Horizon& output)
 {
   HeapArray<double> places;
@@ -235,32 +250,34 @@ void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const L
   const std::vector<std::string> faults = NamesOf(lines);
   std::vector<std::string> names;
   std::vector<std::string> sides;
-  const LinkGrid& grid = heights.Grid();
-  const bool isUpright =
-    (lattice.ToWorld(Eigen::Vector3d::UnitZ()) - lattice.ToWorld(Eigen::Vector3d::Zero())).z() > 0.0;
+  const auto placeOf = [&](const PlanePoint& column)
+  { return lattice.ToWorld(Eigen::Vector3d(column.X, column.Y, heights[heights.Grid().ColumnOf(column)])); };
   for (std::size_t line = 0; line < lines.Size(); ++line)
   {
+    std::array<std::vector<PlanePoint>, 2> columns = { ListBeside(lines, line, true, heights),
+      ListBeside(lines, line, false, heights) };
+    std::array<double, 2> mean = { 0.0, 0.0 };
+    for (const std::size_t side : { 0, 1 })
+    {
+      for (const PlanePoint& column : columns[side])
+      {
+        mean[side] += placeOf(column).z() / double(columns[side].size());
+      }
+    }
+    const bool isKnown = !columns[0].empty() && !columns[1].empty();
+    const bool isLeftUp = isKnown
+      ? mean[0] >= mean[1]
+      : lattice.ToWorld(Eigen::Vector3d::UnitZ()).z() > lattice.ToWorld(Eigen::Vector3d::Zero()).z();
     for (const bool isUpthrown : { true, false })
     {
-      std::vector<PlanePoint> columns;
-      for (std::size_t n = lines.Start(line); n < lines.End(line); ++n)
-      {
-        const LatticeLink& link = lines[n].Place;
-        const bool isBeyond = IsLeftBeyond(link.Side, lines[n].IsForward) == (isUpthrown == isUpright);
-        const PlanePoint column = isBeyond ? link.Beyond() : link.Column;
-        if (!std::isnan(heights[grid.ColumnOf(column)]) && (columns.empty() || columns.back() != column))
-        {
-          columns.push_back(column);
-        }
-      }
-      if (columns.size() < 2)
+      const std::vector<PlanePoint>& own = columns[isUpthrown == isLeftUp ? 0 : 1];
+      if (own.size() < 2)
       {
         continue;
       }
-      for (const PlanePoint& column : columns)
+      for (const PlanePoint& column : own)
       {
-        const Eigen::Vector3d place =
-          lattice.ToWorld(Eigen::Vector3d(column.X, column.Y, heights[grid.ColumnOf(column)]));
+        const Eigen::Vector3d place = placeOf(column);
         places.append(place.data(), place.data() + 3);
         points.push_back(std::int64_t(points.size()));
       }

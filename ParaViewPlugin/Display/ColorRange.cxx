@@ -115,6 +115,22 @@ void LabelLegend(vtkSMProxy* legend, const ColorRange& shown)
   }
 }
 
+/// The range of the array of colours itself, as outputs of ParaView's filters have it.
+bool FindOwnRange(vtkSMProxy* representation, ColorRange& range)
+{
+  const vtkSMPropertyHelper colors(representation, "ColorArrayName");
+  const char* const name = colors.GetInputArrayNameToProcess();
+  vtkPVArrayInformation* const array =
+    name ? FindShownData(representation)->GetArrayInformation(name, colors.GetInputArrayAssociation()) : nullptr;
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return false;
+  }
+  range.Array = name;
+  array->GetComponentRange(0, range.Ends.data());
+  return range.Ends[0] <= range.Ends[1];
+}
+
 /// Requires a hint that sets another range than the data.
 bool FindRange(vtkSMProxy* representation, ColorRange& range)
 {
@@ -232,7 +248,8 @@ void RefreshRanges(vtkSMProxy* view)
   {
     vtkSMProxy* const table = vtkSMPropertyHelper(representation, "LookupTable", true).GetAsProxy();
     ColorRange range;
-    if (FindShownData(representation) && table && HasOwnRange(table) && FindRange(representation, range))
+    if (FindShownData(representation) && table && HasOwnRange(table) &&
+      (FindRange(representation, range) || FindOwnRange(representation, range)))
     {
       std::array<double, 2>& ends = ranges.insert({ table, range }).first->second.Ends;
       ends = { std::min(ends[0], range.Ends[0]), std::max(ends[1], range.Ends[1]) };

@@ -3,16 +3,22 @@
 
 #include "ViewContents.h"
 
+#include "ColorRange.h"
 #include "Common/Horizon/DataModel.h"
 
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMInputProperty.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMViewProxy.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace SeismicHorizons
@@ -105,14 +111,46 @@ bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other)
   return false;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
+namespace
+{
+/// True if two stages have made points or triangles of one horizon, which would cover each other. Horizons of one file
+/// differ in their bounds.
 bool AreSiblings(vtkSMProxy* representation, vtkSMProxy* other)
 {
   vtkPVDataInformation* const data = FindShownData(representation);
   vtkPVDataInformation* const shown = FindShownData(other);
   vtkSMSourceProxy* const producer = FindProducer(representation);
-  return data && shown && Covers(data) && Covers(shown) && !LeadsTo(producer, FindProducer(other)) &&
-    !LeadsTo(FindProducer(other), producer) && FindHorizon(producer) == FindHorizon(FindProducer(other)) &&
-    (IsInside(data, shown) || IsInside(shown, data));
+  return data && shown && Covers(data) && Covers(shown) &&
+    shown->GetNumberOfLeaves() <= std::max<decltype(shown->GetNumberOfLeaves())>(1, data->GetNumberOfLeaves()) &&
+    !LeadsTo(producer, FindProducer(other)) && !LeadsTo(FindProducer(other), producer) &&
+    FindHorizon(producer) == FindHorizon(FindProducer(other)) && (IsInside(data, shown) || IsInside(shown, data));
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkSMProxy>> HideOthers(vtkSMProxy* view, vtkSMProxy* representation)
+{
+  vtkSMSourceProxy* const producer = FindProducer(representation);
+  const int port = static_cast<int>(vtkSMPropertyHelper(representation, "Input", true).GetOutputPort());
+  bool hidesInputs = false, hidesOutputs = false;
+  for (vtkPVXMLElement* const hint : producer ? ListHints(producer, port) : std::vector<vtkPVXMLElement*>())
+  {
+    hidesInputs = hidesInputs || hint->GetAttribute("hides_inputs");
+    hidesOutputs = hidesOutputs || hint->GetAttribute("hides_outputs");
+  }
+  std::vector<vtkSmartPointer<vtkSMProxy>> hidden;
+  for (vtkSMProxy* const other : ListRepresentations(view))
+  {
+    const bool isSame = FindProducer(other) == producer;
+    if (FindShownData(other) && other != representation &&
+      (isSame ? hidesOutputs && FindShownData(representation)->GetNumberOfPoints() > 0
+              : (hidesInputs && LeadsTo(FindProducer(other), producer)) || AreSiblings(representation, other)))
+    {
+      vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+      controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));
+      hidden.emplace_back(other);
+    }
+  }
+  return hidden;
 }
 }

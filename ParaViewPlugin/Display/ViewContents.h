@@ -4,6 +4,8 @@
 #ifndef ViewContents_h
 #define ViewContents_h
 
+#include "vtkSmartPointer.h"
+
 #include <vector>
 
 class vtkPVDataInformation;
@@ -25,9 +27,9 @@ vtkSMSourceProxy* FindProducer(vtkSMProxy* representation);
 /// True if `other` is made from `source`, directly or not.
 bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other);
 
-/// True if two stages have made points or triangles of one horizon, which would cover each other. Horizons of one file
-/// differ in their bounds.
-bool AreSiblings(vtkSMProxy* representation, vtkSMProxy* other);
+/// Hides what the representation replaces: other results of the same horizon, and inputs or other outputs of a stage if
+/// its hints say so. Returns what was hidden.
+std::vector<vtkSmartPointer<vtkSMProxy>> HideOthers(vtkSMProxy* view, vtkSMProxy* representation);
 }
 
 #endif

@@ -85,10 +85,12 @@ void AddRenamedArrays(vtkPointSet* points)
   {
     AddRenamed(points->GetPointData()->GetArray(PointArray::Boundary), "Simplified Boundary", points->GetPointData());
   }
-  if (points->GetCellData()->HasArray(CellArray::FaultLine)) // Cutoffs.
+  vtkCellData* const cells = points->GetCellData();
+  if (cells->HasArray(CellArray::FaultLine)) // Cutoffs.
   {
-    AddRenamed(points->GetCellData()->GetAbstractArray(CellArray::FaultStick), "Side", points->GetCellData());
+    AddRenamed(cells->GetAbstractArray(CellArray::FaultStick), "Side", cells);
   }
+  AddRenamed(cells->GetAbstractArray(CellArray::IndexContour), "Contours", cells);
 }
 
 /// Adds thickness and throw in the unit of z.

@@ -6,6 +6,7 @@
 #include "ColorRange.h"
 #include "ContourInterval.h"
 #include "FirstView.h"
+#include "StageSelection.h"
 #include "ViewAxes.h"
 #include "ViewContents.h"
 #include "vtkSMHorizonDisplayHelper.h"
@@ -20,7 +21,6 @@
 #include <QTimer>
 #include <pqActiveObjects.h>
 #include <pqApplicationCore.h>
-#include <pqOutputPort.h>
 #include <pqPipelineSource.h>
 #include <pqRenderView.h>
 #include <pqRepresentation.h>
@@ -88,52 +88,6 @@ bool ShowsNothing(vtkSMProxy* view, vtkSMProxy* representation)
     });
 }
 
-/// Hides what the representation replaces: siblings, and inputs or other outputs of a stage if its hints say so.
-void HideOthers(vtkSMProxy* view, vtkSMProxy* representation)
-{
-  vtkSMSourceProxy* const producer = FindProducer(representation);
-  const int port = static_cast<int>(vtkSMPropertyHelper(representation, "Input", true).GetOutputPort());
-  bool hidesInputs = false, hidesOutputs = false;
-  for (vtkPVXMLElement* const hint : producer ? ListHints(producer, port) : std::vector<vtkPVXMLElement*>())
-  {
-    hidesInputs = hidesInputs || hint->GetAttribute("hides_inputs");
-    hidesOutputs = hidesOutputs || hint->GetAttribute("hides_outputs");
-  }
-  for (vtkSMProxy* const other : ListRepresentations(view))
-  {
-    const bool isSame = FindProducer(other) == producer;
-    if (FindShownData(other) && other != representation &&
-      (isSame ? hidesOutputs && FindShownData(representation)->GetNumberOfPoints() > 0
-              : (hidesInputs && LeadsTo(FindProducer(other), producer)) || AreSiblings(representation, other)))
-    {
-      vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-      controller->Hide(other, vtkSMViewProxy::SafeDownCast(view));
-    }
-  }
-}
-
-/// Selects the output that is shown where its stage was selected, or an output that is not shown.
-void SelectShown(vtkSMProxy* view, vtkSMProxy* representation)
-{
-  const vtkSMPropertyHelper input(representation, "Input", true);
-  pqOutputPort* const selected = pqActiveObjects::instance().activePort();
-  if (!selected || selected->getSourceProxy() != input.GetAsProxy())
-  {
-    return;
-  }
-  const std::vector<vtkSMProxy*> all = ListRepresentations(view);
-  const auto isOfSelected = [selected](vtkSMProxy* other)
-  {
-    const vtkSMPropertyHelper shown(other, "Input", true);
-    return FindShownData(other) && shown.GetAsProxy() == selected->getSourceProxy() &&
-      int(shown.GetOutputPort()) == selected->getPortNumber();
-  };
-  if (std::none_of(all.begin(), all.end(), isOfSelected))
-  {
-    pqActiveObjects::instance().setActivePort(selected->getSource()->getOutputPort(int(input.GetOutputPort())));
-  }
-}
-
 // ---- The tool bar ---------------------------------------------------------------------------------------------------
 
 pqRenderView* ActiveView()
@@ -186,6 +140,7 @@ pqHorizonToolBar::pqHorizonToolBar(QWidget* parentObject)
 
   auto* const model = pqApplicationCore::instance()->getServerManagerModel();
   this->connect(model, SIGNAL(viewAdded(pqView*)), SLOT(watch(pqView*)));
+  KeepSelection(model);
   this->connect(&pqActiveObjects::instance(), SIGNAL(viewChanged(pqView*)), SLOT(showState()));
   for (pqView* const view : model->findItems<pqView*>())
   {
@@ -227,6 +182,7 @@ void pqHorizonToolBar::watch(pqView* view)
     {
       this->forget([representation](const AddedRepresentation& added)
         { return added.Representation == representation->getProxy(); });
+      this->showHidden(representation->getProxy());
       if (!ShowsOthers(view->getProxy(), nullptr) && GetVerticalExaggeration(view->getProxy()) != 1.0)
       {
         SetVerticalExaggeration(view->getProxy(), 1.0);
@@ -278,6 +234,24 @@ void pqHorizonToolBar::take(pqView* view, vtkSMProxy* representation)
 }
 
 //------------------------------------------------------------------------------
+// By Undo or Delete what a result has hidden comes back.
+void pqHorizonToolBar::showHidden(vtkSMProxy* representation)
+{
+  std::vector<vtkSmartPointer<vtkSMProxy>> shown;
+  const auto isOf = [&](const std::pair<vtkWeakPointer<vtkSMProxy>, vtkWeakPointer<vtkSMProxy>>& entry)
+  {
+    const bool isOwn = entry.first == representation || !entry.first;
+    if (isOwn && entry.second)
+    {
+      shown.emplace_back(entry.second);
+    }
+    return isOwn;
+  };
+  this->Hidden.erase(std::remove_if(this->Hidden.begin(), this->Hidden.end(), isOf), this->Hidden.end());
+  SetVisibility(shown, true);
+}
+
+//------------------------------------------------------------------------------
 void pqHorizonToolBar::refresh(pqView* view)
 {
   for (vtkSMProxy* const representation : ListRepresentations(view->getProxy()))
@@ -312,7 +286,10 @@ void pqHorizonToolBar::arrange(pqView* view)
     }
     else if (!ShowsNothing(view->getProxy(), added.Representation))
     {
-      HideOthers(view->getProxy(), added.Representation);
+      for (vtkSMProxy* const hidden : HideOthers(view->getProxy(), added.Representation))
+      {
+        this->Hidden.emplace_back(added.Representation.Get(), hidden);
+      }
       SelectShown(view->getProxy(), added.Representation);
       SetVisibility(added.ShownAgain, false);
     }

@@ -13,6 +13,7 @@
 #include <QSet>
 #include <QToolBar>
 #include <vtkSmartPointer.h>
+#include <vtkWeakPointer.h>
 
 #include <algorithm>
 #include <vector>
@@ -48,6 +49,7 @@ private:
   void take(pqView* view, vtkSMProxy* representation);
   void refresh(pqView* view);
   void arrange(pqView* view);
+  void showHidden(vtkSMProxy* representation);
 
   template <typename Predicate>
   void forget(Predicate&& isForgotten)
@@ -61,6 +63,7 @@ private:
   QComboBox* Factor;
   QAction* Axes;
   QSet<pqView*> Updated; // views whose colour ranges may be outdated
+  std::vector<std::pair<vtkWeakPointer<vtkSMProxy>, vtkWeakPointer<vtkSMProxy>>> Hidden; // by a result
   std::vector<AddedRepresentation> Added; // in their order, until they are rendered and have points
 };
 

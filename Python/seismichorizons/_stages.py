@@ -161,7 +161,8 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
                   _by_fault(surfaces), horizon.vertical_unit)
 
 
-def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, progress: Progress | None = None) -> Lines:
+def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, faults: Faults | None = None,
+             progress: Progress | None = None) -> Lines:
     """Contours of a horizon or a mesh, at multiples of an interval.
 
     Parameters
@@ -170,6 +171,8 @@ def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, pr
         Contours of a mesh are smoother. Points of a horizon are joined to a surface between neighbouring columns.
     interval : float or str, optional
         In the unit of z or with a unit; by default a round one that gives about twelve contours.
+    faults : Faults, optional
+        Where the surface between the points of a horizon is open; meshes are open where they were made so.
     progress : callable, optional
 
     Returns
@@ -192,7 +195,10 @@ def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, pr
     if not isinstance(surface, (Horizon, Mesh)):
         raise TypeError("contours of %s, expected a Horizon or a Mesh" % type(surface).__name__)
     chosen = 0.0 if interval is None else height("interval", interval, surface.vertical_unit)
-    (lines,) = call(surface.name, _core.contours, surface._data(), chosen, progress)
+    if faults is not None and not isinstance(surface, Horizon):
+        raise TypeError("contours of a Mesh with faults, expected them where the mesh is made: surface(horizon, faults=faults)")
+    given = surface._data(links_of(faults)) if isinstance(surface, Horizon) else surface._data()
+    (lines,) = call(surface.name, _core.contours, given, chosen, progress)
     lines["cell_data"]["FaultName"] = lines["cell_data"]["Label"]
     return Lines.of(lines)
 

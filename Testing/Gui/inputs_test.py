@@ -134,6 +134,22 @@ def guides(events, cube, tops):
     events.check(FOUND, "plainText", found(cube, None))
 
 
+def guided_mesh(events, cube, tops):
+    """The extraction is still selected once it has its guides."""
+    events.open(cube, several_readers=True)
+    events.apply()
+    events.open(tops, several_readers=True)
+    events.add(window.FIELDS + "ProxyPanel/LatticeSource/ComboBox", "set_string", "No Lattice")
+    events.apply()
+    browser(events, "/0|0/0|0")
+    events.filter("SeismicReflectionExtraction")
+    events.choose_input("Guides", tops.name)
+    events.apply()
+    events.filter("HorizonSurface")
+    events.apply()
+    events.macro("NoteResults")
+
+
 def faults(events, top, line):
     opened(events, top)
     events.open(line)
@@ -165,6 +181,8 @@ def main(paraview, generator, folder):
     play(paraview, folder, distance, top)
     (note,) = play(paraview, folder, guides, cube, tops)
     assert note["array"] == "Confidence" and "\nTop: " in note["told"], note
+    (meshed,) = play(paraview, folder, guided_mesh, cube, tops)
+    assert "triangles" in meshed["told"], meshed
     (note,) = play(paraview, folder, faults, top, line)
     assert "fault lines 1\n" in note["told"], note
 

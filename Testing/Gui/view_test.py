@@ -279,6 +279,9 @@ def cover(events, steep):
         events.filter(stage)
         events.apply()
         events.macro("NoteView")
+        if stage == "HorizonSurface":
+            events.undo(2)  # Apply, and the filter itself
+            events.macro("NoteView")
         events.add(window.WINDOW + "/pipelineBrowserDock/pipelineBrowser", "currentChanged", first)
     events.open(steep.parent / "steps.xyz", several_readers=True)
     events.apply()
@@ -289,8 +292,9 @@ def cover(events, steep):
 
 def check_cover(notes):
     names = [sorted(entry[0] for entry in note["shown"]) for note in notes]
-    assert names[:2] == [["HorizonDespiking", "HorizonTextReader"], ["HorizonSurface", "HorizonTextReader"]], names
-    assert [note["selected"] for note in notes] == [0, 0, 1], notes
+    assert names[:3] == [["HorizonDespiking", "HorizonTextReader"], ["HorizonSurface", "HorizonTextReader"],
+                         ["HorizonDespiking", "HorizonTextReader"]], names
+    assert [notes[n]["selected"] for n in (0, 1, 3)] == [0, 0, 1], notes
 
 
 def separate(events, steep):
@@ -299,7 +303,7 @@ def separate(events, steep):
         events.open(steep.parent / name, several_readers=True)
         events.apply()
     events.macro("NoteView")
-    events.add(window.WINDOW + "/variableToolbar/1QToolButton2", "activate")
+    events.macro("SeparateColors")  # as the button does, which is at another place in ParaView 6
     events.macro("NoteView")
 
 
@@ -351,7 +355,7 @@ def main():
               (count_lines_southwards, folder / "picks.xyz", check_lines_southwards, 1),
               (see_first, folder / "steep.xyz", check_first_sight, 6), (see_two, folder / "steps.xyz", check_two, 1),
               (see_throws, folder / "fault.vsm", check_throws, 3),
-              (see_stages, folder / "line.vsm", check_stages, 5), (cover, folder / "steep.xyz", check_cover, 3),
+              (see_stages, folder / "line.vsm", check_stages, 5), (cover, folder / "steep.xyz", check_cover, 4),
               (separate, folder / "steep.xyz", check_separate, 2), (keep_camera, folder / "flat.vsm", check_camera, 3))
     for number, (play, file, check, count) in enumerate(scenes):
         events = window.Events()

@@ -11,6 +11,7 @@ import sys
 import unittest
 
 from paraview import servermanager, simple
+from seismichorizons import client
 
 FOLDER = pathlib.Path(sys.argv.pop())
 SIDE = 40
@@ -266,7 +267,7 @@ class FirstSightTest(unittest.TestCase):
         arrays = surface.PointData
         self.assertEqual(tuple(arrays["Inline"].GetRange()), (1192, 1200))
         self.assertEqual(tuple(arrays["Crossline"].GetRange()), (500, 533))
-        places = simple.servermanager.Fetch(surface)
+        (places,) = client.fetch(surface).values()
         for point in range(places.GetNumberOfPoints()):
             x, y, _ = places.GetPoint(point)
             self.assertEqual(places.GetPointData().GetArray("Inline").GetValue(point), 1206 - 2 * y / 40)

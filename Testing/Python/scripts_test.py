@@ -112,8 +112,11 @@ def test_well_tops():
     assert "2 well tops" in said and reds("wells.png") > 100, said
     tops.write_text("Well,X,Y,Depth\nA-1,500,250,-990\n", encoding="utf-8")
     assert "1 well tops" in run(PVBATCH, "well_tops", FOLDER / "top.dat", tops, FOLDER / "up.png", "--direction", "up")
+    tops.write_text("\ufeffWell,X,Y,Depth\nA-1,500,250,990\nB-2,850,700,\n", encoding="utf-8")
+    said = run(PVBATCH, "well_tops", FOLDER / "top.dat", tops, FOLDER / "none.png", code=1)
+    assert "row 2 has '850', '700', '', expected three numbers" in said, said
     said = run(PVBATCH, "well_tops", FOLDER / "top.dat", tops, FOLDER / "none.png", "--columns", "Name,X,Y,Z", code=1)
-    assert "no column Name, Z, expected Name, X, Y, Z; there are " in said, said
+    assert "no column Name, Z, expected columns Name, X, Y, Z and a row for each top" in said, said
 
 
 def test_fault_cut():

@@ -129,6 +129,7 @@ SCENES = {
     "triangulation": ELABORATE + [stage("HorizonTriangulation")],
     "decimation": SIMPLIFIED + [stage("HorizonDecimation")],
     "surface": [B, stage("HorizonSurface")],
+    "contours": [B, stage("HorizonSurface"), stage("HorizonContours")],
     "closed_faults": [opened("faulted.vsm", False), stage("HorizonFaults"), closed],
     "distance": [B, stage("HorizonSurface"), measured],
     "exaggeration": [opened("SeaBed.dat"), stage("HorizonSurface"), survey_axes],

@@ -11,6 +11,7 @@ import argparse
 import csv
 import pathlib
 import sys
+import tempfile
 
 from paraview import simple
 
@@ -18,28 +19,43 @@ SIZE = (1100, 700)
 COLOR = (0.85, 0.15, 0.10)
 
 
-def show_tops(path, columns, direction, view):
+def read_tops(path, columns):
+    """The wells with their places, a list of four texts each."""
+    with open(path, encoding="utf-8-sig", newline="") as file:
+        rows = list(csv.DictReader(file))
+    missing = [name for name in columns if rows and name not in rows[0]]
+    if missing or not rows:
+        sys.exit("well_tops: %s: no %s, expected columns %s and a row for each top" % (
+            path, "column " + ", ".join(missing) if missing else "rows", ", ".join(columns)))
+    tops = [[row[name] or "" for name in columns] for row in rows]
+    for number, (_, *place) in enumerate(tops):
+        try:
+            list(map(float, place))
+        except ValueError:
+            sys.exit("well_tops: %s: row %d has '%s', expected three numbers" % (path, number + 1, "', '".join(place)))
+    return tops
+
+
+def show_tops(rows, direction, view):
     """Positive depths or times are below 0 in the view."""
-    well, x, y, z = columns
-    with open(path, encoding="utf-8", newline="") as file:
-        names = next(csv.reader(file), [])
-    missing = [name for name in columns if name not in names]
-    if missing:
-        sys.exit("well_tops: %s: no column %s, expected %s; there are %s" % (
-            path, ", ".join(missing), ", ".join(columns), ", ".join(names)))
-    points = simple.TableToPoints(Input=simple.CSVReader(FileName=[path]), XColumn=x, YColumn=y, ZColumn=z, KeepAllDataArrays=1)
-    tops = simple.Transform(Input=points)
-    tops.Transform.Scale = (1.0, 1.0, 1.0 if direction == "up" else -1.0)
+    with tempfile.TemporaryDirectory() as folder:
+        table = pathlib.Path(folder) / "tops.csv"
+        with table.open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows([["Well", "X", "Y", "Z"], *rows])
+        points = simple.TableToPoints(Input=simple.CSVReader(FileName=[str(table)]), XColumn="X", YColumn="Y", ZColumn="Z",
+                                      KeepAllDataArrays=1)
+        tops = simple.Transform(Input=points)
+        tops.Transform.Scale = (1.0, 1.0, 1.0 if direction == "up" else -1.0)
+        tops.UpdatePipeline()
     display = simple.Show(tops, view)
     display.SetRepresentationType("Points")
     display.PointSize, display.RenderPointsAsSpheres = 18, 1
     display.AmbientColor = display.DiffuseColor = COLOR
     # Names are drawn at selected points.
     simple.QuerySelect(QueryString="(id >= 0)", FieldType="POINT", Source=tops)
-    display.SelectionPointLabelVisibility, display.SelectionPointFieldDataArrayName = 1, well
+    display.SelectionPointLabelVisibility, display.SelectionPointFieldDataArrayName = 1, "Well"
     display.SelectionPointLabelFontSize, display.SelectionPointLabelColor = 20, (0.0, 0.0, 0.0)
     display.SelectionColor = COLOR
-    return tops.GetDataInformation().GetNumberOfPoints()
 
 
 def main():
@@ -60,14 +76,15 @@ def main():
     view.UseColorPaletteForBackground, view.Background = 0, (1.0, 1.0, 1.0)
     horizons = simple.OpenDataFile(arguments.file)
     simple.Show(horizons, view)
-    wells = show_tops(arguments.tops, arguments.columns.split(","), arguments.direction, view)
+    tops = read_tops(arguments.tops, arguments.columns.split(","))
+    show_tops(tops, arguments.direction, view)
     for display in view.Representations:
         if display.GetProperty("Scale"):
             display.Scale = (1.0, 1.0, arguments.exaggeration)
     view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = (0, 0, 0), (-0.35, -0.75, 0.56), (0, 0, 1)
     simple.ResetCamera(view)
     simple.SaveScreenshot(arguments.picture, view)
-    print("%d well tops" % wells)
+    print("%d well tops" % len(tops))
 
 
 main()

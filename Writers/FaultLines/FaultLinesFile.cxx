@@ -58,15 +58,14 @@ std::string FaultOf(const NamedHorizon& part)
 
 // ---- Formats --------------------------------------------------------------------------------------------------------
 
-/// `head` is that of the column of names.
-void PrintTable(const std::vector<NamedHorizon>& faults, const char* head, char between, int sign, TextPrinter& out)
+void PrintTable(const std::vector<NamedHorizon>& faults, char between, int sign, TextPrinter& out)
 {
   SurveyDescription survey = ReadSurveyFields(faults.front().Data.FieldData);
   survey.IsUpright = sign > 0;
   const bool haveNames =
     std::any_of(faults.begin(), faults.end(), [](const NamedHorizon& one) { return !FaultOf(one).empty(); });
   std::vector<std::string> names = PlaceNames(survey);
-  names.insert(names.begin(), haveNames ? 1 : 0, head);
+  names.insert(names.begin(), haveNames ? 1 : 0, "Fault");
   names.insert(names.end(), { "Stick", "Node" });
   for (std::size_t n = 0; n < names.size(); ++n)
   {
@@ -157,8 +156,6 @@ void WriteFaultLines(const std::string& path, const std::vector<NamedHorizon>& l
     throw InputError("no lines, expected polylines or polygons");
   }
   const std::string form = ExtensionOf(path);
-  const bool areContours = NamesOfLines(lines.front().Data) != std::string(CellArray::FaultName);
-  const char* const head = areContours ? "Contour" : "Fault";
   const bool isTable = form != "pl" && form != "pol";
   const int sign = isTable ? SignOfTable(faults.front().Data, sense) : VerticalSign(faults.front().Data, sense);
   WriteHorizonFiles(
@@ -168,7 +165,7 @@ void WriteFaultLines(const std::string& path, const std::vector<NamedHorizon>& l
       TextPrinter out(stream);
       form == "pl"      ? PrintPLines(some, sign, out)
         : form == "pol" ? PrintPolygons(some.front(), sign, out)
-                        : PrintTable(some, head, form == "csv" ? ',' : '\t', sign, out);
+                        : PrintTable(some, form == "csv" ? ',' : '\t', sign, out);
       out.Flush();
     },
     monitor, subject);

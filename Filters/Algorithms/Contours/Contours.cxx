@@ -202,7 +202,7 @@ std::vector<Contour> FindContours(
   if (!((*largest - *least) / interval <= LargestNumber) || !(farthest < FarthestLevel))
   {
     std::ostringstream text;
-    text << "an interval of " << interval << " for heights from " << *least << " to " << *largest
+    text << "an interval of " << interval << " for z from " << *least << " to " << *largest
          << ", expected one that gives at most " << LargestNumber << " levels, not more than " << FarthestLevel
          << " from 0";
     throw InputError(text.str());

@@ -239,7 +239,7 @@ void TestCone()
     CHECK_EQUAL(first.From == last.From && first.To == last.To, contour.Level >= 1);
   }
   CheckContours(cone, triangles, 5.0);
-  CHECK_THROWS_WITH(FindContours(triangles, cone.Heights, 1e-3), "an interval of 0.001 for heights from");
+  CHECK_THROWS_WITH(FindContours(triangles, cone.Heights, 1e-3), "an interval of 0.001 for z from");
   CHECK(FindContours({}, {}, 1.0).empty());
 }
 }
