@@ -207,6 +207,57 @@ class FaultFiles(unittest.TestCase):
         self.assertEqual(links, [])
         self.assertRegex(told[0], "none of 21 fault polylines .*: x and y beside the horizon: are they exchanged")
 
+    def test_sides_of_noisy_faults(self):
+        """The upthrown side is the higher one on average, whatever single links say."""
+        random = np.random.default_rng(7)
+        i, j = np.meshgrid(np.arange(90), np.arange(70))
+        for direction in ("down", "up"):
+            z = 1000.0 + 6.0 * np.sin(i / 9.0) * np.cos(j / 7.0) + 9.0 * (i > 30 + 0.2 * j) - 7.0 * (i > 60) + random.normal(0.0, 1.5, i.shape)
+            z[random.random(z.shape) < 0.1] = np.nan
+            cutoffs = sh.faults(sh.horizon(z, spacing=(25, 25), direction=direction), 5.0, noise=0.6, smallest_extent=8).cutoffs
+            sides = {}
+            for name, side, line in zip(cutoffs.names, cutoffs.sticks, cutoffs.lines):
+                sides.setdefault(name, {})[side] = line[:, 2].mean()
+            pairs = [pair for pair in sides.values() if len(pair) == 2]
+            self.assertGreater(len(pairs), 2)
+            for pair in pairs:
+                self.assertGreaterEqual(pair["upthrown"], pair["downthrown"], sides)
+
+    def test_contours(self):
+        """Open at faults, written by their levels, and read again."""
+        z = np.where(np.arange(80) < 40, 1000.0, 1030.0) + 0.5 * np.arange(60)[:, None]
+        plain = sh.horizon(z, spacing=(25, 25), vertical_unit="ms", name="Top")
+        faults = sh.faults(plain, 10.0)
+        whole, cut = sh.contours(plain, "5 ms"), sh.contours(plain, "5 ms", faults=faults)
+
+        def length(lines):
+            return sum(np.linalg.norm(np.diff(line[:, :2], axis=0), axis=1).sum() for line in lines)
+
+        self.assertGreater(length(whole), length(cut) + 1000.0)
+        self.assertFalse(any(((line[:, 0] > 39 * 25) & (line[:, 0] < 40 * 25)).any() for line in cut))
+        for ending in (".dat", ".csv", ".pl"):
+            sh.write(cut, FOLDER / ("contours" + ending))
+            again = sh.read_faults(FOLDER / ("contours" + ending))
+            self.assertEqual(sorted(again.names), sorted(cut.names))
+            self.assertTrue(all(np.allclose(line[:, 2], -float(name)) for name, line in zip(again.names, again.lines)))
+        with self.assertRaisesRegex(TypeError, "expected them where the mesh is made"):
+            sh.contours(sh.surface(plain, 1.0), 5.0, faults=faults)
+
+    def test_contours_of_several_horizons(self):
+        from seismichorizons import vtk
+
+        reader, contours, writer = vtk.vtkHorizonTextReader(), vtk.vtkHorizonContours(), vtk.vtkFaultLinesWriter()
+        reader.AddFileName(str(write("several.txt", "Name X Y Z\n" + "".join(
+            "%s %d %d %g\n" % (name, 25 * i, 25 * j, top + i) for name, top in (("Top", 1000), ("Base", 1005)) for j in range(9)
+            for i in range(15)))))
+        contours.SetInputConnection(reader.GetOutputPort())
+        contours.SetInterval(5.0)
+        writer.SetInputConnection(contours.GetOutputPort())
+        writer.SetFileName(str(FOLDER / "several.dat"))
+        writer.Write()
+        names = sh.read_faults(FOLDER / "several.dat").names
+        self.assertEqual(sorted(names), ["Base 1005", "Base 1010", "Base 1015", "Top 1000", "Top 1005", "Top 1010"])
+
     def test_refused(self):
         """What is missing is an error that says where, and which columns were expected."""
         whole = table("{fault},{stick},%s" % COMMAS, "Fault,Stick,X,Y,Z\n")
