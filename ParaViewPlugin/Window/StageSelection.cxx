@@ -50,9 +50,9 @@ void SelectShown(vtkSMProxy* view, vtkSMProxy* representation)
 {
   const vtkSMPropertyHelper input(representation, "Input", true);
   pqOutputPort* const selected = pqActiveObjects::instance().activePort();
-  if (!selected || selected->getSourceProxy() != input.GetAsProxy())
+  if (!selected || selected->getSourceProxy() != input.GetAsProxy() || input.GetAsProxy()->GetNumberOfProducers() == 0)
   {
-    return;
+    return; // A reader of a seismic line shows its outline, but stages take its traces.
   }
   const std::vector<vtkSMProxy*> all = ListRepresentations(view);
   const auto isOfSelected = [selected](vtkSMProxy* other)

@@ -9,7 +9,7 @@ class vtkSMProxy;
 
 namespace SeismicHorizons
 {
-/// Selects the output that is shown where its stage was selected, or an output that is not shown.
+/// Selects the output of a stage that is shown where the stage was selected, or an output that is not shown.
 void SelectShown(vtkSMProxy* view, vtkSMProxy* representation);
 
 /// Keeps sources selected that move in the pipeline browser, as they get a second input or lose it.

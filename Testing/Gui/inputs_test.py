@@ -150,6 +150,15 @@ def guided_mesh(events, cube, tops):
     events.macro("NoteResults")
 
 
+def seismic_line(events, path):
+    """A line is shown as its outline, but its traces go into the extraction."""
+    events.open(path, several_readers=True)
+    events.apply()
+    events.filter("SeismicReflectionExtraction")
+    events.apply()
+    events.macro("NoteResults")
+
+
 def faults(events, top, line):
     opened(events, top)
     events.open(line)
@@ -181,6 +190,10 @@ def main(paraview, generator, folder):
     play(paraview, folder, distance, top)
     (note,) = play(paraview, folder, guides, cube, tops)
     assert note["array"] == "Confidence" and "\nTop: " in note["told"], note
+    section = folder / "line.sgy"
+    subprocess.run([generator, "--size", "90", "1", "200", str(section)], check=True)
+    (note,) = play(paraview, folder, seismic_line, section)
+    assert "surfaces of" in note["told"], note
     (meshed,) = play(paraview, folder, guided_mesh, cube, tops)
     assert "triangles" in meshed["told"], meshed
     (note,) = play(paraview, folder, faults, top, line)
