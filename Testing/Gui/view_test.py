@@ -280,7 +280,7 @@ def cover(events, steep):
         events.apply()
         events.macro("NoteView")
         if stage == "HorizonSurface":
-            events.undo(2)  # Apply, and the filter itself
+            events.add(window.PANEL + "/Delete", "activate")  # as Undo, which comes no further than to a macro in ParaView 6
             events.macro("NoteView")
         events.add(window.WINDOW + "/pipelineBrowserDock/pipelineBrowser", "currentChanged", first)
     events.open(steep.parent / "steps.xyz", several_readers=True)
