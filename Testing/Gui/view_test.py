@@ -292,8 +292,8 @@ def cover(events, steep):
 
 def check_cover(notes):
     names = [sorted(entry[0] for entry in note["shown"]) for note in notes]
-    assert names[:3] == [["HorizonDespiking", "HorizonTextReader"], ["HorizonSurface", "HorizonTextReader"],
-                         ["HorizonDespiking", "HorizonTextReader"]], names
+    assert names[:2] == [["HorizonDespiking", "HorizonTextReader"], ["HorizonSurface", "HorizonTextReader"]], names
+    assert "HorizonDespiking" in names[2] and "HorizonSurface" not in names[2], names
     assert [notes[n]["selected"] for n in (0, 1, 3)] == [0, 0, 1], notes
 
 
