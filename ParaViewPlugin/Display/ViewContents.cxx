@@ -54,6 +54,19 @@ vtkSMSourceProxy* FindHorizon(vtkSMSourceProxy* stage)
   auto* const source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
   return source && Covers(source->GetDataInformation(input.GetOutputPort())) ? FindHorizon(source) : stage;
 }
+
+/// True if two stages have made points or triangles of one horizon, which would cover each other. Horizons of one file
+/// differ in their bounds.
+bool AreSiblings(vtkSMProxy* representation, vtkSMProxy* other)
+{
+  vtkPVDataInformation* const data = FindShownData(representation);
+  vtkPVDataInformation* const shown = FindShownData(other);
+  vtkSMSourceProxy* const producer = FindProducer(representation);
+  return data && shown && Covers(data) && Covers(shown) &&
+    shown->GetNumberOfLeaves() <= std::max<decltype(shown->GetNumberOfLeaves())>(1, data->GetNumberOfLeaves()) &&
+    !LeadsTo(producer, FindProducer(other)) && !LeadsTo(FindProducer(other), producer) &&
+    FindHorizon(producer) == FindHorizon(FindProducer(other)) && (IsInside(data, shown) || IsInside(shown, data));
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -109,22 +122,6 @@ bool LeadsTo(vtkSMProxy* source, vtkSMProxy* other)
     }
   }
   return false;
-}
-
-namespace
-{
-/// True if two stages have made points or triangles of one horizon, which would cover each other. Horizons of one file
-/// differ in their bounds.
-bool AreSiblings(vtkSMProxy* representation, vtkSMProxy* other)
-{
-  vtkPVDataInformation* const data = FindShownData(representation);
-  vtkPVDataInformation* const shown = FindShownData(other);
-  vtkSMSourceProxy* const producer = FindProducer(representation);
-  return data && shown && Covers(data) && Covers(shown) &&
-    shown->GetNumberOfLeaves() <= std::max<decltype(shown->GetNumberOfLeaves())>(1, data->GetNumberOfLeaves()) &&
-    !LeadsTo(producer, FindProducer(other)) && !LeadsTo(FindProducer(other), producer) &&
-    FindHorizon(producer) == FindHorizon(FindProducer(other)) && (IsInside(data, shown) || IsInside(shown, data));
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -115,9 +115,8 @@ def found(cube, tops):
     return extraction.GetDescription()
 
 
-def guides(events, cube, tops):
-    """From a cube and picks to a guided horizon, without a run that has no guides; then without guides. The panel tells what the
-    last run found."""
+def follow(events, cube, tops):
+    """A guided extraction, whose guides are chosen before the first Apply."""
     events.open(cube, several_readers=True)
     events.apply()
     events.open(tops, several_readers=True)
@@ -127,6 +126,12 @@ def guides(events, cube, tops):
     events.filter("SeismicReflectionExtraction")
     events.choose_input("Guides", tops.name)
     events.apply()
+
+
+def guides(events, cube, tops):
+    """From a cube and picks to a guided horizon, without a run that has no guides; then without guides. The panel tells what the
+    last run found."""
+    follow(events, cube, tops)
     events.macro("NoteResults")
     events.check(FOUND, "plainText", found(cube, tops))
     events.choose_input("Guides", "(none)")
@@ -136,15 +141,7 @@ def guides(events, cube, tops):
 
 def guided_mesh(events, cube, tops):
     """The extraction is still selected once it has its guides."""
-    events.open(cube, several_readers=True)
-    events.apply()
-    events.open(tops, several_readers=True)
-    events.add(window.FIELDS + "ProxyPanel/LatticeSource/ComboBox", "set_string", "No Lattice")
-    events.apply()
-    browser(events, "/0|0/0|0")
-    events.filter("SeismicReflectionExtraction")
-    events.choose_input("Guides", tops.name)
-    events.apply()
+    follow(events, cube, tops)
     events.filter("HorizonSurface")
     events.apply()
     events.macro("NoteResults")
