@@ -282,4 +282,28 @@ std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vt
   }
   return std::move(collector.Leaves);
 }
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<HorizonLeaf> ListNamedHorizons(vtkInformationVector* port)
+{
+  std::vector<HorizonLeaf> leaves;
+  std::vector<std::string> names;
+  for (int n = 0; n < port->GetNumberOfInformationObjects(); ++n)
+  {
+    for (HorizonLeaf& leaf : ListHorizons(vtkDataObject::GetData(port, n), {}))
+    {
+      if (leaf.Input->GetNumberOfPoints() > 0)
+      {
+        names.push_back(leaf.Name.empty() ? "Surface " + std::to_string(names.size() + 1) : leaf.Name);
+        leaves.push_back(std::move(leaf));
+      }
+    }
+  }
+  names = MakeDistinct(std::move(names));
+  for (std::size_t n = 0; n < leaves.size(); ++n)
+  {
+    leaves[n].Name = std::move(names[n]);
+  }
+  return leaves;
+}
 }

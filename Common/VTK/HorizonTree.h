@@ -52,6 +52,9 @@ struct HorizonLeaf
 /// Outputs get the structure and field data of `input`. Partitions of a vtkPartitionedDataSet are one horizon, in place
 /// of the first. Throws InputError on partitions with lines or polygons, and on other datasets.
 std::vector<HorizonLeaf> ListHorizons(vtkDataObject* input, const std::vector<vtkDataObject*>& outputs);
+
+/// Those with points of all connections of a port, with distinct names, "Surface 1" and so on where they have none.
+std::vector<HorizonLeaf> ListNamedHorizons(vtkInformationVector* port);
 }
 
 #endif

@@ -3,16 +3,11 @@
 
 #include "vtkHorizonFaults.h"
 
-#include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/VTK/HorizonConversion.h"
 #include "FaultStage.h"
+#include "GivenLines.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <string>
@@ -23,40 +18,6 @@ using namespace SeismicHorizons;
 namespace
 {
 constexpr int GivenPort = 1;
-
-std::vector<FaultStick> SticksOf(vtkDataObject* object)
-{
-  auto* const data = vtkPolyData::SafeDownCast(object);
-  if (!data)
-  {
-    throw InputError(
-      "fault polylines in a " + std::string(object->GetClassName()) + ", expected lines or polygons of a vtkPolyData");
-  }
-  return ReadFaultSticks(FromVTK(data));
-}
-
-/// Sticks without a name in different datasets belong to different faults. Throws InputError on other datasets than
-/// polygonal ones.
-std::vector<FaultStick> ReadGiven(vtkDataObject* lines)
-{
-  auto* const composite = vtkCompositeDataSet::SafeDownCast(lines);
-  if (!composite)
-  {
-    return lines ? SticksOf(lines) : std::vector<FaultStick>();
-  }
-  std::vector<FaultStick> polylines;
-  const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-  {
-    const std::string number = std::to_string(leaves->GetCurrentFlatIndex());
-    for (FaultStick& polyline : SticksOf(leaves->GetCurrentDataObject()))
-    {
-      polyline.Fault = polyline.Fault.empty() ? "fault " + number : polyline.Fault;
-      polylines.push_back(std::move(polyline));
-    }
-  }
-  return polylines;
-}
 }
 
 vtkStandardNewMacro(vtkHorizonFaults);
@@ -103,7 +64,7 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   options.Polygons = static_cast<PolygonUse>(this->Polygons);
   if (!this->Given)
   {
-    this->Given = std::make_shared<GivenFaults>(ReadGiven(lines));
+    this->Given = std::make_shared<GivenFaults>(ReadGivenLines(lines));
   }
   const bool isFirst = !this->Given->HaveHorizons();
   RunFaults(horizon, *this->Given, options, outputs, monitor);

@@ -27,26 +27,13 @@ vtkHorizonStackStage::~vtkHorizonStackStage()
 //------------------------------------------------------------------------------
 HorizonStack vtkHorizonStackStage::ReadStack(vtkInformationVector* inputs, std::string& subject, const Monitor& monitor)
 {
-  std::vector<HorizonLeaf> leaves;
-  std::vector<std::string> names;
-  for (int n = 0; n < inputs->GetNumberOfInformationObjects(); ++n)
-  {
-    for (HorizonLeaf& leaf : ListHorizons(vtkDataObject::GetData(inputs, n), {}))
-    {
-      if (leaf.Input->GetNumberOfPoints() > 0)
-      {
-        names.push_back(leaf.Name.empty() ? "Surface " + std::to_string(names.size() + 1) : leaf.Name);
-        leaves.push_back(std::move(leaf));
-      }
-    }
-  }
-  names = MakeDistinct(std::move(names));
+  const std::vector<HorizonLeaf> leaves = ListNamedHorizons(inputs);
   HorizonStack stack;
   for (std::size_t n = 0; n < leaves.size(); ++n)
   {
-    subject = names[n];
+    subject = leaves[n].Name;
     RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject, {},
-      [&]() { stack.Add(names[n], FromVTK(leaves[n].Input)); });
+      [&]() { stack.Add(leaves[n].Name, FromVTK(leaves[n].Input)); });
     monitor.Progress(0.5 * double(n + 1) / double(leaves.size()));
   }
   subject.clear();

@@ -139,6 +139,7 @@ auto Run(const nb::object& progress, Work&& work)
 void BindReading(nb::module_& module);
 void BindStages(nb::module_& module);
 void BindLayers(nb::module_& module);
+void BindCutoffs(nb::module_& module);
 void BindCubes(nb::module_& module);
 void BindWriting(nb::module_& module);
 }

@@ -42,6 +42,7 @@ NB_MODULE(_core, module)
   SeismicHorizons::BindReading(module);
   SeismicHorizons::BindStages(module);
   SeismicHorizons::BindLayers(module);
+  SeismicHorizons::BindCutoffs(module);
   SeismicHorizons::BindCubes(module);
   SeismicHorizons::BindWriting(module);
 }

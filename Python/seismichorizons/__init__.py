@@ -12,6 +12,7 @@ Everything takes and gives numpy arrays; other packages are imported where their
 """
 
 from ._cube import Cube, extract, read_cube
+from ._cutoffs import Cutoffs, cutoffs
 from ._door import horizon
 from ._files import read, read_mesh, write
 from ._horizon import Horizon, Lattice
@@ -32,7 +33,7 @@ from ._thesis import (
 from ._version import VERSION as __version__
 from ._volume import amplitudes, cube
 
-__all__ = ["Cube", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "amplitudes",
-           "boundary_simplification", "contours", "crossings", "cube", "decimation", "despike", "distance", "elaborate_simplification", "exterior_boundary", "extract", "faults",
-           "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "surface",
+__all__ = ["Cube", "Cutoffs", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "amplitudes",
+           "boundary_simplification", "contours", "crossings", "cube", "cutoffs", "decimation", "despike", "distance",
+           "elaborate_simplification", "exterior_boundary", "extract", "faults", "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "surface",
            "thickness", "triangulation", "write"]

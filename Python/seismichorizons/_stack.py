@@ -166,7 +166,7 @@ def _wedges_begin_below() -> bool:
     return bool(sizes.GetOutput().GetCellData().GetArray("Volume").GetValue(0) > 0.0)
 
 
-def _named(horizons: Any, stage: str, faults: Mapping[str, Faults] | None = None) -> tuple[dict[str, Horizon], list[tuple[str, Data]]]:
+def named_horizons(horizons: Any, stage: str, faults: Mapping[str, Faults] | None = None) -> tuple[dict[str, Horizon], list[tuple[str, Data]]]:
     """Horizons by name, and their data."""
     given = dict(horizons) if isinstance(horizons, Mapping) else {one.name: one for one in horizons if isinstance(one, Horizon)}
     if not isinstance(horizons, Mapping) and len(given) != len(horizons):
@@ -254,7 +254,7 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
     >>> float(sh.layers(one).figures["volume"][0])
     13775000.0
     """
-    given, named = _named(horizons, "layers", faults)
+    given, named = named_horizons(horizons, "layers", faults)
     first = next(iter(given.values()), None)
     options = _stack_options(given, crossings, minimum_thickness, order)
     options.update(given_options(
@@ -296,7 +296,7 @@ def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings:
     dict of Horizon
         The uppermost first, with all points and the attribute Moved: how far each was moved, in the direction of z.
     """
-    given, named = _named(horizons, "crossings")
+    given, named = named_horizons(horizons, "crossings")
     names, made = call("crossings", _core.crossings, named, _stack_options(given, crossings, minimum_thickness, order), progress)
     return {name: dataclasses.replace(
         given[name], z=given[name].sign * data["places"][:, 2],

@@ -158,7 +158,7 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     noise_found, least = (float(fields[name][0]) * step if name in fields else np.nan for name in ("FaultNoise", "SmallestFaultThrow"))
     return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultNames"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,
                   Lines.of(traces), Lines.of(cutoffs), _changed(horizon, cut),
-                  _by_fault(surfaces), horizon.vertical_unit)
+                  by_fault(surfaces), horizon.vertical_unit)
 
 
 def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, faults: Faults | None = None,
@@ -203,7 +203,7 @@ def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, fa
     return Lines.of(lines)
 
 
-def _by_fault(surfaces: Data) -> dict[str, Mesh]:
+def by_fault(surfaces: Data) -> dict[str, Mesh]:
     """A mesh for each fault."""
     corners = np.asarray(surfaces["polygons"][1]).reshape(-1, 3)
     names, meshes = np.array(surfaces["cell_data"].get("FaultName", []), object), {}

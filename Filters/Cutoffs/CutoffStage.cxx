@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CutoffStage.h"
+
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/HeightNoise.h"
+#include "Common/Horizon/Lattice.h"
+#include "Filters/Algorithms/Faults/ColumnHeights.h"
+#include "Filters/Common/CutData.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/HorizonPoints.h"
+#include "Filters/Common/LatticePoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+void CheckOptions(const CutoffStageOptions& options)
+{
+  if (options.Dip != 0.0)
+  {
+    CheckWithin("dip", options.Dip, 5.0, 90.0, " degrees, or 0");
+  }
+  CheckAtLeast("drop distance", options.DropDistance, 0.0, " columns");
+  CheckAtLeast("drop noise", options.DropNoise, 0.0, "");
+  CheckAtLeast("largest gap", options.LargestGap, 1.0, " columns");
+  CheckAtLeast("smallest length", options.SmallestLength, 2.0, " columns");
+  if (options.MaximumError)
+  {
+    CheckAtLeast("maximum error", *options.MaximumError, 0.0, "");
+  }
+}
+
+CutHorizon ReadCutHorizon(const std::string& name, const LatticePoints& points, const CutoffStageOptions& options)
+{
+  CutHorizon horizon;
+  horizon.Name = name;
+  const double index = WorldPerIndex(points.Lattice);
+  const HeightNoise noise = MeasureHeightNoise(points.Column, points.Height);
+  horizon.Picks.Column = std::sqrt(points.Lattice.ColumnArea());
+  horizon.Picks.Noise = index * noise.Deviation;
+  horizon.MaximumError = !options.MaximumError
+    ? index * noise.MaximumError()
+    : *options.MaximumError * (options.ErrorUnit == HeightUnit::World ? 1.0 : index);
+  const std::int64_t size = points.Horizon.NumberOfPoints();
+  for (std::int64_t point = 0; point < size; ++point)
+  {
+    horizon.Picks.Places.push_back(points.Horizon.Place(point));
+    horizon.MeanHeight += horizon.Picks.Places.back().z() / double(size);
+  }
+  return horizon;
+}
+
+// ---- Traces ---------------------------------------------------------------------------------------------------------
+
+/// By fault; names in the order of the first cuts.
+struct HorizonTraces
+{
+  std::vector<std::string> Names;
+  std::map<std::string, std::vector<std::vector<TraceCut>>> ByFault;
+  std::map<std::string, std::vector<std::size_t>> Horizons; // by fault
+};
+
+/// Heights are those of the nearest columns with a point along the link. Cuts without one on both sides are left out.
+std::map<int, std::vector<TraceCut>> ReadTraceCuts(const LatticePoints& points, const DataArray& numbers, double gap)
+{
+  const std::vector<LatticeLink> links = ReadFaultedLinks(points.Horizon);
+  RequireTuples(numbers, std::int64_t(links.size()), "faulted links");
+  const ColumnHeights heights(points.Column, points.Height);
+  const LinkGrid& grid = heights.Grid();
+  const auto find = [&](PlanePoint column, const PlanePoint& step) -> std::optional<Eigen::Vector3d>
+  {
+    for (int n = 0; n <= int(gap); ++n, column = { column.X + step.X, column.Y + step.Y })
+    {
+      const std::int64_t x = std::int64_t(column.X) - grid.Origin().X, y = std::int64_t(column.Y) - grid.Origin().Y;
+      const bool isIn = x >= 0 && y >= 0 && x < grid.Width() && y < grid.Height();
+      const double height = isIn ? heights[grid.ColumnOf(column)] : NoValue;
+      if (!std::isnan(height))
+      {
+        return points.Lattice.ToWorld(Eigen::Vector3d(column.X, column.Y, height));
+      }
+    }
+    return std::nullopt;
+  };
+  std::map<int, std::vector<TraceCut>> lines;
+  for (std::size_t n = 0; n < links.size(); ++n)
+  {
+    const PlanePoint from = links[n].Column, to = links[n].Beyond();
+    const PlanePoint step = { to.X - from.X, to.Y - from.Y };
+    const auto before = find(from, { -step.X, -step.Y }), beyond = find(to, step);
+    if (before && beyond)
+    {
+      const Eigen::Vector2d way = (*beyond - *before).head<2>();
+      const double link =
+        (points.Lattice.ToWorld({ double(to.X), double(to.Y), 0.0 }) - points.Lattice.ToWorld({ double(from.X), double(from.Y), 0.0 }))
+          .head<2>()
+          .norm();
+      lines[int(numbers.Value(std::int64_t(n)))].push_back(
+        { 0.5 * (*before + *beyond), (before->z() - beyond->z()) * way.normalized(), way.norm() - link });
+    }
+  }
+  return lines;
+}
+
+void AddTraces(const CutInput& horizon, std::size_t own, double gap, HorizonTraces& traces)
+{
+  const LatticePoints& points = horizon.Points;
+  const DataArray* const numbers = FindNumbers(points.Horizon.FieldData, FieldArray::FaultLine);
+  const DataArray* const faults = points.Horizon.FieldData.Find(FieldArray::FaultNames);
+  if (!numbers)
+  {
+    return;
+  }
+  for (auto& [number, cuts] : ReadTraceCuts(points, *numbers, gap))
+  {
+    constexpr std::size_t fewest = 3;
+    if (cuts.size() < fewest)
+    {
+      continue;
+    }
+    const bool isNamed = faults && faults->IsText() && number >= 0 && number < int(faults->Texts().size());
+    std::string fault = isNamed ? faults->Texts()[std::size_t(number)] : "fault " + std::to_string(number + 1);
+    if (fault.rfind("fault ", 0) == 0) // Numbers of detected faults are those of one horizon.
+    {
+      fault = horizon.Name + " " + fault;
+    }
+    std::vector<std::vector<TraceCut>>& ofFault = traces.ByFault[fault];
+    if (ofFault.empty())
+    {
+      traces.Names.push_back(fault);
+    }
+    ofFault.push_back(std::move(cuts));
+    traces.Horizons[fault].push_back(own);
+  }
+}
+
+std::vector<FaultPlate> MakePlates(const std::vector<FaultPicks>& picks, const Monitor& monitor)
+{
+  std::vector<FaultPlate> plates;
+  for (std::size_t n = 0; n < picks.size(); ++n)
+  {
+    plates.emplace_back(picks[n], monitor);
+    monitor.Progress(double(n + 1) / double(picks.size()));
+  }
+  return plates;
+}
+
+/// Where no horizon tells the hanging wall of an upright fault, it stays as it is.
+void TurnUprightFaults(CutoffModelData& model)
+{
+  for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
+  {
+    double sum = 0.0, column = 0.0;
+    for (const CutHorizon& horizon : model.Horizons)
+    {
+      sum += SumOfThrows(horizon.AtFault[fault]);
+      column = std::max(column, horizon.Picks.Column);
+    }
+    for (CutHorizon& horizon : model.Horizons)
+    {
+      if (sum < 0.0 && model.Faults[fault].IsUpright(column))
+      {
+        SwapWalls(horizon.AtFault[fault]);
+      }
+    }
+  }
+}
+
+std::string List(const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t n = 0; n < std::min(most, names.size()); ++n)
+  {
+    text += (n > 0 ? ", " : "") + names[n];
+  }
+  return text + (names.size() > most ? ", ..." : "");
+}
+
+/// Faults and cutoffs that are not there, or are mostly guessed.
+std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
+{
+  std::vector<std::string> idle, far, shortOnes;
+  for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
+  {
+    bool doesCut = false;
+    for (const CutHorizon& horizon : model.Horizons)
+    {
+      const HorizonCutoffs& own = horizon.AtFault[fault];
+      const std::string name = horizon.Name + " at " + model.Faults[fault].Name();
+      std::size_t guessed = 0, places = 0;
+      for (const CutoffPiece& piece : own.Pieces)
+      {
+        for (const CutoffPair& pair : piece.Pairs)
+        {
+          guessed += pair.Source[Footwall] != HeightSource::Picks || pair.Source[HangingWall] != HeightSource::Picks;
+          ++places;
+        }
+      }
+      doesCut = doesCut || places > 0 || own.Short > 0;
+      if (2 * guessed > places)
+      {
+        far.push_back(name);
+      }
+      if (own.Short > 0)
+      {
+        shortOnes.push_back(name);
+      }
+    }
+    if (!doesCut)
+    {
+      idle.push_back(model.Faults[fault].Name());
+    }
+  }
+  std::vector<std::string> warnings;
+  if (!idle.empty())
+  {
+    warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(model.Faults.size()) + " faults (" +
+      List(idle) + ") cut no horizon, expected picks on both sides within LargestGap, at heights of the fault");
+  }
+  if (!far.empty())
+  {
+    warnings.push_back("cutoffs that are guessed over more than half of their length, farther than two columns from "
+                       "picks that agree: " +
+      List(far));
+  }
+  if (!shortOnes.empty())
+  {
+    warnings.push_back("cutoffs left out as they are shorter than SmallestLength: " + List(shortOnes));
+  }
+  return warnings;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LatticePoints ReadCutPoints(const Horizon& horizon)
+{
+  CheckArraySizes(horizon);
+  const Horizon visible = WithoutHiddenPoints(horizon);
+  RequireAllPoints(visible);
+  return ReadColumns(visible);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CutoffModelData RunCutoffs(const std::vector<CutInput>& horizons, const std::optional<PickedSticks>& given,
+  const CutoffStageOptions& options, const Monitor& monitor)
+{
+  CheckOptions(options);
+  CutoffModelData model;
+  HorizonTraces traces;
+  double column = 0.0;
+  for (const CutInput& horizon : horizons)
+  {
+    model.Horizons.push_back(ReadCutHorizon(horizon.Name, horizon.Points, options));
+    column = std::max(column, model.Horizons.back().Picks.Column);
+    if (!given)
+    {
+      AddTraces(horizon, model.Horizons.size() - 1, options.LargestGap, traces);
+    }
+  }
+  std::vector<FaultPicks> picks;
+  if (given)
+  {
+    picks = given->Faults;
+    if (!given->Alone.empty())
+    {
+      model.Warnings.push_back("faults of a single stick (" + List(given->Alone) + "), expected two of each fault");
+    }
+  }
+  for (const std::string& fault : traces.Names)
+  {
+    picks.push_back(PickTraces(fault, traces.ByFault[fault], options.Dip, column));
+    picks.back().Horizons = traces.Horizons[fault];
+  }
+  if (picks.empty())
+  {
+    throw InputError(given ? "no fault among the fault lines, expected two sticks of each fault, or its surface"
+                           : "horizons without faults, expected sticks or surfaces of faults as second input, or "
+                             "horizons that Horizon Faults has cut");
+  }
+  monitor.Progress(0.1);
+  model.Faults = MakePlates(picks, monitor.Step(0.1, 0.2));
+  const double step = 0.8 / double(model.Horizons.size() * model.Faults.size());
+  CutoffFitOptions fit;
+  fit.DropDistance = options.DropDistance;
+  fit.DropNoise = options.DropNoise;
+  fit.LargestGap = options.LargestGap;
+  bool areThere = false;
+  double done = 0.2;
+  for (std::size_t n = 0; n < model.Horizons.size(); ++n)
+  {
+    CutHorizon& horizon = model.Horizons[n];
+    for (std::size_t fault = 0; fault < model.Faults.size(); ++fault, done += step)
+    {
+      const std::vector<std::size_t>& only = picks[fault].Horizons;
+      const bool mayCut = only.empty() || std::find(only.begin(), only.end(), n) != only.end();
+      horizon.AtFault.push_back(!mayCut ? HorizonCutoffs()
+                                        : FindCutoffs(model.Faults, fault, horizon.Picks, fit, options.SmallestLength,
+                                            monitor.Step(done, done + step)));
+      areThere = areThere || !horizon.AtFault.back().Pieces.empty();
+    }
+  }
+  TurnUprightFaults(model);
+  if (!areThere)
+  {
+    throw InputError("no cutoff of " + std::to_string(model.Horizons.size()) + " horizons at " +
+      std::to_string(model.Faults.size()) +
+      " faults, expected faults in the coordinates of the horizons, with "
+      "picks on both sides: z of faults may count the other way");
+  }
+  const std::vector<std::string> warnings = WarnOfCutoffs(model);
+  model.Warnings.insert(model.Warnings.end(), warnings.begin(), warnings.end());
+  return model;
+}
+}

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaultInput.h"
+
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
+#include "Common/Survey/SurveyFields.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/PlacedPoints.h"
+#include "Filters/Faults/FaultStage.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+bool IsSurface(const Horizon& data)
+{
+  for (std::int64_t cell = 0; cell < data.Polygons.Size(); ++cell)
+  {
+    if (data.Polygons.Length(cell) != 3)
+    {
+      return false;
+    }
+  }
+  return data.Polygons.Size() > 0 && data.Lines.Size() == 0;
+}
+
+/// Triangles by FaultName, or all as one surface.
+void AddSurfaces(const NamedHorizon& block, std::size_t number, std::vector<FaultPicks>& faults)
+{
+  const DataArray* const names = block.Data.CellData.Find(CellArray::FaultName);
+  if (names && names->IsText())
+  {
+    RequireTuples(*names, block.Data.NumberOfCells(), "cells");
+  }
+  std::vector<std::pair<std::string, std::vector<SpaceTriangle>>> surfaces;
+  const std::vector<std::array<PointId, 3>> triangles = ReadTriangles(block.Data);
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    const std::string given =
+      names && names->IsText() ? names->Texts()[std::size_t(block.Data.Vertices.Size()) + n] : "";
+    const std::string name = !given.empty() ? given
+      : !block.Name.empty()                 ? block.Name
+                                            : "fault " + std::to_string(number + 1);
+    auto surface = std::find_if(
+      surfaces.begin(), surfaces.end(), [&name](const auto& candidate) { return candidate.first == name; });
+    if (surface == surfaces.end())
+    {
+      surfaces.push_back({ name, {} });
+      surface = surfaces.end() - 1;
+    }
+    const auto [a, b, c] = triangles[n];
+    surface->second.push_back({ block.Data.Place(a), block.Data.Place(b), block.Data.Place(c) });
+    for (const Eigen::Vector3d& place : surface->second.back())
+    {
+      if (!place.allFinite())
+      {
+        throw InputError("fault " + name + " with a point that is not finite");
+      }
+    }
+  }
+  for (const auto& [name, own] : surfaces)
+  {
+    faults.push_back(PickSurface(name, own));
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GivenFaultPicks ReadFaultPicks(std::vector<NamedHorizon> blocks)
+{
+  GivenFaultPicks given;
+  given.Data = std::move(blocks);
+  std::vector<FaultStick> sticks;
+  std::vector<FaultPicks> surfaces;
+  for (std::size_t n = 0; n < given.Data.size(); ++n)
+  {
+    const NamedHorizon& block = given.Data[n];
+    if (IsSurface(block.Data))
+    {
+      AddSurfaces(block, n, surfaces);
+      continue;
+    }
+    for (FaultStick& stick : ReadFaultSticks(block.Data))
+    {
+      stick.Fault = stick.Fault.empty() ? block.Name : stick.Fault;
+      sticks.push_back(std::move(stick));
+    }
+  }
+  given.Picks = PickSticks(sticks);
+  std::move(surfaces.begin(), surfaces.end(), std::back_inserter(given.Picks->Faults));
+  return given;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ArrayTable JoinFields(const std::vector<CutInput>& horizons, GivenFaultPicks& given)
+{
+  ArrayTable fields;
+  if (horizons.empty())
+  {
+    throw InputError("no horizon with points, expected at least one");
+  }
+  const CutInput& first = horizons.front();
+  SurveyDescription survey = ReadSurveyFields(first.Points.Horizon.FieldData);
+  const auto join = [&](const Horizon& other, const std::string& name)
+  {
+    const HorizonNames names = { name, first.Name };
+    survey = JoinSurveys(survey, other, names);
+    const std::string doubt = WarnOfDirections(first.Points.Horizon, other, names);
+    if (!doubt.empty())
+    {
+      given.Warnings.push_back(doubt);
+    }
+  };
+  for (const CutInput& horizon : horizons)
+  {
+    join(horizon.Points.Horizon, horizon.Name);
+  }
+  for (const NamedHorizon& block : given.Data)
+  {
+    join(block.Data, "the faults");
+  }
+  if (const DataArray* const direction = FindNumbers(first.Points.Horizon.FieldData, FieldArray::VerticalDirection))
+  {
+    fields.Add(*direction);
+  }
+  AddSurveyFields(survey, fields);
+  return fields;
+}
+}

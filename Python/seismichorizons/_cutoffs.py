@@ -1,0 +1,191 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where horizons meet faults."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._data import Data, Progress, call, loops, snake
+from ._horizon import Floats, Horizon
+from ._lines import Lines, lines_of
+from ._mesh import Mesh
+from ._stack import named_horizons
+from ._stages import Faults, by_fault, given_options
+from ._units import height
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Profile:
+    """What is known along a cutoff: an array each for its points.
+
+    Attributes
+    ----------
+    along : float64 array
+        The distance along strike.
+    throw, heave : float64 arrays
+        Height of the footwall above the hanging wall, and their distance on the map across strike; negative at reverse faults.
+    spread : float64 array
+        The standard deviation of the height by noise; nan where it is interpolated.
+    guessed : uint8 array
+        0 near picks, 1 extrapolated, 2 interpolated along the fault.
+    """
+
+    along: Floats
+    throw: Floats
+    heave: Floats
+    spread: Floats
+    guessed: NDArray[np.uint8]
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Diagram:
+    """The layers that meet on a fault, as quadrangles seen across it.
+
+    Attributes
+    ----------
+    corners : float64 array of shape (n, 4, 2)
+        Distance along strike, and z upwards.
+    footwall, hanging_wall : list of str
+        The layer on each wall, such as "Top to Base".
+    """
+
+    corners: Floats
+    footwall: list[str]
+    hanging_wall: list[str]
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Cutoffs:
+    """Where horizons meet faults, as `cutoffs` finds it.
+
+    Attributes
+    ----------
+    names : list of str
+        Of the faults.
+    lines : dict of Lines by horizon
+        Names are those of faults, sticks "footwall" and "hanging wall".
+    profiles : dict of lists of Profile by horizon
+        One for each line.
+    polygons : dict of Lines by horizon
+        Fault polygons, around the heave.
+    faults : dict of Mesh by fault
+        The surfaces that were used.
+    diagrams : dict of Diagram by fault
+    figures : dict of arrays
+        A value for each fault and horizon that it cuts: fault, horizon, throw_mean, heave_mean, largest_gap, guessed and so on.
+    areas : dict of arrays
+        A value for each pair of layers that meet: fault, footwall, hanging_wall, area.
+    vertical_unit : str
+    """
+
+    names: list[str]
+    lines: dict[str, Lines]
+    profiles: dict[str, list[Profile]]
+    polygons: dict[str, Lines]
+    faults: dict[str, Mesh]
+    diagrams: dict[str, Diagram]
+    figures: dict[str, Any]
+    areas: dict[str, Any]
+    vertical_unit: str = ""
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        unit = " " + self.vertical_unit if self.vertical_unit else ""
+        return "Cutoffs: " + ", ".join("%s at %s (mean throw %.4g%s)" % (horizon, fault, throw, unit) for fault, horizon, throw in zip(
+            self.figures["fault"], self.figures["horizon"], self.figures["throw_mean"]))
+
+
+def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults: Any, *, dip: float = 0.0, drop_distance: float = 0.5,
+            drop_noise: float = 4.0, largest_gap: float = 20.0, smallest_length: float = 5.0, largest_error: float | str | None = None,
+            progress: Progress | None = None) -> Cutoffs:
+    """Finds where horizons meet faults: cutoffs on both walls, throw and heave, fault polygons, and the layers that meet.
+
+    Parameters
+    ----------
+    horizons : Horizon, or dict or list of Horizon
+        Of one vertical domain and unit.
+    faults : Faults, dict of Faults by horizon, Lines, list of arrays, or dict of Mesh by fault
+        Cuts of the horizons, of which faults of one name are one, but for those that were detected; or sticks, as of
+        `read_faults`; or surfaces.
+    dip : float
+        Of faults that are known from one horizon only, in degrees; 0: from the gap of picks, upright where picks are on both sides.
+    drop_distance : float
+        Picks nearer to a fault are not used, in columns.
+    drop_noise : float
+        Picks beside a fault that are off those farther away by more standard deviations are not used; 0: all are.
+    largest_gap : float
+        How far horizons are continued to a fault, in columns.
+    smallest_length : float
+        Horizons that a fault cuts over less are uncut there, in columns.
+    largest_error : float or str, optional
+        Of simplified lines, in the unit of z or with a unit; by default six times the noise of each horizon.
+    progress : callable, optional
+
+    Returns
+    -------
+    Cutoffs
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> x = np.arange(80) * 25.0 + np.zeros((60, 1))
+    >>> z = np.where(x < 987.0, 1000.0, 1030.0)
+    >>> stick = np.array([(970.0, -900.0), (1010.0, -1100.0)])
+    >>> sticks = [np.column_stack((stick[:, 0], [y, y], stick[:, 1])) for y in (0.0, 700.0, 1475.0)]
+    >>> sh.cutoffs({"Top": sh.horizon(z, spacing=(25, 25))}, sticks)
+    Cutoffs: Top at Fault (mean throw 30)
+    """
+    if isinstance(horizons, Horizon):
+        horizons = [horizons]
+    cuts: dict[str, Faults] | None = None
+    if isinstance(faults, Faults):
+        cuts = {one.name: faults for one in (horizons.values() if isinstance(horizons, Mapping) else horizons)}
+    elif isinstance(faults, Mapping) and faults and all(isinstance(one, Faults) for one in faults.values()):
+        cuts = dict(faults)
+    given, named = named_horizons(horizons, "cutoffs", cuts)
+    for name, data in named:
+        if cuts and name in cuts:
+            data["field_data"] = {**data["field_data"], "FaultLine": cuts[name].lines, "FaultNames": list(cuts[name].names)}
+    first = next(iter(given.values()), None)
+    options = given_options(dip=float(dip), drop_distance=float(drop_distance), drop_noise=float(drop_noise), largest_gap=float(largest_gap),
+                            smallest_length=float(smallest_length),
+                            maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit))
+    made = call("cutoffs", _core.cutoffs, named, [] if cuts else _blocks_of(faults), options, progress)
+    figures = {snake(name): values for name, values in made["figures"].items()}
+    return Cutoffs(made["names"], _lines(given, made["cutoffs"]), {name: _profiles(data) for name, data in zip(given, made["cutoffs"])},
+                   _lines(given, made["polygons"]), by_fault(made["faults"]),
+                   {name: _diagram(data) for name, data in zip(made["names"], made["diagrams"])}, figures,
+                   {snake(name): values for name, values in made["areas"].items()}, first.vertical_unit if first else "")
+
+
+def _blocks_of(faults: Any) -> list[tuple[str, Data]]:
+    """Sticks, or surfaces by name."""
+    if isinstance(faults, Mapping):
+        for name, mesh in faults.items():
+            if not isinstance(mesh, Mesh):
+                raise TypeError("fault %s of %s, expected a Mesh, or Faults for each horizon" % (name, type(mesh).__name__))
+        return [(name, mesh._data()) for name, mesh in faults.items()]
+    return [("", lines_of(faults, "Fault")._data())]
+
+
+def _lines(given: Mapping[str, Horizon], made: Sequence[Data]) -> dict[str, Lines]:
+    return {name: Lines.of(data) for name, data in zip(given, made)}
+
+
+def _profiles(data: Data) -> list[Profile]:
+    arrays = [data["point_data"][name] for name in ("Along", "Throw", "Heave", "Spread", "Guessed")]
+    return [Profile(*(array[line] for array in arrays)) for line in loops(data["lines"], False)]
+
+
+def _diagram(data: Data) -> Diagram:
+    corners = data["places"][np.asarray(data["polygons"][1])][:, :2].reshape(-1, 4, 2)
+    return Diagram(corners, data["cell_data"].get("Footwall", []), data["cell_data"].get("HangingWall", []))
