@@ -4,13 +4,13 @@
 #include "ContoursStage.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/Base/HeapArray.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/ContourInterval.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Survey/DerivedArrays.h"
 #include "Filters/Algorithms/Contours/Contours.h"
+#include "Filters/Common/CellWriter.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/HorizonPoints.h"
@@ -102,9 +102,7 @@ std::vector<Eigen::Vector2d> PlanOf(const Contour& contour, const Horizon& horiz
 std::int64_t WriteContours(
   const std::vector<Contour>& contours, const Horizon& horizon, double interval, Horizon& output)
 {
-  HeapArray<double> places;
-  HeapArray<std::int64_t> points;
-  HeapArray<std::int64_t> offsets = { 0 };
+  CellWriter cells;
   const VerticalAxis axis = ReadVerticalAxis(horizon.FieldData);
   const bool isDownwards = !axis.Name.empty() && axis.IsDownwards;
   std::vector<double> levels;
@@ -120,11 +118,9 @@ std::int64_t WriteContours(
     }
     for (const Eigen::Vector2d& place : plan)
     {
-      places.append(place.data(), place.data() + 2);
-      places.push_back(height);
-      points.push_back(std::int64_t(points.size()));
+      cells.Add({ place.x(), place.y(), height });
     }
-    offsets.push_back(std::int64_t(points.size()));
+    cells.Close();
     areIndex.push_back(contour.Level % IndexContours == 0);
     levels.push_back(isDownwards ? 0.0 - height : height);
     std::ostringstream label;
@@ -132,8 +128,7 @@ std::int64_t WriteContours(
     label << std::setprecision(12) << levels.back();
     labels.push_back(label.str());
   }
-  output.Places = DataArray::Take(places, 3);
-  output.Lines = { DataArray::Take(offsets), DataArray::Take(points) };
+  cells.Finish(output, &Horizon::Lines);
   AddArray<double>(output.CellData, CellArray::Level, levels);
   AddArray<unsigned char>(output.CellData, CellArray::IndexContour, areIndex);
   output.CellData.Add({ CellArray::Label, std::move(labels) });

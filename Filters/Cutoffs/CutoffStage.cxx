@@ -13,6 +13,7 @@
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/HorizonPoints.h"
 #include "Filters/Common/LatticePoints.h"
+#include "Filters/Faults/FaultWarnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,10 +100,10 @@ std::map<int, std::vector<TraceCut>> ReadTraceCuts(const LatticePoints& points, 
     if (before && beyond)
     {
       const Eigen::Vector2d way = (*beyond - *before).head<2>();
-      const double link =
-        (points.Lattice.ToWorld({ double(to.X), double(to.Y), 0.0 }) - points.Lattice.ToWorld({ double(from.X), double(from.Y), 0.0 }))
-          .head<2>()
-          .norm();
+      const double link = (points.Lattice.ToWorld({ double(to.X), double(to.Y), 0.0 }) -
+        points.Lattice.ToWorld({ double(from.X), double(from.Y), 0.0 }))
+                            .head<2>()
+                            .norm();
       lines[int(numbers.Value(std::int64_t(n)))].push_back(
         { 0.5 * (*before + *beyond), (before->z() - beyond->z()) * way.normalized(), way.norm() - link });
     }
@@ -153,6 +154,58 @@ std::vector<FaultPlate> MakePlates(const std::vector<FaultPicks>& picks, const M
   return plates;
 }
 
+std::vector<FaultPicks> PickCuts(const std::vector<CutInput>& horizons, const CutoffStageOptions& options)
+{
+  HorizonTraces traces;
+  double column = 0.0;
+  for (std::size_t n = 0; n < horizons.size(); ++n)
+  {
+    AddTraces(horizons[n], n, options.LargestGap, traces);
+    column = std::max(column, std::sqrt(horizons[n].Points.Lattice.ColumnArea()));
+  }
+  std::vector<FaultPicks> picks;
+  for (const std::string& fault : traces.Names)
+  {
+    picks.push_back(PickTraces(fault, traces.ByFault[fault], options.Dip, column));
+    picks.back().Horizons = traces.Horizons[fault];
+  }
+  return picks;
+}
+
+/// Throws InputError if there is none.
+void FindAllCutoffs(const std::vector<FaultPicks>& picks, const CutoffStageOptions& options, CutoffModelData& model,
+  const Monitor& monitor)
+{
+  CutoffFitOptions fit;
+  fit.DropDistance = options.DropDistance;
+  fit.DropNoise = options.DropNoise;
+  fit.LargestGap = options.LargestGap;
+  const double step = 1.0 / double(model.Horizons.size() * model.Faults.size());
+  bool areThere = false;
+  double done = 0.0;
+  for (std::size_t n = 0; n < model.Horizons.size(); ++n)
+  {
+    CutHorizon& horizon = model.Horizons[n];
+    for (std::size_t fault = 0; fault < model.Faults.size(); ++fault, done += step)
+    {
+      const std::vector<std::size_t>& only = picks[fault].Horizons;
+      const bool mayCut = only.empty() || std::find(only.begin(), only.end(), n) != only.end();
+      horizon.AtFault.push_back(!mayCut ? HorizonCutoffs()
+                                        : FindCutoffs(model.Faults, fault, horizon.Picks, fit, options.SmallestLength,
+                                            monitor.Step(done, done + step)));
+      areThere = areThere || !horizon.AtFault.back().Pieces.empty();
+    }
+  }
+  if (!areThere)
+  {
+    throw InputError("no cutoff of " + std::to_string(model.Horizons.size()) + " horizons at " +
+      std::to_string(model.Faults.size()) +
+      " faults, expected faults in the coordinates of the horizons, with picks on both sides: z of faults may count "
+      "the "
+      "other way");
+  }
+}
+
 /// Where no horizon tells the hanging wall of an upright fault, it stays as it is.
 void TurnUprightFaults(CutoffModelData& model)
 {
@@ -172,17 +225,6 @@ void TurnUprightFaults(CutoffModelData& model)
       }
     }
   }
-}
-
-std::string List(const std::vector<std::string>& names)
-{
-  constexpr std::size_t most = 8;
-  std::string text;
-  for (std::size_t n = 0; n < std::min(most, names.size()); ++n)
-  {
-    text += (n > 0 ? ", " : "") + names[n];
-  }
-  return text + (names.size() > most ? ", ..." : "");
 }
 
 /// Faults and cutoffs that are not there, or are mostly guessed.
@@ -224,17 +266,17 @@ std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
   if (!idle.empty())
   {
     warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(model.Faults.size()) + " faults (" +
-      List(idle) + ") cut no horizon, expected picks on both sides within LargestGap, at heights of the fault");
+      ListFaults(idle) + ") cut no horizon, expected picks on both sides within LargestGap, at heights of the fault");
   }
   if (!far.empty())
   {
     warnings.push_back("cutoffs that are guessed over more than half of their length, farther than two columns from "
                        "picks that agree: " +
-      List(far));
+      ListFaults(far));
   }
   if (!shortOnes.empty())
   {
-    warnings.push_back("cutoffs left out as they are shorter than SmallestLength: " + List(shortOnes));
+    warnings.push_back("cutoffs left out as they are shorter than SmallestLength: " + ListFaults(shortOnes));
   }
   return warnings;
 }
@@ -255,31 +297,15 @@ CutoffModelData RunCutoffs(const std::vector<CutInput>& horizons, const std::opt
 {
   CheckOptions(options);
   CutoffModelData model;
-  HorizonTraces traces;
-  double column = 0.0;
   for (const CutInput& horizon : horizons)
   {
     model.Horizons.push_back(ReadCutHorizon(horizon.Name, horizon.Points, options));
-    column = std::max(column, model.Horizons.back().Picks.Column);
-    if (!given)
-    {
-      AddTraces(horizon, model.Horizons.size() - 1, options.LargestGap, traces);
-    }
   }
-  std::vector<FaultPicks> picks;
-  if (given)
+  if (given && !given->Alone.empty())
   {
-    picks = given->Faults;
-    if (!given->Alone.empty())
-    {
-      model.Warnings.push_back("faults of a single stick (" + List(given->Alone) + "), expected two of each fault");
-    }
+    model.Warnings.push_back("faults of a single stick (" + ListFaults(given->Alone) + "), expected two of each fault");
   }
-  for (const std::string& fault : traces.Names)
-  {
-    picks.push_back(PickTraces(fault, traces.ByFault[fault], options.Dip, column));
-    picks.back().Horizons = traces.Horizons[fault];
-  }
+  const std::vector<FaultPicks> picks = given ? given->Faults : PickCuts(horizons, options);
   if (picks.empty())
   {
     throw InputError(given ? "no fault among the fault lines, expected two sticks of each fault, or its surface"
@@ -288,34 +314,8 @@ CutoffModelData RunCutoffs(const std::vector<CutInput>& horizons, const std::opt
   }
   monitor.Progress(0.1);
   model.Faults = MakePlates(picks, monitor.Step(0.1, 0.2));
-  const double step = 0.8 / double(model.Horizons.size() * model.Faults.size());
-  CutoffFitOptions fit;
-  fit.DropDistance = options.DropDistance;
-  fit.DropNoise = options.DropNoise;
-  fit.LargestGap = options.LargestGap;
-  bool areThere = false;
-  double done = 0.2;
-  for (std::size_t n = 0; n < model.Horizons.size(); ++n)
-  {
-    CutHorizon& horizon = model.Horizons[n];
-    for (std::size_t fault = 0; fault < model.Faults.size(); ++fault, done += step)
-    {
-      const std::vector<std::size_t>& only = picks[fault].Horizons;
-      const bool mayCut = only.empty() || std::find(only.begin(), only.end(), n) != only.end();
-      horizon.AtFault.push_back(!mayCut ? HorizonCutoffs()
-                                        : FindCutoffs(model.Faults, fault, horizon.Picks, fit, options.SmallestLength,
-                                            monitor.Step(done, done + step)));
-      areThere = areThere || !horizon.AtFault.back().Pieces.empty();
-    }
-  }
+  FindAllCutoffs(picks, options, model, monitor.Step(0.2, 1.0));
   TurnUprightFaults(model);
-  if (!areThere)
-  {
-    throw InputError("no cutoff of " + std::to_string(model.Horizons.size()) + " horizons at " +
-      std::to_string(model.Faults.size()) +
-      " faults, expected faults in the coordinates of the horizons, with "
-      "picks on both sides: z of faults may count the other way");
-  }
   const std::vector<std::string> warnings = WarnOfCutoffs(model);
   model.Warnings.insert(model.Warnings.end(), warnings.begin(), warnings.end());
   return model;

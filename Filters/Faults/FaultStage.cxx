@@ -6,6 +6,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
+#include "Filters/Common/CellWriter.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonPoints.h"
 #include "Filters/Common/LatticePoints.h"
@@ -115,9 +116,7 @@ std::string NameOf(const std::vector<FaultSheet>& sheets, std::size_t n)
 
 void WriteFaultSheets(const std::vector<FaultSheet>& sheets, Horizon& output)
 {
-  HeapArray<double> places;
-  HeapArray<std::int64_t> corners;
-  HeapArray<std::int64_t> offsets = { 0 };
+  CellWriter cells;
   std::vector<std::string> names;
   for (std::size_t n = 0; n < sheets.size(); ++n)
   {
@@ -130,17 +129,15 @@ void WriteFaultSheets(const std::vector<FaultSheet>& sheets, Horizon& output)
         if (ids[place] < 0)
         {
           const SpacePoint& at = *sheet.Places[place];
-          ids[place] = std::int64_t(places.size() / 3);
-          places.append(&at.X, &at.X + 3);
+          ids[place] = cells.AddPoint({ at.X, at.Y, at.Z });
         }
-        corners.push_back(ids[place]);
+        cells.Use(ids[place]);
       }
-      offsets.push_back(std::int64_t(corners.size()));
+      cells.Close();
       names.push_back(NameOf(sheets, n));
     }
   }
-  output.Places = DataArray::Take(places, 3);
-  output.Polygons = { DataArray::Take(offsets), DataArray::Take(corners) };
+  cells.Finish(output, &Horizon::Polygons);
   output.CellData.Add({ CellArray::FaultName, std::move(names) });
 }
 
@@ -183,16 +180,12 @@ std::vector<double> FindHeights(const FaultLines& lines, std::size_t line, doubl
 /// Links without a height take one from their line, or else `height`.
 void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double height, Horizon& output)
 {
-  HeapArray<double> places;
-  HeapArray<std::int64_t> points;
-  HeapArray<std::int64_t> offsets = { 0 };
+  CellWriter cells;
   std::vector<double> throws;
   std::vector<int> numbers;
   const auto append = [&](const MapPlace& place, double z, const FaultedLink& link)
   {
-    const Eigen::Vector3d world = lattice.ToWorld(Eigen::Vector3d(place.X, place.Y, z));
-    places.append(world.data(), world.data() + 3);
-    points.push_back(std::int64_t(points.size()));
+    cells.Add(lattice.ToWorld(Eigen::Vector3d(place.X, place.Y, z)));
     throws.push_back(link.LeftThrow());
   };
   for (std::size_t line = 0; line < lines.Size(); ++line)
@@ -213,11 +206,10 @@ void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double hei
       }
     }
     append(EndOf(lines[end - 1], true), heights.back(), lines[end - 1]);
-    offsets.push_back(std::int64_t(points.size()));
+    cells.Close();
     numbers.push_back(int(line));
   }
-  output.Places = DataArray::Take(places, 3);
-  output.Lines = { DataArray::Take(offsets), DataArray::Take(points) };
+  cells.Finish(output, &Horizon::Lines);
   AddArray<double>(output.PointData, PointArray::Throw, throws);
   output.PointData.SetActiveScalars(PointArray::Throw);
   AddArray<int>(output.CellData, CellArray::FaultLine, numbers);
@@ -243,9 +235,7 @@ std::vector<PlanePoint> ListBeside(const FaultLines& lines, std::size_t line, bo
 /// Both sides of each line; a side needs two columns. Which is upthrown follows from the mean heights.
 void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const Lattice& lattice, Horizon& output)
 {
-  HeapArray<double> places;
-  HeapArray<std::int64_t> points;
-  HeapArray<std::int64_t> offsets = { 0 };
+  CellWriter cells;
   std::vector<int> numbers;
   const std::vector<std::string> faults = NamesOf(lines);
   std::vector<std::string> names;
@@ -277,18 +267,15 @@ void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const L
       }
       for (const PlanePoint& column : own)
       {
-        const Eigen::Vector3d place = placeOf(column);
-        places.append(place.data(), place.data() + 3);
-        points.push_back(std::int64_t(points.size()));
+        cells.Add(placeOf(column));
       }
-      offsets.push_back(std::int64_t(points.size()));
+      cells.Close();
       numbers.push_back(int(line));
       names.push_back(faults[line]);
       sides.emplace_back(isUpthrown ? "upthrown" : "downthrown");
     }
   }
-  output.Places = DataArray::Take(places, 3);
-  output.Lines = { DataArray::Take(offsets), DataArray::Take(points) };
+  cells.Finish(output, &Horizon::Lines);
   AddArray<int>(output.CellData, CellArray::FaultLine, numbers);
   output.CellData.Add({ CellArray::FaultName, std::move(names) });
   output.CellData.Add({ CellArray::FaultStick, std::move(sides) });

@@ -20,17 +20,6 @@ namespace
 constexpr std::size_t MostNamed = 5;
 constexpr const char* BesideCause = "x and y beside the horizon: are they exchanged, or of another coordinate system?";
 
-/// "F1, F2 and 3 more"; lines without a name are numbered.
-std::string List(const std::vector<std::string>& names)
-{
-  std::string text;
-  for (std::size_t n = 0; n < std::min(MostNamed, names.size()); ++n)
-  {
-    text += (n > 0 ? ", " : "") + names[n];
-  }
-  return names.size() > MostNamed ? text + " and " + std::to_string(names.size() - MostNamed) + " more" : text;
-}
-
 std::string NameOr(const std::string& name, const char* otherwise, std::size_t number)
 {
   return name.empty() ? otherwise + std::to_string(number + 1) : name;
@@ -108,6 +97,18 @@ std::string CauseOf(const FaultSheet& sheet, const LatticePoints& points)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// Lines without a name are numbered.
+std::string ListFaults(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (std::size_t n = 0; n < std::min(MostNamed, names.size()); ++n)
+  {
+    text += (n > 0 ? ", " : "") + names[n];
+  }
+  return names.size() > MostNamed ? text + " and " + std::to_string(names.size() - MostNamed) + " more" : text;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vector<FaultSheet>& sheets,
   const std::vector<std::size_t>& traces, bool areExtended, const LatticePoints& points)
 {
@@ -181,19 +182,19 @@ std::vector<std::string> IdleLines::Warnings() const
   std::vector<std::string> warnings;
   if (this->SticksAlone > 0)
   {
-    const std::string of = this->FaultsAlone.empty() ? "" : " (" + List(this->FaultsAlone) + ")";
+    const std::string of = this->FaultsAlone.empty() ? "" : " (" + ListFaults(this->FaultsAlone) + ")";
     warnings.push_back(std::to_string(this->SticksAlone) + " of " + std::to_string(this->Given) + " fault sticks" + of +
       " join no surface, expected two sticks of two points for each fault, beside each other");
   }
   if (!this->Uncut.empty())
   {
     warnings.push_back(std::to_string(this->Uncut.size()) + " of " + std::to_string(this->Sheets) + " faults (" +
-      List(this->Uncut) + ") cut nothing: " + this->Cause);
+      ListFaults(this->Uncut) + ") cut nothing: " + this->Cause);
   }
   if (!this->Beside.empty())
   {
     warnings.push_back(std::to_string(this->Beside.size()) + " of " + std::to_string(this->Given) + " fault lines (" +
-      List(this->Beside) + ") are at least half beside the horizon");
+      ListFaults(this->Beside) + ") are at least half beside the horizon");
   }
   return warnings;
 }

@@ -18,6 +18,9 @@
 
 namespace SeismicHorizons
 {
+/// "F1, F2 and 3 more"
+std::string ListFaults(const std::vector<std::string>& names);
+
 /// Given lines without an effect on a horizon, or on any of several.
 struct IdleLines
 {

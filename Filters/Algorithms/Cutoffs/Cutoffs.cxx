@@ -49,7 +49,7 @@ bool IsKnown(const CutoffPair& pair)
   return !std::isnan(pair.Wall[Footwall].Height) && !std::isnan(pair.Wall[HangingWall].Height);
 }
 
-double MeanHeight(const CutoffPair& pair)
+double MiddleOf(const CutoffPair& pair)
 {
   return 0.5 * (pair.Wall[Footwall].Height + pair.Wall[HangingWall].Height);
 }
@@ -129,7 +129,7 @@ private:
     return pair;
   }
 
-  bool IsCut(const CutoffPair& pair) const { return IsKnown(pair) && this->Fault.Contains(pair.S, MeanHeight(pair)); }
+  bool IsCut(const CutoffPair& pair) const { return IsKnown(pair) && this->Fault.Contains(pair.S, MiddleOf(pair)); }
 
   void Interpolate(CutoffPair& pair, FaultWall wall, double height) const
   {
@@ -173,7 +173,7 @@ private:
     {
       const CutoffPair last = end == 0 ? piece.Pairs.front() : piece.Pairs.back();
       const double sign = end == 0 ? -1.0 : 1.0;
-      const double height = MeanHeight(last);
+      const double height = MiddleOf(last);
       const CutoffPair next = this->PairAt(last.S + sign * beyond * this->Options.Column);
       const bool isInside = this->Fault.Contains(last.S + sign * this->Options.Column, height);
       if (!IsKnown(next) || isInside || this->MeetsOther(last))
@@ -197,7 +197,7 @@ private:
     }
   }
 
-  bool MeetsOther(const CutoffPair& pair) const { return this->Others.IsAt(this->Fault.At(pair.S, MeanHeight(pair))); }
+  bool MeetsOther(const CutoffPair& pair) const { return this->Others.IsAt(this->Fault.At(pair.S, MiddleOf(pair))); }
 
   const FaultPlate& Fault;
   const OtherFaults& Others;

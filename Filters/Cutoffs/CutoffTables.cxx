@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CutoffTables.h"
+
+#include "Common/Horizon/DataModel.h"
+#include "Filters/Common/StageReport.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Figures of all pieces of a horizon at a fault.
+struct CutoffFigures
+{
+  double Length = 0.0;
+  double Least = std::numeric_limits<double>::infinity();
+  double Largest = -std::numeric_limits<double>::infinity();
+  double Mean = 0.0;
+  double Jump = 0.0; // of the throw, from one place to the next
+  double Heave = 0.0; // mean
+  double Spread = 0.0; // largest
+  double Gap = 0.0; // largest
+  std::int64_t Places = 0;
+  std::int64_t Guessed = 0;
+};
+
+CutoffFigures Measure(const FaultPlate& fault, const HorizonCutoffs& cutoffs)
+{
+  CutoffFigures figures;
+  for (const CutoffPiece& piece : cutoffs.Pieces)
+  {
+    figures.Length += piece.Length(fault, Footwall);
+    for (std::size_t n = 0; n < piece.Pairs.size(); ++n)
+    {
+      const CutoffPair& pair = piece.Pairs[n];
+      const double height = pair.Throw();
+      figures.Least = std::min(figures.Least, height);
+      figures.Largest = std::max(figures.Largest, height);
+      figures.Mean += height;
+      figures.Heave += pair.Heave();
+      figures.Jump = std::max(figures.Jump, n > 0 ? std::abs(height - piece.Pairs[n - 1].Throw()) : 0.0);
+      for (const FaultWall wall : { Footwall, HangingWall })
+      {
+        figures.Spread = std::fmax(figures.Spread, pair.Wall[wall].Spread);
+        figures.Gap = std::fmax(figures.Gap, pair.Wall[wall].Gap);
+      }
+      figures.Guessed +=
+        pair.Source[Footwall] != HeightSource::Picks || pair.Source[HangingWall] != HeightSource::Picks ? 1 : 0;
+      ++figures.Places;
+    }
+  }
+  figures.Mean /= double(std::max<std::int64_t>(1, figures.Places));
+  figures.Heave /= double(std::max<std::int64_t>(1, figures.Places));
+  return figures;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ArrayTable WriteCutoffTable(const CutoffModelData& model)
+{
+  ArrayTable table;
+  std::vector<std::string> faults, horizons;
+  std::vector<std::pair<const char*, std::vector<double>>> numbers = { { "Length", {} }, { "ThrowLeast", {} },
+    { "ThrowMean", {} }, { "ThrowLargest", {} }, { "ThrowJump", {} }, { "HeaveMean", {} }, { "DroppedFootwall", {} },
+    { "DroppedHangingWall", {} }, { "LargestGap", {} }, { "LargestSpread", {} }, { "Places", {} }, { "Guessed", {} },
+    { "Pieces", {} }, { "Tips", {} } };
+  for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
+  {
+    for (const CutHorizon& horizon : model.Horizons)
+    {
+      const HorizonCutoffs& own = horizon.AtFault[fault];
+      if (own.Pieces.empty())
+      {
+        continue;
+      }
+      const CutoffFigures figures = Measure(model.Faults[fault], own);
+      double tips = 0.0;
+      for (const CutoffPiece& piece : own.Pieces)
+      {
+        tips += double(piece.IsTip[0]) + double(piece.IsTip[1]);
+      }
+      const std::array<double, 14> row = { figures.Length, figures.Least, figures.Mean, figures.Largest, figures.Jump,
+        figures.Heave, double(own.Dropped[Footwall]), double(own.Dropped[HangingWall]), figures.Gap, figures.Spread,
+        double(figures.Places), double(figures.Guessed), double(own.Pieces.size()), tips };
+      faults.push_back(model.Faults[fault].Name());
+      horizons.push_back(horizon.Name);
+      for (std::size_t n = 0; n < row.size(); ++n)
+      {
+        numbers[n].second.push_back(row[n]);
+      }
+    }
+  }
+  table.Add({ "Fault", std::move(faults) });
+  table.Add({ "Horizon", std::move(horizons) });
+  for (const auto& [name, values] : numbers)
+  {
+    const std::string text = name;
+    const bool isCount =
+      text.rfind("Dropped", 0) == 0 || text == "Places" || text == "Guessed" || text == "Pieces" || text == "Tips";
+    isCount ? AddArray<std::int64_t>(table, name, values) : AddArray<double>(table, name, values);
+  }
+  return table;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+ArrayTable WriteAreaTable(const CutoffModelData& model, const std::vector<FaultJuxtaposition>& juxtapositions)
+{
+  std::vector<std::string> faults, foot, hanging;
+  std::vector<double> areas;
+  for (std::size_t fault = 0; fault < juxtapositions.size(); ++fault)
+  {
+    std::map<std::pair<MetLayer, MetLayer>, double> sums;
+    for (const MetArea& area : juxtapositions[fault].Areas)
+    {
+      sums[{ area.Layer[Footwall], area.Layer[HangingWall] }] += area.Area;
+    }
+    for (const auto& [layers, sum] : sums)
+    {
+      faults.push_back(model.Faults[fault].Name());
+      foot.push_back(NameOf(layers.first, juxtapositions[fault].Horizons));
+      hanging.push_back(NameOf(layers.second, juxtapositions[fault].Horizons));
+      areas.push_back(sum);
+    }
+  }
+  ArrayTable table;
+  table.Add({ "Fault", std::move(faults) });
+  table.Add({ CellArray::Footwall, std::move(foot) });
+  table.Add({ CellArray::HangingWall, std::move(hanging) });
+  AddArray<double>(table, "Area", areas);
+  return table;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string ReportCutoffs(const CutoffModelData& model)
+{
+  std::ostringstream text = MakeReportStream();
+  for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
+  {
+    text << model.Faults[fault].Name() << '\n';
+    for (const CutHorizon& horizon : model.Horizons)
+    {
+      const HorizonCutoffs& own = horizon.AtFault[fault];
+      if (own.Pieces.empty())
+      {
+        continue;
+      }
+      const CutoffFigures figures = Measure(model.Faults[fault], own);
+      text << "  " << horizon.Name << ": throw " << figures.Least << " to " << figures.Largest << ", mean "
+           << figures.Mean << "; mean heave " << figures.Heave << "; largest spread " << figures.Spread << ", gap "
+           << figures.Gap << "; dropped " << own.Dropped[Footwall] + own.Dropped[HangingWall] << " picks; guessed "
+           << figures.Guessed << " of " << figures.Places << " places\n";
+    }
+  }
+  return text.str();
+}
+}
