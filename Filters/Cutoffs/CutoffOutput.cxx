@@ -53,12 +53,14 @@ Horizon WriteCutoffLines(const CutoffModelData& model, const CutHorizon& horizon
   CellWriter cells;
   std::vector<double> throws, heaves, spreads, along;
   std::vector<unsigned char> guessed;
+  std::vector<int> numbers;
   std::vector<std::string> names, walls;
   ForEachPiece(model, horizon,
     [&](const FaultPlate& fault, const CutoffPiece& piece)
     {
       for (const FaultWall wall : { Footwall, HangingWall })
       {
+        numbers.push_back(int(&fault - model.Faults.data()));
         for (const std::size_t n : KeepPairs(horizon, piece, wall))
         {
           const CutoffPair& pair = piece.Pairs[n];
@@ -81,6 +83,7 @@ Horizon WriteCutoffLines(const CutoffModelData& model, const CutHorizon& horizon
   AddArray<double>(output.PointData, PointArray::Spread, spreads);
   AddArray<double>(output.PointData, PointArray::Along, along);
   AddArray<unsigned char>(output.PointData, PointArray::Guessed, guessed);
+  AddArray<int>(output.CellData, CellArray::FaultLine, numbers);
   output.CellData.Add({ CellArray::FaultName, std::move(names) });
   output.CellData.Add({ CellArray::FaultStick, std::move(walls) });
   return output;
@@ -182,10 +185,9 @@ CutoffStageResult WriteCutoffs(const CutoffModelData& model, const ArrayTable& f
   for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
   {
     juxtapositions.push_back(JuxtaposeAt(model, fault));
-    const FaultPlate& plate = model.Faults[fault];
-    result.Juxtapositions.push_back(withFields(WriteJuxtaposition(plate, juxtapositions.back(), false)));
-    result.Diagrams.push_back(withFields(WriteJuxtaposition(plate, juxtapositions.back(), true)));
   }
+  result.Juxtaposition = withFields(WriteJuxtaposition(model.Faults, juxtapositions, false));
+  result.Diagrams = withFields(WriteJuxtaposition(model.Faults, juxtapositions, true));
   result.Figures = WriteCutoffTable(model);
   result.Areas = WriteAreaTable(model, juxtapositions);
   result.Report = ReportCutoffs(model);

@@ -17,8 +17,8 @@ struct CutoffStageResult
   std::vector<Horizon> Cutoffs; // by horizon
   std::vector<Horizon> Polygons; // by horizon
   Horizon Faults;
-  std::vector<Horizon> Juxtapositions; // by fault
-  std::vector<Horizon> Diagrams; // by fault: distance along strike, and height
+  Horizon Juxtaposition;
+  Horizon Diagrams; // side by side: distance along strike, and height
   ArrayTable Figures; // a row per horizon and fault that cuts it
   ArrayTable Areas; // a row per fault and pair of layers
   std::string Report;

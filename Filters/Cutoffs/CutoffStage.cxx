@@ -186,14 +186,23 @@ void FindAllCutoffs(const std::vector<FaultPicks>& picks, const CutoffStageOptio
   for (std::size_t n = 0; n < model.Horizons.size(); ++n)
   {
     CutHorizon& horizon = model.Horizons[n];
-    for (std::size_t fault = 0; fault < model.Faults.size(); ++fault, done += step)
+    std::vector<const FaultPlate*> cutting;
+    for (std::size_t fault = 0; fault < picks.size(); ++fault)
     {
       const std::vector<std::size_t>& only = picks[fault].Horizons;
-      const bool mayCut = only.empty() || std::find(only.begin(), only.end(), n) != only.end();
-      horizon.AtFault.push_back(!mayCut ? HorizonCutoffs()
-                                        : FindCutoffs(model.Faults, fault, horizon.Picks, fit, options.SmallestLength,
-                                            monitor.Step(done, done + step)));
+      if (only.empty() || std::find(only.begin(), only.end(), n) != only.end())
+      {
+        cutting.push_back(&model.Faults[fault]);
+      }
+    }
+    for (const FaultPlate& fault : model.Faults)
+    {
+      const bool doesCut = std::find(cutting.begin(), cutting.end(), &fault) != cutting.end();
+      horizon.AtFault.push_back(!doesCut
+          ? HorizonCutoffs()
+          : FindCutoffs(fault, cutting, horizon.Picks, fit, options.SmallestLength, monitor.Step(done, done + step)));
       areThere = areThere || !horizon.AtFault.back().Pieces.empty();
+      done += step;
     }
   }
   if (!areThere)

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace SeismicHorizons
@@ -57,58 +56,57 @@ std::string NameOf(const MetLayer& layer, const std::vector<const CutHorizon*>& 
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Horizon WriteJuxtaposition(const FaultPlate& fault, const FaultJuxtaposition& juxtaposition, bool isDiagram)
+Horizon WriteJuxtaposition(
+  const std::vector<FaultPlate>& faults, const std::vector<FaultJuxtaposition>& juxtapositions, bool areDiagrams)
 {
-  const double step = isDiagram ? std::numeric_limits<double>::infinity() : fault.Height(1) - fault.Height(0);
-  std::map<std::pair<MetLayer, MetLayer>, int> pairs;
-  for (const MetArea& area : juxtaposition.Areas)
-  {
-    pairs.emplace(std::make_pair(area.Layer[Footwall], area.Layer[HangingWall]), 0);
-  }
-  int next = 0;
-  for (auto& [layers, number] : pairs)
-  {
-    number = next++;
-  }
+  constexpr double between = 0.1; // diagrams, of their width
   CellWriter cells;
-  std::vector<int> numbers;
+  std::vector<double> along;
   std::vector<unsigned char> same;
-  std::array<std::vector<std::string>, 2> names;
-  for (const MetArea& area : juxtaposition.Areas)
+  std::vector<std::string> names, both;
+  std::array<std::vector<std::string>, 2> layers;
+  double first = 0.0; // where the diagram begins
+  for (std::size_t fault = 0; fault < faults.size(); ++fault)
   {
-    const double height = std::max(area.Top[0] - area.Base[0], area.Top[1] - area.Base[1]);
-    const auto parts = int(std::clamp(std::ceil(height / step), 1.0, 1000.0));
-    for (int part = 0; part < parts; ++part)
+    const FaultPlate& plate = faults[fault];
+    const double step = areDiagrams ? std::numeric_limits<double>::infinity() : plate.Height(1) - plate.Height(0);
+    for (const MetArea& area : juxtapositions[fault].Areas)
     {
-      const auto add = [&](std::size_t end, double level)
+      const double height = std::max(area.Top[0] - area.Base[0], area.Top[1] - area.Base[1]);
+      const auto parts = int(std::clamp(std::ceil(height / step), 1.0, 1000.0));
+      const auto add = [&](std::size_t end, double part)
       {
-        const double z = area.Base[end] + (area.Top[end] - area.Base[end]) * level / parts;
+        const double z = area.Base[end] + (area.Top[end] - area.Base[end]) * part / parts;
+        along.push_back(area.S[end] - plate.First());
         cells.Add(
-          isDiagram ? Eigen::Vector3d(area.S[end] - fault.First(), z + fault.Datum(), 0.0) : fault.At(area.S[end], z));
+          areDiagrams ? Eigen::Vector3d(first + along.back(), z + plate.Datum(), 0.0) : plate.At(area.S[end], z));
       };
-      add(0, part);
-      add(1, part);
-      add(1, part + 1.0);
-      add(0, part + 1.0);
-      cells.Close();
-      numbers.push_back(pairs.at({ area.Layer[Footwall], area.Layer[HangingWall] }));
-      same.push_back(area.Layer[Footwall] == area.Layer[HangingWall] ? 1 : 0);
-      for (const FaultWall wall : { Footwall, HangingWall })
+      for (int part = 0; part < parts; ++part)
       {
-        names[wall].push_back(NameOf(area.Layer[wall], juxtaposition.Horizons));
+        add(0, part);
+        add(1, part);
+        add(1, part + 1.0);
+        add(0, part + 1.0);
+        cells.Close();
+        names.push_back(plate.Name());
+        same.push_back(area.Layer[Footwall] == area.Layer[HangingWall] ? 1 : 0);
+        for (const FaultWall wall : { Footwall, HangingWall })
+        {
+          layers[wall].push_back(NameOf(area.Layer[wall], juxtapositions[fault].Horizons));
+        }
+        both.push_back(layers[Footwall].back() + " against " + layers[HangingWall].back());
       }
     }
+    first += (1.0 + between) * (plate.Last() - plate.First());
   }
   Horizon output;
   cells.Finish(output, &Horizon::Polygons);
-  std::vector<std::string> both(numbers.size());
-  std::transform(names[0].begin(), names[0].end(), names[1].begin(), both.begin(),
-    [](const std::string& foot, const std::string& hanging) { return foot + " | " + hanging; });
+  AddArray<double>(output.PointData, PointArray::Along, along);
+  output.CellData.Add({ CellArray::FaultName, std::move(names) });
   output.CellData.Add({ CellArray::Juxtaposition, std::move(both) });
-  AddArray<int>(output.CellData, "Pair", numbers);
+  output.CellData.Add({ CellArray::Footwall, std::move(layers[Footwall]) });
+  output.CellData.Add({ CellArray::HangingWall, std::move(layers[HangingWall]) });
   AddArray<unsigned char>(output.CellData, CellArray::IsSame, same);
-  output.CellData.Add({ CellArray::Footwall, std::move(names[Footwall]) });
-  output.CellData.Add({ CellArray::HangingWall, std::move(names[HangingWall]) });
   return output;
 }
 }

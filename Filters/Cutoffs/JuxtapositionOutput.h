@@ -25,8 +25,9 @@ FaultJuxtaposition JuxtaposeAt(const CutoffModelData& model, std::size_t fault);
 /// Such as "A to B".
 std::string NameOf(const MetLayer& layer, const std::vector<const CutHorizon*>& horizons);
 
-/// On the fault, or as a diagram: distance along strike, and height.
-Horizon WriteJuxtaposition(const FaultPlate& fault, const FaultJuxtaposition& juxtaposition, bool isDiagram);
+/// On the faults, or as diagrams side by side: distance along strike, and height.
+Horizon WriteJuxtaposition(
+  const std::vector<FaultPlate>& faults, const std::vector<FaultJuxtaposition>& juxtapositions, bool areDiagrams);
 }
 
 #endif

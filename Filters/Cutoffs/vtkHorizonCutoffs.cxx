@@ -54,8 +54,8 @@ void WriteOutputs(const CutoffStageResult& result, const std::vector<vtkDataObje
   };
   writeBlocks(result.Cutoffs, CutoffsOutput);
   writeBlocks(result.Polygons, PolygonsOutput);
-  writeBlocks(result.Juxtapositions, JuxtapositionOutput);
-  writeBlocks(result.Diagrams, DiagramsOutput);
+  ToVTK(result.Juxtaposition, vtkPolyData::SafeDownCast(outputs[JuxtapositionOutput]));
+  ToVTK(result.Diagrams, vtkPolyData::SafeDownCast(outputs[DiagramsOutput]));
   ToVTK(result.Faults, vtkPolyData::SafeDownCast(outputs[PlatesOutput]));
   ToVTK(result.Figures, vtkTable::SafeDownCast(outputs[FiguresOutput]));
   ToVTK(result.Areas, vtkTable::SafeDownCast(outputs[AreasOutput]));
@@ -84,8 +84,8 @@ int vtkHorizonCutoffs::FillInputPortInformation(int port, vtkInformation* info)
 //------------------------------------------------------------------------------
 int vtkHorizonCutoffs::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* const blocks = "vtkPartitionedDataSetCollection";
-  const std::array<const char*, 7> types = { blocks, blocks, "vtkPolyData", blocks, blocks, "vtkTable", "vtkTable" };
+  const char *const blocks = "vtkPartitionedDataSetCollection", *const surface = "vtkPolyData";
+  const std::array<const char*, 7> types = { blocks, blocks, surface, surface, surface, "vtkTable", "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[std::size_t(port)]);
   return 1;
 }
@@ -97,7 +97,7 @@ int vtkHorizonCutoffs::RequestDataObject(vtkInformation*, vtkInformationVector**
 }
 
 //------------------------------------------------------------------------------
-// Each process finds all cutoffs, so that all have the same blocks; the first fills them.
+// Each process reads all horizons, so that all have the same blocks; the first does the work.
 int vtkHorizonCutoffs::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   AskForWhole(inputVector[0]);
@@ -130,24 +130,17 @@ int vtkHorizonCutoffs::RequestData(
       vtkDataObject* const faultData = this->GetInputDataObject(FaultsPort, 0);
       GivenFaultPicks given = faultData ? ReadFaultPicks(ListGivenLines(faultData)) : GivenFaultPicks();
       const ArrayTable fields = JoinFields(horizons, given);
-      const CutoffModelData model = RunCutoffs(horizons, given.Picks, this->MakeOptions(), monitor);
       for (const CutInput& horizon : horizons)
       {
         names.push_back(horizon.Name);
       }
       MakeBlocks(names, "Cutoffs", outputs[CutoffsOutput]);
       MakeBlocks(names, "Polygons", outputs[PolygonsOutput]);
-      std::vector<std::string> faults;
-      for (const FaultPlate& fault : model.Faults)
-      {
-        faults.push_back(fault.Name());
-      }
-      MakeBlocks(faults, "Juxtaposition", outputs[JuxtapositionOutput]);
-      MakeBlocks(faults, "Diagrams", outputs[DiagramsOutput]);
       if (ranks.Own() > 0)
       {
         return;
       }
+      const CutoffModelData model = RunCutoffs(horizons, given.Picks, this->MakeOptions(), monitor);
       const CutoffStageResult result = WriteCutoffs(model, fields);
       WriteOutputs(result, outputs);
       this->Results = result.Report;

@@ -9,16 +9,15 @@
  * its tip loop. Without it, the faults are those that the field data FaultedLinks of the horizons cut.
  *
  * A fault is a smooth plate through its sticks. Picks on each side of it are continued to it; those of the wrong side do
- * not agree with the others of their own, and are dropped. Outputs, of which the first two have a block per horizon, and
- * 3 and 4 one per fault:
- *  - 0 Cutoffs: two lines per fault and piece along it. Cell data: FaultName, and FaultStick ("footwall" or "hanging
+ * not agree with the others of their own, and are dropped. Outputs, of which the first two have a block per horizon:
+ *  - 0 Cutoffs: two lines per fault and piece along it. Cell data: FaultLine, FaultName, and FaultStick ("footwall" or "hanging
  *    wall"). Point data (double): Throw, Heave, Spread (the standard deviation of the height by noise), Along (distance
  *    along strike), and Guessed (unsigned char: 0 within two columns of picks, 1 extrapolated, 2 interpolated)
  *  - 1 Polygons: closed lines around the heave, with FaultName
  *  - 2 Faults: the plates as triangles, with FaultName
- *  - 3 Juxtaposition: the faults as cells by the layers that meet there. Cell data: Juxtaposition, Footwall and
- *    HangingWall (text), Pair (int), and IsSame (unsigned char)
- *  - 4 Diagrams: the same in the plane of distance along strike and height (Allan diagrams)
+ *  - 3 Juxtaposition: the faults as cells by the layers that meet there. Point data: Along. Cell data: FaultName,
+ *    Juxtaposition, Footwall and HangingWall (text), and IsSame (unsigned char)
+ *  - 4 Diagrams: the same in the plane of distance along strike and height, side by side (Allan diagrams)
  *  - 5 Figures: a row per horizon and fault that cuts it
  *  - 6 Areas: a row per fault and pair of layers.
  *

@@ -6,11 +6,13 @@
 #include "ColorRange.h"
 #include "ContourInterval.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVProminentValuesInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMCoreUtilities.h"
 #include "vtkSMProperty.h"
@@ -21,6 +23,8 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSmartPointer.h"
+#include "vtkVariant.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -99,9 +103,31 @@ vtkPVXMLElement* FindColorMap(vtkPVXMLElement* xml, const char* name)
   return nullptr;
 }
 
-void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map)
+/// The values that data have, for maps that name none.
+std::vector<std::string> ListCategories(vtkSMProxy* proxy, const ColorRange& range)
 {
-  std::vector<const char*> categories; // value and text of each
+  constexpr double rarely = 1e-6, share = 1e-6;
+  std::vector<std::string> categories;
+  auto* const representation = vtkSMRepresentationProxy::SafeDownCast(proxy);
+  if (representation)
+  {
+    representation->UpdateVTKObjects();
+    representation->UpdatePipeline();
+    vtkPVProminentValuesInformation* const found =
+      representation->GetProminentValuesInformation(range.Array, range.Association, 1, rarely, share, true);
+    const auto values = vtk::TakeSmartPointer(found ? found->GetProminentComponentValues(0) : nullptr);
+    for (vtkIdType n = 0; values && n < values->GetNumberOfTuples(); ++n)
+    {
+      categories.push_back(values->GetVariantValue(n).ToString());
+    }
+  }
+  std::sort(categories.begin(), categories.end());
+  return categories;
+}
+
+void ApplyCategories(vtkSMProxy* representation, vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& range)
+{
+  std::vector<std::string> categories; // value and text of each
   std::vector<double> colors;
   for (unsigned int n = 0; n < map->GetNumberOfNestedElements(); ++n)
   {
@@ -119,22 +145,29 @@ void ApplyCategories(vtkSMProxy* table, vtkPVXMLElement* map)
       }
     }
   }
+  if (categories.empty())
+  {
+    for (const std::string& value : ListCategories(representation, range))
+    {
+      categories.insert(categories.end(), { value, value });
+    }
+  }
   vtkSMPropertyHelper(table, "IndexedLookup").Set(1);
   vtkSMPropertyHelper annotations(table, "Annotations");
   annotations.SetNumberOfElements(static_cast<unsigned int>(categories.size()));
   for (std::size_t n = 0; n < categories.size(); ++n)
   {
-    annotations.Set(static_cast<unsigned int>(n), categories[n]);
+    annotations.Set(static_cast<unsigned int>(n), categories[n].c_str());
   }
   vtkSMPropertyHelper(table, "IndexedColors").Set(colors.data(), static_cast<unsigned int>(colors.size()));
   table->UpdateVTKObjects();
 }
 
-void ApplyColors(vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& range)
+void ApplyColors(vtkSMProxy* representation, vtkSMProxy* table, vtkPVXMLElement* map, const ColorRange& range)
 {
   if (std::strcmp(map->GetAttributeOrDefault("indexedLookup", "false"), "true") == 0)
   {
-    ApplyCategories(table, map);
+    ApplyCategories(representation, table, map, range);
     return;
   }
   vtkSMTransferFunctionProxy::ApplyColorMap(table, map);
@@ -199,7 +232,7 @@ void ColorBy(vtkSMProxy* representation, const ColorRange& range, vtkPVXMLElemen
     .Set(manager->GetOpacityTransferFunction(range.Array.c_str(), proxies));
   if (map && isNew)
   {
-    ApplyColors(table, map, range);
+    ApplyColors(representation, table, map, range);
   }
   else if (!range.IsOfData)
   {
@@ -261,7 +294,7 @@ void vtkSMHorizonDisplayHelper::ColorSeparately(vtkSMProxy* representation)
     vtkPVXMLElement* const map = FindColorMap(xml, hint->GetAttributeOrEmpty("colors"));
     if (map && SeismicHorizons::FindRange(hint, producer, port, range) && range.Array == array)
     {
-      ApplyColors(table, map, range);
+      ApplyColors(representation, table, map, range);
       return;
     }
   }

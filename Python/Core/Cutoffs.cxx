@@ -56,7 +56,7 @@ nb::tuple FindAllCutoffs(
   result["cutoffs"] = GiveList(made.Cutoffs);
   result["polygons"] = GiveList(made.Polygons);
   result["faults"] = GiveData(made.Faults);
-  result["diagrams"] = GiveList(made.Diagrams);
+  result["diagrams"] = GiveData(made.Diagrams);
   result["figures"] = GiveTable(made.Figures);
   result["areas"] = GiveTable(made.Areas);
   return nb::make_tuple(result, warnings);

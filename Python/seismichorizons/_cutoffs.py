@@ -163,7 +163,7 @@ def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, fault
     figures = {snake(name): values for name, values in made["figures"].items()}
     return Cutoffs(made["names"], _lines(given, made["cutoffs"]), {name: _profiles(data) for name, data in zip(given, made["cutoffs"])},
                    _lines(given, made["polygons"]), by_fault(made["faults"]),
-                   {name: _diagram(data) for name, data in zip(made["names"], made["diagrams"])}, figures,
+                   _diagrams(made["names"], made["diagrams"]), figures,
                    {snake(name): values for name, values in made["areas"].items()}, first.vertical_unit if first else "")
 
 
@@ -186,6 +186,9 @@ def _profiles(data: Data) -> list[Profile]:
     return [Profile(*(array[line] for array in arrays)) for line in loops(data["lines"], False)]
 
 
-def _diagram(data: Data) -> Diagram:
-    corners = data["places"][np.asarray(data["polygons"][1])][:, :2].reshape(-1, 4, 2)
-    return Diagram(corners, data["cell_data"].get("Footwall", []), data["cell_data"].get("HangingWall", []))
+def _diagrams(names: Sequence[str], data: Data) -> dict[str, Diagram]:
+    points = np.asarray(data["polygons"][1]).reshape(-1, 4)
+    corners = np.stack([data["point_data"]["Along"][points], data["places"][points, 1]], 2)
+    faults, walls = np.array(data["cell_data"]["FaultName"], object), [data["cell_data"][wall] for wall in ("Footwall", "HangingWall")]
+    rows = {name: np.flatnonzero(faults == name) for name in names}
+    return {name: Diagram(corners[own], *([wall[row] for row in own] for wall in walls)) for name, own in rows.items()}

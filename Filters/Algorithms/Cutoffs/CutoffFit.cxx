@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -493,10 +494,9 @@ void FaultSide::Finish()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-OtherFaults::OtherFaults(const std::vector<FaultPlate>& faults, std::size_t own, double margin)
+OtherFaults::OtherFaults(const FaultPlate& fault, const std::vector<const FaultPlate*>& others, double margin)
   : Margin(margin)
 {
-  const FaultPlate& fault = faults[own];
   const auto touches = [&](const FaultPlate& other)
   {
     const auto isNear = [&](double s, double z)
@@ -518,13 +518,8 @@ OtherFaults::OtherFaults(const std::vector<FaultPlate>& faults, std::size_t own,
     }
     return false;
   };
-  for (std::size_t n = 0; n < faults.size(); ++n)
-  {
-    if (n != own && touches(faults[n]))
-    {
-      this->Faults.push_back(&faults[n]);
-    }
-  }
+  std::copy_if(others.begin(), others.end(), std::back_inserter(this->Faults),
+    [&](const FaultPlate* other) { return other != &fault && touches(*other); });
   if (this->Faults.size() > Most)
   {
     throw InputError("fault " + fault.Name() + " with " + std::to_string(this->Faults.size()) +

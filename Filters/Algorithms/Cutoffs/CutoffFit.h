@@ -47,7 +47,7 @@ public:
   static constexpr std::size_t Most = 64;
 
   /// `margin` is added to the extent of faults. Throws InputError for more than can be near.
-  OtherFaults(const std::vector<FaultPlate>& faults, std::size_t own, double margin);
+  OtherFaults(const FaultPlate& fault, const std::vector<const FaultPlate*>& others, double margin);
 
   void Mark(const Eigen::Vector3d& world, SidePick& pick) const;
   /// Whether a fault is within the margin of the place.

@@ -222,16 +222,16 @@ double CutoffPiece::Length(const FaultPlate& fault, FaultWall wall) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonCutoffs FindCutoffs(const std::vector<FaultPlate>& faults, std::size_t own, const HorizonPicks& horizon,
-  CutoffFitOptions options, double leastLength, const Monitor& monitor)
+HorizonCutoffs FindCutoffs(const FaultPlate& fault, const std::vector<const FaultPlate*>& faults,
+  const HorizonPicks& horizon, CutoffFitOptions options, double leastLength, const Monitor& monitor)
 {
   constexpr double margin = 3.0; // columns
   options.Column = horizon.Column;
   options.Noise = horizon.Noise;
-  const OtherFaults others(faults, own, margin * horizon.Column);
-  const std::array<FaultSide, 2> sides = ListSides(faults[own], others, horizon, options);
+  const OtherFaults others(fault, faults, margin * horizon.Column);
+  const std::array<FaultSide, 2> sides = ListSides(fault, others, horizon, options);
   monitor.Progress(0.2);
-  return CutoffFinder(faults[own], others, sides, options, leastLength).Find(monitor.Step(0.2, 1.0));
+  return CutoffFinder(fault, others, sides, options, leastLength).Find(monitor.Step(0.2, 1.0));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -69,9 +69,10 @@ struct HorizonCutoffs
   std::array<std::size_t, 2> Dropped = { 0, 0 }; // picks, by wall
 };
 
-/// One pair per column of the horizon along the fault. Pieces of less than `leastLength` columns are left out.
-HorizonCutoffs FindCutoffs(const std::vector<FaultPlate>& faults, std::size_t own, const HorizonPicks& horizon,
-  CutoffFitOptions options, double leastLength, const Monitor& monitor = Monitor());
+/// One pair per column of the horizon along the fault. `faults` are all that cut the horizon. Pieces of less than
+/// `leastLength` columns are left out.
+HorizonCutoffs FindCutoffs(const FaultPlate& fault, const std::vector<const FaultPlate*>& faults,
+  const HorizonPicks& horizon, CutoffFitOptions options, double leastLength, const Monitor& monitor = Monitor());
 
 double SumOfThrows(const HorizonCutoffs& cutoffs);
 

@@ -26,7 +26,8 @@ CutoffErrors Try(const char* name, FaultForm form, const PickErrors& errors)
   CutoffErrors worst;
   for (std::size_t horizon = 0; horizon < model.Horizons.size(); ++horizon)
   {
-    const HorizonCutoffs cutoffs = FindCutoffs(faults, 0, model.Horizons[horizon], CutoffFitOptions(), 5.0);
+    const HorizonCutoffs cutoffs =
+      FindCutoffs(faults[0], { &faults[0] }, model.Horizons[horizon], CutoffFitOptions(), 5.0);
     const CutoffErrors found = MeasureCutoffs(model, horizon, faults[0], cutoffs);
     std::printf("%s, horizon %zu: rms %.3f, largest %.3f\n", name, horizon + 1, found.Mean, found.Largest);
     CHECK_EQUAL(cutoffs.Pieces.size(), std::size_t(1));
@@ -77,7 +78,7 @@ void TestWithoutAgreement()
   const std::vector<FaultPlate> faults = { FaultPlate(model.Fault) };
   CutoffFitOptions options;
   options.DropNoise = 0.0;
-  const HorizonCutoffs cutoffs = FindCutoffs(faults, 0, model.Horizons[0], options, 5.0);
+  const HorizonCutoffs cutoffs = FindCutoffs(faults[0], { &faults[0] }, model.Horizons[0], options, 5.0);
   CHECK(MeasureCutoffs(model, 0, faults[0], cutoffs).Mean > 20.0);
   CHECK_EQUAL(cutoffs.Dropped[Footwall] + cutoffs.Dropped[HangingWall], std::size_t(0));
 }
@@ -109,7 +110,7 @@ void TestTips()
     }
   }
   const std::vector<FaultPlate> faults = { FaultPlate(PlanePicks("F", 1000.0, 500.0, 1500.0)) };
-  const HorizonCutoffs cutoffs = FindCutoffs(faults, 0, horizon, CutoffFitOptions(), 5.0);
+  const HorizonCutoffs cutoffs = FindCutoffs(faults[0], { &faults[0] }, horizon, CutoffFitOptions(), 5.0);
   CHECK_EQUAL(cutoffs.Pieces.size(), std::size_t(1));
   const CutoffPiece& piece = cutoffs.Pieces.front();
   CHECK(piece.IsTip[0] && piece.IsTip[1]);
@@ -145,7 +146,8 @@ void TestParallelFaults()
     FaultPlate(PlanePicks("B", 1200.0, 0.0, 2000.0)) };
   for (const std::size_t fault : { 0, 1 })
   {
-    const HorizonCutoffs cutoffs = FindCutoffs(faults, fault, horizon, CutoffFitOptions(), 5.0);
+    const HorizonCutoffs cutoffs =
+      FindCutoffs(faults[fault], { &faults[0], &faults[1] }, horizon, CutoffFitOptions(), 5.0);
     double squares = 0.0, places = 0.0;
     for (const CutoffPiece& piece : cutoffs.Pieces)
     {
@@ -164,7 +166,7 @@ void TestSimplified()
   std::mt19937 random(9);
   const CutoffModel model = MakeCutoffModel(FaultForm::Listric, {}, random);
   const FaultPlate fault(model.Fault);
-  const HorizonCutoffs cutoffs = FindCutoffs({ fault }, 0, model.Horizons[0], CutoffFitOptions(), 5.0);
+  const HorizonCutoffs cutoffs = FindCutoffs(fault, { &fault }, model.Horizons[0], CutoffFitOptions(), 5.0);
   const CutoffPiece& piece = cutoffs.Pieces.front();
   for (const FaultWall wall : { Footwall, HangingWall })
   {

@@ -34,7 +34,7 @@ void TestLevel()
   std::vector<HorizonCutoffs> cutoffs;
   for (const HorizonPicks& horizon : model.Horizons)
   {
-    cutoffs.push_back(FindCutoffs({ fault }, 0, horizon, CutoffFitOptions(), 5.0));
+    cutoffs.push_back(FindCutoffs(fault, { &fault }, horizon, CutoffFitOptions(), 5.0));
   }
   std::map<LayerPair, double> areas;
   for (const MetArea& area : FindJuxtaposition(fault, { &cutoffs[0], &cutoffs[1], &cutoffs[2] }))
@@ -112,7 +112,7 @@ void TestRandom()
     {
       areas[PairOf(area)] += area.Area;
     }
-    const double step = 0.2;
+    constexpr double step = 0.2;
     for (double s = 0.5 * step; s < 100.0; s += step)
     {
       for (double z = -300.0 + 0.5 * step; z < 100.0; z += step)
