@@ -7,7 +7,9 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/HeightNoise.h"
+#include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/LedgerFields.h"
 #include "Filters/Algorithms/Faults/ColumnHeights.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonData.h"
@@ -297,7 +299,16 @@ LatticePoints ReadCutPoints(const Horizon& horizon)
   CheckArraySizes(horizon);
   const Horizon visible = WithoutHiddenPoints(horizon);
   RequireAllPoints(visible);
-  return ReadColumns(visible);
+  const std::vector<unsigned char> isFilled = ReadFilled(visible);
+  if (isFilled.empty())
+  {
+    return ReadColumns(visible);
+  }
+  Horizon picked;
+  const auto isPick = [&isFilled](std::size_t point) { return isFilled[point] == 0; };
+  CopyPoints(visible, KeptPoints::If(isFilled.size(), isPick), picked);
+  picked.FieldData = visible.FieldData;
+  return ReadColumns(picked);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

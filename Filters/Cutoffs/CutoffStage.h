@@ -51,7 +51,7 @@ struct CutInput
   LatticePoints Points;
 };
 
-/// Throws InputError on points without columns, and on simplified meshes.
+/// Without filled points, which are no picks. Throws InputError on points without columns, and on simplified meshes.
 LatticePoints ReadCutPoints(const Horizon& horizon);
 
 /// Without `given` faults, the cuts of the horizons are the faults: those of one name in several horizons are one, apart

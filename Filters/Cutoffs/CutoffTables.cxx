@@ -153,10 +153,10 @@ std::string ReportCutoffs(const CutoffModelData& model)
         continue;
       }
       const CutoffFigures figures = Measure(model.Faults[fault], own);
-      text << "  " << horizon.Name << ": throw " << figures.Least << " to " << figures.Largest << ", mean "
-           << figures.Mean << "; mean heave " << figures.Heave << "; largest spread " << figures.Spread << ", gap "
-           << figures.Gap << "; dropped " << own.Dropped[Footwall] + own.Dropped[HangingWall] << " picks; guessed "
-           << figures.Guessed << " of " << figures.Places << " places\n";
+      text << "  " << horizon.Name << ": throw " << figures.Least << " to " << figures.Largest << "\n    mean throw "
+           << figures.Mean << ", mean heave " << figures.Heave << "\n    gap up to " << figures.Gap << ", spread up to "
+           << figures.Spread << "\n    dropped " << own.Dropped[Footwall] + own.Dropped[HangingWall]
+           << " picks, guessed " << figures.Guessed << " of " << figures.Places << " places\n";
     }
   }
   return text.str();

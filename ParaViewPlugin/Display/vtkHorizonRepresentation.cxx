@@ -88,7 +88,8 @@ void AddRenamedArrays(vtkPointSet* points)
   vtkCellData* const cells = points->GetCellData();
   if (cells->HasArray(CellArray::FaultLine)) // Cutoffs.
   {
-    AddRenamed(cells->GetAbstractArray(CellArray::FaultStick), "Side", cells);
+    const bool haveWalls = points->GetPointData()->HasArray(PointArray::Heave);
+    AddRenamed(cells->GetAbstractArray(CellArray::FaultStick), haveWalls ? "Wall" : "Side", cells);
   }
   AddRenamed(cells->GetAbstractArray(CellArray::IndexContour), "Contours", cells);
 }

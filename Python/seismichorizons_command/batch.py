@@ -19,7 +19,7 @@ try:
 except ImportError:  # on Windows
     fcntl = None
 
-from . import data, interrupt, jobs, naming, pipeline, reading, tables, volumes, writing
+from . import cutoffs, data, interrupt, jobs, naming, pipeline, reading, tables, volumes, writing
 from .found import Found
 from .found import written as written_line
 from .memory import Budget
@@ -59,7 +59,7 @@ def run(inputs, output_folder, settings, with_pictures, record, prints=True, thr
     record.begin(settings)
     files = find_files(inputs, record)
     labels = make_labels(files)
-    stack = [] if settings.layers is not None and len(files) > 1 else None
+    stack = [] if (settings.layers, settings.cutoffs) != (None, None) and len(files) > 1 else None
     stems = naming.distinct(naming.shorten(stem, naming.LONGEST_STEM) for stem in make_stems(labels))
     taken = naming.Taken([*files, *settings.other_files])
     settings = replace(settings, jobs=max(1, min(settings.jobs, len(files))) if jobs.CAN_FORK else 1)
@@ -223,9 +223,9 @@ def process(path, label, stem, results, settings, with_pictures, record, stack=N
         lines = _write(made, names, pathlib.Path(folder))
         if stack is not None and len(made) == 1:
             stack.append((stem, made[0].name, writing.prepared(made[0])))
-        elif settings.layers is not None:
+        else:
             points = {result.name: writing.prepared(result) for result in made}
-            lines += _write_layers(label, points, settings, names, pathlib.Path(folder), record)
+            lines += _write_together(label, points, settings, names, pathlib.Path(folder), record)
         interrupt.check()
         written = results.publish(folder)
     record.end_file(supply, written)
@@ -234,17 +234,17 @@ def process(path, label, stem, results, settings, with_pictures, record, stack=N
 
 
 def process_stack(stack, results, settings, record):
-    """Makes the layers between files of one horizon each, in the same way as process."""
-    if len(stack) == 1:
+    """Makes the layers and cutoffs of files of one horizon each, in the same way as process."""
+    if len(stack) == 1 and settings.layers is not None:
         raise HorizonError("%s: one horizon, expected at least 2, in the file or in files of one horizon each" % stack[0][0])
     titles = [name for _, name, _ in stack]
     if len(set(titles)) < len(titles):
         titles = [stem for stem, _, _ in stack]
     names = naming.Names(STACK, titles, settings, False)
-    results.require([*names.layers, *names.bodies], STACK)
+    results.require(names.of_stack(), STACK)
     with tempfile.TemporaryDirectory(dir=results.workspace) as folder:
         points = dict(zip(titles, (points for _, _, points in stack)))
-        lines = _write_layers(STACK, points, settings, names, pathlib.Path(folder), record)
+        lines = _write_together(STACK, points, settings, names, pathlib.Path(folder), record)
         interrupt.check()
         written = results.publish(folder)
     record.end_stack(written)
@@ -293,8 +293,8 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             record.add_horizon(result, supply, files)
             results.append(result)
         result.data.pop("measured", None)
-        if not supply.is_whole and settings.layers is not None:
-            raise HorizonError("%s: layers of horizons larger than memory, expected more memory (--memory) or fewer "
+        if not supply.is_whole and (settings.layers, settings.cutoffs) != (None, None):
+            raise HorizonError("%s: layers or cutoffs of horizons larger than memory, expected more memory (--memory) or fewer "
                                "horizons (--horizons)" % label)
         if not supply.is_whole:
             result.release()
@@ -339,6 +339,18 @@ def _write(results, names, folder):
         if len(results) > overview.MOST_ROWS:
             lines.append("the picture shows the first %d of %d horizons" % (overview.MOST_ROWS, len(results)))
         overview.write(results, folder / name)
+    return lines
+
+
+def _write_together(label, points, settings, names, folder, record):
+    """Writes what all horizons have together, given their points by name, and returns the lines to print. Raises HorizonError."""
+    lines = []
+    if settings.cutoffs is not None:
+        lines, warnings = cutoffs.write(points, settings, label, names, folder)
+        for warning in warnings:
+            record.warn("%s: %s" % (label, warning))
+    if settings.layers is not None:
+        lines += _write_layers(label, points, settings, names, folder, record)
     return lines
 
 

@@ -118,16 +118,26 @@ class Names:
         self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
                        if form in writing.MESH_FORMATS] if has_surfaces else []
         # By horizon: file names and the data that they are of.
-        self.lines = {name: {"%s_%s.%s" % (mesh_stem, kind, form): given for kind, given in writing.FAULT_LINES.items()
-                             for form in settings.fault_formats}
-                      for name, mesh_stem in mesh_stems.items()} if settings.torn is not None else {}
+        kinds = {kind: given for kind, given in writing.FAULT_LINES.items() if settings.cutoffs is None or kind not in writing.CUTOFF_LINES}
+        self.lines = self._lines(mesh_stems, kinds, settings) if settings.torn is not None else {}
+        self.cutoffs = self._lines(mesh_stems, writing.CUTOFF_LINES, settings) if settings.cutoffs is not None else {}
+        self.cutoff_tables = ["%s_%s.csv" % (stem, kind) for kind in ("throws", "juxtaposition")] if settings.cutoffs is not None else []
+
+    @staticmethod
+    def _lines(mesh_stems, kinds, settings):
+        return {name: {"%s_%s.%s" % (mesh_stem, kind, form): given for kind, given in kinds.items() for form in settings.fault_formats}
+                for name, mesh_stem in mesh_stems.items()}
+
+    def of_stack(self):
+        """Those that belong to all horizons together."""
+        return [*self.layers, *self.bodies, *self.cutoff_tables, *(file for files in self.cutoffs.values() for file in files)]
 
     def body(self, number, form):
         """Returns the file name of the body of a layer."""
         return "%s_layer_%d.%s" % (self._stem, number + 1, form)
 
     def all(self):
-        return [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *(file for files in self.lines.values() for file in files), *self.layers, *self.bodies]
+        return [*sum(self.meshes.values(), []), *self.figures, *self.pictures, *self.faults, *(file for files in self.lines.values() for file in files), *self.of_stack()]
 
 
 def _mesh_stems(stem, names):

@@ -143,6 +143,10 @@ def add_preparation_options(group):
                        "have that of their file if there are several")
     group.add_argument("--fault-formats", action=AddToList, values=FAULT_FORMATS, default=[], metavar="LIST", help="also write "
                        "the fault lines and the cutoffs of each horizon: tables (dat, csv), GOCAD (pl) and GeoPackage (gpkg)")
+    group.add_argument("--cutoffs", action="store_true", default=NOT_GIVEN, help="find where horizons meet faults: tables of throws and "
+                       "of the layers that meet (csv), and cutoffs and fault polygons in --fault-formats (default: dat)")
+    group.add_argument("--fault-dip", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="D", help="dip of faults of --cutoffs "
+                       "without sticks, in degrees (default: from the gap of picks)")
     group.add_argument("--close-faults", action="store_true", help="close the mesh at these faults with triangles, which have "
                        "1 in the array Fault")
     group.add_argument("--fill-holes", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="fill holes of at "

@@ -70,6 +70,7 @@ class Settings:
     leave_out_invalid: bool = False
     formats: tuple = ("vtp",)
     fault_formats: tuple = ()  # of lines and cutoffs
+    cutoffs: Optional[dict] = None  # between all horizons of a file, or of several files of one each
     grids_of_meshes: bool = False  # not of points
     other_files: tuple = ()
     memory: Optional[int] = None
@@ -88,7 +89,7 @@ class Settings:
         can_go_without = (self.error is None or self.error_if_whole) and not any(
             writing.is_of_points(form, self.grids_of_meshes) for form in self.formats)
         return by_error and can_go_without and all(
-            getattr(self, name) is None for name in (*PREPARATIONS, "layers"))
+            getattr(self, name) is None for name in (*PREPARATIONS, "layers"))  # cutoffs need faults
 
     def said_unit(self):
         """Returns the unit of the given heights; empty if they have none."""

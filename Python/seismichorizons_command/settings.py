@@ -87,6 +87,13 @@ def make_settings(options):
         None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
     if settings.fault_formats and settings.torn is None:
         raise HorizonError("--fault-formats without faults, expected --cut-faults, --fault-lines or --fault-sticks")
+    if hasattr(options, "fault_dip") and not hasattr(options, "cutoffs"):
+        raise HorizonError("--fault-dip without --cutoffs, expected both")
+    if hasattr(options, "cutoffs"):
+        if settings.torn is None:
+            raise HorizonError("--cutoffs without faults, expected --cut-faults, --fault-lines or --fault-sticks")
+        settings.cutoffs = given(options, Dip="fault_dip")
+        settings.fault_formats = settings.fault_formats or ["dat"]
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "KeepHoles")
     settings.simplified = {
