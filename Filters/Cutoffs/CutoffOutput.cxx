@@ -21,7 +21,7 @@ constexpr double OffsetError = 0.25; // columns
 
 std::vector<std::size_t> KeepPairs(const CutHorizon& horizon, const CutoffPiece& piece, FaultWall wall)
 {
-  return SimplifyCutoff(piece, wall, horizon.MaximumError, OffsetError * horizon.Picks.Column);
+  return SimplifyCutoff(piece, wall, horizon.MaximumError, OffsetError * horizon.Picks.LargestStep());
 }
 
 Eigen::Vector3d PlaceOf(const FaultPlate& fault, const CutoffPair& pair, FaultWall wall)

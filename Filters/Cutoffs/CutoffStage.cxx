@@ -15,11 +15,15 @@
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/HorizonPoints.h"
 #include "Filters/Common/LatticePoints.h"
+#include "Filters/Common/StageReport.h"
 #include "Filters/Faults/FaultWarnings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace SeismicHorizons
@@ -48,7 +52,10 @@ CutHorizon ReadCutHorizon(const std::string& name, const LatticePoints& points, 
   horizon.Name = name;
   const double index = WorldPerIndex(points.Lattice);
   const HeightNoise noise = MeasureHeightNoise(points.Column, points.Height);
-  horizon.Picks.Column = std::sqrt(points.Lattice.ColumnArea());
+  const Eigen::Vector3d origin = points.Lattice.ToWorld({ 0.0, 0.0, 0.0 });
+  horizon.Picks.Steps.col(0) = (points.Lattice.ToWorld({ 1.0, 0.0, 0.0 }) - origin).head<2>();
+  horizon.Picks.Steps.col(1) = (points.Lattice.ToWorld({ 0.0, 1.0, 0.0 }) - origin).head<2>();
+  horizon.Picks.IsRounded = noise.IsRounding;
   horizon.Picks.Noise = index * noise.Deviation;
   horizon.MaximumError = !options.MaximumError
     ? index * noise.MaximumError()
@@ -174,6 +181,45 @@ std::vector<FaultPicks> PickCuts(const std::vector<CutInput>& horizons, const Cu
   return picks;
 }
 
+/// Throws the InputError of a model without cutoffs, with the likely cause.
+[[noreturn]] void RefuseUncut(const CutoffModelData& model)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::array<double, 2> ofFaults = { none, -none }, ofPicks = { none, -none };
+  bool areShort = false;
+  for (const FaultPlate& fault : model.Faults)
+  {
+    ofFaults = { std::min(ofFaults[0], fault.Lowest() + fault.Datum()),
+      std::max(ofFaults[1], fault.Highest() + fault.Datum()) };
+  }
+  for (const CutHorizon& horizon : model.Horizons)
+  {
+    for (const Eigen::Vector3d& place : horizon.Picks.Places)
+    {
+      ofPicks = { std::min(ofPicks[0], place.z()), std::max(ofPicks[1], place.z()) };
+    }
+    areShort = areShort ||
+      std::any_of(horizon.AtFault.begin(), horizon.AtFault.end(), [](const auto& own) { return own.Short > 0; });
+  }
+  std::ostringstream text = MakeReportStream();
+  text << "no cutoff of " << model.Horizons.size() << " horizons at " << model.Faults.size() << " faults, ";
+  if (areShort)
+  {
+    text << "all are shorter than SmallestLength";
+  }
+  else if (ofFaults[1] < ofPicks[0] || ofFaults[0] > ofPicks[1])
+  {
+    text << "faults have z from " << ofFaults[0] << " to " << ofFaults[1] << ", and picks from " << ofPicks[0] << " to "
+         << ofPicks[1] << ": z may count the other way";
+  }
+  else
+  {
+    text << "expected picks on both sides of a fault, within LargestGap and beyond DropDistance, and faults in the "
+            "coordinates of the horizons";
+  }
+  throw InputError(text.str());
+}
+
 /// Throws InputError if there is none.
 void FindAllCutoffs(const std::vector<FaultPicks>& picks, const CutoffStageOptions& options, CutoffModelData& model,
   const Monitor& monitor)
@@ -209,11 +255,7 @@ void FindAllCutoffs(const std::vector<FaultPicks>& picks, const CutoffStageOptio
   }
   if (!areThere)
   {
-    throw InputError("no cutoff of " + std::to_string(model.Horizons.size()) + " horizons at " +
-      std::to_string(model.Faults.size()) +
-      " faults, expected faults in the coordinates of the horizons, with picks on both sides: z of faults may count "
-      "the "
-      "other way");
+    RefuseUncut(model);
   }
 }
 
@@ -226,7 +268,7 @@ void TurnUprightFaults(CutoffModelData& model)
     for (const CutHorizon& horizon : model.Horizons)
     {
       sum += SumOfThrows(horizon.AtFault[fault]);
-      column = std::max(column, horizon.Picks.Column);
+      column = std::max(column, horizon.Picks.LargestStep());
     }
     for (CutHorizon& horizon : model.Horizons)
     {
@@ -241,24 +283,25 @@ void TurnUprightFaults(CutoffModelData& model)
 /// Faults and cutoffs that are not there, or are mostly guessed.
 std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
 {
-  std::vector<std::string> idle, far, shortOnes;
+  std::vector<std::string> idle, missed, far, shortOnes;
   for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
   {
+    const FaultPlate& plate = model.Faults[fault];
     bool doesCut = false;
+    double column = 0.0;
     for (const CutHorizon& horizon : model.Horizons)
     {
       const HorizonCutoffs& own = horizon.AtFault[fault];
-      const std::string name = horizon.Name + " at " + model.Faults[fault].Name();
+      const std::string name = horizon.Name + " at " + plate.Name();
       std::size_t guessed = 0, places = 0;
       for (const CutoffPiece& piece : own.Pieces)
       {
-        for (const CutoffPair& pair : piece.Pairs)
-        {
-          guessed += pair.Source[Footwall] != HeightSource::Picks || pair.Source[HangingWall] != HeightSource::Picks;
-          ++places;
-        }
+        places += piece.Pairs.size();
+        guessed += std::size_t(std::count_if(
+          piece.Pairs.begin(), piece.Pairs.end(), [](const CutoffPair& pair) { return pair.IsGuessed(); }));
       }
       doesCut = doesCut || places > 0 || own.Short > 0;
+      column = std::max(column, horizon.Picks.LargestStep());
       if (2 * guessed > places)
       {
         far.push_back(name);
@@ -268,27 +311,31 @@ std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
         shortOnes.push_back(name);
       }
     }
+    constexpr double mostMiss = 1.5, mostTurn = 2.0; // columns; the tangent of 63 degrees
+    if (plate.LargestMiss() > mostMiss * column || plate.LargestTurn() > mostTurn)
+    {
+      missed.push_back(plate.Name());
+    }
     if (!doesCut)
     {
-      idle.push_back(model.Faults[fault].Name());
+      idle.push_back(plate.Name());
     }
   }
   std::vector<std::string> warnings;
-  if (!idle.empty())
+  const auto warn = [&warnings](const std::vector<std::string>& names, const std::string& before, const char* after)
   {
-    warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(model.Faults.size()) + " faults (" +
-      ListFaults(idle) + ") cut no horizon, expected picks on both sides within LargestGap, at heights of the fault");
-  }
-  if (!far.empty())
-  {
-    warnings.push_back("cutoffs that are guessed over more than half of their length, farther than two columns from "
-                       "picks that agree: " +
-      ListFaults(far));
-  }
-  if (!shortOnes.empty())
-  {
-    warnings.push_back("cutoffs left out as they are shorter than SmallestLength: " + ListFaults(shortOnes));
-  }
+    if (!names.empty())
+    {
+      warnings.push_back(before + " (" + ListFaults(names) + ")" + after);
+    }
+  };
+  warn(idle, std::to_string(idle.size()) + " of " + std::to_string(model.Faults.size()) + " faults",
+    " cut no horizon, expected picks on both sides within LargestGap, at heights of the fault");
+  warn(missed, "faults that are off their picks, or turn too far along strike",
+    ", expected surfaces whose strike is within 60 degrees of its mean, without stray picks");
+  warn(far, "cutoffs that are guessed over more than half of their length",
+    ", expected picks that agree within two columns");
+  warn(shortOnes, "cutoffs left out", ", expected at least SmallestLength");
   return warnings;
 }
 }

@@ -27,38 +27,48 @@ struct CutoffFigures
   double Jump = 0.0; // of the throw, from one place to the next
   double Heave = 0.0; // mean
   double Spread = 0.0; // largest
-  double Gap = 0.0; // largest
+  double Gap = 0.0; // largest, in columns
   std::int64_t Places = 0;
   std::int64_t Guessed = 0;
 };
 
+/// Means are along the fault. At tips there is no throw by definition.
 CutoffFigures Measure(const FaultPlate& fault, const HorizonCutoffs& cutoffs)
 {
   CutoffFigures figures;
+  double along = 0.0;
   for (const CutoffPiece& piece : cutoffs.Pieces)
   {
     figures.Length += piece.Length(fault, Footwall);
+    figures.Places += std::int64_t(piece.Pairs.size());
+    const std::size_t first = piece.IsTip[0] ? 1 : 0, end = piece.Pairs.size() - (piece.IsTip[1] ? 1 : 0);
     for (std::size_t n = 0; n < piece.Pairs.size(); ++n)
     {
       const CutoffPair& pair = piece.Pairs[n];
-      const double height = pair.Throw();
-      figures.Least = std::min(figures.Least, height);
-      figures.Largest = std::max(figures.Largest, height);
-      figures.Mean += height;
-      figures.Heave += pair.Heave();
-      figures.Jump = std::max(figures.Jump, n > 0 ? std::abs(height - piece.Pairs[n - 1].Throw()) : 0.0);
+      figures.Guessed += pair.IsGuessed() ? 1 : 0;
+      if (n >= first && n < end)
+      {
+        figures.Least = std::min(figures.Least, pair.Throw());
+        figures.Largest = std::max(figures.Largest, pair.Throw());
+        figures.Jump = std::max(figures.Jump, n > first ? std::abs(pair.Throw() - piece.Pairs[n - 1].Throw()) : 0.0);
+      }
       for (const FaultWall wall : { Footwall, HangingWall })
       {
         figures.Spread = std::fmax(figures.Spread, pair.Wall[wall].Spread);
         figures.Gap = std::fmax(figures.Gap, pair.Wall[wall].Gap);
       }
-      figures.Guessed +=
-        pair.Source[Footwall] != HeightSource::Picks || pair.Source[HangingWall] != HeightSource::Picks ? 1 : 0;
-      ++figures.Places;
+      if (n > 0)
+      {
+        const CutoffPair& last = piece.Pairs[n - 1];
+        const double width = pair.S - last.S;
+        along += width;
+        figures.Mean += 0.5 * width * (last.Throw() + pair.Throw());
+        figures.Heave += 0.5 * width * (last.Heave() + pair.Heave());
+      }
     }
   }
-  figures.Mean /= double(std::max<std::int64_t>(1, figures.Places));
-  figures.Heave /= double(std::max<std::int64_t>(1, figures.Places));
+  figures.Mean /= along;
+  figures.Heave /= along;
   return figures;
 }
 }
@@ -150,13 +160,15 @@ std::string ReportCutoffs(const CutoffModelData& model)
       const HorizonCutoffs& own = horizon.AtFault[fault];
       if (own.Pieces.empty())
       {
+        text << "  " << horizon.Name << ": not cut\n";
         continue;
       }
       const CutoffFigures figures = Measure(model.Faults[fault], own);
       text << "  " << horizon.Name << ": throw " << figures.Least << " to " << figures.Largest << "\n    mean throw "
-           << figures.Mean << ", mean heave " << figures.Heave << "\n    gap up to " << figures.Gap << ", spread up to "
-           << figures.Spread << "\n    dropped " << own.Dropped[Footwall] + own.Dropped[HangingWall]
-           << " picks, guessed " << figures.Guessed << " of " << figures.Places << " places\n";
+           << figures.Mean << ", mean heave " << figures.Heave << "\n    gap up to " << figures.Gap
+           << " columns, spread up to " << figures.Spread << "\n    dropped "
+           << own.Dropped[Footwall] + own.Dropped[HangingWall] << " picks, guessed " << figures.Guessed << " of "
+           << figures.Places << " places\n";
     }
   }
   return text.str();

@@ -68,7 +68,8 @@ public:
   vtkHorizonNumberMacro(Dip, double);
 
   /**
-   * Picks nearer to a fault are not used, as they may be on the wrong side. Unit: columns. Range: at least 0. Default:
+   * Picks nearer to a fault are not used, as they may be on the wrong side; where faults dip gently, nor those that two
+   * deviations of their noise would put there. Unit: columns. Range: at least 0. Default:
    * 0.5.
    */
   vtkHorizonNumberMacro(DropDistance, double);

@@ -18,6 +18,7 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -31,6 +32,19 @@ constexpr std::size_t SurfacesPort = 2;
 constexpr std::size_t CutoffsPort = 3;
 
 // ---- Given lines ----------------------------------------------------------------------------------------------------
+
+/// Whether names are such as "A 1", "A 2" and all different: of sticks, and not of faults.
+bool AreNumbered(const std::vector<std::string>& names)
+{
+  const auto endsWithNumber = [](const std::string& name)
+  {
+    const std::size_t blank = name.rfind(' ');
+    return blank != std::string::npos && blank > 0 && blank + 1 < name.size() &&
+      name.find_first_not_of("0123456789", blank + 1) == std::string::npos;
+  };
+  return std::all_of(names.begin(), names.end(), endsWithNumber) &&
+    std::set<std::string>(names.begin(), names.end()).size() == names.size();
+}
 
 /// `first` is the cell id of the first cell.
 void AppendCells(
@@ -47,7 +61,7 @@ void AppendCells(
     return texts;
   };
   const DataArray* const names = find(CellArray::FaultName);
-  const bool haveSticks = find(CellArray::FaultStick) != nullptr;
+  const bool haveNumbers = !find(CellArray::FaultStick) && names && AreNumbered(names->Texts());
   for (std::int64_t cell = 0; cell < cells.Size(); ++cell)
   {
     FaultStick polyline;
@@ -69,7 +83,7 @@ void AppendCells(
     if (names)
     {
       const std::string& name = names->Texts()[std::size_t(first + cell)];
-      polyline.Fault = haveSticks ? name : name.substr(0, name.rfind(' ')); // without the last word
+      polyline.Fault = haveNumbers ? name.substr(0, name.rfind(' ')) : name;
     }
     polylines.push_back(polyline);
   }

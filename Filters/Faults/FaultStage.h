@@ -32,7 +32,7 @@ struct FaultStageOptions : FaultDetectionOptions
 };
 
 /// Lines and polygons, which become closed, in world coordinates. Sticks of a fault have the same FaultName in the cell
-/// data; without FaultStick, apart from its last word, the number of the stick.
+/// data; without FaultStick, names may end with the number of the stick if all are different.
 std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
 
 /// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, surfaces of sticks, and

@@ -141,7 +141,8 @@ public:
    * What the fault lines are. Traces: fault traces or polygons, seen from above. Sticks: lines down faults; the horizon
    * is cut where it meets the surface between them, the third output. Default: Traces.
    *
-   * Sticks of one fault agree in all words of the cell array FaultName but the last.
+   * Sticks of one fault have the same name in the cell array FaultName, or names such as "A 1", "A 2" that are all
+   * different, without the array FaultStick.
    */
   vtkHorizonChoice2Macro(LineType, LineTypes, Traces, Sticks);
 

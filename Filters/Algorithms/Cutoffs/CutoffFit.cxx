@@ -24,6 +24,7 @@ constexpr double Doubtful = 6.0; // columns beside a fault, where picks have to 
 constexpr double Window = 10.0; // columns across, of picks that others are compared with
 constexpr double HalfWindow = 5.0; // columns along, on both sides
 constexpr std::size_t FewestPicks = 12;
+constexpr double Harmless = 0.1; // of the throw, per column: what climbs a fault within ten columns is off by more
 constexpr std::array<double, 5> Widths = { 3.0, 4.5, 6.5, 9.5, 14.0 }; // columns
 
 using Terms = Eigen::Matrix<double, 6, 1>;
@@ -33,10 +34,13 @@ using Normal = Eigen::Matrix<double, 6, 6>;
 class LocalSurface
 {
 public:
-  LocalSurface(double s, double n, double unit)
+  /// Coordinates are counted in units of both axes from a place.
+  LocalSurface(double s, double n, double unitS, double unitN, bool isPlane = false)
     : S(s)
     , N(n)
-    , Unit(unit)
+    , UnitS(unitS)
+    , UnitN(unitN)
+    , IsPlane(isPlane)
   {
   }
 
@@ -63,7 +67,7 @@ public:
     Normal matrix = this->Matrix;
     for (int term = 1; term < 6; ++term)
     {
-      matrix(term, term) += scale * (term > 2 && this->Count < fewestForCurves ? stiff : held);
+      matrix(term, term) += scale * (term > 2 && (this->IsPlane || this->Count < fewestForCurves) ? stiff : held);
     }
     this->Inverse = matrix.ldlt().solve(Normal::Identity());
     this->Coefficients = this->Inverse * this->Right;
@@ -74,8 +78,8 @@ public:
   /// The slope across, in heights by distance.
   double SlopeAt(double s, double n) const
   {
-    const double a = (s - this->S) / this->Unit, b = (n - this->N) / this->Unit;
-    return (this->Coefficients(2) + a * this->Coefficients(4) + 2.0 * b * this->Coefficients(5)) / this->Unit;
+    const double a = (s - this->S) / this->UnitS, b = (n - this->N) / this->UnitN;
+    return (this->Coefficients(2) + a * this->Coefficients(4) + 2.0 * b * this->Coefficients(5)) / this->UnitN;
   }
 
   /// The variance of a height, for picks of variance 1.
@@ -88,7 +92,7 @@ public:
 private:
   Terms TermsAt(double s, double n) const
   {
-    const double a = (s - this->S) / this->Unit, b = (n - this->N) / this->Unit;
+    const double a = (s - this->S) / this->UnitS, b = (n - this->N) / this->UnitN;
     Terms terms;
     terms << 1.0, a, b, a * a, a * b, b * b;
     return terms;
@@ -96,7 +100,9 @@ private:
 
   double S;
   double N;
-  double Unit;
+  double UnitS;
+  double UnitN;
+  bool IsPlane;
   double Level = 0.0;
   std::size_t Count = 0;
   Normal Matrix = Normal::Zero();
@@ -146,15 +152,17 @@ struct WidthFit
   double Spread = 0.0;
 };
 
-std::optional<WidthFit> FitWidth(
-  const std::vector<NearPick>& picks, const FaultPlate& fault, const FaultPlace& foot, double width, double noise)
+/// `width` is in columns.
+std::optional<WidthFit> FitWidth(const std::vector<NearPick>& picks, const FaultPlate& fault, const FaultPlace& foot,
+  double width, const CutoffFitOptions& options)
 {
   constexpr std::size_t fewest = 6;
-  LocalSurface surface(foot.S, foot.N, width);
+  const double unitS = width * options.Row, unitN = width * options.Column;
+  LocalSurface surface(foot.S, foot.N, unitS, unitN);
   for (const NearPick& near : picks)
   {
     const FaultPlace& place = near.Pick->Place;
-    const double away = std::hypot(place.S - foot.S, place.N - foot.N) / width;
+    const double away = std::hypot((place.S - foot.S) / unitS, (place.N - foot.N) / unitN);
     if (near.IsKept && away < 1.0)
     {
       const double weight = 1.0 - away * away;
@@ -171,8 +179,14 @@ std::optional<WidthFit> FitWidth(
   {
     return std::nullopt;
   }
-  return WidthFit{ *met, noise * std::sqrt(surface.VarianceAt(met->S, met->N)) };
+  return WidthFit{ *met, options.Noise * std::sqrt(surface.VarianceAt(met->S, met->N)) };
 }
+
+struct OuterSurface
+{
+  LocalSurface Surface;
+  double Scatter = 0.0; // of its picks, at least their noise
+};
 
 /// The picks of a wall near a place along the fault.
 class NearPicks
@@ -184,57 +198,66 @@ public:
     , S(s)
     , Options(options)
   {
-    for (const double along : { HalfWindow, 2.0 * HalfWindow, 4.0 * HalfWindow, HalfWindow })
+    for (const double along : { HalfWindow, 2.0 * HalfWindow, 4.0 * HalfWindow })
     {
       this->Gather(others, side, along);
-      // A narrow block has no picks farther away: the last turn takes what there is.
-      const bool isEnough = this->CountBeyond(this->Ring) >= FewestPicks;
-      if (isEnough)
+      if (this->HasOuter(-along, along) && this->HasOuter(-along, 0.5) && this->HasOuter(-0.5, along))
       {
-        break;
+        this->KeepOuter(Window, false);
+        this->KeepOuter(0.5 * Window, true);
+        return;
       }
     }
-    this->KeepOuter();
+    if (this->HasOuter(-4.0 * HalfWindow, 4.0 * HalfWindow))
+    {
+      this->Picks.clear(); // The horizon ends here: what is beside the fault cannot be compared.
+      return;
+    }
+    // A narrow block has no picks farther away.
+    this->IsNarrow = true;
+    this->Gather(others, side, HalfWindow);
+    while (this->Ring > options.DropDistance && !this->HasOuter(-HalfWindow, HalfWindow))
+    {
+      this->Ring -= 1.0;
+    }
+    this->Ring = std::max(this->Ring, options.DropDistance);
+    this->KeepOuter(Window, false);
+    this->KeepOuter(0.5 * Window, true);
   }
 
-  /// Where the picks that are not doubtful meet the fault.
-  std::optional<FaultPlace> const& Outer() const { return this->OuterFoot; }
+  /// Where surfaces through the picks that are not doubtful meet the fault: a curved one, and a plane through the nearest.
+  const std::vector<double>& OuterHeights() const { return this->Heights; }
 
-  /// Adds the picks nearer to the fault that agree, with the throw as far as it is known. Picks that are off by little of
-  /// it follow the horizon where it bends.
+  /// Adds the picks nearer to the fault that agree with one of these surfaces, with the throw as far as it is known: picks
+  /// that are off by little of it follow the horizon where it bends, others the wrong side, or the fault.
   void KeepAgreeing(double shift);
 
   CutoffPlace Fit() const;
 
 private:
   void Gather(const OtherFaults& others, const FaultSide& side, double along);
-  std::size_t CountBeyond(double ring) const
-  {
-    return std::size_t(std::count_if(this->Picks.begin(), this->Picks.end(),
-      [&](const NearPick& near) { return near.Pick->Distance >= ring * this->Options.Column; }));
-  }
-  void KeepOuter();
+  bool HasOuter(double from, double to) const;
+  void KeepOuter(double width, bool isPlane);
   std::vector<WidthFit> FitWidths(const FaultPlace& foot, double gap) const;
-  LocalSurface FitWindow(double from, double width, double& deviation) const;
-
   const FaultPlate& Fault;
   double S;
   const CutoffFitOptions& Options;
   std::vector<NearPick> Picks;
   double Ring = 0.0; // columns; nearer picks are compared
-  double Deviation = 0.0;
-  std::optional<FaultPlace> OuterFoot;
+  std::vector<OuterSurface> Outer;
+  std::vector<double> Heights;
+  bool IsNarrow = false;
 };
 
 /// Takes picks of a strip that are on the same side of other faults. The ring from which on they are not doubtful is
 /// farther away where there are none near the fault.
 void NearPicks::Gather(const OtherFaults& others, const FaultSide& side, double along)
 {
-  const double column = this->Options.Column;
+  const double column = this->Options.Column, row = this->Options.Row;
   const SidePick* nearest = nullptr;
   this->Picks.clear();
   this->Ring = Doubtful;
-  side.ForEach(this->S - HalfWindow * column, this->S + HalfWindow * column,
+  side.ForEach(this->S - HalfWindow * row, this->S + HalfWindow * row,
     [&](const SidePick& pick) { nearest = nearest && nearest->Distance <= pick.Distance ? nearest : &pick; });
   if (!nearest || nearest->Distance > this->Options.LargestGap * column)
   {
@@ -244,7 +267,7 @@ void NearPicks::Gather(const OtherFaults& others, const FaultSide& side, double 
   foot.Place = { this->S, this->Fault.Offset(this->S, nearest->Place.Z), nearest->Place.Z };
   others.Mark(this->Fault.ToWorld(foot.Place), foot);
   const double reach = nearest->Distance + (Doubtful + Window) * column;
-  side.ForEach(this->S - along * column, this->S + along * column,
+  side.ForEach(this->S - along * row, this->S + along * row,
     [&](const SidePick& pick)
     {
       if (pick.Distance <= reach && !OtherFaults::AreBetween(pick, foot))
@@ -255,166 +278,171 @@ void NearPicks::Gather(const OtherFaults& others, const FaultSide& side, double 
   this->Ring = std::max(this->Ring, std::floor(nearest->Distance / column));
 }
 
+/// Whether there are enough picks that are not doubtful, between two places along the fault in columns from the own one:
+/// over several columns, or on one side some.
+bool NearPicks::HasOuter(double from, double to) const
+{
+  constexpr double leastWidth = 3.0; // columns
+  constexpr std::size_t fewestOnSide = 3;
+  const bool isWhole = from < -0.5 && to > 0.5;
+  double largest = 0.0;
+  std::size_t count = 0;
+  for (const NearPick& near : this->Picks)
+  {
+    const double along = (near.Pick->Place.S - this->S) / this->Options.Row;
+    const double away = near.Pick->Distance / this->Options.Column;
+    if (away >= this->Ring && along >= from && along <= to)
+    {
+      largest = std::max(largest, away);
+      ++count;
+    }
+  }
+  return isWhole ? count >= FewestPicks && largest >= this->Ring + leastWidth : count >= fewestOnSide;
+}
+
 /// Finds a surface through most of the outer picks, by weights of the inverse distance, which strays do not move. Keeps
 /// the picks near it.
-void NearPicks::KeepOuter()
+void NearPicks::KeepOuter(double width, bool isPlane)
 {
-  const double column = this->Options.Column;
-  while (this->Ring > this->Options.DropDistance && this->CountBeyond(this->Ring) < FewestPicks)
-  {
-    this->Ring -= 1.0;
-  }
-  this->Ring = std::max(this->Ring, this->Options.DropDistance);
-  std::vector<NearPick*> outer;
+  const double column = this->Options.Column, row = this->Options.Row;
+  std::vector<NearPick*> window;
   double middle = 0.0;
   for (NearPick& near : this->Picks)
   {
     const double away = near.Pick->Distance / column - this->Ring;
-    if (away >= 0.0 && away <= Window)
+    if (away >= 0.0 && away <= width)
     {
-      outer.push_back(&near);
+      window.push_back(&near);
       middle += near.Pick->Place.N;
     }
   }
-  if (outer.empty())
+  if (window.size() < FewestPicks)
   {
     return;
   }
-  middle /= double(outer.size());
-  std::vector<double> off(outer.size(), 0.0);
-  LocalSurface surface(this->S, middle, HalfWindow * column);
+  middle /= double(window.size());
+  OuterSurface outer{ LocalSurface(this->S, middle, HalfWindow * row, HalfWindow * column, isPlane) };
+  std::vector<double> off(window.size(), 0.0);
   constexpr int rounds = 8;
   constexpr double normal = 1.4826; // of the median of absolute values
   constexpr double least = 1e-3;
   for (int round = 0; round < rounds; ++round)
   {
-    LocalSurface next(this->S, middle, HalfWindow * column);
-    for (std::size_t n = 0; n < outer.size(); ++n)
+    LocalSurface next(this->S, middle, HalfWindow * row, HalfWindow * column, isPlane);
+    for (std::size_t n = 0; n < window.size(); ++n)
     {
-      const double distance = std::max({ off[n], this->Options.Noise, least * this->Deviation });
-      next.Add(outer[n]->Pick->Place, round > 0 && distance > 0.0 ? 1.0 / distance : 1.0);
+      const double distance = std::max({ off[n], this->Options.Noise, least * outer.Scatter });
+      next.Add(window[n]->Pick->Place, round > 0 && distance > 0.0 ? 1.0 / distance : 1.0);
     }
     next.Solve();
-    surface = next;
-    for (std::size_t n = 0; n < outer.size(); ++n)
+    outer.Surface = next;
+    for (std::size_t n = 0; n < window.size(); ++n)
     {
-      const FaultPlace& place = outer[n]->Pick->Place;
-      off[n] = std::abs(place.Z - surface.At(place.S, place.N));
+      const FaultPlace& place = window[n]->Pick->Place;
+      off[n] = std::abs(place.Z - next.At(place.S, place.N));
     }
     std::vector<double> sorted = off;
-    this->Deviation = normal * UpperMedian(sorted);
+    outer.Scatter = normal * UpperMedian(sorted);
   }
-  const double limit = this->Options.DropNoise * std::hypot(this->Options.Noise, this->Deviation);
-  for (std::size_t n = 0; n < outer.size(); ++n)
+  outer.Scatter = std::hypot(outer.Scatter, this->Options.Noise);
+  for (std::size_t n = 0; n < window.size(); ++n)
   {
-    outer[n]->IsKept = this->Options.DropNoise == 0.0 || off[n] <= limit;
+    window[n]->IsKept =
+      window[n]->IsKept || this->Options.DropNoise == 0.0 || off[n] <= this->Options.DropNoise * outer.Scatter;
   }
-  this->OuterFoot = Meet(this->Fault, surface, this->S, this->Fault.Offset(this->S, outer.front()->Pick->Place.Z));
-}
-
-/// Through the picks kept from a distance on.
-LocalSurface NearPicks::FitWindow(double from, double width, double& deviation) const
-{
-  std::vector<const FaultPlace*> window;
-  double middle = 0.0;
-  for (const NearPick& near : this->Picks)
+  const double start = this->Fault.Offset(this->S, window.front()->Pick->Place.Z);
+  if (const std::optional<FaultPlace> foot = Meet(this->Fault, outer.Surface, this->S, start))
   {
-    if (near.IsKept && near.Pick->Distance >= from && near.Pick->Distance <= from + width)
-    {
-      window.push_back(&near.Pick->Place);
-      middle += near.Pick->Place.N;
-    }
+    this->Heights.push_back(foot->Z);
   }
-  LocalSurface surface(this->S, window.empty() ? 0.0 : middle / double(window.size()), width);
-  for (const FaultPlace* place : window)
-  {
-    surface.Add(*place, 1.0);
-  }
-  deviation = 0.0;
-  if (!window.empty())
-  {
-    surface.Solve();
-    for (const FaultPlace* place : window)
-    {
-      const double off = place->Z - surface.At(place->S, place->N);
-      deviation += off * off / double(window.size());
-    }
-  }
-  deviation = std::sqrt(deviation);
-  return surface;
+  this->Outer.push_back(outer);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void NearPicks::KeepAgreeing(double shift)
 {
-  constexpr double harmless = 0.2; // of the throw; picks of the wrong side are off by all of it
   const double column = this->Options.Column;
-  if (this->Options.DropNoise == 0.0)
+  const auto outermost = std::size_t(std::ceil(this->Ring));
+  std::vector<std::vector<NearPick*>> rings(outermost + 1); // by columns; of the last one picks are not doubtful
+  for (NearPick& near : this->Picks)
   {
-    for (NearPick& near : this->Picks)
+    const double away = near.Pick->Distance / column;
+    if (away >= this->Options.DropDistance && away < double(rings.size()))
     {
-      near.IsKept = near.Pick->Distance >= this->Options.DropDistance * column;
+      rings[away < this->Ring ? std::min(std::size_t(away), outermost - 1) : outermost].push_back(&near);
     }
-    return;
   }
-  while (this->Ring > this->Options.DropDistance)
+  for (const OuterSurface& outer : this->Outer)
   {
-    const double next = std::max(this->Ring - 1.0, this->Options.DropDistance);
-    for (const double width : { Window, 0.4 * Window })
+    const auto offOf = [&outer](const NearPick* near)
+    { return near->Pick->Place.Z - outer.Surface.At(near->Pick->Place.S, near->Pick->Place.N); };
+    // How far the horizon is from the surface, ring by ring: it may bend slowly, but what climbs does so at once.
+    std::vector<double> bend(rings.size(), 0.0);
+    bool isBend = true;
+    double last = 0.0; // distance from the fault
+    for (std::size_t ring = rings.size(); ring-- > 0;)
     {
-      double deviation = 0.0;
-      const LocalSurface surface = this->FitWindow(this->Ring * column, width * column, deviation);
-      const double scatter = std::max(this->Options.Noise, deviation);
-      const double most = std::max(0.5 * shift, this->Options.DropNoise * scatter);
-      for (NearPick& near : this->Picks)
+      const double before = ring < outermost ? bend[ring + 1] : 0.0;
+      bend[ring] = before;
+      if (rings[ring].empty())
       {
-        if (surface.Size() >= FewestPicks && near.Pick->Distance < this->Ring * column &&
-          near.Pick->Distance >= next * column)
-        {
-          const FaultPlace& place = near.Pick->Place;
-          const double limit =
-            this->Options.DropNoise * scatter * std::sqrt(1.0 + surface.VarianceAt(place.S, place.N));
-          near.IsKept = near.IsKept ||
-            std::abs(place.Z - surface.At(place.S, place.N)) <= std::max(harmless * shift, std::min(limit, most));
-        }
+        continue;
       }
-      constexpr double plain = 1.5;
-      if (deviation <= plain * this->Options.Noise)
+      std::vector<double> off, nearness;
+      for (const NearPick* const near : rings[ring])
       {
-        break; // A shorter window bends more with noise.
+        off.push_back(offOf(near));
+        nearness.push_back(-near->Pick->Distance / column);
+      }
+      bend[ring] = UpperMedian(off);
+      const double distance = -UpperMedian(nearness);
+      const double slow = Harmless * shift * std::max(1.0, last - distance);
+      isBend = isBend && (ring == outermost || std::abs(bend[ring] - before) <= std::max(slow, outer.Scatter));
+      last = distance;
+    }
+    for (std::size_t ring = 0; ring < outermost; ++ring)
+    {
+      for (NearPick* const near : rings[ring])
+      {
+        const double most = std::max(0.5 * shift, this->Options.DropNoise * outer.Scatter);
+        const double noise = this->Options.DropNoise * outer.Scatter *
+          std::sqrt(1.0 + outer.Surface.VarianceAt(near->Pick->Place.S, near->Pick->Place.N));
+        const double limit = std::max(std::min(noise, most), isBend ? Harmless * shift : 0.0);
+        near->IsKept = near->IsKept || this->Options.DropNoise == 0.0 ||
+          std::abs(offOf(near) - (isBend ? bend[ring] : 0.0)) <= limit;
       }
     }
-    this->Ring = next;
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 CutoffPlace NearPicks::Fit() const
 {
-  const double column = this->Options.Column;
+  const double column = this->Options.Column, row = this->Options.Row;
   const double infinity = std::numeric_limits<double>::infinity();
   CutoffPlace cutoff;
+  cutoff.IsChecked = !this->IsNarrow;
   double gap = infinity, height = 0.0;
   std::array<double, 2> along = { infinity, -infinity };
   for (const NearPick& near : this->Picks)
   {
     const SidePick& pick = *near.Pick;
     const bool isDoubtful = pick.Distance >= this->Options.DropDistance * column && pick.Distance <= Doubtful * column;
-    cutoff.Dropped += !near.IsKept && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * column ? 1 : 0;
+    cutoff.Dropped += !near.IsKept && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * row ? 1 : 0;
     if (!near.IsKept)
     {
       continue;
     }
     along = { std::min(along[0], pick.Place.S), std::max(along[1], pick.Place.S) };
-    const double away = std::hypot(pick.Place.S - this->S, pick.Distance);
+    const double away = std::hypot((pick.Place.S - this->S) / row, pick.Distance / column);
     if (away < gap)
     {
       gap = away;
       height = pick.Place.Z;
     }
   }
-  const bool isBetween = along[0] <= this->S + 0.5 * column && along[1] >= this->S - 0.5 * column;
-  if (!isBetween || gap > this->Options.LargestGap * column)
+  const bool isBetween = along[0] <= this->S + 0.5 * row && along[1] >= this->S - 0.5 * row;
+  if (!isBetween || gap > this->Options.LargestGap)
   {
     return CutoffPlace();
   }
@@ -432,7 +460,7 @@ CutoffPlace NearPicks::Fit() const
     }
     cutoff.Height = fit.Foot.Z;
     cutoff.Offset = fit.Foot.N;
-    cutoff.Spread = fit.Spread;
+    cutoff.Spread = std::max(fit.Spread, this->Options.LeastSpread);
     cutoff.Gap = gap;
   }
   return cutoff;
@@ -446,8 +474,7 @@ std::vector<WidthFit> NearPicks::FitWidths(const FaultPlace& foot, double gap) c
   std::vector<WidthFit> fits;
   for (const double width : Widths)
   {
-    const std::optional<WidthFit> fit =
-      FitWidth(this->Picks, this->Fault, foot, gap + width * this->Options.Column, this->Options.Noise);
+    const std::optional<WidthFit> fit = FitWidth(this->Picks, this->Fault, foot, gap + width, this->Options);
     if (fit && (fit->Spread <= most * this->Options.Noise || (fits.empty() && width == Widths.back())))
     {
       fits.push_back(*fit);
@@ -494,7 +521,8 @@ void FaultSide::Finish()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-OtherFaults::OtherFaults(const FaultPlate& fault, const std::vector<const FaultPlate*>& others, double margin)
+OtherFaults::OtherFaults(
+  const FaultPlate& fault, const std::vector<const FaultPlate*>& others, double margin, double reach)
   : Margin(margin)
 {
   const auto touches = [&](const FaultPlate& other)
@@ -503,7 +531,7 @@ OtherFaults::OtherFaults(const FaultPlate& fault, const std::vector<const FaultP
     {
       const FaultPlace place = other.ToPlace(fault.At(s, z));
       return place.S >= other.First() - margin && place.S <= other.Last() + margin && place.Z >= other.Lowest() &&
-        place.Z <= other.Highest();
+        place.Z <= other.Highest() && std::abs(other.Distance(place)) <= reach;
     };
     for (std::size_t level = 0; level + 1 < fault.Levels(); ++level)
     {
@@ -520,23 +548,23 @@ OtherFaults::OtherFaults(const FaultPlate& fault, const std::vector<const FaultP
   };
   std::copy_if(others.begin(), others.end(), std::back_inserter(this->Faults),
     [&](const FaultPlate* other) { return other != &fault && touches(*other); });
-  if (this->Faults.size() > Most)
+  if (this->Faults.size() > MostOthers)
   {
     throw InputError("fault " + fault.Name() + " with " + std::to_string(this->Faults.size()) +
-      " faults beside it, expected at most " + std::to_string(Most));
+      " other faults beside it, expected at most " + std::to_string(MostOthers));
   }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void OtherFaults::Mark(const Eigen::Vector3d& world, SidePick& pick) const
 {
-  pick.Near = pick.Hanging = 0;
+  pick.Near.reset();
+  pick.Hanging.reset();
   for (std::size_t n = 0; n < this->Faults.size(); ++n)
   {
     const FaultPlace place = this->Faults[n]->ToPlace(world);
-    const std::uint64_t bit = std::uint64_t(1) << n;
-    pick.Near |= this->Faults[n]->Contains(place.S, place.Z, this->Margin) ? bit : 0;
-    pick.Hanging |= this->Faults[n]->Distance(place) > 0.0 ? bit : 0;
+    pick.Near.set(n, this->Faults[n]->Contains(place.S, place.Z, this->Margin));
+    pick.Hanging.set(n, this->Faults[n]->Distance(place) > 0.0);
   }
 }
 
@@ -557,8 +585,15 @@ std::array<CutoffPlace, 2> FitCutoffs(const FaultPlate& fault, const OtherFaults
 {
   std::array<NearPicks, 2> picks = { NearPicks(fault, others, sides[0], s, options),
     NearPicks(fault, others, sides[1], s, options) };
-  const bool areKnown = picks[0].Outer() && picks[1].Outer();
-  const double shift = areKnown ? std::abs(picks[0].Outer()->Z - picks[1].Outer()->Z) : 0.0;
+  double shift = std::numeric_limits<double>::infinity();
+  for (const double foot : picks[0].OuterHeights())
+  {
+    for (const double hanging : picks[1].OuterHeights())
+    {
+      shift = std::min(shift, std::abs(foot - hanging));
+    }
+  }
+  shift = std::isfinite(shift) ? shift : 0.0;
   std::array<CutoffPlace, 2> cutoffs;
   for (const std::size_t wall : { 0, 1 })
   {

@@ -3,8 +3,8 @@
 //
 // Where a horizon meets a fault, from the picks on one side of it. At a place along the fault:
 //
-// 1. From the outside in, ring by ring, picks are kept that agree with a surface of second order through those kept so
-//    far: trackers follow the wrong side for some columns, or climb the fault.
+// 1. Picks within six columns are kept if they agree with a surface through those farther away, a curved one or a plane:
+//    trackers follow the wrong side for some columns, or climb the fault.
 // 2. Surfaces of second order through the picks kept, weighted by the distance from the foot, are continued to the
 //    fault. Of several widths, the largest counts whose confidence interval meets those of all smaller ones (Lepski's
 //    rule), so that noise is averaged where the surface is plain, and followed where it bends.
@@ -16,45 +16,49 @@
 #include "FaultPlate.h"
 
 #include <array>
+#include <bitset>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
 {
 struct CutoffFitOptions
 {
-  double Column = 1.0; // the mean distance of columns
+  double Column = 1.0; // the distance of columns across the fault, which distances from it are counted in
+  double Row = 1.0; // the distance of columns along the fault
   double Noise = 0.0; // standard deviation of heights
+  double LeastSpread = 0.0; // Rounding does not average out.
   double DropDistance = 0.5; // columns; nearer picks are not used
   double DropNoise = 4.0; // Picks off by more deviations do not agree; 0 keeps all.
   double LargestGap = 20.0; // columns
 };
+
+/// Faults near another one, by number.
+constexpr std::size_t MostOthers = 256;
+using FaultBits = std::bitset<MostOthers>;
 
 /// A pick of a horizon beside a fault.
 struct SidePick
 {
   FaultPlace Place;
   double Distance = 0.0; // from the fault, at least 0
-  std::uint64_t Near = 0; // bit by other fault: the fault reaches as far as the pick
-  std::uint64_t Hanging = 0; // bit by other fault: the pick is on its hanging wall
+  FaultBits Near; // The other fault reaches as far as the pick.
+  FaultBits Hanging; // The pick is on its hanging wall.
 };
 
 /// Faults near another one, which divide its sides further.
 class OtherFaults
 {
 public:
-  static constexpr std::size_t Most = 64;
-
-  /// `margin` is added to the extent of faults. Throws InputError for more than can be near.
-  OtherFaults(const FaultPlate& fault, const std::vector<const FaultPlate*>& others, double margin);
+  /// Those within `reach` count. `margin` is added to their extent. Throws InputError for more than MostOthers.
+  OtherFaults(const FaultPlate& fault, const std::vector<const FaultPlate*>& others, double margin, double reach);
 
   void Mark(const Eigen::Vector3d& world, SidePick& pick) const;
   /// Whether a fault is within the margin of the place.
   bool IsAt(const Eigen::Vector3d& world) const;
   static bool AreBetween(const SidePick& a, const SidePick& b)
   {
-    return ((a.Near | b.Near) & (a.Hanging ^ b.Hanging)) != 0;
+    return ((a.Near | b.Near) & (a.Hanging ^ b.Hanging)).any();
   }
 
 private:
@@ -103,7 +107,8 @@ struct CutoffPlace
   double Height = NoValue; // NaN if unknown
   double Offset = NoValue; // of the fault there
   double Spread = NoValue; // standard deviation of the height as far as noise explains it
-  double Gap = NoValue; // distance of the nearest pick that was kept
+  double Gap = NoValue; // columns to the nearest pick that was kept
+  bool IsChecked = true; // Picks near the fault were compared with others.
   int Dropped = 0; // picks in the strip of one column that do not agree
 };
 

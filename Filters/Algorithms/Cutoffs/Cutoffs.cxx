@@ -5,6 +5,8 @@
 
 #include "Common/Base/Parallel.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,15 +19,15 @@ constexpr double Reach = 16.0; // columns of picks that a place may use, beyond 
 std::array<FaultSide, 2> ListSides(
   const FaultPlate& fault, const OtherFaults& others, const HorizonPicks& horizon, const CutoffFitOptions& options)
 {
-  const double column = options.Column;
-  const FaultSide empty(fault.First() - Reach * column, fault.Last() + Reach * column, column);
+  const double column = options.Column, beyond = Reach * options.Row;
+  const FaultSide empty(fault.First() - beyond, fault.Last() + beyond, options.Row);
   std::array<FaultSide, 2> sides = { empty, empty };
   const double farthest = (Reach + options.LargestGap) * column;
   for (const Eigen::Vector3d& world : horizon.Places)
   {
     SidePick pick;
     pick.Place = fault.ToPlace(world);
-    if (pick.Place.S < fault.First() - Reach * column || pick.Place.S > fault.Last() + Reach * column)
+    if (pick.Place.S < fault.First() - beyond || pick.Place.S > fault.Last() + beyond)
     {
       continue;
     }
@@ -69,16 +71,16 @@ public:
 
   HorizonCutoffs Find(const Monitor& monitor)
   {
-    const double column = this->Options.Column;
-    const auto count = std::size_t(std::floor((this->Fault.Last() - this->Fault.First()) / column)) + 1;
-    const double shift = 0.5 * (this->Fault.Last() - this->Fault.First() - double(count - 1) * column);
+    const double row = this->Options.Row;
+    const auto count = std::size_t(std::floor((this->Fault.Last() - this->Fault.First()) / row)) + 1;
+    const double shift = 0.5 * (this->Fault.Last() - this->Fault.First() - double(count - 1) * row);
     std::vector<CutoffPair> pairs(count);
     ParallelFor(std::int64_t(count), 8, monitor,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
         {
-          pairs[std::size_t(n)] = this->PairAt(this->Fault.First() + shift + double(n) * column);
+          pairs[std::size_t(n)] = this->PairAt(this->Fault.First() + shift + double(n) * row);
         }
       });
     this->FillGaps(pairs);
@@ -121,10 +123,12 @@ private:
     CutoffPair pair;
     pair.S = s;
     pair.Wall = FitCutoffs(this->Fault, this->Others, this->Sides, s, this->Options);
+    const bool isAtOther = IsKnown(pair) && this->MeetsOther(pair);
     for (const FaultWall wall : { Footwall, HangingWall })
     {
-      pair.Source[wall] =
-        pair.Wall[wall].Gap <= nearEnough * this->Options.Column ? HeightSource::Picks : HeightSource::Extrapolated;
+      pair.Source[wall] = pair.Wall[wall].Gap <= nearEnough && pair.Wall[wall].IsChecked && !isAtOther
+        ? HeightSource::Picks
+        : HeightSource::Extrapolated;
     }
     return pair;
   }
@@ -174,8 +178,8 @@ private:
       const CutoffPair last = end == 0 ? piece.Pairs.front() : piece.Pairs.back();
       const double sign = end == 0 ? -1.0 : 1.0;
       const double height = MiddleOf(last);
-      const CutoffPair next = this->PairAt(last.S + sign * beyond * this->Options.Column);
-      const bool isInside = this->Fault.Contains(last.S + sign * this->Options.Column, height);
+      const CutoffPair next = this->PairAt(last.S + sign * beyond * this->Options.Row);
+      const bool isInside = this->Fault.Contains(last.S + sign * this->Options.Row, height);
       if (!IsKnown(next) || isInside || this->MeetsOther(last))
       {
         continue;
@@ -184,10 +188,10 @@ private:
       for (int step = 0; step < 30; ++step)
       {
         const double middle = 0.5 * (in + out);
-        (this->Fault.Contains(last.S + sign * middle * this->Options.Column, height) ? in : out) = middle;
+        (this->Fault.Contains(last.S + sign * middle * this->Options.Row, height) ? in : out) = middle;
       }
       CutoffPair tip;
-      tip.S = last.S + sign * in * this->Options.Column;
+      tip.S = last.S + sign * in * this->Options.Row;
       for (const FaultWall wall : { Footwall, HangingWall })
       {
         this->Interpolate(tip, wall, height);
@@ -226,9 +230,14 @@ HorizonCutoffs FindCutoffs(const FaultPlate& fault, const std::vector<const Faul
   const HorizonPicks& horizon, CutoffFitOptions options, double leastLength, const Monitor& monitor)
 {
   constexpr double margin = 3.0; // columns
-  options.Column = horizon.Column;
+  constexpr double across = 2.0; // deviations of heights, which put a pick on the other side of a flat fault
+  const Eigen::Matrix2d toColumns = horizon.Steps.inverse();
+  options.Column = 1.0 / (toColumns * fault.AcrossOnMap()).norm();
+  options.Row = 1.0 / (toColumns * fault.AlongOnMap()).norm();
   options.Noise = horizon.Noise;
-  const OtherFaults others(fault, faults, margin * horizon.Column);
+  options.DropDistance = std::max(options.DropDistance, across * horizon.Noise * fault.Lean() / options.Column);
+  options.LeastSpread = horizon.IsRounded ? horizon.Noise : 0.0;
+  const OtherFaults others(fault, faults, margin * options.Row, (Reach + options.LargestGap) * options.Column);
   const std::array<FaultSide, 2> sides = ListSides(fault, others, horizon, options);
   monitor.Progress(0.2);
   return CutoffFinder(fault, others, sides, options, leastLength).Find(monitor.Step(0.2, 1.0));
@@ -274,7 +283,8 @@ std::vector<std::size_t> SimplifyCutoff(
     {
       const double part = (pairs[n].S - pairs[from].S) / (pairs[to].S - pairs[from].S);
       const CutoffPlace& own = pairs[n].Wall[wall];
-      if (std::abs(a.Height + part * (b.Height - a.Height) - own.Height) > heightError ||
+      if (pairs[n].Source[wall] != pairs[n - 1].Source[wall] || pairs[n].Source[wall] != pairs[n + 1].Source[wall] ||
+        std::abs(a.Height + part * (b.Height - a.Height) - own.Height) > heightError ||
         std::abs(a.Offset + part * (b.Offset - a.Offset) - own.Offset) > offsetError)
       {
         return false;

@@ -44,6 +44,10 @@ struct CutoffPair
 
   double Throw() const { return this->Wall[Footwall].Height - this->Wall[HangingWall].Height; }
   double Heave() const { return this->Wall[HangingWall].Offset - this->Wall[Footwall].Offset; }
+  bool IsGuessed() const
+  {
+    return this->Source[Footwall] != HeightSource::Picks || this->Source[HangingWall] != HeightSource::Picks;
+  }
 };
 
 /// A part of a fault that cuts the horizon, along strike. At a tip both cutoffs are one.
@@ -58,8 +62,11 @@ struct CutoffPiece
 struct HorizonPicks
 {
   std::vector<Eigen::Vector3d> Places;
-  double Column = 1.0;
+  Eigen::Matrix2d Steps = Eigen::Matrix2d::Identity(); // columns of the matrix: on the map from column to column
   double Noise = 0.0; // standard deviation of z
+  bool IsRounded = false; // The noise is that of rounding.
+
+  double LargestStep() const { return this->Steps.colwise().norm().maxCoeff(); }
 };
 
 struct HorizonCutoffs
@@ -80,7 +87,7 @@ double SumOfThrows(const HorizonCutoffs& cutoffs);
 void SwapWalls(HorizonCutoffs& cutoffs);
 
 /// Returns numbers of pairs, the first and the last included, so that the line through the places of these on a wall is
-/// within `heightError` and `offsetError` of all others. As few as go one after the other.
+/// within `heightError` and `offsetError` of all others. Pairs where the source of the height changes are kept.
 std::vector<std::size_t> SimplifyCutoff(
   const CutoffPiece& piece, FaultWall wall, double heightError, double offsetError);
 }

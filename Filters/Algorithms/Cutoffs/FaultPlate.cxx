@@ -259,6 +259,14 @@ void FaultPlate::Fit(const Segments& segments, const Monitor& monitor)
     }
   }
   MakeSiteSolver<2>(system)->Solve(this->Values, monitor);
+  for (const std::array<FaultPlace, 2>& segment : segments)
+  {
+    for (const FaultPlace& place : segment)
+    {
+      this->Miss = std::max(this->Miss, std::abs(this->Distance(place)));
+      this->Turn = std::max(this->Turn, std::abs(this->Gradient(place.S, place.Z).x()));
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

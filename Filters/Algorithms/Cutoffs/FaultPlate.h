@@ -54,6 +54,9 @@ public:
   FaultPlace ToPlace(const Eigen::Vector3d& world) const;
   Eigen::Vector3d ToWorld(const FaultPlace& place) const;
 
+  const Eigen::Vector2d& AlongOnMap() const { return this->Along; }
+  const Eigen::Vector2d& AcrossOnMap() const { return this->Across; }
+
   /// Beyond the picks the plate is continued as a plane.
   double Offset(double s, double z) const;
   Eigen::Vector3d At(double s, double z) const { return this->ToWorld({ s, this->Offset(s, z), z }); }
@@ -73,11 +76,15 @@ public:
   double Datum() const { return this->Origin.z(); }
   double StepAlong() const { return this->Grid[0].Step; }
 
+  /// The largest distance of picks from the plate, across strike.
+  double LargestMiss() const { return this->Miss; }
+  /// The largest angle of strike at picks with the mean strike, as its tangent.
+  double LargestTurn() const { return this->Turn; }
+
+  /// Map distance across strike by height, of the mean plane.
+  double Lean() const { return std::abs(this->Plane.y()); }
   /// Whether the fault is too steep to tell its hanging wall from the shape: it dips by less than a column.
-  bool IsUpright(double column) const
-  {
-    return std::abs(this->Plane.y()) * (this->Highest() - this->Lowest()) < column;
-  }
+  bool IsUpright(double column) const { return this->Lean() * (this->Highest() - this->Lowest()) < column; }
   /// The area of the plate between two places along strike and two heights, taken as one plane.
   double AreaOf(double width, double height, double s, double z) const;
 
@@ -110,6 +117,8 @@ private:
   std::vector<double> Values; // from the mean plane, by rows of S
   std::vector<std::array<double, 2>> Extent; // by level; empty ranges end before they begin
   std::array<double, 2> Ends = { 0.0, 0.0 };
+  double Miss = 0.0;
+  double Turn = 0.0;
 };
 }
 

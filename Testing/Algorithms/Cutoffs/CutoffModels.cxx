@@ -81,7 +81,7 @@ void MakePlane(CutoffModel& model, double dip, double strike, double noise, std:
 HorizonPicks Pick(const CutoffModel& model, std::size_t horizon, const PickErrors& errors, std::mt19937& random)
 {
   HorizonPicks picks;
-  picks.Column = Bin;
+  picks.Steps *= Bin;
   picks.Noise = errors.Noise;
   std::normal_distribution<double> noise(0.0, 1.0);
   std::uniform_real_distribution<double> part(0.0, 1.0);

@@ -99,7 +99,7 @@ FaultPicks PlanePicks(const char* name, double x, double from, double to)
 void TestTips()
 {
   HorizonPicks horizon;
-  horizon.Column = 25.0;
+  horizon.Steps *= 25.0;
   const auto throwAt = [](double y) { return 40.0 * std::max(0.0, 1.0 - std::pow((y - 1000.0) / 550.0, 2)); };
   for (int j = 0; j < 81; ++j)
   {
@@ -130,7 +130,7 @@ void TestTips()
 void TestParallelFaults()
 {
   HorizonPicks horizon;
-  horizon.Column = 25.0;
+  horizon.Steps *= 25.0;
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0.0, 1.0);
   horizon.Noise = 1.0;
