@@ -139,10 +139,17 @@ std::optional<FaultPlace> Meet(const FaultPlate& fault, const LocalSurface& surf
   return std::nullopt;
 }
 
+/// From 1 at 0 to 0 at 1.
+double Bisquare(double value)
+{
+  const double rest = std::max(0.0, 1.0 - value * value);
+  return rest * rest;
+}
+
 struct NearPick
 {
   const SidePick* Pick;
-  bool IsKept = false;
+  double Weight = 0.0; // 0 if it does not agree
 };
 
 /// One width of the last step.
@@ -163,10 +170,9 @@ std::optional<WidthFit> FitWidth(const std::vector<NearPick>& picks, const Fault
   {
     const FaultPlace& place = near.Pick->Place;
     const double away = std::hypot((place.S - foot.S) / unitS, (place.N - foot.N) / unitN);
-    if (near.IsKept && away < 1.0)
+    if (near.Weight > 0.0 && away < 1.0)
     {
-      const double weight = 1.0 - away * away;
-      surface.Add(place, weight * weight);
+      surface.Add(place, near.Weight * Bisquare(away));
     }
   }
   if (surface.Size() < fewest)
@@ -238,6 +244,11 @@ private:
   void Gather(const OtherFaults& others, const FaultSide& side, double along);
   bool HasOuter(double from, double to) const;
   void KeepOuter(double width, bool isPlane);
+  void Weigh(double off, double limit, NearPick& near) const
+  {
+    const double weight = this->Options.DropNoise == 0.0 || off == 0.0 ? 1.0 : Bisquare(off / limit);
+    near.Weight = std::max(near.Weight, weight);
+  }
   std::vector<WidthFit> FitWidths(const FaultPlace& foot, double gap) const;
   const FaultPlate& Fault;
   double S;
@@ -347,8 +358,7 @@ void NearPicks::KeepOuter(double width, bool isPlane)
   outer.Scatter = std::hypot(outer.Scatter, this->Options.Noise);
   for (std::size_t n = 0; n < window.size(); ++n)
   {
-    window[n]->IsKept =
-      window[n]->IsKept || this->Options.DropNoise == 0.0 || off[n] <= this->Options.DropNoise * outer.Scatter;
+    this->Weigh(off[n], this->Options.DropNoise * outer.Scatter, *window[n]);
   }
   const double start = this->Fault.Offset(this->S, window.front()->Pick->Place.Z);
   if (const std::optional<FaultPlace> foot = Meet(this->Fault, outer.Surface, this->S, start))
@@ -408,8 +418,7 @@ void NearPicks::KeepAgreeing(double shift)
         const double noise = this->Options.DropNoise * outer.Scatter *
           std::sqrt(1.0 + outer.Surface.VarianceAt(near->Pick->Place.S, near->Pick->Place.N));
         const double limit = std::max(std::min(noise, most), isBend ? Harmless * shift : 0.0);
-        near->IsKept = near->IsKept || this->Options.DropNoise == 0.0 ||
-          std::abs(offOf(near) - (isBend ? bend[ring] : 0.0)) <= limit;
+        this->Weigh(offOf(near) - (isBend ? bend[ring] : 0.0), limit, *near);
       }
     }
   }
@@ -428,8 +437,8 @@ CutoffPlace NearPicks::Fit() const
   {
     const SidePick& pick = *near.Pick;
     const bool isDoubtful = pick.Distance >= this->Options.DropDistance * column && pick.Distance <= Doubtful * column;
-    cutoff.Dropped += !near.IsKept && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * row ? 1 : 0;
-    if (!near.IsKept)
+    cutoff.Dropped += near.Weight == 0.0 && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * row ? 1 : 0;
+    if (near.Weight == 0.0)
     {
       continue;
     }
