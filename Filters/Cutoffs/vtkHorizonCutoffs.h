@@ -76,8 +76,8 @@ public:
 
   /**
    * Picks within six columns of a fault are not used if they are off the surface of those farther away by more than this
-   * many standard deviations of their noise, and by more than a fifth of the throw. 0: all are used. Range: at least 0.
-   * Default: 4.
+   * many standard deviations of their noise, unless the horizon bends slowly. 0: all are used. Range: at least 0. Default:
+   * 4.
    */
   vtkHorizonNumberMacro(DropNoise, double);
 

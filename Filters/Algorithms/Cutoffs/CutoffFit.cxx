@@ -21,6 +21,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double Doubtful = 6.0; // columns beside a fault, where picks have to agree
+constexpr double LeastDoubtful = 3.0; // the same in narrow blocks
 constexpr double Window = 10.0; // columns across, of picks that others are compared with
 constexpr double HalfWindow = 5.0; // columns along, on both sides
 constexpr std::size_t FewestPicks = 12;
@@ -220,7 +221,6 @@ public:
       return;
     }
     // A narrow block has no picks farther away.
-    this->IsNarrow = true;
     this->Gather(others, side, HalfWindow);
     while (this->Ring > options.DropDistance && !this->HasOuter(-HalfWindow, HalfWindow))
     {
@@ -257,7 +257,6 @@ private:
   double Ring = 0.0; // columns; nearer picks are compared
   std::vector<OuterSurface> Outer;
   std::vector<double> Heights;
-  bool IsNarrow = false;
 };
 
 /// Takes picks of a strip that are on the same side of other faults. The ring from which on they are not doubtful is
@@ -389,7 +388,7 @@ void NearPicks::KeepAgreeing(double shift)
     // How far the horizon is from the surface, ring by ring: it may bend slowly, but what climbs does so at once.
     std::vector<double> bend(rings.size(), 0.0);
     bool isBend = true;
-    double last = 0.0; // distance from the fault
+    double last = 0.0, lastStep = 0.0; // distance from the fault
     for (std::size_t ring = rings.size(); ring-- > 0;)
     {
       const double before = ring < outermost ? bend[ring + 1] : 0.0;
@@ -406,8 +405,13 @@ void NearPicks::KeepAgreeing(double shift)
       }
       bend[ring] = UpperMedian(off);
       const double distance = -UpperMedian(nearness);
+      const double step = std::abs(bend[ring] - before);
       const double slow = Harmless * shift * std::max(1.0, last - distance);
-      isBend = isBend && (ring == outermost || std::abs(bend[ring] - before) <= std::max(slow, outer.Scatter));
+      // What begins in the last column is no bend yet.
+      const double sudden = std::max(2.0 * lastStep, 0.3 * slow);
+      const bool isSlow = step <= std::max(ring > 0 ? slow : std::min(slow, sudden), outer.Scatter);
+      isBend = isBend && (ring == outermost || isSlow);
+      lastStep = ring == outermost ? 0.0 : step;
       last = distance;
     }
     for (std::size_t ring = 0; ring < outermost; ++ring)
@@ -430,7 +434,7 @@ CutoffPlace NearPicks::Fit() const
   const double column = this->Options.Column, row = this->Options.Row;
   const double infinity = std::numeric_limits<double>::infinity();
   CutoffPlace cutoff;
-  cutoff.IsChecked = !this->IsNarrow;
+  cutoff.IsChecked = this->Ring >= LeastDoubtful;
   double gap = infinity, height = 0.0;
   std::array<double, 2> along = { infinity, -infinity };
   for (const NearPick& near : this->Picks)
