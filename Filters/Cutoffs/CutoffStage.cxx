@@ -181,11 +181,18 @@ std::vector<FaultPicks> PickCuts(const std::vector<CutInput>& horizons, const Cu
   return picks;
 }
 
+std::string RangeText(const std::array<double, 2>& range)
+{
+  std::ostringstream text = MakeReportStream();
+  text << range[0] << " to " << range[1];
+  return text.str();
+}
+
 /// Throws the InputError of a model without cutoffs, with the likely cause.
 [[noreturn]] void RefuseUncut(const CutoffModelData& model)
 {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  std::array<double, 2> ofFaults = { none, -none }, ofPicks = { none, -none };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> ofFaults = { infinity, -infinity }, ofPicks = { infinity, -infinity };
   bool areShort = false;
   for (const FaultPlate& fault : model.Faults)
   {
@@ -201,23 +208,20 @@ std::vector<FaultPicks> PickCuts(const std::vector<CutInput>& horizons, const Cu
     areShort = areShort ||
       std::any_of(horizon.AtFault.begin(), horizon.AtFault.end(), [](const auto& own) { return own.Short > 0; });
   }
-  std::ostringstream text = MakeReportStream();
-  text << "no cutoff of " << model.Horizons.size() << " horizons at " << model.Faults.size() << " faults, ";
+  const std::string none = "no cutoff of " + std::to_string(model.Horizons.size()) + " horizons at " +
+    std::to_string(model.Faults.size()) + " faults, ";
   if (areShort)
   {
-    text << "all are shorter than SmallestLength";
+    throw InputError(none + "expected some that are longer than SmallestLength");
   }
-  else if (ofFaults[1] < ofPicks[0] || ofFaults[0] > ofPicks[1])
+  if (ofFaults[1] < ofPicks[0] || ofFaults[0] > ofPicks[1])
   {
-    text << "faults have z from " << ofFaults[0] << " to " << ofFaults[1] << ", and picks from " << ofPicks[0] << " to "
-         << ofPicks[1] << ": z may count the other way";
+    throw InputError(none + "with z from " + RangeText(ofFaults) + ", expected faults at the heights of the picks, " +
+      RangeText(ofPicks) + ": z may count the other way");
   }
-  else
-  {
-    text << "expected picks on both sides of a fault, within LargestGap and beyond DropDistance, and faults in the "
-            "coordinates of the horizons";
-  }
-  throw InputError(text.str());
+  throw InputError(none +
+    "expected picks on both sides of a fault, within LargestGap and beyond DropDistance, and faults in the "
+    "coordinates of the horizons");
 }
 
 /// Throws InputError if there is none.
@@ -322,20 +326,25 @@ std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
     }
   }
   std::vector<std::string> warnings;
-  const auto warn = [&warnings](const std::vector<std::string>& names, const std::string& before, const char* after)
+  if (!idle.empty())
   {
-    if (!names.empty())
-    {
-      warnings.push_back(before + " (" + ListFaults(names) + ")" + after);
-    }
-  };
-  warn(idle, std::to_string(idle.size()) + " of " + std::to_string(model.Faults.size()) + " faults",
-    " cut no horizon, expected picks on both sides within LargestGap, at heights of the fault");
-  warn(missed, "faults that are off their picks, or turn too far along strike",
-    ", expected surfaces whose strike is within 60 degrees of its mean, without stray picks");
-  warn(far, "cutoffs that are guessed over more than half of their length",
-    ", expected picks that agree within two columns");
-  warn(shortOnes, "cutoffs left out", ", expected at least SmallestLength");
+    warnings.push_back(std::to_string(idle.size()) + " of " + std::to_string(model.Faults.size()) + " faults (" +
+      ListFaults(idle) + ") cut no horizon, expected picks on both sides within LargestGap, at heights of the fault");
+  }
+  if (!missed.empty())
+  {
+    warnings.push_back("faults that are off their picks, or turn too far along strike (" + ListFaults(missed) +
+      "), expected surfaces whose strike is within 60 degrees of its mean, without stray picks");
+  }
+  if (!far.empty())
+  {
+    warnings.push_back("cutoffs that are guessed over more than half of their length (" + ListFaults(far) +
+      "), expected picks that agree within two columns");
+  }
+  if (!shortOnes.empty())
+  {
+    warnings.push_back("cutoffs left out (" + ListFaults(shortOnes) + "), expected at least SmallestLength");
+  }
   return warnings;
 }
 }

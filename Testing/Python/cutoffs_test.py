@@ -251,6 +251,7 @@ class CutoffsTest(unittest.TestCase):
 
     def test_command(self):
         """Tables, cutoffs and polygons of files, which are read as they were written."""
+        FOLDER.mkdir(parents=True, exist_ok=True)
         survey, fault = Survey(), Fault()
         for number, depth in enumerate(DEPTHS[:2]):
             foot = folded(depth)

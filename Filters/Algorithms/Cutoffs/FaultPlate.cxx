@@ -72,7 +72,7 @@ std::size_t FaultPlate::Axis::Interval(double value) const
 
 //----------------------------------------------------------------------------------------------------------------------
 FaultPlate::FaultPlate(const FaultPicks& picks, const Monitor& monitor)
-  : FaultName(picks.Name)
+  : OwnName(picks.Name)
 {
   this->Orient(picks);
   const Segments segments = this->MakeGrid(picks);
@@ -114,7 +114,7 @@ void FaultPlate::Orient(const FaultPicks& picks)
   const double scale = std::sqrt(onMap / spread(2, 2));
   if (!(onMap > 0.0) || !(spread(2, 2) > 0.0) || !std::isfinite(scale))
   {
-    throw InputError("fault " + this->FaultName +
+    throw InputError("fault " + this->OwnName +
       " with picks at one height, or on one upright line, expected sticks "
       "down the fault, lines on several horizons, or a surface");
   }
@@ -125,11 +125,11 @@ void FaultPlate::Orient(const FaultPicks& picks)
   constexpr double leastSpread = 1e-12, leastDip = 0.02;
   if (!(axes.eigenvalues()(1) > leastSpread * axes.eigenvalues()(2)))
   {
-    throw InputError("fault " + this->FaultName + " with picks on one line, expected two sticks, or a surface");
+    throw InputError("fault " + this->OwnName + " with picks on one line, expected two sticks, or a surface");
   }
   if (!(normal.head<2>().norm() > leastDip))
   {
-    throw InputError("fault " + this->FaultName + " that is level, expected one that dips");
+    throw InputError("fault " + this->OwnName + " that is level, expected one that dips");
   }
   this->Across = normal.head<2>().normalized();
   const double slope = -normal(2) * scale / normal.head<2>().norm(); // of the offset, by height

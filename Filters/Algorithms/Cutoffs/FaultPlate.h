@@ -50,7 +50,7 @@ public:
   /// Throws InputError for picks that are no surface: level ones, and those on one line.
   explicit FaultPlate(const FaultPicks& picks, const Monitor& monitor = Monitor());
 
-  const std::string& Name() const { return this->FaultName; }
+  const std::string& Name() const { return this->OwnName; }
   FaultPlace ToPlace(const Eigen::Vector3d& world) const;
   Eigen::Vector3d ToWorld(const FaultPlace& place) const;
 
@@ -108,7 +108,7 @@ private:
   void Fit(const Segments& segments, const Monitor& monitor);
   Eigen::Vector2d Gradient(double s, double z) const;
 
-  std::string FaultName;
+  std::string OwnName;
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
   Eigen::Vector2d Along = Eigen::Vector2d::UnitX();
   Eigen::Vector2d Across = Eigen::Vector2d::UnitY();

@@ -93,6 +93,47 @@ std::vector<HorizonCutoffs> MakeRandomCutoffs(std::mt19937& random)
   return horizons;
 }
 
+/// The areas by pairs of layers, from places on a fine grid.
+std::map<LayerPair, double> Count(const std::vector<HorizonCutoffs>& horizons)
+{
+  std::map<LayerPair, double> counted;
+  constexpr double step = 0.2;
+  for (double s = 0.5 * step; s < 100.0; s += step)
+  {
+    for (double z = -300.0 + 0.5 * step; z < 100.0; z += step)
+    {
+      std::array<std::array<std::ptrdiff_t, 2>, 2> layers = { { { -1, -1 }, { -1, -1 } } };
+      bool isAbove = false, isBelow = false;
+      for (const std::size_t wall : { 0, 1 })
+      {
+        for (std::size_t horizon = 0; horizon < 3; ++horizon)
+        {
+          const double own = HeightOf(horizons[horizon], wall, s);
+          if (std::isnan(own))
+          {
+            continue;
+          }
+          isAbove = isAbove || own > z;
+          isBelow = isBelow || own <= z;
+          if (own > z)
+          {
+            layers[wall][0] = std::ptrdiff_t(horizon);
+          }
+          else if (layers[wall][1] < 0)
+          {
+            layers[wall][1] = std::ptrdiff_t(horizon);
+          }
+        }
+      }
+      if (isAbove && isBelow)
+      {
+        counted[{ layers[0], layers[1] }] += step * step;
+      }
+    }
+  }
+  return counted;
+}
+
 void TestRandom()
 {
   std::mt19937 random(11);
@@ -107,44 +148,10 @@ void TestRandom()
   for (int run = 0; run < 20; ++run)
   {
     const std::vector<HorizonCutoffs> horizons = MakeRandomCutoffs(random);
-    std::map<LayerPair, double> areas, counted;
+    std::map<LayerPair, double> areas, counted = Count(horizons);
     for (const MetArea& area : FindJuxtaposition(fault, { &horizons[0], &horizons[1], &horizons[2] }))
     {
       areas[PairOf(area)] += area.Area;
-    }
-    constexpr double step = 0.2;
-    for (double s = 0.5 * step; s < 100.0; s += step)
-    {
-      for (double z = -300.0 + 0.5 * step; z < 100.0; z += step)
-      {
-        std::array<std::array<std::ptrdiff_t, 2>, 2> layers = { { { -1, -1 }, { -1, -1 } } };
-        bool isAbove = false, isBelow = false;
-        for (const std::size_t wall : { 0, 1 })
-        {
-          for (std::size_t horizon = 0; horizon < 3; ++horizon)
-          {
-            const double own = HeightOf(horizons[horizon], wall, s);
-            if (std::isnan(own))
-            {
-              continue;
-            }
-            isAbove = isAbove || own > z;
-            isBelow = isBelow || own <= z;
-            if (own > z)
-            {
-              layers[wall][0] = std::ptrdiff_t(horizon);
-            }
-            else if (layers[wall][1] < 0)
-            {
-              layers[wall][1] = std::ptrdiff_t(horizon);
-            }
-          }
-        }
-        if (isAbove && isBelow)
-        {
-          counted[{ layers[0], layers[1] }] += step * step;
-        }
-      }
     }
     // A line of places may be counted on either side of where a horizon begins.
     for (const auto& [layers, area] : areas)
