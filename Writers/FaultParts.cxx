@@ -90,8 +90,10 @@ std::vector<NamedHorizon> SplitByFault(const std::vector<NamedHorizon>& all)
       }
       own.push_back(cell);
     }
-    // Levels are the same in all horizons.
-    const bool isOfMany = all.size() > 1 && std::string(NamesOfLines(whole.Data)) == CellArray::Label;
+    // Levels are the same in all horizons, and a fault has cutoffs in each.
+    const bool isOfHorizon =
+      std::string(NamesOfLines(whole.Data)) == CellArray::Label || whole.Data.PointData.Has(PointArray::Heave);
+    const bool isOfMany = all.size() > 1 && isOfHorizon;
     const std::string before = isOfMany ? whole.Name + " " : std::string();
     for (const std::string& fault : faults)
     {

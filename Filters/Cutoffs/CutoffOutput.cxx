@@ -93,14 +93,21 @@ Horizon WriteCutoffLines(const CutoffModelData& model, const CutHorizon& horizon
 Horizon WriteFaultPolygons(const CutoffModelData& model, const CutHorizon& horizon)
 {
   CellWriter cells;
+  std::vector<double> throws, heaves;
   std::vector<std::string> names;
   ForEachPiece(model, horizon,
     [&](const FaultPlate& fault, const CutoffPiece& piece)
     {
+      const auto add = [&](std::size_t n, FaultWall wall)
+      {
+        cells.Add(PlaceOf(fault, piece.Pairs[n], wall));
+        throws.push_back(piece.Pairs[n].Throw());
+        heaves.push_back(piece.Pairs[n].Heave());
+      };
       const std::int64_t first = cells.NumberOfPoints();
       for (const std::size_t n : KeepPairs(horizon, piece, Footwall))
       {
-        cells.Add(PlaceOf(fault, piece.Pairs[n], Footwall));
+        add(n, Footwall);
       }
       const std::vector<std::size_t> back = KeepPairs(horizon, piece, HangingWall);
       for (std::size_t n = back.size(); n-- > 0;)
@@ -108,7 +115,7 @@ Horizon WriteFaultPolygons(const CutoffModelData& model, const CutHorizon& horiz
         const bool isShared = (back[n] == 0 && piece.IsTip[0]) || (n + 1 == back.size() && piece.IsTip[1]);
         if (!isShared)
         {
-          cells.Add(PlaceOf(fault, piece.Pairs[back[n]], HangingWall));
+          add(back[n], HangingWall);
         }
       }
       cells.Use(first);
@@ -117,6 +124,8 @@ Horizon WriteFaultPolygons(const CutoffModelData& model, const CutHorizon& horiz
     });
   Horizon output;
   cells.Finish(output, &Horizon::Lines);
+  AddArray<double>(output.PointData, PointArray::Throw, throws);
+  AddArray<double>(output.PointData, PointArray::Heave, heaves);
   output.CellData.Add({ CellArray::FaultName, std::move(names) });
   return output;
 }

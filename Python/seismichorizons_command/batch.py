@@ -223,7 +223,7 @@ def process(path, label, stem, results, settings, with_pictures, record, stack=N
         lines = _write(made, names, pathlib.Path(folder))
         if stack is not None and len(made) == 1:
             stack.append((stem, made[0].name, writing.prepared(made[0])))
-        else:
+        elif (settings.layers, settings.cutoffs) != (None, None):
             points = {result.name: writing.prepared(result) for result in made}
             lines += _write_together(label, points, settings, names, pathlib.Path(folder), record)
         interrupt.check()

@@ -121,6 +121,7 @@ SCENES = {
     "reflections": [opened("cube.sgy"), stage("SeismicReflectionExtraction")],
     "despiking": [B, stage("HorizonDespiking")],
     "faults": [B, stage("HorizonFaults")],
+    "cutoffs": [opened("faulted.vsm", False), stage("HorizonFaults"), stage("HorizonCutoffs")],
     "hole_filling": [B, stage("HorizonDespiking"), stage("HorizonHoleFilling")],
     "boundary": OUTLINED,
     "boundary_simplification": SIMPLIFIED,

@@ -52,8 +52,8 @@ public:
       this->Level = place.Z;
     }
     const Terms terms = this->TermsAt(place.S, place.N);
-    this->Matrix.noalias() += weight * terms * terms.transpose();
-    this->Squares.noalias() += weight * weight * terms * terms.transpose();
+    this->Matrix.selfadjointView<Eigen::Lower>().rankUpdate(terms, weight);
+    this->Squares.selfadjointView<Eigen::Lower>().rankUpdate(terms, weight * weight);
     this->Right += weight * (place.Z - this->Level) * terms;
     ++this->Count;
   }
@@ -70,7 +70,7 @@ public:
     {
       matrix(term, term) += scale * (term > 2 && (this->IsPlane || this->Count < fewestForCurves) ? stiff : held);
     }
-    this->Inverse = matrix.ldlt().solve(Normal::Identity());
+    this->Inverse = matrix.selfadjointView<Eigen::Lower>().ldlt().solve(Normal::Identity());
     this->Coefficients = this->Inverse * this->Right;
   }
 
@@ -87,7 +87,7 @@ public:
   double VarianceAt(double s, double n) const
   {
     const Terms row = this->Inverse * this->TermsAt(s, n);
-    return row.dot(this->Squares * row);
+    return row.dot(this->Squares.selfadjointView<Eigen::Lower>() * row);
   }
 
 private:
@@ -170,10 +170,11 @@ std::optional<WidthFit> FitWidth(const std::vector<NearPick>& picks, const Fault
   for (const NearPick& near : picks)
   {
     const FaultPlace& place = near.Pick->Place;
-    const double away = std::hypot((place.S - foot.S) / unitS, (place.N - foot.N) / unitN);
-    if (near.Weight > 0.0 && away < 1.0)
+    const double s = (place.S - foot.S) / unitS, n = (place.N - foot.N) / unitN;
+    const double rest = 1.0 - s * s - n * n;
+    if (near.Weight > 0.0 && rest > 0.0)
     {
-      surface.Add(place, near.Weight * Bisquare(away));
+      surface.Add(place, near.Weight * rest * rest);
     }
   }
   if (surface.Size() < fewest)
@@ -249,7 +250,6 @@ private:
     const double weight = this->Options.DropNoise == 0.0 || off == 0.0 ? 1.0 : Bisquare(off / limit);
     near.Weight = std::max(near.Weight, weight);
   }
-  std::vector<WidthFit> FitWidths(const FaultPlace& foot, double gap) const;
   const FaultPlate& Fault;
   double S;
   const CutoffFitOptions& Options;
@@ -334,6 +334,7 @@ void NearPicks::KeepOuter(double width, bool isPlane)
   OuterSurface outer{ LocalSurface(this->S, middle, HalfWindow * row, HalfWindow * column, isPlane) };
   std::vector<double> off(window.size(), 0.0);
   constexpr int rounds = 8;
+  constexpr double close = 0.02;
   constexpr double normal = 1.4826; // of the median of absolute values
   constexpr double least = 1e-3;
   for (int round = 0; round < rounds; ++round)
@@ -352,7 +353,13 @@ void NearPicks::KeepOuter(double width, bool isPlane)
       off[n] = std::abs(place.Z - next.At(place.S, place.N));
     }
     std::vector<double> sorted = off;
-    outer.Scatter = normal * UpperMedian(sorted);
+    const double scatter = normal * UpperMedian(sorted);
+    const bool isDone = round > 1 && std::abs(scatter - outer.Scatter) <= close * scatter;
+    outer.Scatter = scatter;
+    if (isDone)
+    {
+      break;
+    }
   }
   outer.Scatter = std::hypot(outer.Scatter, this->Options.Noise);
   for (std::size_t n = 0; n < window.size(); ++n)
@@ -460,40 +467,29 @@ CutoffPlace NearPicks::Fit() const
     return CutoffPlace();
   }
   const FaultPlace foot = { this->S, this->Fault.Offset(this->S, height), height };
-  const std::vector<WidthFit> fits = this->FitWidths(foot, gap);
+  constexpr double most = 2.0, confidence = 2.0; // in units of the noise, and of the spread
   double least = -infinity, largest = infinity;
-  for (const WidthFit& fit : fits)
+  for (const double width : Widths)
   {
-    constexpr double confidence = 2.0; // deviations
-    least = std::max(least, fit.Foot.Z - confidence * fit.Spread);
-    largest = std::min(largest, fit.Foot.Z + confidence * fit.Spread);
+    const std::optional<WidthFit> fit = FitWidth(this->Picks, this->Fault, foot, gap + width, this->Options);
+    // A width with too few picks to average noise gives way to the next.
+    const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
+    if (!fit || (fit->Spread > most * this->Options.Noise && !isLast))
+    {
+      continue;
+    }
+    least = std::max(least, fit->Foot.Z - confidence * fit->Spread);
+    largest = std::min(largest, fit->Foot.Z + confidence * fit->Spread);
     if (least > largest)
     {
       break;
     }
-    cutoff.Height = fit.Foot.Z;
-    cutoff.Offset = fit.Foot.N;
-    cutoff.Spread = std::max(fit.Spread, this->Options.LeastSpread);
+    cutoff.Height = fit->Foot.Z;
+    cutoff.Offset = fit->Foot.N;
+    cutoff.Spread = std::max(fit->Spread, this->Options.LeastSpread);
     cutoff.Gap = gap;
   }
   return cutoff;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// A width with too few picks to average noise gives way to the next.
-std::vector<WidthFit> NearPicks::FitWidths(const FaultPlace& foot, double gap) const
-{
-  constexpr double most = 2.0; // in units of the noise
-  std::vector<WidthFit> fits;
-  for (const double width : Widths)
-  {
-    const std::optional<WidthFit> fit = FitWidth(this->Picks, this->Fault, foot, gap + width, this->Options);
-    if (fit && (fit->Spread <= most * this->Options.Noise || (fits.empty() && width == Widths.back())))
-    {
-      fits.push_back(*fit);
-    }
-  }
-  return fits;
 }
 }
 
