@@ -29,7 +29,6 @@ namespace
 constexpr std::size_t HorizonPort = 0;
 constexpr std::size_t LinesPort = 1;
 constexpr std::size_t SurfacesPort = 2;
-constexpr std::size_t CutoffsPort = 3;
 
 // ---- Given lines ----------------------------------------------------------------------------------------------------
 
@@ -230,71 +229,6 @@ void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double hei
   output.CellData.Add({ CellArray::FaultName, NamesOf(lines) });
 }
 
-/// The columns of a line on one side that have a point.
-std::vector<PlanePoint> ListBeside(const FaultLines& lines, std::size_t line, bool isLeft, const ColumnHeights& heights)
-{
-  std::vector<PlanePoint> columns;
-  for (std::size_t n = lines.Start(line); n < lines.End(line); ++n)
-  {
-    const LatticeLink& link = lines[n].Place;
-    const PlanePoint column = IsLeftBeyond(link.Side, lines[n].IsForward) == isLeft ? link.Beyond() : link.Column;
-    if (!std::isnan(heights[heights.Grid().ColumnOf(column)]) && (columns.empty() || columns.back() != column))
-    {
-      columns.push_back(column);
-    }
-  }
-  return columns;
-}
-
-/// Both sides of each line; a side needs two columns. Which is upthrown follows from the mean heights.
-void WriteCutoffs(const FaultLines& lines, const ColumnHeights& heights, const Lattice& lattice, Horizon& output)
-{
-  CellWriter cells;
-  std::vector<int> numbers;
-  const std::vector<std::string> faults = NamesOf(lines);
-  std::vector<std::string> names;
-  std::vector<std::string> sides;
-  const auto placeOf = [&](const PlanePoint& column)
-  { return lattice.ToWorld(Eigen::Vector3d(column.X, column.Y, heights[heights.Grid().ColumnOf(column)])); };
-  for (std::size_t line = 0; line < lines.Size(); ++line)
-  {
-    std::array<std::vector<PlanePoint>, 2> columns = { ListBeside(lines, line, true, heights),
-      ListBeside(lines, line, false, heights) };
-    std::array<double, 2> mean = { 0.0, 0.0 };
-    for (const std::size_t side : { 0, 1 })
-    {
-      for (const PlanePoint& column : columns[side])
-      {
-        mean[side] += placeOf(column).z() / double(columns[side].size());
-      }
-    }
-    const bool isKnown = !columns[0].empty() && !columns[1].empty();
-    const bool isLeftUp = isKnown
-      ? mean[0] >= mean[1]
-      : lattice.ToWorld(Eigen::Vector3d::UnitZ()).z() > lattice.ToWorld(Eigen::Vector3d::Zero()).z();
-    for (const bool isUpthrown : { true, false })
-    {
-      const std::vector<PlanePoint>& own = columns[isUpthrown == isLeftUp ? 0 : 1];
-      if (own.size() < 2)
-      {
-        continue;
-      }
-      for (const PlanePoint& column : own)
-      {
-        cells.Add(placeOf(column));
-      }
-      cells.Close();
-      numbers.push_back(int(line));
-      names.push_back(faults[line]);
-      sides.emplace_back(isUpthrown ? "upthrown" : "downthrown");
-    }
-  }
-  cells.Finish(output, &Horizon::Lines);
-  AddArray<int>(output.CellData, CellArray::FaultLine, numbers);
-  output.CellData.Add({ CellArray::FaultName, std::move(names) });
-  output.CellData.Add({ CellArray::FaultStick, std::move(sides) });
-}
-
 /// Returns true if points were blanked.
 bool UsePolygons(PolygonUse use, std::vector<FaultPolyline>& polylines, LatticePoints& points, Horizon& output)
 {
@@ -393,6 +327,5 @@ void RunFaults(const Horizon& horizon, GivenFaults& faultsGiven, FaultStageOptio
   WriteCuts(lines, output.FieldData);
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
   WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
-  WriteCutoffs(lines, heights, points.Lattice, outputs[CutoffsPort]);
 }
 }

@@ -35,8 +35,7 @@ struct FaultStageOptions : FaultDetectionOptions
 /// data; without FaultStick, names may end with the number of the stick if all are different.
 std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
 
-/// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, surfaces of sticks, and
-/// cutoffs.
+/// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and surfaces of sticks.
 void RunFaults(const Horizon& horizon, GivenFaults& given, FaultStageOptions options, std::vector<Horizon>& outputs,
   const Monitor& monitor);
 }

@@ -26,7 +26,7 @@ vtkStandardNewMacro(vtkHorizonFaults);
 vtkHorizonFaults::vtkHorizonFaults()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------

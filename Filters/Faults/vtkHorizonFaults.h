@@ -26,9 +26,6 @@
  * Output 2: with Sticks the surfaces of faults, triangles between neighbouring sticks; empty for all horizons but the
  * first. Cell data: FaultName (text); "sticks 1" and so on if they have none.
  *
- * Output 3: cutoffs, two polylines through the columns beside each fault line, at their heights. Cell data: FaultLine,
- * FaultName, FaultStick (text), upthrown or downthrown, by the mean throw of the line.
- *
  * Detect finds links whose height difference, less the median within three columns, is large compared with the noise
  * and SmallestThrow. Groups of such links are kept if they are long enough, as trees without short branches. Missing
  * columns (LargestGap), ramps (LargestRamp) and holes (JoinThroughHoles) are bridged. See

@@ -86,10 +86,9 @@ void AddRenamedArrays(vtkPointSet* points)
     AddRenamed(points->GetPointData()->GetArray(PointArray::Boundary), "Simplified Boundary", points->GetPointData());
   }
   vtkCellData* const cells = points->GetCellData();
-  if (cells->HasArray(CellArray::FaultLine)) // Cutoffs.
+  if (points->GetPointData()->HasArray(PointArray::Heave)) // Cutoffs.
   {
-    const bool haveWalls = points->GetPointData()->HasArray(PointArray::Heave);
-    AddRenamed(cells->GetAbstractArray(CellArray::FaultStick), haveWalls ? "Wall" : "Side", cells);
+    AddRenamed(cells->GetAbstractArray(CellArray::FaultStick), "Wall", cells);
   }
   AddRenamed(cells->GetAbstractArray(CellArray::IndexContour), "Contours", cells);
 }

@@ -262,7 +262,7 @@ nb::tuple FindFaults(const nb::dict& given, GivenFaults* lines, const nb::dict& 
   Take(chosen, "extend_sticks", options.ExtendSticks);
   TakeChoice(chosen, "polygons", { "blank", "cut", "leave" }, options.Polygons);
   GivenFaults none;
-  return CallSilent(given, 4, false, progress,
+  return CallSilent(given, 3, false, progress,
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
     { RunFaults(horizon, lines ? *lines : none, options, outputs, monitor); });
 }

@@ -28,7 +28,7 @@ class Lines:
     lines : list of float64 arrays of shape (n, 3)
         x, y and z of the world, z upwards; closed where the last point is the first.
     sticks : list of str
-        The number of each line in its fault; empty where unknown. Of cutoffs the side, "upthrown" or "downthrown".
+        The number of each line in its fault; empty where unknown. Of cutoffs the wall, "footwall" or "hanging wall".
     taken : tuple of str
         What each file was taken for.
     direction : "down" or "up"

@@ -59,8 +59,6 @@ class Faults:
         That a fault reaches somewhere, in the unit of z.
     traces : Lines
         The lines on the horizon, half way between columns, with the names of given faults.
-    cutoffs : Lines
-        The columns beside each line, on either side, at their heights; sticks are "upthrown" and "downthrown".
     surfaces : dict of Mesh
         The surface of each fault, by name, where sticks were given.
     horizon : Horizon
@@ -74,7 +72,6 @@ class Faults:
     noise: float
     smallest_throw: float
     traces: Lines
-    cutoffs: Lines
     horizon: Horizon
     surfaces: dict[str, Mesh] = dataclasses.field(default_factory=dict)
     vertical_unit: str = ""
@@ -152,13 +149,12 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     for name, value in (("smallest_throw", smallest_throw), ("noise", noise)):
         if value is not None:
             options[name] = height(name, value, horizon.vertical_unit)
-    cut, traces, surfaces, cutoffs = call(horizon.name, _core.faults, horizon._data(), given, options, progress)
+    cut, traces, surfaces = call(horizon.name, _core.faults, horizon._data(), given, options, progress)
     warn_all(horizon.name, given.warnings() if given else [])
     step, fields = abs(horizon.lattice.vertical_step), cut["field_data"]
     noise_found, least = (float(fields[name][0]) * step if name in fields else np.nan for name in ("FaultNoise", "SmallestFaultThrow"))
     return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultNames"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,
-                  Lines.of(traces), Lines.of(cutoffs), _changed(horizon, cut),
-                  by_fault(surfaces), horizon.vertical_unit)
+                  Lines.of(traces), _changed(horizon, cut), by_fault(surfaces), horizon.vertical_unit)
 
 
 def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, faults: Faults | None = None,

@@ -118,8 +118,7 @@ class Names:
         self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
                        if form in writing.MESH_FORMATS] if has_surfaces else []
         # By horizon: file names and the data that they are of.
-        kinds = {kind: given for kind, given in writing.FAULT_LINES.items() if settings.cutoffs is None or kind not in writing.CUTOFF_LINES}
-        self.lines = self._lines(mesh_stems, kinds, settings) if settings.torn is not None else {}
+        self.lines = self._lines(mesh_stems, writing.FAULT_LINES, settings) if settings.torn is not None else {}
         self.cutoffs = self._lines(mesh_stems, writing.CUTOFF_LINES, settings) if settings.cutoffs is not None else {}
         self.cutoff_tables = ["%s_%s.csv" % (stem, kind) for kind in ("throws", "juxtaposition")] if settings.cutoffs is not None else []
 

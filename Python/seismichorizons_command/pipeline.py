@@ -69,7 +69,7 @@ class Settings:
     horizons: Optional[list] = None
     leave_out_invalid: bool = False
     formats: tuple = ("vtp",)
-    fault_formats: tuple = ()  # of lines and cutoffs
+    fault_formats: tuple = ()  # of lines, cutoffs and polygons
     cutoffs: Optional[dict] = None  # between all horizons of a file, or of several files of one each
     grids_of_meshes: bool = False  # not of points
     other_files: tuple = ()
@@ -251,7 +251,7 @@ def _run_stages(result, settings):
                 _require_same_direction(result, last, settings)
             properties["are_sticks"] = given.get("LineType") == "Sticks"
             outputs = result.run_stage(stage, function, last, settings.given_faults, properties)
-            result.data["faults"], result.data["fault surfaces"], result.data["cutoffs"] = outputs[1:]
+            result.data["faults"], result.data["fault surfaces"] = outputs[1:]
         else:
             outputs = result.run_stage(stage, function, last, properties)
             if stage == "mesh" and settings.surface is not None:

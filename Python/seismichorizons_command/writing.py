@@ -17,8 +17,8 @@ from .core import HorizonError
 MESH_FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf")
 GRID_FORMATS = ("irap", "gri", "zmap", "cps3", "grd", "asc", "tif")  # GeoTIFF is written by GDAL.
 POINT_FORMATS = {"dat": "text", "vsm": "vsm"}
-FAULT_LINES = {"fault_lines": "faults", "cutoffs": "cutoffs"}  # ends of names, and their stages
-CUTOFF_LINES = {"cutoffs": "cutoffs", "fault_polygons": "polygons"}  # the same, with --cutoffs
+FAULT_LINES = {"fault_lines": "faults"}  # ends of names, and their stages
+CUTOFF_LINES = {"cutoffs": "cutoffs", "fault_polygons": "polygons"}  # the same, of cutoffs
 LAYER_FORMATS = ("msh", "inp", "disv")  # for cells of layers, in addition to .vtu
 FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r")  # first characters of formulas in spreadsheets
 

@@ -16,6 +16,8 @@ import window
 FOUND = window.FIELDS + "ProxyPanel/Description/Description"
 # A line across a survey of 29 by 39 bins of 25.
 LINE = "362.5 -9.0 0\n362.5 990.0 0\n999.0 999.0 999.0\n"
+# A fault across the same survey.
+STICKS = "X,Y,Z,Fault,Stick\n" + "".join("%g,%g,%g,F1,%d\n" % (150.0 + 0.2 * z, y, z, n) for n, y in enumerate((0.0, 500.0, 990.0)) for z in (900.0, 1200.0))
 # On both sides of the fault of a cube.
 TOPS = """Horizon  X         Y          Z
 Top      604964.1  6080030.1  201
@@ -167,6 +169,23 @@ def faults(events, top, line):
     events.macro("NoteResults")
 
 
+def cutoffs(events, top, sticks):
+    """Of a horizon at sticks, which are chosen before the first Apply."""
+    reader, lines, expected = read(top), sh.vtkFaultLinesReader(), sh.vtkHorizonCutoffs()
+    lines.AddFileName(str(sticks))
+    expected.SetInputConnection(0, reader.GetOutputPort())
+    expected.SetFaultsConnection(lines.GetOutputPort())
+    expected.Update()
+    assert "F1\n  " in expected.GetResults(), expected.GetResults()
+    events.open(sticks)
+    events.apply()
+    opened(events, top)
+    events.filter("HorizonCutoffs")
+    events.choose_input("Faults", sticks.name)
+    events.apply()
+    events.check_results(expected.GetResults())
+
+
 def play(paraview, folder, action, *arguments, error=None):
     events = window.Events()
     action(events, *arguments)
@@ -195,6 +214,9 @@ def main(paraview, generator, folder):
     assert "triangles" in meshed["told"], meshed
     (note,) = play(paraview, folder, faults, top, line)
     assert "fault lines 1\n" in note["told"], note
+    sticks = folder / "sticks.dat"
+    sticks.write_text(STICKS, encoding="utf-8")
+    play(paraview, folder, cutoffs, top, sticks)
 
 
 if __name__ == "__main__":

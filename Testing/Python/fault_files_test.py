@@ -207,22 +207,6 @@ class FaultFiles(unittest.TestCase):
         self.assertEqual(links, [])
         self.assertRegex(told[0], "none of 21 fault polylines .*: x and y beside the horizon: are they exchanged")
 
-    def test_sides_of_noisy_faults(self):
-        """The upthrown side is the higher one on average, whatever single links say."""
-        random = np.random.default_rng(7)
-        i, j = np.meshgrid(np.arange(90), np.arange(70))
-        for direction in ("down", "up"):
-            z = 1000.0 + 6.0 * np.sin(i / 9.0) * np.cos(j / 7.0) + 9.0 * (i > 30 + 0.2 * j) - 7.0 * (i > 60) + random.normal(0.0, 1.5, i.shape)
-            z[random.random(z.shape) < 0.1] = np.nan
-            cutoffs = sh.faults(sh.horizon(z, spacing=(25, 25), direction=direction), 5.0, noise=0.6, smallest_extent=8).cutoffs
-            sides = {}
-            for name, side, line in zip(cutoffs.names, cutoffs.sticks, cutoffs.lines):
-                sides.setdefault(name, {})[side] = line[:, 2].mean()
-            pairs = [pair for pair in sides.values() if len(pair) == 2]
-            self.assertGreater(len(pairs), 2)
-            for pair in pairs:
-                self.assertGreaterEqual(pair["upthrown"], pair["downthrown"], sides)
-
     def test_contours(self):
         """Open at faults, written by their levels, and read again."""
         z = np.where(np.arange(80) < 40, 1000.0, 1030.0) + 0.5 * np.arange(60)[:, None]
@@ -298,14 +282,12 @@ class FaultsOut(unittest.TestCase):
                         self.assertEqual(sorted(traces.names), sorted(found.traces.names))
 
     def test_names(self):
-        """In links, lines, cutoffs and surfaces, and in files of the command."""
+        """In links, lines and surfaces, and in files of the command."""
         path = write("names.csv", FILES[0][1])
         found = sh.faults(HORIZON, lines=path, are_sticks=True)
         self.assertEqual(set(found.traces.names), set(NAMES))
         self.assertEqual(list(found.surfaces), list(NAMES))
         self.assertEqual([found.names[n] for n in np.unique(found.lines)], found.traces.names)
-        self.assertEqual(list(zip(found.cutoffs.names, found.cutoffs.sticks)),
-                         [(name, side) for name in found.traces.names for side in ("upthrown", "downthrown")])
         sh.write(found.surfaces, FOLDER / "surfaces.ts")
         self.assertEqual(list(sh.read_mesh(FOLDER / "surfaces.ts")), list(NAMES))
         self.assertEqual(sh.faults(HORIZON, 10.0).traces.names[0], "fault 1")
@@ -319,7 +301,6 @@ class FaultsOut(unittest.TestCase):
         for ending in ("csv", "pl"):
             lines = sh.read_faults(out / ("horizon_fault_lines.%s" % ending))
             np.testing.assert_array_equal(sh.faults(HORIZON, lines=lines).links, found.links)
-            self.assertEqual(set(sh.read_faults(out / ("horizon_cutoffs.%s" % ending)).names), set(NAMES))
         self.assertEqual(list(sh.read_mesh(out / "horizon_faults.ts")), list(NAMES))
 
     def test_warnings_of_a_file(self):
@@ -333,26 +314,6 @@ class FaultsOut(unittest.TestCase):
         told = [line for line in done.stderr.splitlines() if "fault" in line]
         self.assertEqual(len(told), 1, told)
         self.assertIn("two.dat: 1 of 4 faults (Shallow) cut nothing: z ", told[0])
-
-    def test_cutoffs(self):
-        """Pass through the columns beside each cut link, on the higher side and on the lower one."""
-        found = sh.faults(HORIZON, lines=sh.read_faults(write("cutoffs.csv", FILES[0][1])), are_sticks=True)
-        points = {tuple(np.round(point[:2], 3)): point[2] for point in zip(HORIZON.x, HORIZON.y, -HORIZON.z)}
-        for name in NAMES:
-            heights = {}
-            for line, fault, side in zip(found.cutoffs.lines, found.cutoffs.names, found.cutoffs.sticks):
-                if fault == name:
-                    self.assertEqual([points[tuple(np.round(point[:2], 3))] for point in line], line[:, 2].tolist())
-                    heights.setdefault(side, []).extend(line[:, 2])
-            self.assertGreaterEqual(np.mean(heights["upthrown"]), np.mean(heights["downthrown"]))
-
-    def test_sides(self):
-        """The upthrown side is the higher one in the world, whatever z counts."""
-        step = np.where(np.arange(10) < 5, 1000.0, 1030.0) + np.zeros((8, 1))
-        for direction, higher in (("down", 1000.0), ("up", 1030.0)):
-            found = sh.faults(sh.horizon(grid=step, direction=direction), lines=[np.array([[4.5, -1.0, 0.0], [4.5, 9.0, 0.0]])])
-            heights = {side: abs(line[:, 2]) for side, line in zip(found.cutoffs.sticks, found.cutoffs.lines)}
-            self.assertTrue((heights["upthrown"] == higher).all() and (heights["downthrown"] == 2030.0 - higher).all(), direction)
 
     def test_ugly_lines(self):
         """Come back from each format: two of a stick, with a name of quotes and commas, closed, above the datum, to and fro."""

@@ -246,13 +246,18 @@ class FirstSightTest(unittest.TestCase):
         self.assertEqual((display.Representation, colored_by(display)), ("Points", ("POINTS", "Spike")))
         self.assertEqual(labels(display), {"0": "kept", "1": "spike", "2": "spur"})
 
-    def test_cutoffs_have_colours_of_their_sides(self):
-        display = self.show(simple.HorizonFaults(Input=self.horizons), 3)
-        self.assertEqual(colored_by(display), ("CELLS", "Side"))
-        self.assertEqual(labels(display), {"upthrown": "upthrown", "downthrown": "downthrown"})
+    def test_cutoffs_have_colours_of_their_walls(self):
+        cutoffs = simple.HorizonCutoffs(Input=simple.OutputPort(simple.HorizonFaults(Input=self.horizons), 0))
+        display = self.show(cutoffs, 0)
+        self.assertEqual(colored_by(display), ("CELLS", "Wall"))
+        self.assertEqual(labels(display), {"footwall": "footwall", "hanging wall": "hanging wall"})
         simple.Render(self.view)
         cells = display.SMProxy.GetRepresentedDataInformation().GetCellDataInformation()
-        self.assertIsNotNone(cells.GetArrayInformation("Side"))
+        self.assertIsNotNone(cells.GetArrayInformation("Wall"))
+        for port in (3, 4):
+            display = self.show(cutoffs, port)
+            self.assertEqual(colored_by(display), ("CELLS", "Juxtaposition"))
+            self.assertIn("below Horizon 1 against above Horizon 1", labels(display))
 
     def test_numbers_of_lines_are_in_the_data(self):
         path = FOLDER / "lines.xyz"
