@@ -17,7 +17,14 @@ FOUND = window.FIELDS + "ProxyPanel/Description/Description"
 # A line across a survey of 29 by 39 bins of 25.
 LINE = "362.5 -9.0 0\n362.5 990.0 0\n999.0 999.0 999.0\n"
 # A fault across the same survey.
-STICKS = "X,Y,Z,Fault,Stick\n" + "".join("%g,%g,%g,F1,%d\n" % (150.0 + 0.2 * z, y, z, n) for n, y in enumerate((0.0, 500.0, 990.0)) for z in (900.0, 1200.0))
+STICKS = """GOCAD PLine 1
+HEADER {
+name:F1
+}
+GOCAD_ORIGINAL_COORDINATE_SYSTEM
+ZPOSITIVE Depth
+END_ORIGINAL_COORDINATE_SYSTEM
+""" + "".join("ILINE\nVRTX %d 330 %g 900\nVRTX %d 390 %g 1200\nSEG %d %d\n" % (n, y, n + 1, y, n, n + 1) for n, y in ((1, 0.0), (3, 500.0), (5, 990.0))) + "END\n"
 # On both sides of the fault of a cube.
 TOPS = """Horizon  X         Y          Z
 Top      604964.1  6080030.1  201
@@ -214,7 +221,7 @@ def main(paraview, generator, folder):
     assert "triangles" in meshed["told"], meshed
     (note,) = play(paraview, folder, faults, top, line)
     assert "fault lines 1\n" in note["told"], note
-    sticks = folder / "sticks.dat"
+    sticks = folder / "sticks.pl"
     sticks.write_text(STICKS, encoding="utf-8")
     play(paraview, folder, cutoffs, top, sticks)
 
