@@ -66,7 +66,7 @@ Horizon WriteCutoffLines(const CutoffModelData& model, const CutHorizon& horizon
           const CutoffPair& pair = piece.Pairs[n];
           cells.Add(PlaceOf(fault, pair, wall));
           throws.push_back(pair.Throw());
-          heaves.push_back(pair.Heave());
+          heaves.push_back(fault.HasDip() ? pair.Heave() : NoValue);
           spreads.push_back(pair.Wall[wall].Spread);
           along.push_back(pair.S - fault.First());
           guessed.push_back(static_cast<unsigned char>(pair.Source[wall]));
@@ -102,7 +102,7 @@ Horizon WriteFaultPolygons(const CutoffModelData& model, const CutHorizon& horiz
       {
         cells.Add(PlaceOf(fault, piece.Pairs[n], wall));
         throws.push_back(piece.Pairs[n].Throw());
-        heaves.push_back(piece.Pairs[n].Heave());
+        heaves.push_back(fault.HasDip() ? piece.Pairs[n].Heave() : NoValue);
       };
       const std::int64_t first = cells.NumberOfPoints();
       for (const std::size_t n : KeepPairs(horizon, piece, Footwall))

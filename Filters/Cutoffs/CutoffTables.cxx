@@ -68,7 +68,7 @@ CutoffFigures Measure(const FaultPlate& fault, const HorizonCutoffs& cutoffs)
     }
   }
   figures.Mean /= along;
-  figures.Heave /= along;
+  figures.Heave = fault.HasDip() ? figures.Heave / along : NoValue;
   return figures;
 }
 }
@@ -165,8 +165,9 @@ std::string ReportCutoffs(const CutoffModelData& model)
       }
       const CutoffFigures figures = Measure(model.Faults[fault], own);
       text << "  " << horizon.Name << ": throw " << figures.Least << " to " << figures.Largest << "\n    mean throw "
-           << figures.Mean << ", mean heave " << figures.Heave << "\n    gap up to " << figures.Gap
-           << " columns, spread up to " << figures.Spread << "\n    dropped "
+           << figures.Mean << ", mean heave ";
+      model.Faults[fault].HasDip() ? text << figures.Heave : text << "unknown";
+      text << "\n    gap up to " << figures.Gap << " columns, spread up to " << figures.Spread << "\n    dropped "
            << own.Dropped[Footwall] + own.Dropped[HangingWall] << " picks, guessed " << figures.Guessed << " of "
            << figures.Places << " places\n";
     }

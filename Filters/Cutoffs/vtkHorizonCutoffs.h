@@ -62,8 +62,8 @@ public:
   ///@}
 
   /**
-   * The dip of faults that are known from one horizon only, towards its lower side. 0: from the gap of picks along them,
-   * upright where picks are on both sides. Unit: degrees. Range: 5 to 90, or 0. Default: 0.
+   * The dip of faults that are known from one horizon only, towards its lower side. 0: from the gap of picks along them;
+   * where picks are on both sides it is unknown, and so is the heave. Unit: degrees. Range: 5 to 90, or 0. Default: 0.
    */
   vtkHorizonNumberMacro(Dip, double);
 

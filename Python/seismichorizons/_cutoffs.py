@@ -117,7 +117,7 @@ def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, fault
         Cuts of the horizons, of which faults of one name are one, but for those that were detected; or sticks, as of
         `read_faults`; or surfaces.
     dip : float
-        Of faults that are known from one horizon only, in degrees; 0: from the gap of picks, upright where picks are on both sides.
+        Of faults that are known from one horizon only, in degrees; 0: from the gap of picks; without one it is unknown, and so is the heave.
     drop_distance : float
         Picks nearer to a fault are not used, in columns.
     drop_noise : float

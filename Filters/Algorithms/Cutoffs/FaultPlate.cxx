@@ -73,6 +73,7 @@ std::size_t FaultPlate::Axis::Interval(double value) const
 //----------------------------------------------------------------------------------------------------------------------
 FaultPlate::FaultPlate(const FaultPicks& picks, const Monitor& monitor)
   : OwnName(picks.Name)
+  , IsDipKnown(picks.HasDip)
 {
   this->Orient(picks);
   const Segments segments = this->MakeGrid(picks);

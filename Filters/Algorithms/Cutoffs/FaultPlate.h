@@ -33,6 +33,7 @@ struct FaultPicks
   std::vector<std::array<Eigen::Vector3d, 2>>
     TipLoop; // a closed line that bounds the fault; without it their hull does
   bool IsSurface = false; // Segments cover the fault, which ends with them.
+  bool HasDip = true; // Otherwise it is taken as upright, and heaves are unknown.
   std::vector<std::size_t> Horizons; // the only ones that it cuts, by number; empty for any
   double Spacing = 0.0; // between sticks; the fault reaches half of it beyond the first and the last
 };
@@ -51,6 +52,7 @@ public:
   explicit FaultPlate(const FaultPicks& picks, const Monitor& monitor = Monitor());
 
   const std::string& Name() const { return this->OwnName; }
+  bool HasDip() const { return this->IsDipKnown; }
   FaultPlace ToPlace(const Eigen::Vector3d& world) const;
   Eigen::Vector3d ToWorld(const FaultPlace& place) const;
 
@@ -109,6 +111,7 @@ private:
   Eigen::Vector2d Gradient(double s, double z) const;
 
   std::string OwnName;
+  bool IsDipKnown;
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
   Eigen::Vector2d Along = Eigen::Vector2d::UnitX();
   Eigen::Vector2d Across = Eigen::Vector2d::UnitY();

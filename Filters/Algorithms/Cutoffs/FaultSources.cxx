@@ -259,6 +259,7 @@ FaultPicks PickTraces(
   FaultPicks picks;
   picks.Name = name;
   picks.Spacing = column;
+  picks.HasDip = lean != Eigen::Vector2d::Zero() || dip > 0.0;
   for (const SmoothTrace& trace : smooth)
   {
     for (const Eigen::Vector3d& place : trace.Places)

@@ -39,8 +39,8 @@ struct TraceCut
 };
 
 /// Traces of one fault in horizons, of which none is empty. Several at different heights give the dip. Else the fault
-/// dips by `dip`, in degrees, towards the lower side; 0 takes the gap of the picks as heave, so that the fault is upright
-/// where picks are on both sides. `column` is the distance of columns.
+/// dips by `dip`, in degrees, towards the lower side; 0 takes the gap of the picks as heave, and without a gap the dip
+/// is unknown. `column` is the distance of columns.
 FaultPicks PickTraces(
   const std::string& name, const std::vector<std::vector<TraceCut>>& traces, double dip, double column);
 }

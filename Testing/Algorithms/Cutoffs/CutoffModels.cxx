@@ -4,6 +4,7 @@
 #include "CutoffModels.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -155,6 +156,49 @@ CutoffModel MakeCutoffModel(FaultForm form, const PickErrors& errors, std::mt199
     model.Horizons.push_back(Pick(model, horizon, errors, random));
   }
   return model;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CutoffErrors MeasurePlain(
+  const CutoffModel& model, std::size_t horizon, const FaultPlate& fault, const HorizonCutoffs& cutoffs)
+{
+  HorizonCutoffs plain = cutoffs;
+  for (CutoffPiece& piece : plain.Pieces)
+  {
+    for (CutoffPair& pair : piece.Pairs)
+    {
+      for (const FaultWall wall : { Footwall, HangingWall })
+      {
+        CutoffPlace& own = pair.Wall[wall];
+        std::vector<Eigen::Vector3d> rows;
+        std::vector<double> heights;
+        for (const Eigen::Vector3d& world : model.Horizons[horizon].Places)
+        {
+          const FaultPlace place = fault.ToPlace(world);
+          const double side = wall == HangingWall ? fault.Distance(place) : -fault.Distance(place);
+          if (side > 0.0 && std::hypot(place.S - pair.S, place.N - own.Offset) < 3.0 * Bin)
+          {
+            rows.emplace_back(1.0, place.S - pair.S, place.N - own.Offset);
+            heights.push_back(place.Z);
+          }
+        }
+        Eigen::MatrixXd matrix(std::ptrdiff_t(rows.size()), 3);
+        for (std::size_t n = 0; n < rows.size(); ++n)
+        {
+          matrix.row(std::ptrdiff_t(n)) = rows[n];
+        }
+        const Eigen::Vector3d plane =
+          matrix.colPivHouseholderQr().solve(Eigen::Map<Eigen::VectorXd>(heights.data(), matrix.rows()));
+        const double start = own.Offset;
+        for (int step = 0; step < 20; ++step)
+        {
+          own.Height = plane(0) + plane(2) * (own.Offset - start);
+          own.Offset = fault.Offset(pair.S, own.Height);
+        }
+      }
+    }
+  }
+  return MeasureCutoffs(model, horizon, fault, plain);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

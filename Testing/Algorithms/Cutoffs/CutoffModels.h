@@ -55,6 +55,11 @@ struct CutoffErrors
   std::size_t Places = 0;
 };
 
+/// What one would write without thinking: a least squares plane through the picks of a wall within three columns, continued
+/// to the fault. Errors as of MeasureCutoffs, at the same places.
+CutoffErrors MeasurePlain(
+  const CutoffModel& model, std::size_t horizon, const FaultPlate& fault, const HorizonCutoffs& cutoffs);
+
 CutoffErrors MeasureCutoffs(
   const CutoffModel& model, std::size_t horizon, const FaultPlate& fault, const HorizonCutoffs& cutoffs);
 }

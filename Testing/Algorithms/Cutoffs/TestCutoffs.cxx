@@ -29,7 +29,10 @@ CutoffErrors Try(const char* name, FaultForm form, const PickErrors& errors)
     const HorizonCutoffs cutoffs =
       FindCutoffs(faults[0], { &faults[0] }, model.Horizons[horizon], CutoffFitOptions(), 5.0);
     const CutoffErrors found = MeasureCutoffs(model, horizon, faults[0], cutoffs);
-    std::printf("%s, horizon %zu: rms %.3f, largest %.3f\n", name, horizon + 1, found.Mean, found.Largest);
+    const CutoffErrors plain = MeasurePlain(model, horizon, faults[0], cutoffs);
+    std::printf("%s, horizon %zu: plain %.3f, rms %.3f, largest %.3f\n", name, horizon + 1, plain.Mean, found.Mean,
+      found.Largest);
+    CHECK(found.Mean < plain.Mean + 2.0);
     CHECK_EQUAL(cutoffs.Pieces.size(), std::size_t(1));
     CHECK(found.Places > 155);
     worst.Mean = std::max(worst.Mean, found.Mean);
