@@ -443,7 +443,7 @@ CutoffPlace NearPicks::Fit() const
   CutoffPlace cutoff;
   cutoff.IsChecked = this->Ring >= LeastDoubtful;
   double gap = infinity, height = 0.0;
-  std::array<double, 2> along = { infinity, -infinity };
+  std::array<double, 2> along = { infinity, -infinity }, heights = { infinity, -infinity };
   for (const NearPick& near : this->Picks)
   {
     const SidePick& pick = *near.Pick;
@@ -454,6 +454,7 @@ CutoffPlace NearPicks::Fit() const
       continue;
     }
     along = { std::min(along[0], pick.Place.S), std::max(along[1], pick.Place.S) };
+    heights = { std::min(heights[0], pick.Place.Z), std::max(heights[1], pick.Place.Z) };
     const double away = std::hypot((pick.Place.S - this->S) / row, pick.Distance / column);
     if (away < gap)
     {
@@ -474,7 +475,10 @@ CutoffPlace NearPicks::Fit() const
     const std::optional<WidthFit> fit = FitWidth(this->Picks, this->Fault, foot, gap + width, this->Options);
     // A width with too few picks to average noise gives way to the next.
     const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
-    if (!fit || (fit->Spread > most * this->Options.Noise && !isLast))
+    // What leaves the heights of all picks far behind is no continuation of them.
+    const double reach = std::max(heights[1] - heights[0], this->Options.DropNoise * this->Options.Noise);
+    const bool isFar = fit && (fit->Foot.Z < heights[0] - reach || fit->Foot.Z > heights[1] + reach);
+    if (!fit || isFar || (fit->Spread > most * this->Options.Noise && !isLast))
     {
       continue;
     }
