@@ -140,7 +140,8 @@ int vtkHorizonCutoffs::RequestData(
       {
         return;
       }
-      const CutoffModelData model = RunCutoffs(horizons, given.Picks, this->MakeOptions(), monitor);
+      const CutoffModelData model = RunCutoffs(horizons, given.Picks, this->MakeOptions(), monitor.Step(0.0, 0.9));
+      monitor.Progress(0.9);
       const CutoffStageResult result = WriteCutoffs(model, fields);
       WriteOutputs(result, outputs);
       this->Results = result.Report;

@@ -16,7 +16,7 @@ import numpy as np
 from seismichorizons import vtk as sh
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataObjectTree, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObjectTree, vtkPolyData
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from dealing import deal
@@ -87,6 +87,19 @@ def to_meshes(stack):
     return [stack, meshes_of(stack)]
 
 
+def with_sticks(stack):
+    """A fault across both horizons, whose throw is 0."""
+    places, cells = vtkPoints(), vtkCellArray()
+    for n, y in enumerate((-1.0, 10.0, 110.0)):
+        for z in (1900.0, 2200.0):
+            places.InsertNextPoint(STEP * 14.3 + 0.5 * (z - 2000.0), STEP * y, z)
+        cells.InsertNextCell(2, (2 * n, 2 * n + 1))
+    sticks = vtkPolyData()
+    sticks.SetPoints(places)
+    sticks.SetLines(cells)
+    return [stack, {"Fault": sticks}]
+
+
 # Label: class, inputs of its ports, and how many of these are on all ranks as a whole, from the last on.
 FILTERS = {
     "thickness": ("HorizonThickness", together, 0),
@@ -95,10 +108,11 @@ FILTERS = {
     "crossings": ("HorizonCrossings", together, 1),
     "layers": ("HorizonLayers", together, 1),
     "distance": ("HorizonSurfaceDistance", to_meshes, 0),
+    "cutoffs": ("HorizonCutoffs", with_sticks, 2),
 }
 
 
-WIDE = {"layers"}  # which take memory for what is empty
+WIDE = {"layers", "cutoffs"}  # which take memory for what is empty, or have a fault in one place
 
 
 def prepare(class_name, inputs, rank_of, whole=0, **properties):

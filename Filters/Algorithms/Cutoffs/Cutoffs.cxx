@@ -75,7 +75,7 @@ public:
     const auto count = std::size_t(std::floor((this->Fault.Last() - this->Fault.First()) / row)) + 1;
     const double shift = 0.5 * (this->Fault.Last() - this->Fault.First() - double(count - 1) * row);
     std::vector<CutoffPair> pairs(count);
-    ParallelFor(std::int64_t(count), 8, monitor,
+    ParallelFor(std::int64_t(count), 1, monitor,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t n = first; n < last; ++n)
