@@ -98,8 +98,8 @@ FaultPicks PlanePicks(const char* name, double x, double from, double to)
   return picks;
 }
 
-/// Throw falls to 0 at both ends of the fault, inside the horizon.
-void TestTips()
+/// Throw falls to 0 at both ends of the fault, 550 m from its middle, inside the horizon.
+void TestTips(const FaultPicks& picks)
 {
   HorizonPicks horizon;
   horizon.Steps *= 25.0;
@@ -112,21 +112,35 @@ void TestTips()
       horizon.Places.emplace_back(x, y, -1000.0 - (x > 1000.0 ? throwAt(y) : 0.0));
     }
   }
-  const std::vector<FaultPlate> faults = { FaultPlate(PlanePicks("F", 1000.0, 500.0, 1500.0)) };
-  const HorizonCutoffs cutoffs = FindCutoffs(faults[0], { &faults[0] }, horizon, CutoffFitOptions(), 5.0);
+  const FaultPlate fault(picks);
+  const HorizonCutoffs cutoffs = FindCutoffs(fault, { &fault }, horizon, CutoffFitOptions(), 5.0);
   CHECK_EQUAL(cutoffs.Pieces.size(), std::size_t(1));
   const CutoffPiece& piece = cutoffs.Pieces.front();
   CHECK(piece.IsTip[0] && piece.IsTip[1]);
   for (const CutoffPair& pair : piece.Pairs)
   {
-    const Eigen::Vector3d place = faults[0].At(pair.S, pair.Wall[HangingWall].Height);
+    const Eigen::Vector3d place = fault.At(pair.S, pair.Wall[HangingWall].Height);
     CHECK(std::abs(pair.Throw() - throwAt(place.y())) < 1.0);
   }
   for (const CutoffPair& end : { piece.Pairs.front(), piece.Pairs.back() })
   {
     CHECK_EQUAL(end.Throw(), 0.0);
-    CHECK(std::abs(std::abs(faults[0].At(end.S, end.Wall[0].Height).y() - 1000.0) - 550.0) < 1.0);
+    CHECK(std::abs(std::abs(fault.At(end.S, end.Wall[0].Height).y() - 1000.0) - 550.0) < 1.0);
   }
+}
+
+/// Sticks give the tips, or a closed line where sticks are beyond them.
+void TestTips()
+{
+  TestTips(PlanePicks("F", 1000.0, 500.0, 1500.0));
+  FaultPicks bounded = PlanePicks("F", 1000.0, 0.0, 2000.0);
+  std::vector<Eigen::Vector3d> loop = { { 950.0, 450.0, -900.0 }, { 950.0, 1550.0, -900.0 },
+    { 1050.0, 1550.0, -1100.0 }, { 1050.0, 450.0, -1100.0 } };
+  for (std::size_t n = 0; n < loop.size(); ++n)
+  {
+    bounded.TipLoop.push_back({ loop[n], loop[(n + 1) % loop.size()] });
+  }
+  TestTips(bounded);
 }
 
 /// Picks beyond a second fault, eight columns away, belong to another block.
