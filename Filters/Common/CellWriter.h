@@ -21,7 +21,6 @@ public:
     return this->NumberOfPoints() - 1;
   }
   std::int64_t NumberOfPoints() const { return std::int64_t(this->Places.size() / 3); }
-  std::int64_t NumberOfCells() const { return std::int64_t(this->Offsets.size()) - 1; }
 
   /// Adds to the cell that is not closed yet.
   void Use(std::int64_t point) { this->Points.push_back(point); }

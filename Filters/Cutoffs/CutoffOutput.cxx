@@ -126,6 +126,7 @@ Horizon WriteFaultPolygons(const CutoffModelData& model, const CutHorizon& horiz
   cells.Finish(output, &Horizon::Lines);
   AddArray<double>(output.PointData, PointArray::Throw, throws);
   AddArray<double>(output.PointData, PointArray::Heave, heaves);
+  output.CellData.Add({ CellArray::FaultStick, std::vector<std::string>(names.size()) });
   output.CellData.Add({ CellArray::FaultName, std::move(names) });
   return output;
 }

@@ -10,6 +10,7 @@
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/Lattice.h"
 #include "Common/Horizon/LedgerFields.h"
+#include "Common/Survey/DerivedArrays.h"
 #include "Filters/Algorithms/Faults/ColumnHeights.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonData.h"
@@ -61,10 +62,10 @@ CutHorizon ReadCutHorizon(const std::string& name, const LatticePoints& points, 
     ? index * noise.MaximumError()
     : *options.MaximumError * (options.ErrorUnit == HeightUnit::World ? 1.0 : index);
   const std::int64_t size = points.Horizon.NumberOfPoints();
+  horizon.Picks.Places.reserve(std::size_t(size));
   for (std::int64_t point = 0; point < size; ++point)
   {
     horizon.Picks.Places.push_back(points.Horizon.Place(point));
-    horizon.MeanHeight += horizon.Picks.Places.back().z() / double(size);
   }
   return horizon;
 }
@@ -88,11 +89,15 @@ std::map<int, std::vector<TraceCut>> ReadTraceCuts(const LatticePoints& points, 
   const LinkGrid& grid = heights.Grid();
   const auto find = [&](PlanePoint column, const PlanePoint& step) -> std::optional<Eigen::Vector3d>
   {
-    for (int n = 0; n <= int(gap); ++n, column = { column.X + step.X, column.Y + step.Y })
+    for (double n = 0.0; n <= gap; ++n, column = { column.X + step.X, column.Y + step.Y })
     {
       const std::int64_t x = std::int64_t(column.X) - grid.Origin().X, y = std::int64_t(column.Y) - grid.Origin().Y;
       const bool isIn = x >= 0 && y >= 0 && x < grid.Width() && y < grid.Height();
-      const double height = isIn ? heights[grid.ColumnOf(column)] : NoValue;
+      if (!isIn)
+      {
+        return std::nullopt;
+      }
+      const double height = heights[grid.ColumnOf(column)];
       if (!std::isnan(height))
       {
         return points.Lattice.ToWorld(Eigen::Vector3d(column.X, column.Y, height));
@@ -166,16 +171,17 @@ std::vector<FaultPlate> MakePlates(const std::vector<FaultPicks>& picks, const M
 std::vector<FaultPicks> PickCuts(const std::vector<CutInput>& horizons, const CutoffStageOptions& options)
 {
   HorizonTraces traces;
-  double column = 0.0;
+  double column = 0.0, index = 0.0;
   for (std::size_t n = 0; n < horizons.size(); ++n)
   {
+    index = std::max(index, WorldPerIndex(horizons[n].Points.Lattice));
     AddTraces(horizons[n], n, options.LargestGap, traces);
     column = std::max(column, std::sqrt(horizons[n].Points.Lattice.ColumnArea()));
   }
   std::vector<FaultPicks> picks;
   for (const std::string& fault : traces.Names)
   {
-    picks.push_back(PickTraces(fault, traces.ByFault[fault], options.Dip, column));
+    picks.push_back(PickTraces(fault, traces.ByFault[fault], options.Dip, column, index));
     picks.back().Horizons = traces.Horizons[fault];
   }
   return picks;
@@ -377,9 +383,16 @@ CutoffModelData RunCutoffs(const std::vector<CutInput>& horizons, const std::opt
   {
     model.Horizons.push_back(ReadCutHorizon(horizon.Name, horizon.Points, options));
   }
-  if (given && !given->Alone.empty())
+  if (given && given->NumberAlone > 0)
   {
-    model.Warnings.push_back("faults of a single stick (" + ListFaults(given->Alone) + "), expected two of each fault");
+    const std::string faults = given->Alone.empty() ? "" : " (" + ListFaults(given->Alone) + ")";
+    model.Warnings.push_back(std::to_string(given->NumberAlone) + " fault sticks" + faults +
+      " join no surface, expected two sticks of two points for each fault, beside each other");
+  }
+  const VerticalAxis axis = ReadVerticalAxis(horizons.front().Points.Horizon.FieldData);
+  if (options.Dip > 0.0 && axis.IsTime)
+  {
+    throw InputError("dip of faults in time, expected 0, or horizons in depth");
   }
   const std::vector<FaultPicks> picks = given ? given->Faults : PickCuts(horizons, options);
   if (picks.empty())

@@ -34,7 +34,6 @@ struct CutHorizon
   std::string Name;
   HorizonPicks Picks;
   double MaximumError = 0.0; // unit of z
-  double MeanHeight = 0.0;
   std::vector<HorizonCutoffs> AtFault;
 };
 

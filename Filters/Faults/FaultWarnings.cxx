@@ -97,7 +97,6 @@ std::string CauseOf(const FaultSheet& sheet, const LatticePoints& points)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Lines without a name are numbered.
 std::string ListFaults(const std::vector<std::string>& names)
 {
   std::string text;

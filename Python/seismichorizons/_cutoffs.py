@@ -148,7 +148,10 @@ def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, fault
         horizons = [horizons]
     cuts: dict[str, Faults] | None = None
     if isinstance(faults, Faults):
-        cuts = {one.name: faults for one in (horizons.values() if isinstance(horizons, Mapping) else horizons)}
+        names = list(horizons) if isinstance(horizons, Mapping) else [one.name for one in horizons]
+        if len(names) != 1:
+            raise ValueError("faults of one horizon for %d, expected a dict of Faults by the names of the horizons" % len(names))
+        cuts = {names[0]: faults}
     elif isinstance(faults, Mapping) and faults and all(isinstance(one, Faults) for one in faults.values()):
         cuts = dict(faults)
     given, named = named_horizons(horizons, "cutoffs", cuts)

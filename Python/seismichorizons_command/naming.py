@@ -118,13 +118,13 @@ class Names:
         self.faults = ["%s_faults.%s" % (stem, form) for form in settings.formats
                        if form in writing.MESH_FORMATS] if has_surfaces else []
         # By horizon: file names and the data that they are of.
-        self.lines = self._lines(mesh_stems, writing.FAULT_LINES, settings) if settings.torn is not None else {}
-        self.cutoffs = self._lines(mesh_stems, writing.CUTOFF_LINES, settings) if settings.cutoffs is not None else {}
+        self.lines = self._lines(mesh_stems, writing.FAULT_LINES, settings.fault_formats) if settings.torn is not None else {}
+        self.cutoffs = self._lines(mesh_stems, writing.CUTOFF_LINES, settings.fault_formats or ["dat"]) if settings.cutoffs is not None else {}
         self.cutoff_tables = ["%s_%s.csv" % (stem, kind) for kind in ("throws", "juxtaposition")] if settings.cutoffs is not None else []
 
     @staticmethod
-    def _lines(mesh_stems, kinds, settings):
-        return {name: {"%s_%s.%s" % (mesh_stem, kind, form): given for kind, given in kinds.items() for form in settings.fault_formats}
+    def _lines(mesh_stems, kinds, formats):
+        return {name: {"%s_%s.%s" % (mesh_stem, kind, form): given for kind, given in kinds.items() for form in formats}
                 for name, mesh_stem in mesh_stems.items()}
 
     def of_stack(self):

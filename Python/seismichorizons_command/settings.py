@@ -93,7 +93,6 @@ def make_settings(options):
         if settings.torn is None:
             raise HorizonError("--cutoffs without faults, expected --cut-faults, --fault-lines or --fault-sticks")
         settings.cutoffs = given(options, Dip="fault_dip")
-        settings.fault_formats = settings.fault_formats or ["dat"]
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "KeepHoles")
     settings.simplified = {

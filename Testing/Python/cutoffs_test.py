@@ -157,6 +157,7 @@ class CutoffsTest(unittest.TestCase):
         """Of places that are off by more than three times their spread there are few, and walls are not exchanged."""
         found, errors, _ = self.find(Fault(dip=45.0, strike=70.0), noise=3.0)
         spreads = np.concatenate([profile.spread for profile in found.profiles["H"]])
+        self.assertLess(np.mean(np.isnan(spreads)), 0.05)
         self.assertLess(np.mean(np.abs(errors) > 3.0 * spreads), 0.03)
         self.assertGreater(found.figures["throw_least"][0], 60.0)
 
@@ -169,6 +170,8 @@ class CutoffsTest(unittest.TestCase):
         polygon, = found.polygons["H"]
         np.testing.assert_array_equal(polygon[0], polygon[-1])
         self.assertEqual(found.figures["tips"][0], 2)
+        s, _ = fault.place(*survey.local(found.lines["H"].lines[0]))
+        np.testing.assert_allclose([min(s), max(s)], [-618.75, 618.75], atol=2.0)  # half the distance of sticks beyond the last
         for profile in found.profiles["H"]:
             self.assertEqual([profile.throw[0], profile.throw[-1]], [0.0, 0.0])
             self.assertEqual([profile.guessed[0], profile.guessed[-1]], [2, 2])
@@ -237,7 +240,7 @@ class CutoffsTest(unittest.TestCase):
         alone = sh.Lines(["Alone"], [fault.sticks(survey).lines[0]], ["1"], direction="up")
         bent = Fault("Bent", offset=lambda s, z: np.sqrt(np.maximum(0.0, 1200.0 ** 2 - s ** 2)) - 900.0 - 0.5 * (z + 1200.0))
         for faults, text in (([fault.sticks(survey), far.sticks(survey)], "1 of 2 faults (Far) cut no horizon"),
-                             ([fault.sticks(survey), alone], "faults of a single stick (Alone)"),
+                             ([fault.sticks(survey), alone], "1 fault sticks (Alone) join no surface"),
                              ([fault.sticks(survey), bent.sticks(survey, np.linspace(-1190.0, 1190.0, 15))], "turn too far along strike (Bent)")):
             with self.assertWarnsRegex(UserWarning, text.replace("(", r"\(").replace(")", r"\)")):
                 sh.cutoffs(horizon, faults)

@@ -63,7 +63,7 @@ public:
   void Solve()
   {
     constexpr std::size_t fewestForCurves = 12;
-    constexpr double held = 1e-9, stiff = 1e6;
+    constexpr double held = 1e-13, stiff = 1e6;
     const double scale = this->Matrix(0, 0);
     Normal matrix = this->Matrix;
     for (int term = 1; term < 6; ++term)
@@ -266,7 +266,7 @@ void NearPicks::Gather(const OtherFaults& others, const FaultSide& side, double 
   const double column = this->Options.Column, row = this->Options.Row;
   const SidePick* nearest = nullptr;
   this->Picks.clear();
-  this->Ring = Doubtful;
+  this->Ring = std::max(Doubtful, this->Options.DropDistance);
   side.ForEach(this->S - HalfWindow * row, this->S + HalfWindow * row,
     [&](const SidePick& pick) { nearest = nearest && nearest->Distance <= pick.Distance ? nearest : &pick; });
   if (!nearest || nearest->Distance > this->Options.LargestGap * column)
@@ -476,7 +476,7 @@ CutoffPlace NearPicks::Fit() const
     // A width with too few picks to average noise gives way to the next.
     const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
     // What leaves the heights of all picks far behind is no continuation of them.
-    const double reach = std::max(heights[1] - heights[0], this->Options.DropNoise * this->Options.Noise);
+    const double reach = (2.0 + gap) * std::max(heights[1] - heights[0], this->Options.Noise);
     const bool isFar = fit && (fit->Foot.Z < heights[0] - reach || fit->Foot.Z > heights[1] + reach);
     if (!fit || isFar || (fit->Spread > most * this->Options.Noise && !isLast))
     {
@@ -540,18 +540,21 @@ OtherFaults::OtherFaults(
 {
   const auto touches = [&](const FaultPlate& other)
   {
-    const auto isNear = [&](double s, double z)
+    if (fault.Box().exteriorDistance(other.Box()) > reach + margin)
     {
-      const FaultPlace place = other.ToPlace(fault.At(s, z));
-      return place.S >= other.First() - margin && place.S <= other.Last() + margin && place.Z >= other.Lowest() &&
-        place.Z <= other.Highest() && std::abs(other.Distance(place)) <= reach;
-    };
-    for (std::size_t level = 0; level + 1 < fault.Levels(); ++level)
+      return false;
+    }
+    constexpr int heights = 16;
+    const double low = std::max(fault.Lowest() + fault.Datum(), other.Lowest() + other.Datum());
+    const double high = std::min(fault.Highest() + fault.Datum(), other.Highest() + other.Datum());
+    for (int level = 0; level <= heights && low <= high; ++level)
     {
-      const double z = fault.Height(level), step = std::max(margin, fault.StepAlong());
-      for (double s = fault.First(); s <= fault.Last(); s += step)
+      const double z = low + (high - low) * level / heights - fault.Datum();
+      for (double s = fault.First(); s <= fault.Last() + margin; s += margin)
       {
-        if (isNear(s, z))
+        const FaultPlace place = other.ToPlace(fault.At(std::min(s, fault.Last()), z));
+        if (place.S >= other.First() - margin && place.S <= other.Last() + margin &&
+          std::abs(other.Distance(place)) <= reach)
         {
           return true;
         }

@@ -23,8 +23,13 @@ std::array<FaultSide, 2> ListSides(
   const FaultSide empty(fault.First() - beyond, fault.Last() + beyond, options.Row);
   std::array<FaultSide, 2> sides = { empty, empty };
   const double farthest = (Reach + options.LargestGap) * column;
+  const double around = beyond + farthest;
   for (const Eigen::Vector3d& world : horizon.Places)
   {
+    if (fault.Box().exteriorDistance(world.head<2>()) > around)
+    {
+      continue;
+    }
     SidePick pick;
     pick.Place = fault.ToPlace(world);
     if (pick.Place.S < fault.First() - beyond || pick.Place.S > fault.Last() + beyond)
@@ -197,6 +202,12 @@ private:
         this->Interpolate(tip, wall, height);
       }
       piece.IsTip[end] = true;
+      constexpr double none = 1e-6; // columns
+      if (in < none)
+      {
+        (end == 0 ? piece.Pairs.front() : piece.Pairs.back()) = tip;
+        continue;
+      }
       piece.Pairs.insert(end == 0 ? piece.Pairs.begin() : piece.Pairs.end(), tip);
     }
   }

@@ -102,6 +102,8 @@ void FaultPlate::Orient(const FaultPicks& picks)
   for (const auto& [from, to] : picks.Segments)
   {
     this->Origin += (from + to) / count;
+    this->OnMap.extend(from.head<2>());
+    this->OnMap.extend(to.head<2>());
   }
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const auto& [from, to] : picks.Segments)
@@ -111,9 +113,14 @@ void FaultPlate::Orient(const FaultPicks& picks)
       spread += (place - this->Origin) * (place - this->Origin).transpose() / count;
     }
   }
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(0.5 * picks.Spacing);
+  this->OnMap = Eigen::AlignedBox2d(this->OnMap.min() - reach, this->OnMap.max() + reach);
   const double onMap = std::max(spread(0, 0), spread(1, 1));
   const double scale = std::sqrt(onMap / spread(2, 2));
-  if (!(onMap > 0.0) || !(spread(2, 2) > 0.0) || !std::isfinite(scale))
+  constexpr double rounding = 1e-9;
+  const auto isNone = [](double square, double place) { return std::sqrt(square) <= rounding * std::abs(place); };
+  if (isNone(onMap, this->Origin.head<2>().cwiseAbs().maxCoeff()) || isNone(spread(2, 2), this->Origin.z()) ||
+    !(onMap > 0.0) || !std::isfinite(scale))
   {
     throw InputError("fault " + this->OwnName +
       " with picks at one height, or on one upright line, expected sticks "
@@ -217,6 +224,12 @@ void FaultPlate::FindExtent(const Segments& segments, double margin)
   for (const std::array<double, 2>& range : this->Extent)
   {
     this->Ends = { std::min(this->Ends[0], range[0]), std::max(this->Ends[1], range[1]) };
+  }
+  if (!(this->Ends[0] <= this->Ends[1]))
+  {
+    throw InputError("fault " + this->OwnName +
+      " with a closed line beyond the heights of its sticks, expected a tip "
+      "loop around them");
   }
 }
 

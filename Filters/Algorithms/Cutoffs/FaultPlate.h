@@ -16,6 +16,7 @@
 #include "Common/Base/Monitor.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>
@@ -53,6 +54,8 @@ public:
 
   const std::string& Name() const { return this->OwnName; }
   bool HasDip() const { return this->IsDipKnown; }
+  /// Around the picks and half of their spacing, on the map.
+  const Eigen::AlignedBox2d& Box() const { return this->OnMap; }
   FaultPlace ToPlace(const Eigen::Vector3d& world) const;
   Eigen::Vector3d ToWorld(const FaultPlace& place) const;
 
@@ -112,6 +115,7 @@ private:
 
   std::string OwnName;
   bool IsDipKnown;
+  Eigen::AlignedBox2d OnMap;
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
   Eigen::Vector2d Along = Eigen::Vector2d::UnitX();
   Eigen::Vector2d Across = Eigen::Vector2d::UnitY();

@@ -130,6 +130,17 @@ SmoothTrace Smooth(const std::vector<TraceCut>& cuts)
   return trace;
 }
 
+/// The mean distance of successive places on the map.
+double SpacingOf(const SmoothTrace& trace)
+{
+  double length = 0.0;
+  for (std::size_t n = 1; n < trace.Places.size(); ++n)
+  {
+    length += (trace.Places[n] - trace.Places[n - 1]).head<2>().norm();
+  }
+  return length / double(trace.Places.size() - 1);
+}
+
 /// The map distance by height, across the trace. Places higher up lie away from the lower side.
 Eigen::Vector2d LeanByDip(const SmoothTrace& trace, double dip, double column)
 {
@@ -177,6 +188,7 @@ PickedSticks PickSticks(const std::vector<FaultStick>& sticks)
   {
     if (stick.Places.size() > 1 && IsLoop(stick))
     {
+      RequireFinite(stick.Places, std::size_t(&stick - sticks.data()));
       loops.push_back(&stick);
     }
     else
@@ -186,8 +198,10 @@ PickedSticks PickSticks(const std::vector<FaultStick>& sticks)
   }
   PickedSticks picked;
   std::vector<FaultPicks>& faults = picked.Faults;
+  picked.NumberAlone = open.size();
   for (const FaultSheet& sheet : MakeFaultSheets(open, false))
   {
+    picked.NumberAlone -= sheet.Sticks;
     faults.push_back(PickSheet(sheet));
     if (faults.back().Name.empty())
     {
@@ -237,10 +251,10 @@ FaultPicks PickSurface(const std::string& name, const std::vector<SpaceTriangle>
 
 //----------------------------------------------------------------------------------------------------------------------
 FaultPicks PickTraces(
-  const std::string& name, const std::vector<std::vector<TraceCut>>& traces, double dip, double column)
+  const std::string& name, const std::vector<std::vector<TraceCut>>& traces, double dip, double column, double index)
 {
   std::vector<SmoothTrace> smooth;
-  double least = std::numeric_limits<double>::infinity(), largest = -least, reach = column;
+  double least = std::numeric_limits<double>::infinity(), largest = -least, reach = 0.0;
   for (const std::vector<TraceCut>& cuts : traces)
   {
     smooth.push_back(Smooth(cuts));
@@ -255,10 +269,10 @@ FaultPicks PickTraces(
   }
   const bool areApart = largest - least > reach;
   const Eigen::Vector2d lean = areApart ? LeanByHeights(smooth) : LeanByDip(smooth.front(), dip, column);
-  const double half = std::max(reach, areApart ? 0.5 * (largest - least) : 0.0);
+  const double half = std::max({ reach, index, areApart ? 0.5 * (largest - least) : 0.0 });
   FaultPicks picks;
   picks.Name = name;
-  picks.Spacing = column;
+  picks.Spacing = SpacingOf(smooth.front());
   picks.HasDip = lean != Eigen::Vector2d::Zero() || dip > 0.0;
   for (const SmoothTrace& trace : smooth)
   {

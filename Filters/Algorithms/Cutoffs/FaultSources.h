@@ -18,7 +18,8 @@ namespace SeismicHorizons
 struct PickedSticks
 {
   std::vector<FaultPicks> Faults;
-  std::vector<std::string> Alone; // faults of a single stick, which have no surface
+  std::size_t NumberAlone = 0; // sticks that are alone in their fault, which has no surface
+  std::vector<std::string> Alone; // such faults, as far as they have names
 };
 
 /// A fault for each name, in the order of the first sticks. A closed line is the tip loop of its fault. Throws
@@ -40,9 +41,10 @@ struct TraceCut
 
 /// Traces of one fault in horizons, of which none is empty. Several at different heights give the dip. Else the fault
 /// dips by `dip`, in degrees, towards the lower side; 0 takes the gap of the picks as heave, and without a gap the dip
-/// is unknown. `column` is the distance of columns.
+/// is unknown. `column` is the distance of columns, `index` the height of a vertical
+/// index.
 FaultPicks PickTraces(
-  const std::string& name, const std::vector<std::vector<TraceCut>>& traces, double dip, double column);
+  const std::string& name, const std::vector<std::vector<TraceCut>>& traces, double dip, double column, double index);
 }
 
 #endif

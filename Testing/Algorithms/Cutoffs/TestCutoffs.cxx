@@ -178,6 +178,89 @@ void TestParallelFaults()
   }
 }
 
+/// A plane that dips across the fault, without picks on the hanging wall up to a distance: it is continued as it is.
+void TestGaps()
+{
+  for (const double dip : { 0.0, 0.1, 0.3 })
+  {
+    for (const double gap : { 3.0, 10.0, 20.0, 35.0 })
+    {
+      HorizonPicks horizon;
+      horizon.Steps *= 25.0;
+      const auto heightAt = [dip](double x) { return -1000.0 - dip * (x - 1000.0); };
+      for (int j = 0; j < 81; ++j)
+      {
+        for (int i = 0; i < 101; ++i)
+        {
+          const double x = 25.0 * i;
+          if (x <= 1000.0 || x > 1000.0 + 25.0 * gap)
+          {
+            horizon.Places.emplace_back(x, 25.0 * j, heightAt(x));
+          }
+        }
+      }
+      const FaultPlate fault(PlanePicks("F", 1000.0, 0.0, 2000.0));
+      CutoffFitOptions options;
+      options.LargestGap = 40.0;
+      const HorizonCutoffs cutoffs = FindCutoffs(fault, { &fault }, horizon, options, 5.0);
+      CHECK_EQUAL(cutoffs.Pieces.size(), std::size_t(1));
+      for (const CutoffPiece& piece : cutoffs.Pieces)
+      {
+        CHECK(piece.Pairs.size() > 75);
+        for (const CutoffPair& pair : piece.Pairs)
+        {
+          CHECK(std::abs(pair.Throw() - dip * pair.Heave()) < 0.01);
+        }
+      }
+    }
+  }
+}
+
+/// A small fault beside a tall one of few levels divides its side, too.
+void TestSmallBesideTall()
+{
+  HorizonPicks horizon;
+  horizon.Steps *= 25.0;
+  for (int j = 0; j < 81; ++j)
+  {
+    for (int i = 0; i < 81; ++i)
+    {
+      const double x = 25.0 * i;
+      horizon.Places.emplace_back(x, 25.0 * j, -1000.0 - (x > 1200.0 ? 60.0 : x > 1000.0 ? 40.0 : 0.0));
+    }
+  }
+  FaultPicks tall;
+  tall.Name = "Tall";
+  tall.Spacing = 1000.0;
+  for (const double y : { 0.0, 1000.0, 2000.0 })
+  {
+    tall.Segments.push_back({ Eigen::Vector3d(1010.0, y, 1100.0), Eigen::Vector3d(990.0, y, -3100.0) });
+  }
+  const std::vector<FaultPlate> faults = { FaultPlate(tall), FaultPlate(PlanePicks("Small", 1200.0, 0.0, 2000.0)) };
+  const HorizonCutoffs cutoffs = FindCutoffs(faults[0], { &faults[0], &faults[1] }, horizon, CutoffFitOptions(), 5.0);
+  CHECK_EQUAL(cutoffs.Pieces.size(), std::size_t(1));
+  for (const CutoffPair& pair : cutoffs.Pieces.front().Pairs)
+  {
+    CHECK(std::abs(std::abs(pair.Throw()) - 40.0) < 1.0);
+  }
+}
+
+void TestDropDistance()
+{
+  std::mt19937 random(3);
+  const CutoffModel model = MakeCutoffModel(FaultForm::Straight, {}, random);
+  const FaultPlate fault(model.Fault);
+  CutoffFitOptions options;
+  options.DropDistance = 8.0;
+  for (const CutoffPiece& piece : FindCutoffs(fault, { &fault }, model.Horizons[0], options, 5.0).Pieces)
+  {
+    for (const CutoffPair& pair : piece.Pairs)
+    {
+      CHECK(!(pair.Wall[Footwall].Gap < 8.0) && !(pair.Wall[HangingWall].Gap < 8.0));
+    }
+  }
+}
+
 void TestSimplified()
 {
   std::mt19937 random(9);
@@ -199,6 +282,8 @@ void TestSimplified()
         const double t = (piece.Pairs[n].S - a.S) / (b.S - a.S);
         const double line = a.Wall[wall].Height + t * (b.Wall[wall].Height - a.Wall[wall].Height);
         CHECK(std::abs(line - piece.Pairs[n].Wall[wall].Height) <= 1.0 + 1e-9);
+        const double offset = a.Wall[wall].Offset + t * (b.Wall[wall].Offset - a.Wall[wall].Offset);
+        CHECK(std::abs(offset - piece.Pairs[n].Wall[wall].Offset) <= 5.0 + 1e-9);
       }
     }
   }
@@ -206,12 +291,19 @@ void TestSimplified()
 
 void TestRefused()
 {
-  FaultPicks level = PlanePicks("L", 0.0, 0.0, 500.0);
-  for (auto& [from, to] : level.Segments)
+  for (const double height : { -900.0, -1234.567, 0.1 })
   {
-    to.z() = from.z();
+    FaultPicks level = PlanePicks("L", 612345.6, 0.0, 500.0);
+    for (auto& [from, to] : level.Segments)
+    {
+      from.z() = to.z() = height;
+    }
+    CHECK_THROWS_WITH(FaultPlate(level), "fault L with picks at one height");
   }
-  CHECK_THROWS_WITH(FaultPlate(level), "fault L with picks at one height");
+  FaultPicks beyond = PlanePicks("B", 0.0, 0.0, 500.0);
+  beyond.TipLoop = { { Eigen::Vector3d(0.0, 0.0, 500.0), Eigen::Vector3d(0.0, 400.0, 500.0) },
+    { Eigen::Vector3d(0.0, 400.0, 500.0), Eigen::Vector3d(0.0, 0.0, 500.0) } };
+  CHECK_THROWS_WITH(FaultPlate(beyond), "fault B with a closed line beyond the heights of its sticks");
   FaultPicks single = PlanePicks("S", 0.0, 0.0, 0.0);
   CHECK_THROWS_WITH(FaultPlate(single), "fault S with picks on one line");
 }
@@ -224,6 +316,9 @@ int TestCutoffs(int, char*[])
   TestWithoutAgreement();
   TestTips();
   TestParallelFaults();
+  TestGaps();
+  TestSmallBesideTall();
+  TestDropDistance();
   TestSimplified();
   TestRefused();
   return Check::Result();
