@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace SeismicHorizons
@@ -22,11 +23,6 @@ constexpr double OffsetError = 0.25; // columns
 std::vector<std::size_t> KeepPairs(const CutHorizon& horizon, const CutoffPiece& piece, FaultWall wall)
 {
   return SimplifyCutoff(piece, wall, horizon.MaximumError, OffsetError * horizon.Picks.LargestStep());
-}
-
-Eigen::Vector3d PlaceOf(const FaultPlate& fault, const CutoffPair& pair, FaultWall wall)
-{
-  return fault.ToWorld({ pair.S, pair.Wall[wall].Offset, pair.Wall[wall].Height });
 }
 
 /// Calls visit(fault, cutoffs, piece) for each piece of a horizon.
@@ -64,9 +60,9 @@ Horizon WriteCutoffLines(const CutoffModelData& model, const CutHorizon& horizon
         for (const std::size_t n : KeepPairs(horizon, piece, wall))
         {
           const CutoffPair& pair = piece.Pairs[n];
-          cells.Add(PlaceOf(fault, pair, wall));
+          cells.Add(pair.Place(fault, wall));
           throws.push_back(pair.Throw());
-          heaves.push_back(fault.HasDip() ? pair.Heave() : NoValue);
+          heaves.push_back(pair.Heave(fault));
           spreads.push_back(pair.Wall[wall].Spread);
           along.push_back(pair.S - fault.First());
           guessed.push_back(static_cast<unsigned char>(pair.Source[wall]));
@@ -100,9 +96,9 @@ Horizon WriteFaultPolygons(const CutoffModelData& model, const CutHorizon& horiz
     {
       const auto add = [&](std::size_t n, FaultWall wall)
       {
-        cells.Add(PlaceOf(fault, piece.Pairs[n], wall));
+        cells.Add(piece.Pairs[n].Place(fault, wall));
         throws.push_back(piece.Pairs[n].Throw());
-        heaves.push_back(fault.HasDip() ? piece.Pairs[n].Heave() : NoValue);
+        heaves.push_back(piece.Pairs[n].Heave(fault));
       };
       const std::int64_t first = cells.NumberOfPoints();
       for (const std::size_t n : KeepPairs(horizon, piece, Footwall))
@@ -180,6 +176,8 @@ Horizon WriteFaultPlates(const std::vector<FaultPlate>& faults)
 CutoffStageResult WriteCutoffs(const CutoffModelData& model, const ArrayTable& fields)
 {
   CutoffStageResult result;
+  std::transform(model.Faults.begin(), model.Faults.end(), std::back_inserter(result.FaultNames),
+    [](const FaultPlate& fault) { return fault.Name(); });
   const auto withFields = [&fields](Horizon data)
   {
     data.FieldData.AddAll(fields);

@@ -14,6 +14,7 @@ namespace SeismicHorizons
 {
 struct CutoffStageResult
 {
+  std::vector<std::string> FaultNames;
   std::vector<Horizon> Cutoffs; // by horizon
   std::vector<Horizon> Polygons; // by horizon
   Horizon Faults;

@@ -164,13 +164,13 @@ void FindAllCutoffs(const std::vector<FaultPicks>& picks, const CutoffStageOptio
 /// Where no horizon tells the hanging wall of an upright fault, it stays as it is.
 void TurnUprightFaults(CutoffModelData& model)
 {
+  const double column = model.LargestStep();
   for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
   {
-    double sum = 0.0, column = 0.0;
+    double sum = 0.0;
     for (const CutHorizon& horizon : model.Horizons)
     {
       sum += SumOfThrows(horizon.AtFault[fault]);
-      column = std::max(column, horizon.Picks.LargestStep());
     }
     for (CutHorizon& horizon : model.Horizons)
     {
@@ -185,12 +185,12 @@ void TurnUprightFaults(CutoffModelData& model)
 /// Faults and cutoffs that are not there, or are mostly guessed.
 std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
 {
+  const double column = model.LargestStep();
   std::vector<std::string> idle, missed, far, shortOnes;
   for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
   {
     const FaultPlate& plate = model.Faults[fault];
     bool doesCut = false;
-    double column = 0.0;
     for (const CutHorizon& horizon : model.Horizons)
     {
       const HorizonCutoffs& own = horizon.AtFault[fault];
@@ -203,7 +203,6 @@ std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
           piece.Pairs.begin(), piece.Pairs.end(), [](const CutoffPair& pair) { return pair.IsGuessed(); }));
       }
       doesCut = doesCut || places > 0 || own.Short > 0;
-      column = std::max(column, horizon.Picks.LargestStep());
       if (2 * guessed > places)
       {
         far.push_back(name);
@@ -245,6 +244,17 @@ std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
   }
   return warnings;
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double CutoffModelData::LargestStep() const
+{
+  double largest = 0.0;
+  for (const CutHorizon& horizon : this->Horizons)
+  {
+    largest = std::max(largest, horizon.Picks.LargestStep());
+  }
+  return largest;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ struct CutoffModelData
   std::vector<FaultPlate> Faults;
   std::vector<CutHorizon> Horizons; // as given
   std::vector<std::string> Warnings;
+
+  /// Of the horizon with the largest columns.
+  double LargestStep() const;
 };
 
 struct CutInput

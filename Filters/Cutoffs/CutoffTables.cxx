@@ -30,6 +30,14 @@ struct CutoffFigures
   double Gap = 0.0; // largest, in columns
   std::int64_t Places = 0;
   std::int64_t Guessed = 0;
+  std::int64_t Tips = 0;
+};
+
+struct FigureColumn
+{
+  const char* Name;
+  bool IsCount = false;
+  std::vector<double> Values = {};
 };
 
 /// Means are along the fault. At tips there is no throw by definition.
@@ -41,6 +49,7 @@ CutoffFigures Measure(const FaultPlate& fault, const HorizonCutoffs& cutoffs)
   {
     figures.Length += piece.Length(fault, Footwall);
     figures.Places += std::int64_t(piece.Pairs.size());
+    figures.Tips += std::count(piece.IsTip.begin(), piece.IsTip.end(), true);
     const std::size_t first = piece.IsTip[0] ? 1 : 0, end = piece.Pairs.size() - (piece.IsTip[1] ? 1 : 0);
     for (std::size_t n = 0; n < piece.Pairs.size(); ++n)
     {
@@ -63,12 +72,12 @@ CutoffFigures Measure(const FaultPlate& fault, const HorizonCutoffs& cutoffs)
         const double width = pair.S - last.S;
         along += width;
         figures.Mean += 0.5 * width * (last.Throw() + pair.Throw());
-        figures.Heave += 0.5 * width * (last.Heave() + pair.Heave());
+        figures.Heave += 0.5 * width * (last.Heave(fault) + pair.Heave(fault));
       }
     }
   }
   figures.Mean /= along;
-  figures.Heave = fault.HasDip() ? figures.Heave / along : NoValue;
+  figures.Heave /= along;
   return figures;
 }
 }
@@ -78,10 +87,11 @@ ArrayTable WriteCutoffTable(const CutoffModelData& model)
 {
   ArrayTable table;
   std::vector<std::string> faults, horizons;
-  std::vector<std::pair<const char*, std::vector<double>>> numbers = { { "Length", {} }, { "ThrowLeast", {} },
-    { "ThrowMean", {} }, { "ThrowLargest", {} }, { "ThrowJump", {} }, { "HeaveMean", {} }, { "DroppedFootwall", {} },
-    { "DroppedHangingWall", {} }, { "LargestGap", {} }, { "LargestSpread", {} }, { "Places", {} }, { "Guessed", {} },
-    { "Pieces", {} }, { "Tips", {} } };
+  constexpr bool isCount = true;
+  std::vector<FigureColumn> columns = { { "Length" }, { "ThrowLeast" }, { "ThrowMean" }, { "ThrowLargest" },
+    { "ThrowJump" }, { "HeaveMean" }, { "DroppedFootwall", isCount }, { "DroppedHangingWall", isCount },
+    { "LargestGap" }, { "LargestSpread" }, { "Places", isCount }, { "Guessed", isCount }, { "Pieces", isCount },
+    { "Tips", isCount } };
   for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
   {
     for (const CutHorizon& horizon : model.Horizons)
@@ -92,30 +102,23 @@ ArrayTable WriteCutoffTable(const CutoffModelData& model)
         continue;
       }
       const CutoffFigures figures = Measure(model.Faults[fault], own);
-      double tips = 0.0;
-      for (const CutoffPiece& piece : own.Pieces)
-      {
-        tips += double(piece.IsTip[0]) + double(piece.IsTip[1]);
-      }
       const std::array<double, 14> row = { figures.Length, figures.Least, figures.Mean, figures.Largest, figures.Jump,
         figures.Heave, double(own.Dropped[Footwall]), double(own.Dropped[HangingWall]), figures.Gap, figures.Spread,
-        double(figures.Places), double(figures.Guessed), double(own.Pieces.size()), tips };
+        double(figures.Places), double(figures.Guessed), double(own.Pieces.size()), double(figures.Tips) };
       faults.push_back(model.Faults[fault].Name());
       horizons.push_back(horizon.Name);
       for (std::size_t n = 0; n < row.size(); ++n)
       {
-        numbers[n].second.push_back(row[n]);
+        columns[n].Values.push_back(row[n]);
       }
     }
   }
   table.Add({ "Fault", std::move(faults) });
   table.Add({ "Horizon", std::move(horizons) });
-  for (const auto& [name, values] : numbers)
+  for (const FigureColumn& column : columns)
   {
-    const std::string text = name;
-    const bool isCount =
-      text.rfind("Dropped", 0) == 0 || text == "Places" || text == "Guessed" || text == "Pieces" || text == "Tips";
-    isCount ? AddArray<std::int64_t>(table, name, values) : AddArray<double>(table, name, values);
+    column.IsCount ? AddArray<std::int64_t>(table, column.Name, column.Values)
+                   : AddArray<double>(table, column.Name, column.Values);
   }
   return table;
 }

@@ -86,11 +86,8 @@ GivenFaultPicks ReadFaultPicks(std::vector<NamedHorizon> blocks)
       AddSurfaces(block, n, surfaces);
       continue;
     }
-    for (FaultStick& stick : ReadFaultSticks(block.Data))
-    {
-      stick.Fault = stick.Fault.empty() ? block.Name : stick.Fault;
-      sticks.push_back(std::move(stick));
-    }
+    std::vector<FaultStick> own = ReadFaultSticks(block);
+    std::move(own.begin(), own.end(), std::back_inserter(sticks));
   }
   given.Picks = PickSticks(sticks);
   std::move(surfaces.begin(), surfaces.end(), std::back_inserter(given.Picks->Faults));

@@ -81,6 +81,8 @@ Horizon WriteJuxtaposition(
         cells.Add(
           areDiagrams ? Eigen::Vector3d(first + along.back(), z + plate.Datum(), 0.0) : plate.At(area.S[end], z));
       };
+      const auto nameAt = [&](FaultWall wall) { return NameOf(area.Layer[wall], juxtapositions[fault].Horizons); };
+      const std::array<std::string, 2> met = { nameAt(Footwall), nameAt(HangingWall) };
       for (int part = 0; part < parts; ++part)
       {
         add(0, part);
@@ -92,9 +94,9 @@ Horizon WriteJuxtaposition(
         same.push_back(area.Layer[Footwall] == area.Layer[HangingWall] ? 1 : 0);
         for (const FaultWall wall : { Footwall, HangingWall })
         {
-          layers[wall].push_back(NameOf(area.Layer[wall], juxtapositions[fault].Horizons));
+          layers[wall].push_back(met[wall]);
         }
-        both.push_back(layers[Footwall].back() + " against " + layers[HangingWall].back());
+        both.push_back(met[Footwall] + " against " + met[HangingWall]);
       }
     }
     first += (1.0 + between) * (plate.Last() - plate.First());

@@ -171,7 +171,6 @@ CutoffStageOptions vtkHorizonCutoffs::MakeOptions() const
   options.SmallestLength = this->SmallestLength;
   options.MaximumError =
     this->MaximumError == AutomaticError ? std::nullopt : std::optional<double>(this->MaximumError);
-  options.ErrorUnit =
-    this->HeightUnit == World ? SeismicHorizons::HeightUnit::World : SeismicHorizons::HeightUnit::Lattice;
+  options.ErrorUnit = static_cast<SeismicHorizons::HeightUnit>(this->HeightUnit);
   return options;
 }

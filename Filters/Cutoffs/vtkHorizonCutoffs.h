@@ -69,15 +69,14 @@ public:
 
   /**
    * Picks nearer to a fault are not used, as they may be on the wrong side; where faults dip gently, nor those that two
-   * deviations of their noise would put there. Unit: columns. Range: at least 0. Default:
-   * 0.5.
+   * deviations of their noise would put there. Unit: columns. Range: at least 0. Default: 0.5.
    */
   vtkHorizonNumberMacro(DropDistance, double);
 
   /**
    * Picks within six columns of a fault are not used if they are off the surface of those farther away by more than this
-   * many standard deviations of their noise, unless the horizon bends slowly. 0: all are used. Range: at least 0. Default:
-   * 4.
+   * many standard deviations of their noise, unless the horizon bends slowly. 0: all are used. Range: at least 0.
+   * Default: 4.
    */
   vtkHorizonNumberMacro(DropNoise, double);
 

@@ -122,11 +122,6 @@ void ToLattice(std::vector<FaultSheet>& sheets, const Lattice& lattice)
 
 // ---- Output ---------------------------------------------------------------------------------------------------------
 
-std::string NameOf(const std::vector<FaultSheet>& sheets, std::size_t n)
-{
-  return sheets[n].Fault.empty() ? "sticks " + std::to_string(n + 1) : sheets[n].Fault;
-}
-
 void WriteFaultSheets(const std::vector<FaultSheet>& sheets, Horizon& output)
 {
   CellWriter cells;
@@ -268,6 +263,17 @@ std::vector<FaultStick> ReadFaultSticks(const Horizon& lines)
   AppendCells(lines, lines.Lines, false, lines.Vertices.Size(), polylines);
   AppendCells(lines, lines.Polygons, true, lines.Vertices.Size() + lines.Lines.Size(), polylines);
   return polylines;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultStick> ReadFaultSticks(const NamedHorizon& block)
+{
+  std::vector<FaultStick> sticks = ReadFaultSticks(block.Data);
+  for (FaultStick& stick : sticks)
+  {
+    stick.Fault = stick.Fault.empty() ? block.Name : stick.Fault;
+  }
+  return sticks;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

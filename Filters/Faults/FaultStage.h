@@ -6,6 +6,7 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Horizon.h"
+#include "Common/Horizon/NamedHorizon.h"
 #include "FaultWarnings.h"
 #include "Filters/Algorithms/Faults/FaultDetection.h"
 #include "Filters/Algorithms/Faults/FaultLines.h"
@@ -34,6 +35,9 @@ struct FaultStageOptions : FaultDetectionOptions
 /// Lines and polygons, which become closed, in world coordinates. Sticks of a fault have the same FaultName in the cell
 /// data; without FaultStick, names may end with the number of the stick if all are different.
 std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
+
+/// Sticks without a name have that of their block.
+std::vector<FaultStick> ReadFaultSticks(const NamedHorizon& block);
 
 /// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and surfaces of sticks.
 void RunFaults(const Horizon& horizon, GivenFaults& given, FaultStageOptions options, std::vector<Horizon>& outputs,

@@ -20,11 +20,6 @@ namespace
 constexpr std::size_t MostNamed = 5;
 constexpr const char* BesideCause = "x and y beside the horizon: are they exchanged, or of another coordinate system?";
 
-std::string NameOr(const std::string& name, const char* otherwise, std::size_t number)
-{
-  return name.empty() ? otherwise + std::to_string(number + 1) : name;
-}
-
 /// Up to a column beyond the horizon is not beside.
 bool IsBeside(const PlaneBox& box, double x, double y)
 {
@@ -124,7 +119,7 @@ IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vecto
     alone[sheets[n].Fault] -= std::int64_t(sheets[n].Sticks) - (areExtended ? 2 : 0);
     if (traces[n] == 0)
     {
-      found.Uncut.push_back(NameOr(sheets[n].Fault, "sticks ", n));
+      found.Uncut.push_back(NameOf(sheets, n));
       found.Cause = found.Cause.empty() ? CauseOf(sheets[n], points) : found.Cause;
     }
   }
@@ -154,7 +149,7 @@ IdleLines FindIdleLines(
   {
     if (!onMap[n].empty() && PartInside(box, onMap[n]) <= 0.5)
     {
-      found.Beside.push_back(NameOr(lines[n].Fault, "line ", n));
+      found.Beside.push_back(lines[n].Fault.empty() ? "line " + std::to_string(n + 1) : lines[n].Fault);
       found.Cause = BesideCause;
     }
   }

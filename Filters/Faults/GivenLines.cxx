@@ -12,6 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -55,11 +57,8 @@ std::vector<FaultStick> ReadGivenLines(vtkDataObject* lines)
   std::vector<FaultStick> polylines;
   for (const NamedHorizon& block : ListGivenLines(lines))
   {
-    for (FaultStick& polyline : ReadFaultSticks(block.Data))
-    {
-      polyline.Fault = polyline.Fault.empty() ? block.Name : polyline.Fault;
-      polylines.push_back(std::move(polyline));
-    }
+    std::vector<FaultStick> own = ReadFaultSticks(block);
+    std::move(own.begin(), own.end(), std::back_inserter(polylines));
   }
   return polylines;
 }

@@ -30,8 +30,6 @@ nb::tuple FindAllCutoffs(
   const std::vector<NamedHorizon> horizons = TakeNamed(given);
   const std::vector<NamedHorizon> blocks = TakeNamed(faults);
   std::vector<std::string> warnings;
-  std::vector<std::string> names;
-  CutoffModelData model;
   const CutoffStageResult made = Run(progress,
     [&](const Monitor& monitor)
     {
@@ -42,17 +40,13 @@ nb::tuple FindAllCutoffs(
       }
       GivenFaultPicks picks = blocks.empty() ? GivenFaultPicks() : ReadFaultPicks(blocks);
       const ArrayTable fields = JoinFields(inputs, picks);
-      model = RunCutoffs(inputs, picks.Picks, options, monitor);
+      const CutoffModelData model = RunCutoffs(inputs, picks.Picks, options, monitor);
       warnings = picks.Warnings;
       warnings.insert(warnings.end(), model.Warnings.begin(), model.Warnings.end());
       return WriteCutoffs(model, fields);
     });
-  for (const FaultPlate& fault : model.Faults)
-  {
-    names.push_back(fault.Name());
-  }
   nb::dict result;
-  result["names"] = nb::cast(names);
+  result["names"] = nb::cast(made.FaultNames);
   result["cutoffs"] = GiveList(made.Cutoffs);
   result["polygons"] = GiveList(made.Polygons);
   result["faults"] = GiveData(made.Faults);

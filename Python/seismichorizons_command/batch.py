@@ -59,7 +59,7 @@ def run(inputs, output_folder, settings, with_pictures, record, prints=True, thr
     record.begin(settings)
     files = find_files(inputs, record)
     labels = make_labels(files)
-    stack = [] if (settings.layers, settings.cutoffs) != (None, None) and len(files) > 1 else None
+    stack = [] if settings.joins_horizons() and len(files) > 1 else None
     stems = naming.distinct(naming.shorten(stem, naming.LONGEST_STEM) for stem in make_stems(labels))
     taken = naming.Taken([*files, *settings.other_files])
     settings = replace(settings, jobs=max(1, min(settings.jobs, len(files))) if jobs.CAN_FORK else 1)
@@ -223,7 +223,7 @@ def process(path, label, stem, results, settings, with_pictures, record, stack=N
         lines = _write(made, names, pathlib.Path(folder))
         if stack is not None and len(made) == 1:
             stack.append((stem, made[0].name, writing.prepared(made[0])))
-        elif (settings.layers, settings.cutoffs) != (None, None):
+        elif settings.joins_horizons():
             points = {result.name: writing.prepared(result) for result in made}
             lines += _write_together(label, points, settings, names, pathlib.Path(folder), record)
         interrupt.check()
@@ -293,7 +293,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             record.add_horizon(result, supply, files)
             results.append(result)
         result.data.pop("measured", None)
-        if not supply.is_whole and (settings.layers, settings.cutoffs) != (None, None):
+        if not supply.is_whole and settings.joins_horizons():
             raise HorizonError("%s: layers or cutoffs of horizons larger than memory, expected more memory (--memory) or fewer "
                                "horizons (--horizons)" % label)
         if not supply.is_whole:

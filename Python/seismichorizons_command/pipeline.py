@@ -89,7 +89,11 @@ class Settings:
         can_go_without = (self.error is None or self.error_if_whole) and not any(
             writing.is_of_points(form, self.grids_of_meshes) for form in self.formats)
         return by_error and can_go_without and all(
-            getattr(self, name) is None for name in (*PREPARATIONS, "layers"))  # cutoffs need faults
+            getattr(self, name) is None for name in (*PREPARATIONS, "layers"))  # There are no cutoffs without faults, which are a preparation.
+
+    def joins_horizons(self):
+        """Whether something is made of all horizons together."""
+        return self.layers is not None or self.cutoffs is not None
 
     def said_unit(self):
         """Returns the unit of the given heights; empty if they have none."""

@@ -211,8 +211,7 @@ public:
       this->Gather(others, side, along);
       if (this->HasOuter(-along, along) && this->HasOuter(-along, 0.5) && this->HasOuter(-0.5, along))
       {
-        this->KeepOuter(Window, false);
-        this->KeepOuter(0.5 * Window, true);
+        this->KeepOuter();
         return;
       }
     }
@@ -228,8 +227,7 @@ public:
       this->Ring -= 1.0;
     }
     this->Ring = std::max(this->Ring, options.DropDistance);
-    this->KeepOuter(Window, false);
-    this->KeepOuter(0.5 * Window, true);
+    this->KeepOuter();
   }
 
   /// Where surfaces through the picks that are not doubtful meet the fault: a curved one, and a plane through the nearest.
@@ -244,12 +242,18 @@ public:
 private:
   void Gather(const OtherFaults& others, const FaultSide& side, double along);
   bool HasOuter(double from, double to) const;
+  void KeepOuter()
+  {
+    this->KeepOuter(Window, false);
+    this->KeepOuter(0.5 * Window, true);
+  }
   void KeepOuter(double width, bool isPlane);
   void Weigh(double off, double limit, NearPick& near) const
   {
     const double weight = this->Options.DropNoise == 0.0 || off == 0.0 ? 1.0 : Bisquare(off / limit);
     near.Weight = std::max(near.Weight, weight);
   }
+
   const FaultPlate& Fault;
   double S;
   const CutoffFitOptions& Options;

@@ -79,10 +79,6 @@ public:
   template <typename Visitor>
   void ForEach(double from, double to, Visitor&& visit) const
   {
-    if (to < this->First)
-    {
-      return;
-    }
     for (std::size_t n = this->Begins[this->StripOf(from)]; n < this->Begins[this->StripOf(to) + 1]; ++n)
     {
       if (this->Picks[n].Place.S >= from && this->Picks[n].Place.S <= to)

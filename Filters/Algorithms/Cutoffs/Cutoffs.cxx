@@ -228,10 +228,7 @@ double CutoffPiece::Length(const FaultPlate& fault, FaultWall wall) const
   double length = 0.0;
   for (std::size_t n = 1; n < this->Pairs.size(); ++n)
   {
-    const auto placeOf = [&](const CutoffPair& pair) {
-      return fault.ToWorld({ pair.S, pair.Wall[wall].Offset, pair.Wall[wall].Height });
-    };
-    length += (placeOf(this->Pairs[n]) - placeOf(this->Pairs[n - 1])).norm();
+    length += (this->Pairs[n].Place(fault, wall) - this->Pairs[n - 1].Place(fault, wall)).norm();
   }
   return length;
 }

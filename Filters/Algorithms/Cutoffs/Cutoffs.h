@@ -44,6 +44,12 @@ struct CutoffPair
 
   double Throw() const { return this->Wall[Footwall].Height - this->Wall[HangingWall].Height; }
   double Heave() const { return this->Wall[HangingWall].Offset - this->Wall[Footwall].Offset; }
+  /// NaN at a fault of unknown dip.
+  double Heave(const FaultPlate& fault) const { return fault.HasDip() ? this->Heave() : NoValue; }
+  Eigen::Vector3d Place(const FaultPlate& fault, FaultWall wall) const
+  {
+    return fault.ToWorld({ this->S, this->Wall[wall].Offset, this->Wall[wall].Height });
+  }
   bool IsGuessed() const
   {
     return this->Source[Footwall] != HeightSource::Picks || this->Source[HangingWall] != HeightSource::Picks;

@@ -56,12 +56,15 @@ std::vector<std::array<FaultPlace, 2>> HullOf(const std::vector<std::array<Fault
   }
   return hull;
 }
+}
 
-std::array<PlateTerm, 4> ListCorners(double s, double z)
+/// Nodes around a place: the first one, and the parts of all four.
+struct FaultPlate::Square
 {
-  return { { { 0, 0, (1.0 - s) * (1.0 - z) }, { 1, 0, s * (1.0 - z) }, { 0, 1, (1.0 - s) * z }, { 1, 1, s * z } } };
-}
-}
+  std::size_t X;
+  std::size_t Y;
+  std::array<PlateTerm, 4> Corners;
+};
 
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t FaultPlate::Axis::Interval(double value) const
@@ -149,7 +152,7 @@ void FaultPlate::Orient(const FaultPicks& picks)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Nodes are a fourth of the mean distance of picks apart along both axes. The mean plane is subtracted, so that the
+// Nodes are a fourth of the mean distance of picks apart along both axes, but there are 8 to 150 of them. The mean plane is subtracted, so that the
 // plate of a plane is exact.
 FaultPlate::Segments FaultPlate::MakeGrid(const FaultPicks& picks)
 {
@@ -261,14 +264,12 @@ void FaultPlate::Fit(const Segments& segments, const Monitor& monitor)
       const double part = steps > 0.0 ? n / steps : 0.0;
       const double s = from.S + part * (to.S - from.S), z = from.Z + part * (to.Z - from.Z);
       const double offset = from.N + part * (to.N - from.N) - this->Plane.dot(Eigen::Vector2d(s, z));
-      const std::size_t x = this->Grid[0].Interval(s), y = this->Grid[1].Interval(z);
-      const auto corners =
-        ListCorners((s - this->Grid[0].At(x)) / this->Grid[0].Step, (z - this->Grid[1].At(y)) / this->Grid[1].Step);
-      AddSquare(system, system.Sites.Near->Find({ std::int32_t(x), std::int32_t(y) }), corners, SpringsPerBend);
-      for (const PlateTerm& corner : corners)
+      const Square square = this->SquareAt(s, z);
+      const std::int64_t node = system.Sites.Near->Find({ std::int32_t(square.X), std::int32_t(square.Y) });
+      AddSquare(system, node, square.Corners, SpringsPerBend);
+      for (const PlateTerm& corner : square.Corners)
       {
-        this->Values[(y + std::size_t(corner.Y)) * this->Grid[0].Size + x + std::size_t(corner.X)] +=
-          SpringsPerBend * corner.Coefficient * offset;
+        this->Values[this->NodeOf(square, corner)] += SpringsPerBend * corner.Coefficient * offset;
       }
     }
   }
@@ -301,15 +302,28 @@ Eigen::Vector3d FaultPlate::ToWorld(const FaultPlace& place) const
 
 //----------------------------------------------------------------------------------------------------------------------
 // Beyond the nodes the outermost squares continue.
-double FaultPlate::Offset(double s, double z) const
+FaultPlate::Square FaultPlate::SquareAt(double s, double z) const
 {
   const std::size_t x = this->Grid[0].Interval(s), y = this->Grid[1].Interval(z);
+  const double a = (s - this->Grid[0].At(x)) / this->Grid[0].Step, b = (z - this->Grid[1].At(y)) / this->Grid[1].Step;
+  return { x, y,
+    { { { 0, 0, (1.0 - a) * (1.0 - b) }, { 1, 0, a * (1.0 - b) }, { 0, 1, (1.0 - a) * b }, { 1, 1, a * b } } } };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::size_t FaultPlate::NodeOf(const Square& square, const PlateTerm& corner) const
+{
+  return (square.Y + std::size_t(corner.Y)) * this->Grid[0].Size + square.X + std::size_t(corner.X);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double FaultPlate::Offset(double s, double z) const
+{
+  const Square square = this->SquareAt(s, z);
   double offset = this->Plane.dot(Eigen::Vector2d(s, z));
-  for (const PlateTerm& corner :
-    ListCorners((s - this->Grid[0].At(x)) / this->Grid[0].Step, (z - this->Grid[1].At(y)) / this->Grid[1].Step))
+  for (const PlateTerm& corner : square.Corners)
   {
-    offset +=
-      corner.Coefficient * this->Values[(y + std::size_t(corner.Y)) * this->Grid[0].Size + x + std::size_t(corner.X)];
+    offset += corner.Coefficient * this->Values[this->NodeOf(square, corner)];
   }
   return offset;
 }

@@ -26,13 +26,14 @@
 
 namespace SeismicHorizons
 {
+struct PlateTerm;
+
 /// What is known of a fault: sticks, edges of a surface, or traces on horizons, piece by piece.
 struct FaultPicks
 {
   std::string Name;
   std::vector<std::array<Eigen::Vector3d, 2>> Segments;
-  std::vector<std::array<Eigen::Vector3d, 2>>
-    TipLoop; // a closed line that bounds the fault; without it their hull does
+  std::vector<std::array<Eigen::Vector3d, 2>> TipLoop; // a closed line around the fault; without it their hull is
   bool IsSurface = false; // Segments cover the fault, which ends with them.
   bool HasDip = true; // Otherwise it is taken as upright, and heaves are unknown.
   std::vector<std::size_t> Horizons; // the only ones that it cuts, by number; empty for any
@@ -112,6 +113,10 @@ private:
   void FindExtent(const Segments& segments, double margin);
   void Fit(const Segments& segments, const Monitor& monitor);
   Eigen::Vector2d Gradient(double s, double z) const;
+
+  struct Square;
+  Square SquareAt(double s, double z) const;
+  std::size_t NodeOf(const Square& square, const PlateTerm& corner) const;
 
   std::string OwnName;
   bool IsDipKnown;

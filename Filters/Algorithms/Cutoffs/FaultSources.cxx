@@ -53,10 +53,10 @@ double MeasureSpacing(const FaultSheet& sheet)
   return distances.empty() ? 0.0 : UpperMedian(distances);
 }
 
-FaultPicks PickSheet(const FaultSheet& sheet)
+FaultPicks PickSheet(const std::string& name, const FaultSheet& sheet)
 {
   FaultPicks picks;
-  picks.Name = sheet.Fault;
+  picks.Name = name;
   picks.Spacing = MeasureSpacing(sheet);
   for (std::size_t stick = 0; stick < sheet.Sticks; ++stick)
   {
@@ -199,14 +199,11 @@ PickedSticks PickSticks(const std::vector<FaultStick>& sticks)
   PickedSticks picked;
   std::vector<FaultPicks>& faults = picked.Faults;
   picked.NumberAlone = open.size();
-  for (const FaultSheet& sheet : MakeFaultSheets(open, false))
+  const std::vector<FaultSheet> sheets = MakeFaultSheets(open, false);
+  for (std::size_t n = 0; n < sheets.size(); ++n)
   {
-    picked.NumberAlone -= sheet.Sticks;
-    faults.push_back(PickSheet(sheet));
-    if (faults.back().Name.empty())
-    {
-      faults.back().Name = "sticks " + std::to_string(faults.size());
-    }
+    picked.NumberAlone -= sheets[n].Sticks;
+    faults.push_back(PickSheet(NameOf(sheets, n), sheets[n]));
   }
   for (const FaultStick* const loop : loops)
   {

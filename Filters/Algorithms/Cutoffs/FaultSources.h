@@ -41,8 +41,7 @@ struct TraceCut
 
 /// Traces of one fault in horizons, of which none is empty. Several at different heights give the dip. Else the fault
 /// dips by `dip`, in degrees, towards the lower side; 0 takes the gap of the picks as heave, and without a gap the dip
-/// is unknown. `column` is the distance of columns, `index` the height of a vertical
-/// index.
+/// is unknown. `column` is the distance of columns, `index` the height of a vertical index.
 FaultPicks PickTraces(
   const std::string& name, const std::vector<std::vector<TraceCut>>& traces, double dip, double column, double index);
 }

@@ -587,6 +587,12 @@ std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, b
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string NameOf(const std::vector<FaultSheet>& sheets, std::size_t n)
+{
+  return sheets[n].Fault.empty() ? "sticks " + std::to_string(n + 1) : sheets[n].Fault;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultSheet>& sheets)
 {
   std::vector<FaultPolyline> traces;

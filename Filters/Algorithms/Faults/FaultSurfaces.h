@@ -37,6 +37,9 @@ struct FaultSheet
 /// distances. `extend` continues both ends by one interval. Throws InputError for places that are not finite.
 std::vector<FaultSheet> MakeFaultSheets(const std::vector<FaultStick>& sticks, bool extend);
 
+/// The name of a sheet, or "sticks 1" and so on.
+std::string NameOf(const std::vector<FaultSheet>& sheets, std::size_t n);
+
 /// Traces have places half a column apart and end half a column beyond the sheet or the horizon. Over missing columns
 /// heights are interpolated down the fault.
 std::vector<FaultPolyline> FindTraces(const ColumnHeights& heights, const std::vector<FaultSheet>& sheets);
