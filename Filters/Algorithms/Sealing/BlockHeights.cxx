@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BlockHeights.h"
+
+#include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
+#include "Filters/Algorithms/HoleFilling/SiteSolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr double Beyond = 3.0; // columns that heights are continued beyond faults
+constexpr std::size_t FewestOfBlock = 6; // of a block whose heights they tell
+constexpr int Rim = 6; // columns of picks that the continuation follows
+
+double MeanOf(const std::vector<double>& known)
+{
+  double sum = 0.0, count = 0.0;
+  for (const double value : known)
+  {
+    sum += std::isfinite(value) ? value : 0.0;
+    count += std::isfinite(value) ? 1.0 : 0.0;
+  }
+  return sum / std::max(count, 1.0);
+}
+
+class BlockFiller
+{
+public:
+  BlockFiller(const BlockLattice& lattice, const std::vector<FaultPlate>& faults)
+    : Lattice(lattice)
+    , Faults(faults)
+    , Column(lattice.Step.maxCoeff())
+  {
+  }
+
+  /// Continues known heights over the block. `shape`, if given, has all heights.
+  void Fill(BlockHeights& block, const Monitor& monitor) const
+  {
+    std::vector<double> known = block.Heights;
+    constexpr int mostRounds = 6;
+    for (int round = 0; round < mostRounds; ++round)
+    {
+      block.Nearest = this->Nearest(block.Heights);
+      std::vector<std::size_t> sites;
+      bool isNew = false;
+      for (std::size_t node = 0; node < known.size(); ++node)
+      {
+        if (std::isnan(known[node]) && this->IsInside(block.Sides, node, block.Nearest[node], Beyond))
+        {
+          sites.push_back(node);
+          // The next round need not reach as far.
+          isNew = isNew ||
+            (std::isnan(block.Heights[node]) && this->IsInside(block.Sides, node, block.Nearest[node], 0.5 * Beyond));
+        }
+      }
+      if (!isNew)
+      {
+        break;
+      }
+      block.Heights = this->Solve(known, sites, monitor);
+    }
+    block.Nearest = this->Nearest(block.Heights);
+  }
+
+  /// Keeps heights within the block and its margin.
+  void Limit(BlockHeights& block) const
+  {
+    for (std::size_t node = 0; node < block.Heights.size(); ++node)
+    {
+      if (!this->IsInside(block.Sides, node, block.Heights[node], Beyond))
+      {
+        block.Heights[node] = NotKnown;
+      }
+    }
+  }
+
+private:
+  bool IsInside(const BlockSides& sides, std::size_t node, double height, double margin) const
+  {
+    const Eigen::Vector2d place = this->Lattice.At(node);
+    for (std::size_t fault = 0; fault < sides.size(); ++fault)
+    {
+      const FaultPlate& plate = this->Faults[fault];
+      if (sides[fault] != 0 &&
+        sides[fault] * plate.Distance(plate.ToPlace({ place.x(), place.y(), height })) < -margin * this->Column)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::vector<double> Nearest(const std::vector<double>& heights) const
+  {
+    std::vector<double> nearest = heights;
+    std::vector<std::size_t> front;
+    for (std::size_t node = 0; node < heights.size(); ++node)
+    {
+      if (std::isfinite(heights[node]))
+      {
+        front.push_back(node);
+      }
+    }
+    const auto width = std::size_t(this->Lattice.Width), height = std::size_t(this->Lattice.Height);
+    for (std::size_t n = 0; n < front.size(); ++n)
+    {
+      const std::size_t x = front[n] % width, y = front[n] / width;
+      const auto visit = [&](std::size_t node)
+      {
+        if (std::isnan(nearest[node]))
+        {
+          nearest[node] = nearest[front[n]];
+          front.push_back(node);
+        }
+      };
+      if (x > 0)
+      {
+        visit(front[n] - 1);
+      }
+      if (x + 1 < width)
+      {
+        visit(front[n] + 1);
+      }
+      if (y > 0)
+      {
+        visit(front[n] - width);
+      }
+      if (y + 1 < height)
+      {
+        visit(front[n] + width);
+      }
+    }
+    return nearest;
+  }
+
+  /// The sites, and known heights near them, by runs of rows.
+  std::vector<BoxRun> RunsAround(const std::vector<std::size_t>& sites, const std::vector<double>& known) const
+  {
+    const int width = this->Lattice.Width, height = this->Lattice.Height;
+    std::vector<unsigned char> isSite(known.size(), 0);
+    for (const std::size_t site : sites)
+    {
+      const int x = int(site) % width, y = int(site) / width;
+      isSite[site] = 1;
+      for (int row = std::max(0, y - Rim); row <= std::min(height - 1, y + Rim); ++row)
+      {
+        for (int column = std::max(0, x - Rim); column <= std::min(width - 1, x + Rim); ++column)
+        {
+          const auto node = std::size_t(row) * std::size_t(width) + std::size_t(column);
+          isSite[node] = isSite[node] != 0 || std::isfinite(known[node]) ? 1 : 0;
+        }
+      }
+    }
+    std::vector<BoxRun> runs;
+    for (std::size_t node = 0; node < isSite.size(); ++node)
+    {
+      const int row = int(node) / width, column = int(node) % width;
+      if (isSite[node] != 0 && !runs.empty() && runs.back().Row == row && runs.back().Last == column - 1)
+      {
+        ++runs.back().Last;
+      }
+      else if (isSite[node] != 0)
+      {
+        runs.push_back({ row, column, column });
+      }
+    }
+    return runs;
+  }
+
+  /// A plate through the sites, held by springs at known heights around them. A weak membrane keeps it near them far
+  /// away.
+  std::vector<double> Solve(
+    const std::vector<double>& known, const std::vector<std::size_t>& sites, const Monitor& monitor) const
+  {
+    SiteSystem<2> system(SiteBox::Fill(this->RunsAround(sites, known)));
+    const BoxPlaces& near = *system.Sites.Near;
+    const auto isIn = [&system](std::int64_t place) { return system.Sites.Number[std::size_t(place)] != NoSite; };
+    const auto always = [](auto...) { return true; };
+    const auto add = [&system](std::int64_t place, const auto& terms, double weight)
+    { AddSquare(system, place, terms, weight); };
+    ForEachPlateStencil(near, isIn, always, always, add);
+    static constexpr std::array<PlateTerm, 2> alongX = { { { 0, 0, -1.0 }, { 1, 0, 1.0 } } };
+    static constexpr std::array<PlateTerm, 2> alongY = { { { 0, 0, -1.0 }, { 0, 1, 1.0 } } };
+    constexpr double tension = 1e-6, spring = 1.0, hold = 1e-12;
+    const double datum = MeanOf(known);
+    const auto nodeOf = [&](std::size_t site)
+    {
+      const PlanePoint column = near.Column(system.Sites.Place[site]);
+      return std::size_t(column.Y) * std::size_t(this->Lattice.Width) + std::size_t(column.X);
+    };
+    std::vector<double> values(system.Sites.Size(), 0.0);
+    for (std::size_t site = 0; site < values.size(); ++site)
+    {
+      const std::int64_t place = system.Sites.Place[site];
+      if (isIn(place + 1))
+      {
+        add(place, alongX, tension);
+      }
+      if (isIn(near.Above(place)))
+      {
+        add(place, alongY, tension);
+      }
+      const double value = known[nodeOf(site)];
+      system.Matrix[site][StencilMatrix<2>::Centre] += std::isfinite(value) ? spring : hold;
+      values[site] = std::isfinite(value) ? spring * (value - datum) : 0.0;
+    }
+    MakeSiteSolver<2>(system)->Solve(values, monitor);
+    std::vector<double> heights = known;
+    for (std::size_t site = 0; site < values.size(); ++site)
+    {
+      double& height = heights[nodeOf(site)];
+      height = std::isfinite(height) ? height : values[site] + datum;
+    }
+    return heights;
+  }
+
+  const BlockLattice& Lattice;
+  const std::vector<FaultPlate>& Faults;
+  double Column;
+};
+
+/// The picks of a horizon by block.
+std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockLattice& lattice,
+  const BlockTree& tree, const std::vector<FaultPlate>& faults, double drop)
+{
+  const SealingHorizon& horizon = input.Horizons[number];
+  std::vector<BlockHeights> blocks;
+  for (const BlockSides& sides : tree.BlocksOf(number))
+  {
+    BlockHeights block;
+    block.Horizon = number;
+    block.Sides = sides;
+    block.Heights.assign(lattice.Size(), NotKnown);
+    block.IsKnown.assign(lattice.Size(), 0);
+    blocks.push_back(block);
+  }
+  std::vector<double> distances(faults.size());
+  for (std::size_t pick = 0; pick < horizon.Columns.size(); ++pick)
+  {
+    const PlanePoint& column = horizon.Columns[pick];
+    if (!lattice.Contains(column))
+    {
+      continue;
+    }
+    const std::size_t node = lattice.NodeOf(column);
+    const Eigen::Vector2d onMap = lattice.At(node);
+    const Eigen::Vector3d place(onMap.x(), onMap.y(), horizon.Heights[pick]);
+    for (std::size_t fault = 0; fault < faults.size(); ++fault)
+    {
+      distances[fault] = faults[fault].Distance(faults[fault].ToPlace(place));
+    }
+    for (BlockHeights& block : blocks)
+    {
+      bool isIn = true;
+      for (std::size_t fault = 0; fault < faults.size() && isIn; ++fault)
+      {
+        isIn = block.Sides[fault] == 0 || block.Sides[fault] * distances[fault] > drop;
+      }
+      if (isIn && block.IsKnown[node] == 0)
+      {
+        block.IsKnown[node] = 1;
+        block.Heights[node] = place.z();
+        block.Picks.push_back(pick);
+      }
+    }
+  }
+  return blocks;
+}
+
+/// The block on the other side of the last fault possible, of those with picks the one with most.
+const BlockHeights* FindSibling(const std::vector<BlockHeights>& blocks, const BlockHeights& block, std::size_t horizon)
+{
+  for (std::size_t fault = block.Sides.size(); fault-- > 0;)
+  {
+    if (block.Sides[fault] == 0)
+    {
+      continue;
+    }
+    const BlockHeights* best = nullptr;
+    for (const BlockHeights& other : blocks)
+    {
+      bool isSibling = other.Horizon == horizon && !other.IsGuessed && other.Sides[fault] == -block.Sides[fault];
+      for (std::size_t before = 0; before < fault && isSibling; ++before)
+      {
+        isSibling = other.Sides[before] == block.Sides[before];
+      }
+      best = isSibling && (!best || other.Picks.size() > best->Picks.size()) ? &other : best;
+    }
+    if (best)
+    {
+      return best;
+    }
+  }
+  return nullptr;
+}
+
+/// Blocks without picks follow the nearest other horizon with picks there, by the thickness across the fault.
+void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
+{
+  const BlockHeights* const sibling = FindSibling(blocks, block, block.Horizon);
+  if (!sibling)
+  {
+    return;
+  }
+  block.Heights = sibling->Nearest;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const BlockHeights& own : blocks)
+  {
+    const std::size_t apart = own.Horizon > block.Horizon ? own.Horizon - block.Horizon : block.Horizon - own.Horizon;
+    if (own.IsGuessed || apart == 0 || apart >= least || own.Sides != block.Sides)
+    {
+      continue;
+    }
+    for (const BlockHeights& beside : blocks)
+    {
+      if (beside.Horizon == own.Horizon && !beside.IsGuessed && beside.Sides == sibling->Sides)
+      {
+        least = apart;
+        for (std::size_t node = 0; node < block.Heights.size(); ++node)
+        {
+          block.Heights[node] = own.Nearest[node] + sibling->Nearest[node] - beside.Nearest[node];
+        }
+      }
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<BlockHeights> FindBlockHeights(const SealingInput& input, const std::vector<FaultPlate>& faults,
+  const SealingOptions& options, const Monitor& monitor)
+{
+  const BlockLattice lattice(input);
+  const BlockTree tree(input.Faults, input.Horizons.size());
+  const BlockFiller filler(lattice, faults);
+  const double drop = options.DropDistance * input.Step.maxCoeff();
+  std::vector<BlockHeights> blocks;
+  for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
+  {
+    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, faults, drop);
+    if (std::none_of(
+          own.begin(), own.end(), [](const BlockHeights& block) { return block.Picks.size() >= FewestOfBlock; }))
+    {
+      throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +
+        " picks in any block, expected more");
+    }
+    for (BlockHeights& block : own)
+    {
+      block.IsGuessed = block.Picks.size() < FewestOfBlock;
+      if (!block.IsGuessed)
+      {
+        filler.Fill(block, monitor);
+      }
+      blocks.push_back(std::move(block));
+    }
+  }
+  for (BlockHeights& block : blocks)
+  {
+    if (block.IsGuessed)
+    {
+      Guess(blocks, block);
+      block.Nearest = block.Heights;
+      filler.Limit(block);
+    }
+  }
+  return blocks;
+}
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Faults divide space one by one, each the part that it is in. Blocks are the leaves of this tree.
+
+#ifndef SeismicHorizonsBlockTree_h
+#define SeismicHorizonsBlockTree_h
+
+#include "SealedModel.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// By fault: 1 hanging wall, -1 footwall, 0 where the fault does not reach.
+using BlockSides = std::vector<signed char>;
+
+class BlockTree
+{
+public:
+  BlockTree(const std::vector<SealingFault>& faults, std::size_t horizons)
+    : Faults(faults)
+    , Horizons(horizons)
+  {
+  }
+
+  bool Cuts(std::size_t fault, std::size_t horizon) const
+  {
+    const std::optional<std::size_t>& end = this->Faults[fault].EndsBelow;
+    return !end || *end < horizon;
+  }
+
+  /// The part of sides that matters for a horizon.
+  BlockSides SidesAt(std::size_t horizon, BlockSides sides) const
+  {
+    for (std::size_t fault = 0; fault < sides.size(); ++fault)
+    {
+      sides[fault] = this->Cuts(fault, horizon) ? sides[fault] : static_cast<signed char>(0);
+    }
+    return sides;
+  }
+
+  /// The blocks of a horizon.
+  std::vector<BlockSides> BlocksOf(std::size_t horizon) const
+  {
+    std::vector<BlockSides> blocks = { BlockSides(this->Faults.size(), 0) };
+    for (std::size_t fault = 0; fault < this->Faults.size(); ++fault)
+    {
+      const std::size_t count = blocks.size();
+      for (std::size_t n = 0; n < count && this->Cuts(fault, horizon); ++n)
+      {
+        if (this->Reaches(fault, blocks[n]))
+        {
+          blocks[n][fault] = 1;
+          blocks.push_back(blocks[n]);
+          blocks.back()[fault] = -1;
+        }
+      }
+    }
+    return blocks;
+  }
+
+  /// The block of a place. isHanging(fault) gives its side, isBelow(horizon, sides) whether it is below the horizon.
+  template <typename IsHanging, typename IsBelow>
+  BlockSides Find(IsHanging&& isHanging, IsBelow&& isBelow) const
+  {
+    BlockSides sides(this->Faults.size(), 0);
+    for (std::size_t fault = 0; fault < this->Faults.size(); ++fault)
+    {
+      const std::optional<std::size_t>& end = this->Faults[fault].EndsBelow;
+      if (this->Reaches(fault, sides) && (!end || isBelow(*end, sides)))
+      {
+        sides[fault] = isHanging(fault) ? 1 : -1;
+      }
+    }
+    return sides;
+  }
+
+  /// Whether both are parts of one block, as far as they tell.
+  static bool AreTogether(const BlockSides& a, const BlockSides& b)
+  {
+    for (std::size_t fault = 0; fault < a.size(); ++fault)
+    {
+      if (a[fault] * b[fault] < 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether a place can be on both faults.
+  bool CanMeet(std::size_t a, std::size_t b) const { return AreTogether(this->RegionOf(a), this->RegionOf(b)); }
+
+private:
+  BlockSides RegionOf(std::size_t fault) const
+  {
+    BlockSides sides(this->Faults.size(), 0);
+    for (const FaultSideOf& side : this->Faults[fault].Region)
+    {
+      sides[side.Fault] = side.IsHanging ? 1 : -1;
+    }
+    return sides;
+  }
+
+  bool Reaches(std::size_t fault, const BlockSides& sides) const { return AreTogether(this->RegionOf(fault), sides); }
+
+  const std::vector<SealingFault>& Faults;
+  std::size_t Horizons;
+};
+}
+
+#endif

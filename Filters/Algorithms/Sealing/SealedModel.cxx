@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SealedModel.h"
+
+#include "Arrangement.h"
+#include "BlockHeights.h"
+#include "BlockTree.h"
+#include "Common/Base/Errors.h"
+#include "SealedComplex.h"
+#include "SealedImprover.h"
+#include "Sheets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// The sheets of a model by what they are.
+class ModelSheets
+{
+public:
+  ModelSheets(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+    : Input(input)
+    , Options(options)
+    , Tree(input.Faults, input.Horizons.size())
+    , Lattice(input)
+    , Column(input.Step.maxCoeff())
+  {
+    this->Box.min() << input.Step.x() * input.Least.X, input.Step.y() * input.Least.Y, input.Base;
+    this->Box.max() << input.Step.x() * input.Greatest.X, input.Step.y() * input.Greatest.Y, input.Top;
+    for (const SealingFault& fault : input.Faults)
+    {
+      this->Plates.emplace_back(fault.Picks);
+    }
+    this->Blocks = FindBlockHeights(input, this->Plates, options, monitor.Step(0.0, 0.3));
+    this->PutInOrder();
+    for (const BlockHeights& block : this->Blocks)
+    {
+      SheetHeights heights;
+      heights.Origin = this->Lattice.At(0);
+      heights.Step = input.Step;
+      heights.Width = this->Lattice.Width;
+      heights.Heights = block.Heights;
+      this->AddSheet(std::move(heights), options.MaximumError);
+    }
+    this->FirstFault = this->Sheets.size();
+    for (const FaultPlate& plate : this->Plates)
+    {
+      this->AddSheet(this->HeightsOf(plate), options.FaultError);
+    }
+    this->FirstWall = this->Sheets.size();
+    const Eigen::AlignedBox3d around(this->Box.min() - Eigen::Vector3d::Constant(this->Column),
+      this->Box.max() + Eigen::Vector3d::Constant(this->Column));
+    constexpr double squares = 8.0; // columns
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.min()[axis], squares * this->Column));
+      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.max()[axis], squares * this->Column));
+      this->Shapes.push_back({ SheetHeights(), 0.0, this->Sheets.back().Axes });
+      this->Shapes.push_back(this->Shapes.back());
+    }
+  }
+
+  std::vector<std::pair<int, int>> Pairs() const
+  {
+    std::vector<std::pair<int, int>> pairs;
+    for (std::size_t a = 0; a < this->Sheets.size(); ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        if (this->CanMeet(b, a))
+        {
+          pairs.emplace_back(int(b), int(a));
+        }
+      }
+    }
+    return pairs;
+  }
+
+  std::int32_t SurfaceOf(std::int32_t sheet) const
+  {
+    const auto number = std::size_t(sheet);
+    return number < this->FirstFault ? std::int32_t(this->Blocks[number].Horizon)
+                                     : std::int32_t(number - this->FirstFault + this->Input.Horizons.size());
+  }
+
+  /// Labels are blocks times layers.
+  std::size_t NumberOfLayers() const { return this->Input.Horizons.size() + 1; }
+
+  void Shake(unsigned round)
+  {
+    constexpr double part = 1e-3; // of a column
+    this->Shaken = this->Sheets;
+    SeismicHorizons::Shake(this->Shaken, part * this->Column, round);
+    this->Locators.clear();
+    for (std::size_t sheet = 0; sheet < this->FirstWall; ++sheet)
+    {
+      this->Locators.emplace_back(this->Shaken[sheet]);
+    }
+  }
+
+  SealedLabel LabelAt(const Eigen::Vector3d& place, std::int32_t sheet, int side)
+  {
+    const auto own = std::size_t(sheet);
+    for (std::size_t wall = this->FirstWall; wall < this->Sheets.size(); ++wall)
+    {
+      const auto axis = int(wall - this->FirstWall) / 2;
+      const bool isMax = (wall - this->FirstWall) % 2 == 1;
+      const double beyond = (isMax ? 1.0 : -1.0) * (place[axis] - this->Shaken[wall].Level());
+      if (own == wall ? (side == 0) == isMax : beyond > 0.0)
+      {
+        return OutsideLabel;
+      }
+    }
+    const auto isBelow = [&](std::size_t horizon, const BlockSides& sides)
+    {
+      const std::size_t number = this->FindBlock(horizon, this->Tree.SidesAt(horizon, sides));
+      return number == own ? side == 1 : this->HeightOver(number, place) < 0.0;
+    };
+    const auto isHanging = [&](std::size_t fault)
+    {
+      const std::size_t number = this->FirstFault + fault;
+      return number == own ? side == 0 : this->HeightOver(number, place) > 0.0;
+    };
+    const BlockSides sides = this->Tree.Find(isHanging, isBelow);
+    std::size_t layer = 0;
+    while (layer < this->Input.Horizons.size() && isBelow(layer, sides))
+    {
+      ++layer;
+    }
+    const auto block = this->Numbers.try_emplace(sides, std::int32_t(this->Numbers.size())).first->second;
+    return block * std::int32_t(this->NumberOfLayers()) + std::int32_t(layer);
+  }
+
+  std::vector<Sheet> Shaken;
+  std::vector<SheetShape> Shapes;
+
+private:
+  static constexpr double partOfError = 0.5;
+
+  void AddSheet(SheetHeights heights, double error)
+  {
+    this->Sheets.push_back(MeshSheet(heights, partOfError * error));
+    const Eigen::Matrix3d axes = heights.Axes;
+    this->Shapes.push_back({ std::move(heights), error, axes });
+  }
+
+  bool CanMeet(std::size_t a, std::size_t b) const // a < b
+  {
+    if (b >= this->FirstWall)
+    {
+      return a < this->FirstWall || (a - this->FirstWall) / 2 != (b - this->FirstWall) / 2;
+    }
+    if (b < this->FirstFault)
+    {
+      return this->Blocks[a].Horizon != this->Blocks[b].Horizon &&
+        BlockTree::AreTogether(this->Blocks[a].Sides, this->Blocks[b].Sides);
+    }
+    const std::size_t fault = b - this->FirstFault;
+    if (a >= this->FirstFault)
+    {
+      return this->Tree.CanMeet(a - this->FirstFault, fault);
+    }
+    return this->Blocks[a].Sides[fault] != 0 || this->Input.Faults[fault].EndsBelow == this->Blocks[a].Horizon;
+  }
+
+  std::size_t FindBlock(std::size_t horizon, const BlockSides& sides) const
+  {
+    for (std::size_t n = 0; n < this->Blocks.size(); ++n)
+    {
+      if (this->Blocks[n].Horizon == horizon && this->Blocks[n].Sides == sides)
+      {
+        return n;
+      }
+    }
+    throw InputError("no block"); // TODO
+  }
+
+  double HeightOver(std::size_t sheet, const Eigen::Vector3d& place) const
+  {
+    if (const std::optional<double> height = this->Locators[sheet].HeightAbove(place))
+    {
+      return *height;
+    }
+    if (sheet >= this->FirstFault)
+    {
+      const FaultPlate& plate = this->Plates[sheet - this->FirstFault];
+      return plate.Distance(plate.ToPlace(place));
+    }
+    // Far from its block, a horizon is only needed to tell above from below.
+    const Eigen::Vector2d column = (place.head<2>().array() / this->Input.Step.array()).round();
+    PlanePoint nearest = { std::int32_t(column.x()), std::int32_t(column.y()) };
+    return place.z() - this->Blocks[sheet].Nearest[this->Lattice.NodeOf(nearest)];
+  }
+
+  /// Horizons of a block keep a distance in which their meshes cannot meet.
+  void PutInOrder()
+  {
+    constexpr double errors = 2.5;
+    const double least = errors * this->Options.MaximumError;
+    for (std::size_t n = 0; n < this->Blocks.size(); ++n)
+    {
+      BlockHeights& block = this->Blocks[n];
+      const double above = double(this->Input.Horizons.size() - block.Horizon);
+      const double lowest = this->Input.Base + least * above;
+      const double highest = this->Input.Top - least * double(block.Horizon + 1);
+      const auto limit = [&](std::vector<double>& heights, std::size_t node, double most)
+      {
+        if (heights[node] > most)
+        {
+          heights[node] = most;
+        }
+      };
+      for (std::vector<double>* heights : { &block.Heights, &block.Nearest })
+      {
+        for (std::size_t node = 0; node < heights->size(); ++node)
+        {
+          limit(*heights, node, highest);
+          for (std::size_t upper = 0; upper < n; ++upper)
+          {
+            const BlockHeights& other = this->Blocks[upper];
+            if (other.Horizon < block.Horizon && BlockTree::AreTogether(other.Sides, block.Sides) &&
+              std::isfinite(other.Heights[node]))
+            {
+              limit(*heights, node, other.Heights[node] - least);
+            }
+          }
+          (*heights)[node] = (*heights)[node] < lowest ? lowest : (*heights)[node];
+        }
+      }
+    }
+  }
+
+  SheetHeights HeightsOf(const FaultPlate& plate) const
+  {
+    SheetHeights heights;
+    heights.Axes << plate.AlongOnMap().x(), plate.AlongOnMap().y(), 0.0, 0.0, 0.0, 1.0, plate.AcrossOnMap().x(),
+      plate.AcrossOnMap().y(), 0.0;
+    Eigen::AlignedBox2d box;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      box.extend((heights.Axes * this->Box.corner(Eigen::AlignedBox3d::CornerType(corner))).head<2>());
+    }
+    const double margin = 2.0 * this->Column;
+    box.min() -= Eigen::Vector2d::Constant(margin);
+    box.max() += Eigen::Vector2d::Constant(margin);
+    constexpr double levels = 64.0;
+    const Eigen::Vector2i nodes(int(std::ceil(box.sizes().x() / this->Column)), int(levels));
+    heights.Origin = box.min();
+    heights.Step = box.sizes().array() / nodes.cast<double>().array();
+    heights.Width = nodes.x() + 1;
+    heights.Heights.assign(std::size_t(heights.Width) * std::size_t(nodes.y() + 1), 0.0);
+    for (std::size_t node = 0; node < heights.Heights.size(); ++node)
+    {
+      const FaultPlace place = plate.ToPlace(heights.At(node));
+      heights.Heights[node] = -plate.Distance(place);
+    }
+    return heights;
+  }
+
+  const SealingInput& Input;
+  const SealingOptions& Options;
+  BlockTree Tree;
+  BlockLattice Lattice;
+  double Column;
+  Eigen::AlignedBox3d Box;
+  std::vector<FaultPlate> Plates;
+  std::vector<BlockHeights> Blocks;
+  std::vector<Sheet> Sheets; // of blocks, faults, walls along x and y, base and top
+  std::size_t FirstFault = 0;
+  std::size_t FirstWall = 0;
+  std::vector<SheetLocator> Locators;
+  std::map<BlockSides, std::int32_t> Numbers;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SealedModel SealModel(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+{
+  ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
+  SealedComplex complex;
+  constexpr unsigned mostRounds = 8;
+  for (unsigned round = 0;; ++round)
+  {
+    sheets.Shake(round);
+    try
+    {
+      complex = KeepDifferent(
+        Arrange(sheets.Shaken, sheets.Pairs(), input.Step.maxCoeff(), monitor.Step(0.4, 0.6)),
+        [&](const Eigen::Vector3d& place, std::int32_t sheet, int side) { return sheets.LabelAt(place, sheet, side); },
+        monitor.Step(0.6, 0.7));
+      break;
+    }
+    catch (const Undecided& undecided)
+    {
+      if (round + 1 == mostRounds)
+      {
+        throw InputError("surfaces that touch at " + PlaceText(undecided.Place) + ", expected them to cross");
+      }
+    }
+  }
+  ImproverOptions improver;
+  improver.LineError = std::min(options.MaximumError, options.FaultError);
+  improver.Column = input.Step.maxCoeff();
+  complex = Improve(std::move(complex), sheets.Shapes, improver, monitor.Step(0.7, 1.0));
+  const ComplexBodies bodies = FindBodies(complex);
+  SealedModel model;
+  model.Vertices = complex.Vertices;
+  model.LeastAngle = bodies.LeastAngle;
+  const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
+  model.LargestError = *std::max_element(errors.begin(), errors.end());
+  for (std::size_t n = 0; n < complex.Triangles.size(); ++n)
+  {
+    model.Triangles.push_back(
+      { complex.Triangles[n].Corners, sheets.SurfaceOf(complex.Triangles[n].Sheet), bodies.OfTriangles[n] });
+  }
+  for (std::size_t n = 0; n < bodies.Labels.size(); ++n)
+  {
+    const auto label = std::size_t(bodies.Labels[n]);
+    model.Bodies.push_back({ label % sheets.NumberOfLayers(), label / sheets.NumberOfLayers(), bodies.Volumes[n] });
+  }
+  for (const SealingHorizon& horizon : input.Horizons)
+  {
+    model.Surfaces.push_back({ horizon.Name, SealedSurfaceType::Horizon });
+  }
+  for (const SealingFault& fault : input.Faults)
+  {
+    model.Surfaces.push_back({ fault.Picks.Name, SealedSurfaceType::Fault });
+  }
+  for (const char* const name : { "West", "East", "South", "North" })
+  {
+    model.Surfaces.push_back({ name, SealedSurfaceType::Wall });
+  }
+  model.Surfaces.push_back({ "Base", SealedSurfaceType::Limit });
+  model.Surfaces.push_back({ "Top", SealedSurfaceType::Limit });
+  return model;
+}
+}

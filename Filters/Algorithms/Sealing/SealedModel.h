@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A sealed model: horizons, faults, and the walls of a box, which share the vertices of the lines where they meet and
+// enclose bodies without gaps.
+//
+// Each surface is made larger than needed and meshed within its error (BlockHeights.h, Sheets.h). All are cut along
+// their common lines (Arrangement.h). Blocks are leaves of a tree of faults, and each place has a layer in its block
+// (BlockTree.h): a triangle stays if both of its sides differ. So bodies are closed whatever the surfaces are. Last,
+// vertices beside lines are removed while nothing is pierced and errors hold (SealedImprover.h).
+
+#ifndef SeismicHorizonsSealedModel_h
+#define SeismicHorizonsSealedModel_h
+
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Cutoffs/FaultPlate.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+/// A side of a fault that comes earlier in order.
+struct FaultSideOf
+{
+  std::size_t Fault;
+  bool IsHanging;
+};
+
+struct SealingFault
+{
+  FaultPicks Picks; // x and y from column (0, 0) along the axes of the lattice
+  /// The fault is where all of these hold, and ends at their faults. A fault that ends before counts neither.
+  std::vector<FaultSideOf> Region;
+  /// The fault ends at this horizon from below, and does not cut those above.
+  std::optional<std::size_t> EndsBelow;
+};
+
+struct SealingHorizon
+{
+  std::string Name;
+  std::vector<PlanePoint> Columns; // A column may have several picks, as of reverse faults.
+  std::vector<double> Heights;
+};
+
+struct SealingInput
+{
+  Eigen::Vector2d Step = Eigen::Vector2d::Ones(); // between columns
+  PlanePoint Least = { 0, 0 }; // columns of the walls
+  PlanePoint Greatest = { 1, 1 };
+  double Top = 0.0;
+  double Base = 0.0;
+  std::vector<SealingFault> Faults;
+  std::vector<SealingHorizon> Horizons; // from the uppermost on
+};
+
+struct SealingOptions
+{
+  double MaximumError = 1.0; // of heights of horizons
+  double FaultError = 1.0; // of faults, across strike
+  double DropDistance = 0.5; // columns; nearer picks are not used
+};
+
+enum class SealedSurfaceType : unsigned char
+{
+  Horizon = 0,
+  Fault = 1,
+  Wall = 2,
+  Limit = 3 // top and base
+};
+
+struct SealedSurface
+{
+  std::string Name;
+  SealedSurfaceType Type;
+};
+
+struct SealedTriangle
+{
+  /// Counter-clockwise seen from above, of faults from the hanging wall, and of walls from inside.
+  std::array<std::int32_t, 3> Corners;
+  std::int32_t Surface;
+  /// Before and behind the triangle; -1 outside.
+  std::array<std::int32_t, 2> Body;
+};
+
+/// A part of a layer in a block.
+struct SealedBody
+{
+  std::size_t Layer = 0; // 0 is above the first horizon
+  std::size_t Block = 0;
+  double Volume = 0.0;
+};
+
+struct SealedModel
+{
+  std::vector<Eigen::Vector3d> Vertices;
+  std::vector<SealedTriangle> Triangles;
+  std::vector<SealedSurface> Surfaces; // horizons, faults, walls, top and base
+  std::vector<SealedBody> Bodies;
+  double LargestError = 0.0; // of picks that were kept
+  double LeastAngle = 0.0; // between triangles at edges, in degrees
+};
+
+/// Throws InputError if surfaces cannot be sealed.
+SealedModel SealModel(
+  const SealingInput& input, const SealingOptions& options = SealingOptions(), const Monitor& monitor = Monitor());
+}
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Sheets.h"
+
+#include "Filters/Algorithms/Surface/Surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace SeismicHorizons
+{
+//----------------------------------------------------------------------------------------------------------------------
+Sheet MeshSheet(const SheetHeights& heights, double error, const Monitor& monitor)
+{
+  Sheet sheet;
+  sheet.Axes = heights.Axes;
+  const auto width = std::size_t(heights.Width);
+  SurfacePoints points;
+  std::vector<PlanePoint> columns;
+  std::vector<std::size_t> nodes;
+  for (std::size_t node = 0; node < heights.Heights.size(); ++node)
+  {
+    if (std::isfinite(heights.Heights[node]))
+    {
+      columns.push_back({ std::int32_t(node % width), std::int32_t(node / width) });
+      points.Height.push_back(heights.Heights[node]);
+      nodes.push_back(node);
+    }
+  }
+  points.Columns = columns;
+  SurfaceOptions options;
+  options.MaximumError = error;
+  options.Radius = 1;
+  options.KeepHoles = false;
+  options.OutlineTolerance = 0.75;
+  options.DistanceThreshold = 0.0;
+  options.FitHeights = false;
+  const Surface surface = MakeSurface(points, options, monitor);
+  for (std::size_t vertex = 0; vertex < surface.Mesh.Points.Plane.size(); ++vertex)
+  {
+    const PlanePoint& column = surface.Mesh.Points.Plane[vertex];
+    const Eigen::Vector3d place(heights.Origin.x() + heights.Step.x() * column.X,
+      heights.Origin.y() + heights.Step.y() * column.Y, surface.Mesh.Points.Height[vertex]);
+    sheet.Vertices.emplace_back(heights.Axes.transpose() * place);
+  }
+  for (std::size_t n = 0; n + 2 < surface.Mesh.Triangles.size(); n += 3)
+  {
+    sheet.Triangles.push_back({ std::int32_t(surface.Mesh.Triangles[n]), std::int32_t(surface.Mesh.Triangles[n + 1]),
+      std::int32_t(surface.Mesh.Triangles[n + 2]) });
+  }
+  return sheet;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Sheet MakeLevelSheet(const Eigen::AlignedBox3d& box, int axis, double level, double size)
+{
+  Sheet sheet;
+  sheet.LevelAxis = axis;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  sheet.Axes.setZero();
+  sheet.Axes(0, u) = sheet.Axes(1, v) = sheet.Axes(2, axis) = 1.0;
+  const Eigen::Vector3d length = box.sizes();
+  const int across = std::max(1, int(std::round(length[u] / size))),
+            up = std::max(1, int(std::round(length[v] / size)));
+  for (int row = 0; row <= up; ++row)
+  {
+    for (int column = 0; column <= across; ++column)
+    {
+      Eigen::Vector3d place;
+      place[axis] = level;
+      place[u] = box.min()[u] + length[u] * column / across;
+      place[v] = box.min()[v] + length[v] * row / up;
+      sheet.Vertices.push_back(place);
+      if (row < up && column < across)
+      {
+        const std::int32_t first = row * (across + 1) + column, above = first + across + 1;
+        sheet.Triangles.push_back({ first, first + 1, above });
+        sheet.Triangles.push_back({ first + 1, above + 1, above });
+      }
+    }
+  }
+  return sheet;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void Shake(std::vector<Sheet>& sheets, double distance, unsigned round)
+{
+  std::uint64_t state = 0x9E3779B97F4A7C15U * (round + 1U);
+  const auto next = [&state]
+  {
+    state = state * 6364136223846793005U + 1442695040888963407U; // Knuth's MMIX
+    return double(state >> 33U) / double(1U << 31U) * 2.0 - 1.0;
+  };
+  constexpr double least = 0.01; // along the normal
+  for (Sheet& sheet : sheets)
+  {
+    const double level = sheet.LevelAxis ? sheet.Level() : 0.0;
+    for (Eigen::Vector3d& vertex : sheet.Vertices)
+    {
+      const Eigen::Vector3d move = distance * Eigen::Vector3d(next(), next(), least * next());
+      vertex += sheet.Axes.transpose() * move;
+      if (sheet.LevelAxis)
+      {
+        vertex[*sheet.LevelAxis] = level;
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SheetLocator::SheetLocator(const Sheet& sheet)
+  : Given(sheet)
+{
+  for (const Eigen::Vector3d& vertex : sheet.Vertices)
+  {
+    this->Box.extend((sheet.Axes * vertex).head<2>());
+  }
+  const double area = std::max(this->Box.sizes().prod(), 1e-300);
+  const double side = std::sqrt(area / std::max<double>(double(sheet.Triangles.size()), 1.0));
+  this->Cells = (this->Box.sizes() / side).array().ceil().max(1.0).min(4096.0).cast<int>();
+  this->Size = this->Box.sizes().array() / this->Cells.cast<double>().array();
+  this->Triangles.resize(std::size_t(this->Cells.prod()));
+  for (std::size_t n = 0; n < sheet.Triangles.size(); ++n)
+  {
+    Eigen::AlignedBox2d box;
+    for (const std::int32_t corner : sheet.Triangles[n])
+    {
+      box.extend((sheet.Axes * sheet.Vertices[std::size_t(corner)]).head<2>());
+    }
+    const Eigen::Vector2i from = this->CellOf(box.min()), to = this->CellOf(box.max());
+    for (int y = from.y(); y <= to.y(); ++y)
+    {
+      for (int x = from.x(); x <= to.x(); ++x)
+      {
+        this->Triangles[std::size_t(y) * std::size_t(this->Cells.x()) + std::size_t(x)].push_back(std::int32_t(n));
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Eigen::Vector2i SheetLocator::CellOf(const Eigen::Vector2d& onPlane) const
+{
+  const Eigen::Vector2d cell = (onPlane - this->Box.min()).array() / this->Size.array();
+  return cell.array().floor().max(0.0).min(this->Cells.cast<double>().array() - 1.0).cast<int>();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<double> SheetLocator::HeightAbove(const Eigen::Vector3d& place) const
+{
+  const Eigen::Vector3d at = this->Given.Axes * place;
+  if (!this->Box.contains(at.head<2>()))
+  {
+    return std::nullopt;
+  }
+  const Eigen::Vector2i cell = this->CellOf(at.head<2>());
+  constexpr double rounding = 1e-9;
+  for (const std::int32_t n :
+    this->Triangles[std::size_t(cell.y()) * std::size_t(this->Cells.x()) + std::size_t(cell.x())])
+  {
+    const SheetCorners& corners = this->Given.Triangles[std::size_t(n)];
+    const Eigen::Vector3d a = this->Given.Axes * this->Given.Vertices[std::size_t(corners[0])];
+    const Eigen::Vector3d b = this->Given.Axes * this->Given.Vertices[std::size_t(corners[1])] - a;
+    const Eigen::Vector3d c = this->Given.Axes * this->Given.Vertices[std::size_t(corners[2])] - a;
+    const Eigen::Vector3d p = at - a;
+    const double area = b.x() * c.y() - b.y() * c.x();
+    const double v = (p.x() * c.y() - p.y() * c.x()) / area, w = (b.x() * p.y() - b.y() * p.x()) / area;
+    if (v >= -rounding && w >= -rounding && v + w <= 1.0 + rounding)
+    {
+      return p.z() - v * b.z() - w * c.z();
+    }
+  }
+  return std::nullopt;
+}
+}

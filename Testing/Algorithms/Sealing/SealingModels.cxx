@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SealingModels.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace SeismicHorizons
+{
+using namespace ModelParts;
+
+namespace
+{
+/// On a fault there are no picks.
+std::vector<double> PickColumn(const TrueModel& model, const std::vector<std::vector<int>>& blocks, std::size_t horizon,
+  const Eigen::Vector2d& column, const PickErrors& errors, Random& random)
+{
+  std::vector<double> heights;
+  for (const std::vector<int>& sides : blocks)
+  {
+    const double height = model.Height(horizon, sides, column.x(), column.y());
+    const Eigen::Vector3d place(column.x(), column.y(), height);
+    const double inside = DistanceInside(model, sides, place);
+    const bool isIn = inside > 0.0 && SidesAt(model, place) == sides;
+    if (isIn || (inside <= 0.0 && inside > -errors.WrongSide && random.Fraction() < 0.5))
+    {
+      heights.push_back(height);
+    }
+  }
+  if (errors.WrongSide > 0.0 && !heights.empty()) // one per column, as of tracked horizons
+  {
+    heights = { heights[random.Below(heights.size())] };
+  }
+  for (double& height : heights)
+  {
+    height += errors.Noise > 0.0 ? random.Normal(errors.Noise) : 0.0;
+  }
+  return heights;
+}
+
+/// Once all faults are there.
+void AddHorizons(TrueModel& model, const WavyLayers& layers, const PickErrors& errors, Random& random)
+{
+  model.Height = [layers](std::size_t n, const std::vector<int>& sides, double x, double y)
+  { return layers.Height(n, sides, x, y); };
+  SealingInput& input = model.Input;
+  const std::vector<std::vector<int>> blocks = BlocksOf(input.Faults);
+  for (std::size_t n = 0; n < layers.Depths.size(); ++n)
+  {
+    SealingHorizon horizon;
+    horizon.Name = "H" + std::to_string(n + 1);
+    for (PlanePoint column = input.Least; column.Y <= input.Greatest.Y; ++column.Y)
+    {
+      for (column.X = input.Least.X; column.X <= input.Greatest.X; ++column.X)
+      {
+        const Eigen::Vector2d place = Eigen::Vector2d(column.X, column.Y).cwiseProduct(input.Step);
+        for (const double height : PickColumn(model, blocks, n, place, errors, random))
+        {
+          horizon.Columns.push_back(column);
+          horizon.Heights.push_back(height);
+        }
+      }
+    }
+    input.Horizons.push_back(std::move(horizon));
+  }
+}
+
+SealingFault& AddFault(TrueModel& model, double spacing, FaultDistance distance)
+{
+  SealingFault& fault = model.Input.Faults.emplace_back();
+  fault.Picks.Name = "F" + std::to_string(model.Input.Faults.size());
+  fault.Picks.Spacing = spacing;
+  model.Distances.push_back(std::move(distance));
+  return fault;
+}
+
+void AddListric(TrueModel& model)
+{
+  const auto listricAt = [](double z) // 65 degrees at the top, 27 at the base
+  {
+    const double part = (-700.0 - z) / 1200.0, bent = std::clamp(part, -1.0, 3.0);
+    return 500.0 + 550.0 * part + 600.0 * bent * bent * bent;
+  };
+  SealingFault& fault =
+    AddFault(model, 260.0, [=](const Eigen::Vector3d& place) { return place.x() - listricAt(place.z()); });
+  AddSticks(fault.Picks, 5, 20,
+    [&](int stick, int n)
+    {
+      const double z = -1300.0 - 40.0 * n;
+      return Eigen::Vector3d(listricAt(z), 0.5 * Length + 260.0 * stick, z);
+    });
+}
+
+/// A plane through (X, 1000, -1200).
+struct DesignedFault
+{
+  double X;
+  double Dip;
+  double Strike;
+  std::vector<double> Throws; // by horizon
+  std::vector<FaultSideOf> Region = {};
+};
+
+struct Design
+{
+  std::string Name;
+  std::vector<DesignedFault> Faults;
+};
+
+/// In an X the fault on the other side is not quite opposite.
+const std::vector<Design> Designs = {
+  { "flat", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "straight", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "steep", { { 900.0, 80.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "vertical", { { 900.0, 90.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "strike", { { 900.0, 60.0, 25.0, { 90.0, 90.0, 90.0 } } } },
+  { "reverse", { { 900.0, 60.0, 0.0, { -90.0, -90.0, -90.0 } } } },
+  { "growth", { { 900.0, 60.0, 0.0, { 40.0, 90.0, 160.0 } } } },
+  { "listric", {} },
+  { "thin", { { 900.0, 60.0, 0.0, { 100.0, 100.0, 100.0, 100.0, 100.0, 100.0 } } } },
+  { "noise", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "unconformity", { { 900.0, 60.0, 0.0, { 0.0, 80.0, 80.0 } } } },
+  { "Y",
+    { { 700.0, 60.0, 0.0, { 120.0, 120.0, 120.0 } }, { 1200.0, 60.0, 180.0, { 60.0, 60.0, 60.0 }, { { 0, true } } } } },
+  { "Yoblique",
+    { { 700.0, 60.0, 0.0, { 120.0, 120.0, 120.0 } }, { 1200.0, 60.0, 160.0, { 60.0, 60.0, 60.0 }, { { 0, true } } } } },
+  { "X",
+    { { 700.0, 60.0, 0.0, { 120.0, 120.0, 120.0 } }, { 1200.0, 60.0, 180.0, { 60.0, 60.0, 60.0 }, { { 0, true } } },
+      { 1120.0, 60.0, 180.0, { 60.0, 60.0, 60.0 }, { { 0, false } } } } },
+};
+
+void AddPlane(TrueModel& model, const DesignedFault& plane, double noise, Random& random)
+{
+  const WavyFault shape({ plane.X, 0.5 * Length, -1200.0 }, plane.Dip, plane.Strike);
+  SealingFault& fault = AddFault(model, 320.0, [shape](const Eigen::Vector3d& place) { return shape.Distance(place); });
+  fault.Region = plane.Region;
+  AddSticks(fault.Picks, 5, 4,
+    [&](int stick, int n)
+    {
+      const double off = noise > 0.0 ? random.Normal(noise) : 0.0;
+      return Eigen::Vector3d(shape.OnPlane(320.0 * stick, -275.0 * n) + off * shape.Normal);
+    });
+}
+
+WavyLayers MakeDesignedLayers(const Design& design)
+{
+  WavyLayers layers;
+  layers.Depths = { -1000.0, -1200.0, -1450.0 };
+  for (const DesignedFault& fault : design.Faults)
+  {
+    layers.Throws.push_back(fault.Throws);
+  }
+  if (design.Name == "flat")
+  {
+    layers.Amplitude = 0.0;
+    layers.Slope = Eigen::Vector2d::Zero();
+  }
+  else if (design.Name == "listric")
+  {
+    layers.Throws = { { 130.0, 130.0, 130.0 } };
+    layers.Fade = 700.0;
+  }
+  else if (design.Name == "thin")
+  {
+    layers.Amplitude = 15.0;
+    layers.Depths = { -1000.0, -1030.0, -1060.0, -1090.0, -1120.0, -1150.0 };
+  }
+  return layers;
+}
+
+/// Away from other faults, also where they are not in the model. Nothing if there is no room.
+std::optional<Eigen::Vector3d> FindSeedPoint(const TrueModel& model, Random& random)
+{
+  for (int tries = 0; tries < 200; ++tries)
+  {
+    const double x = random.Between(300.0, 1700.0), y = random.Between(300.0, 1700.0);
+    const Eigen::Vector3d place(x, y, random.Between(-1700.0, -900.0));
+    if (std::all_of(model.Distances.begin(), model.Distances.end(),
+          [&place](const FaultDistance& distance) { return std::abs(distance(place)) > 150.0; }))
+    {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+/// In the block in which its seed point lies. Picks are a grid in and around the box.
+bool AddRandomFault(TrueModel& model, Random& random)
+{
+  const std::optional<Eigen::Vector3d> seed = FindSeedPoint(model, random);
+  if (!seed)
+  {
+    return false;
+  }
+  const std::vector<int> sides = SidesAt(model, *seed);
+  const double dip = random.Between(35.0, 85.0);
+  WavyFault shape(*seed, dip, random.Between(0.0, 360.0));
+  shape.Amplitude = random.Between(0.0, 40.0);
+  shape.WaveLength = random.Between(250.0, 600.0);
+  constexpr double step = 100.0, margin = 300.0;
+  SealingFault& fault = AddFault(model, step, [shape](const Eigen::Vector3d& place) { return shape.Distance(place); });
+  for (std::size_t n = 0; n < sides.size(); ++n)
+  {
+    if (sides[n] != 0)
+    {
+      fault.Region.push_back({ n, sides[n] > 0 });
+    }
+  }
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-margin, -margin, model.Input.Base - margin),
+    Eigen::Vector3d(Length + margin, Length + margin, model.Input.Top + margin));
+  AddSticks(fault.Picks, 30, 22,
+    [&](int stick, int n) -> std::optional<Eigen::Vector3d>
+    {
+      const double s = step * stick, t = -step * n;
+      const Eigen::Vector3d place = shape.OnPlane(s, t);
+      return box.contains(place) ? std::optional<Eigen::Vector3d>(place + shape.Wave(s, t) * shape.Normal)
+                                 : std::nullopt;
+    });
+  return true;
+}
+
+/// 1 to 4 horizons at least 60 apart; 1 in 4 faults is reverse.
+WavyLayers MakeRandomLayers(std::size_t faults, Random& random)
+{
+  std::vector<double> depths(1 + random.Below(4));
+  do
+  {
+    std::generate(depths.begin(), depths.end(), [&random] { return random.Between(-1600.0, -1000.0); });
+    std::sort(depths.rbegin(), depths.rend());
+  } while (std::adjacent_find(depths.begin(), depths.end(),
+             [](double above, double below) { return above - below < 60.0; }) != depths.end());
+  WavyLayers layers;
+  layers.Depths = depths;
+  for (std::size_t n = 0; n < faults; ++n)
+  {
+    const double size = random.Between(10.0, 140.0);
+    layers.Throws.emplace_back(depths.size(), random.Below(4) == 0 ? -size : size);
+  }
+  layers.Amplitude = random.Between(5.0, 25.0);
+  for (const int axis : { 0, 1 })
+  {
+    layers.WaveLength(axis) = random.Between(300.0, 700.0);
+    layers.Slope(axis) = random.Between(-0.06, 0.06);
+  }
+  return layers;
+}
+
+/// Heights at which a column meets a fault.
+void AddCrossings(
+  const std::function<double(double)>& distance, const SealingInput& input, int levels, std::vector<double>& heights)
+{
+  const double step = (input.Top - input.Base) / levels;
+  bool isBelow = distance(input.Base) > 0.0;
+  for (int level = 0; level < levels; ++level)
+  {
+    double low = input.Base + level * step, high = low + step;
+    const bool isAbove = distance(high) > 0.0;
+    if (isAbove != isBelow)
+    {
+      while (high - low > 1e-6 * step)
+      {
+        const double middle = 0.5 * (low + high);
+        ((distance(middle) > 0.0) == isBelow ? low : high) = middle;
+      }
+      heights.push_back(low);
+    }
+    isBelow = isAbove;
+  }
+}
+
+/// Between heights of faults and of the horizons of all blocks, the layer is one.
+void AddColumn(const TrueModel& model, const std::vector<std::vector<int>>& blocks, const Eigen::Vector2d& column,
+  int levels, std::vector<double>& lengths)
+{
+  const SealingInput& input = model.Input;
+  const auto at = [&column](double z) { return Eigen::Vector3d(column.x(), column.y(), z); };
+  std::vector<double> heights = { input.Base, input.Top };
+  for (const FaultDistance& distance : model.Distances)
+  {
+    AddCrossings([&](double z) { return distance(at(z)); }, input, levels, heights);
+  }
+  for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
+  {
+    for (const std::vector<int>& sides : blocks)
+    {
+      heights.push_back(std::clamp(model.Height(horizon, sides, column.x(), column.y()), input.Base, input.Top));
+    }
+  }
+  std::sort(heights.begin(), heights.end());
+  for (std::size_t n = 1; n < heights.size(); ++n)
+  {
+    const double length = heights[n] - heights[n - 1];
+    if (length > 0.0)
+    {
+      lengths[FindTruePlace(model, at(heights[n - 1] + 0.5 * length)).Layer] += length;
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> DesignedModels()
+{
+  std::vector<std::string> names;
+  for (const Design& design : Designs)
+  {
+    names.push_back(design.Name);
+  }
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TrueModel MakeDesignedModel(const std::string& name)
+{
+  const auto design =
+    std::find_if(Designs.begin(), Designs.end(), [&name](const Design& other) { return other.Name == name; });
+  if (design == Designs.end())
+  {
+    throw std::invalid_argument("no model " + name);
+  }
+  Random random(7);
+  TrueModel model = MakeBox(name, 81, -700.0, -1900.0);
+  const bool isNoise = name == "noise";
+  for (const DesignedFault& fault : design->Faults)
+  {
+    AddPlane(model, fault, isNoise ? 4.0 : 0.0, random);
+  }
+  if (name == "listric")
+  {
+    AddListric(model);
+  }
+  if (name == "unconformity")
+  {
+    model.Input.Faults[0].EndsBelow = 0;
+  }
+  model.Error = isNoise ? 6.0 : 1.0;
+  AddHorizons(model, MakeDesignedLayers(*design), isNoise ? PickErrors{ 2.0, 40.0 } : PickErrors(), random);
+  return model;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::optional<TrueModel> MakeRandomNetwork(unsigned seed, int mostFaults)
+{
+  Random random(seed);
+  TrueModel model = MakeBox("random " + std::to_string(seed), 41, -640.0, -1960.0);
+  model.Error = 2.0;
+  const std::size_t faults = 1 + random.Below(std::size_t(mostFaults));
+  while (model.Distances.size() < faults && AddRandomFault(model, random))
+  {
+  }
+  AddHorizons(model, MakeRandomLayers(model.Distances.size(), random), PickErrors(), random);
+  for (const SealingHorizon& horizon : model.Input.Horizons)
+  {
+    const auto [least, greatest] = std::minmax_element(horizon.Heights.begin(), horizon.Heights.end());
+    if (horizon.Heights.empty() || *least <= model.Input.Base || *greatest >= model.Input.Top)
+    {
+      return std::nullopt;
+    }
+  }
+  return model;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+TruePlace FindTruePlace(const TrueModel& model, const Eigen::Vector3d& place)
+{
+  TruePlace result = { 0, SidesAt(model, place) };
+  for (std::size_t n = 0; n < model.Input.Horizons.size(); ++n)
+  {
+    result.Layer += model.Height(n, result.Sides, place.x(), place.y()) > place.z() ? 1 : 0;
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<double> TrueVolumes(const TrueModel& model, int columns, int levels)
+{
+  const SealingInput& input = model.Input;
+  const std::vector<std::vector<int>> blocks = BlocksOf(input.Faults);
+  const Eigen::Vector2d least = Eigen::Vector2d(input.Least.X, input.Least.Y).cwiseProduct(input.Step);
+  const Eigen::Vector2d greatest = Eigen::Vector2d(input.Greatest.X, input.Greatest.Y).cwiseProduct(input.Step);
+  const Eigen::Vector2d step = (greatest - least) / columns;
+  std::vector<double> volumes(input.Horizons.size() + 1, 0.0);
+  for (int j = 0; j < columns; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      AddColumn(model, blocks, least + step.cwiseProduct(Eigen::Vector2d(i + 0.5, j + 0.5)), levels, volumes);
+    }
+  }
+  for (double& volume : volumes)
+  {
+    volume *= step.x() * step.y();
+  }
+  return volumes;
+}
+}
