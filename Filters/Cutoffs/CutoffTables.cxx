@@ -103,7 +103,7 @@ ArrayTable WriteCutoffTable(const CutoffModelData& model)
       }
       const CutoffFigures figures = Measure(model.Faults[fault], own);
       const std::array<double, 14> row = { figures.Length, figures.Least, figures.Mean, figures.Largest, figures.Jump,
-        figures.Heave, double(own.Dropped[Footwall]), double(own.Dropped[HangingWall]), figures.Gap, figures.Spread,
+        figures.Heave, double(own.Dropped[Footwall].size()), double(own.Dropped[HangingWall].size()), figures.Gap, figures.Spread,
         double(figures.Places), double(figures.Guessed), double(own.Pieces.size()), double(figures.Tips) };
       faults.push_back(model.Faults[fault].Name());
       horizons.push_back(horizon.Name);
@@ -171,7 +171,7 @@ std::string ReportCutoffs(const CutoffModelData& model)
            << figures.Mean << ", mean heave ";
       model.Faults[fault].HasDip() ? text << figures.Heave : text << "unknown";
       text << "\n    gap up to " << figures.Gap << " columns, spread up to " << figures.Spread << "\n    dropped "
-           << own.Dropped[Footwall] + own.Dropped[HangingWall] << " picks, guessed " << figures.Guessed << " of "
+           << own.Dropped[Footwall].size() + own.Dropped[HangingWall].size() << " picks, guessed " << figures.Guessed << " of "
            << figures.Places << " places\n";
     }
   }

@@ -452,7 +452,10 @@ CutoffPlace NearPicks::Fit() const
   {
     const SidePick& pick = *near.Pick;
     const bool isDoubtful = pick.Distance >= this->Options.DropDistance * column && pick.Distance <= Doubtful * column;
-    cutoff.Dropped += near.Weight == 0.0 && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * row ? 1 : 0;
+    if (near.Weight == 0.0 && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * row)
+    {
+      cutoff.Dropped.push_back(pick.Number);
+    }
     if (near.Weight == 0.0)
     {
       continue;

@@ -42,6 +42,7 @@ struct SidePick
 {
   FaultPlace Place;
   double Distance = 0.0; // from the fault, at least 0
+  std::size_t Number = 0; // of the horizon's picks
   FaultBits Near; // The other fault reaches as far as the pick.
   FaultBits Hanging; // The pick is on its hanging wall.
 };
@@ -105,7 +106,7 @@ struct CutoffPlace
   double Spread = NoValue; // standard deviation of the height as far as noise explains it
   double Gap = NoValue; // columns to the nearest pick that was kept
   bool IsChecked = true; // Picks near the fault were compared with others.
-  int Dropped = 0; // picks in the strip of one column that do not agree
+  std::vector<std::size_t> Dropped; // picks in the strip of one column that do not agree, by number
 };
 
 /// By wall, the footwall first.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -24,13 +25,15 @@ std::array<FaultSide, 2> ListSides(
   std::array<FaultSide, 2> sides = { empty, empty };
   const double farthest = (Reach + options.LargestGap) * column;
   const double around = beyond + farthest;
-  for (const Eigen::Vector3d& world : horizon.Places)
+  for (std::size_t number = 0; number < horizon.Places.size(); ++number)
   {
+    const Eigen::Vector3d& world = horizon.Places[number];
     if (fault.Box().exteriorDistance(world.head<2>()) > around)
     {
       continue;
     }
     SidePick pick;
+    pick.Number = number;
     pick.Place = fault.ToPlace(world);
     if (pick.Place.S < fault.First() - beyond || pick.Place.S > fault.Last() + beyond)
     {
@@ -110,10 +113,13 @@ public:
         ++cutoffs.Short;
         continue;
       }
-      for (const CutoffPair& pair : piece.Pairs)
+      for (CutoffPair& pair : piece.Pairs)
       {
-        cutoffs.Dropped[Footwall] += std::size_t(pair.Wall[Footwall].Dropped);
-        cutoffs.Dropped[HangingWall] += std::size_t(pair.Wall[HangingWall].Dropped);
+        for (const FaultWall wall : { Footwall, HangingWall })
+        {
+          const std::vector<std::size_t> dropped = std::move(pair.Wall[wall].Dropped);
+          cutoffs.Dropped[wall].insert(cutoffs.Dropped[wall].end(), dropped.begin(), dropped.end());
+        }
       }
       this->EndAtTips(piece);
       cutoffs.Pieces.push_back(std::move(piece));

@@ -79,7 +79,7 @@ struct HorizonCutoffs
 {
   std::vector<CutoffPiece> Pieces;
   std::size_t Short = 0; // pieces left out
-  std::array<std::size_t, 2> Dropped = { 0, 0 }; // picks, by wall
+  std::array<std::vector<std::size_t>, 2> Dropped; // picks that do not agree, by wall and number
 };
 
 /// One pair per column of the horizon along the fault. `faults` are all that cut the horizon. Pieces of less than

@@ -285,6 +285,21 @@ void FaultPlate::Fit(const Segments& segments, const Monitor& monitor)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+FaultPlate FaultPlate::Moved(const Eigen::Isometry2d& move) const
+{
+  FaultPlate moved = *this;
+  moved.Origin.head<2>() = move * this->Origin.head<2>();
+  moved.Along = move.linear() * this->Along;
+  moved.Across = move.linear() * this->Across;
+  moved.OnMap = Eigen::AlignedBox2d();
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    moved.OnMap.extend(move * this->OnMap.corner(Eigen::AlignedBox2d::CornerType(corner)));
+  }
+  return moved;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 FaultPlace FaultPlate::ToPlace(const Eigen::Vector3d& world) const
 {
   const Eigen::Vector2d onMap = (world - this->Origin).head<2>();

@@ -53,6 +53,9 @@ public:
   /// Throws InputError for picks that are no surface: level ones, and those on one line.
   explicit FaultPlate(const FaultPicks& picks, const Monitor& monitor = Monitor());
 
+  /// The plate in other coordinates, turned about z.
+  FaultPlate Moved(const Eigen::Isometry2d& move) const;
+
   const std::string& Name() const { return this->OwnName; }
   bool HasDip() const { return this->IsDipKnown; }
   /// Around the picks and half of their spacing, on the map.

@@ -34,7 +34,7 @@ double MeanOf(const std::vector<double>& known)
 class BlockFiller
 {
 public:
-  BlockFiller(const BlockLattice& lattice, const std::vector<FaultPlate>& faults)
+  BlockFiller(const BlockLattice& lattice, const std::vector<SealingFault>& faults)
     : Lattice(lattice)
     , Faults(faults)
     , Column(lattice.Step.maxCoeff())
@@ -65,7 +65,7 @@ public:
       {
         break;
       }
-      block.Heights = this->Solve(known, sites, monitor);
+      block.Heights = this->Solve(known, sites, block.Anchors, monitor);
     }
     block.Nearest = this->Nearest(block.Heights);
   }
@@ -88,7 +88,7 @@ private:
     const Eigen::Vector2d place = this->Lattice.At(node);
     for (std::size_t fault = 0; fault < sides.size(); ++fault)
     {
-      const FaultPlate& plate = this->Faults[fault];
+      const FaultPlate& plate = this->Faults[fault].Plate;
       if (sides[fault] != 0 &&
         sides[fault] * plate.Distance(plate.ToPlace({ place.x(), place.y(), height })) < -margin * this->Column)
       {
@@ -177,8 +177,8 @@ private:
 
   /// A plate through the sites, held by springs at known heights around them. A weak membrane keeps it near them far
   /// away.
-  std::vector<double> Solve(
-    const std::vector<double>& known, const std::vector<std::size_t>& sites, const Monitor& monitor) const
+  std::vector<double> Solve(const std::vector<double>& known, const std::vector<std::size_t>& sites,
+    const std::vector<Eigen::Vector3d>& anchors, const Monitor& monitor) const
   {
     SiteSystem<2> system(SiteBox::Fill(this->RunsAround(sites, known)));
     const BoxPlaces& near = *system.Sites.Near;
@@ -189,7 +189,7 @@ private:
     ForEachPlateStencil(near, isIn, always, always, add);
     static constexpr std::array<PlateTerm, 2> alongX = { { { 0, 0, -1.0 }, { 1, 0, 1.0 } } };
     static constexpr std::array<PlateTerm, 2> alongY = { { { 0, 0, -1.0 }, { 0, 1, 1.0 } } };
-    constexpr double tension = 1e-6, spring = 1.0, hold = 1e-12;
+    constexpr double tension = 1e-6, spring = 1.0, springOfCutoff = 4.0, hold = 1e-12;
     const double datum = MeanOf(known);
     const auto nodeOf = [&](std::size_t site)
     {
@@ -197,8 +197,10 @@ private:
       return std::size_t(column.Y) * std::size_t(this->Lattice.Width) + std::size_t(column.X);
     };
     std::vector<double> values(system.Sites.Size(), 0.0);
+    std::vector<std::int32_t> siteAt(known.size(), NoSite);
     for (std::size_t site = 0; site < values.size(); ++site)
     {
+      siteAt[nodeOf(site)] = std::int32_t(site);
       const std::int64_t place = system.Sites.Place[site];
       if (isIn(place + 1))
       {
@@ -212,6 +214,26 @@ private:
       system.Matrix[site][StencilMatrix<2>::Centre] += std::isfinite(value) ? spring : hold;
       values[site] = std::isfinite(value) ? spring * (value - datum) : 0.0;
     }
+    for (const Eigen::Vector3d& anchor : anchors)
+    {
+      const Eigen::Vector2d corner = anchor.head<2>().array().floor();
+      const double x = anchor.x() - corner.x(), y = anchor.y() - corner.y();
+      const std::array<PlateTerm, 4> square = { { { 0, 0, (1.0 - x) * (1.0 - y) }, { 1, 0, x * (1.0 - y) },
+        { 0, 1, (1.0 - x) * y }, { 1, 1, x * y } } };
+      const auto siteOf = [&](const PlateTerm& term)
+      {
+        return siteAt[std::size_t(corner.y() + term.Y) * std::size_t(this->Lattice.Width) +
+          std::size_t(corner.x() + term.X)];
+      };
+      if (std::all_of(square.begin(), square.end(), [&](const PlateTerm& term) { return siteOf(term) != NoSite; }))
+      {
+        add(system.Sites.Place[std::size_t(siteOf(square[0]))], square, springOfCutoff);
+        for (const PlateTerm& term : square)
+        {
+          values[std::size_t(siteOf(term))] += springOfCutoff * term.Coefficient * (anchor.z() - datum);
+        }
+      }
+    }
     MakeSiteSolver<2>(system)->Solve(values, monitor);
     std::vector<double> heights = known;
     for (std::size_t site = 0; site < values.size(); ++site)
@@ -223,13 +245,74 @@ private:
   }
 
   const BlockLattice& Lattice;
-  const std::vector<FaultPlate>& Faults;
+  const std::vector<SealingFault>& Faults;
   double Column;
 };
 
+/// The side of each fault that a place is on, as a distance.
+std::vector<double> DistancesAt(const std::vector<SealingFault>& faults, const Eigen::Vector3d& place)
+{
+  std::vector<double> distances;
+  for (const SealingFault& fault : faults)
+  {
+    distances.push_back(fault.Plate.Distance(fault.Plate.ToPlace(place)));
+  }
+  return distances;
+}
+
+/// Whether a place is in a block, farther than `margin` from its faults but `except`.
+bool IsIn(const BlockSides& sides, const std::vector<double>& distances, double margin,
+  std::size_t except = std::numeric_limits<std::size_t>::max())
+{
+  for (std::size_t fault = 0; fault < sides.size(); ++fault)
+  {
+    if (sides[fault] != 0 && fault != except && !(sides[fault] * distances[fault] > margin))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void AddAnchors(const SealingInput& input, const BlockLattice& lattice, std::vector<BlockHeights>& blocks)
+{
+  const std::vector<HorizonCutoffs>& cutoffs = input.Horizons[blocks.front().Horizon].AtFault;
+  for (std::size_t fault = 0; fault < cutoffs.size(); ++fault)
+  {
+    for (const CutoffPiece& piece : cutoffs[fault].Pieces)
+    {
+      for (const CutoffPair& pair : piece.Pairs)
+      {
+        for (const FaultWall wall : { Footwall, HangingWall })
+        {
+          const Eigen::Vector3d place = pair.Place(input.Faults[fault].Plate, wall);
+          if (std::isnan(place.z()) || pair.Source[wall] != HeightSource::Picks)
+          {
+            continue;
+          }
+          const std::vector<double> distances = DistancesAt(input.Faults, place);
+          const Eigen::Vector2d column = place.head<2>().array() / lattice.Step.array();
+          const Eigen::Vector2d node = column - Eigen::Vector2d(lattice.Least.X, lattice.Least.Y);
+          if (!(node.minCoeff() >= 0.0) || !(node.x() < lattice.Width - 1) || !(node.y() < lattice.Height - 1))
+          {
+            continue;
+          }
+          for (BlockHeights& block : blocks)
+          {
+            if (block.Sides[fault] == (wall == HangingWall ? 1 : -1) && IsIn(block.Sides, distances, 0.0, fault))
+            {
+              block.Anchors.emplace_back(node.x(), node.y(), place.z());
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 /// The picks of a horizon by block.
-std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockLattice& lattice,
-  const BlockTree& tree, const std::vector<FaultPlate>& faults, double drop)
+std::vector<BlockHeights> ListPicks(
+  const SealingInput& input, std::size_t number, const BlockLattice& lattice, const BlockTree& tree, double drop)
 {
   const SealingHorizon& horizon = input.Horizons[number];
   std::vector<BlockHeights> blocks;
@@ -242,36 +325,34 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
     block.IsKnown.assign(lattice.Size(), 0);
     blocks.push_back(block);
   }
-  std::vector<double> distances(faults.size());
+  std::vector<unsigned char> isDropped(horizon.Columns.size(), 0);
+  for (const HorizonCutoffs& cutoffs : horizon.AtFault)
+  {
+    for (const std::vector<std::size_t>& dropped : cutoffs.Dropped)
+    {
+      std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
+    }
+  }
   for (std::size_t pick = 0; pick < horizon.Columns.size(); ++pick)
   {
-    const PlanePoint& column = horizon.Columns[pick];
-    if (!lattice.Contains(column))
+    if (!lattice.Contains(horizon.Columns[pick]) || isDropped[pick] != 0)
     {
       continue;
     }
-    const std::size_t node = lattice.NodeOf(column);
+    const std::size_t node = lattice.NodeOf(horizon.Columns[pick]);
     const Eigen::Vector2d onMap = lattice.At(node);
-    const Eigen::Vector3d place(onMap.x(), onMap.y(), horizon.Heights[pick]);
-    for (std::size_t fault = 0; fault < faults.size(); ++fault)
-    {
-      distances[fault] = faults[fault].Distance(faults[fault].ToPlace(place));
-    }
+    const std::vector<double> distances = DistancesAt(input.Faults, { onMap.x(), onMap.y(), horizon.Heights[pick] });
     for (BlockHeights& block : blocks)
     {
-      bool isIn = true;
-      for (std::size_t fault = 0; fault < faults.size() && isIn; ++fault)
-      {
-        isIn = block.Sides[fault] == 0 || block.Sides[fault] * distances[fault] > drop;
-      }
-      if (isIn && block.IsKnown[node] == 0)
+      if (block.IsKnown[node] == 0 && IsIn(block.Sides, distances, drop))
       {
         block.IsKnown[node] = 1;
-        block.Heights[node] = place.z();
+        block.Heights[node] = horizon.Heights[pick];
         block.Picks.push_back(pick);
       }
     }
   }
+  AddAnchors(input, lattice, blocks);
   return blocks;
 }
 
@@ -335,17 +416,17 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<BlockHeights> FindBlockHeights(const SealingInput& input, const std::vector<FaultPlate>& faults,
-  const SealingOptions& options, const Monitor& monitor)
+std::vector<BlockHeights> FindBlockHeights(
+  const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
 {
   const BlockLattice lattice(input);
   const BlockTree tree(input.Faults, input.Horizons.size());
-  const BlockFiller filler(lattice, faults);
+  const BlockFiller filler(lattice, input.Faults);
   const double drop = options.DropDistance * input.Step.maxCoeff();
   std::vector<BlockHeights> blocks;
   for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
   {
-    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, faults, drop);
+    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, drop);
     if (std::none_of(
           own.begin(), own.end(), [](const BlockHeights& block) { return block.Picks.size() >= FewestOfBlock; }))
     {

@@ -60,12 +60,13 @@ struct BlockHeights
   std::vector<double> Nearest; // the nearest of these
   std::vector<unsigned char> IsKnown; // by node
   std::vector<std::size_t> Picks; // of the horizon, that are in the block
+  std::vector<Eigen::Vector3d> Anchors; // cutoffs, columns from the first node and heights
   bool IsGuessed = false; // no pick tells
 };
 
 /// All blocks of all horizons. Throws InputError if a horizon has no picks.
-std::vector<BlockHeights> FindBlockHeights(const SealingInput& input, const std::vector<FaultPlate>& faults,
-  const SealingOptions& options, const Monitor& monitor = Monitor());
+std::vector<BlockHeights> FindBlockHeights(
+  const SealingInput& input, const SealingOptions& options, const Monitor& monitor = Monitor());
 }
 
 #endif

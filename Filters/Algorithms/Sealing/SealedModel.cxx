@@ -33,11 +33,7 @@ public:
   {
     this->Box.min() << input.Step.x() * input.Least.X, input.Step.y() * input.Least.Y, input.Base;
     this->Box.max() << input.Step.x() * input.Greatest.X, input.Step.y() * input.Greatest.Y, input.Top;
-    for (const SealingFault& fault : input.Faults)
-    {
-      this->Plates.emplace_back(fault.Picks);
-    }
-    this->Blocks = FindBlockHeights(input, this->Plates, options, monitor.Step(0.0, 0.3));
+    this->Blocks = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
     this->PutInOrder();
     for (const BlockHeights& block : this->Blocks)
     {
@@ -49,9 +45,9 @@ public:
       this->AddSheet(std::move(heights), options.MaximumError);
     }
     this->FirstFault = this->Sheets.size();
-    for (const FaultPlate& plate : this->Plates)
+    for (const SealingFault& fault : input.Faults)
     {
-      this->AddSheet(this->HeightsOf(plate), options.FaultError);
+      this->AddSheet(this->HeightsOf(fault.Plate), options.FaultError);
     }
     this->FirstWall = this->Sheets.size();
     const Eigen::AlignedBox3d around(this->Box.min() - Eigen::Vector3d::Constant(this->Column),
@@ -189,7 +185,7 @@ private:
     }
     if (sheet >= this->FirstFault)
     {
-      const FaultPlate& plate = this->Plates[sheet - this->FirstFault];
+      const FaultPlate& plate = this->Input.Faults[sheet - this->FirstFault].Plate;
       return plate.Distance(plate.ToPlace(place));
     }
     // Far from its block, a horizon is only needed to tell above from below.
@@ -269,7 +265,6 @@ private:
   BlockLattice Lattice;
   double Column;
   Eigen::AlignedBox3d Box;
-  std::vector<FaultPlate> Plates;
   std::vector<BlockHeights> Blocks;
   std::vector<Sheet> Sheets; // of blocks, faults, walls along x and y, base and top
   std::size_t FirstFault = 0;
@@ -330,7 +325,7 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
   }
   for (const SealingFault& fault : input.Faults)
   {
-    model.Surfaces.push_back({ fault.Picks.Name, SealedSurfaceType::Fault });
+    model.Surfaces.push_back({ fault.Plate.Name(), SealedSurfaceType::Fault });
   }
   for (const char* const name : { "West", "East", "South", "North" })
   {

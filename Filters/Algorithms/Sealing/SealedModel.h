@@ -14,6 +14,7 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Cutoffs/Cutoffs.h"
 #include "Filters/Algorithms/Cutoffs/FaultPlate.h"
 
 #include <Eigen/Core>
@@ -35,7 +36,7 @@ struct FaultSideOf
 
 struct SealingFault
 {
-  FaultPicks Picks; // x and y from column (0, 0) along the axes of the lattice
+  FaultPlate Plate; // x and y from column (0, 0) along the axes of the lattice
   /// The fault is where all of these hold, and ends at their faults. A fault that ends before counts neither.
   std::vector<FaultSideOf> Region;
   /// The fault ends at this horizon from below, and does not cut those above.
@@ -47,6 +48,8 @@ struct SealingHorizon
   std::string Name;
   std::vector<PlanePoint> Columns; // A column may have several picks, as of reverse faults.
   std::vector<double> Heights;
+  /// By fault; empty to follow the picks alone. Picks that do not agree are not used.
+  std::vector<HorizonCutoffs> AtFault = {};
 };
 
 struct SealingInput

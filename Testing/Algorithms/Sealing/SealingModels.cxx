@@ -67,13 +67,11 @@ void AddHorizons(TrueModel& model, const WavyLayers& layers, const PickErrors& e
   }
 }
 
-SealingFault& AddFault(TrueModel& model, double spacing, FaultDistance distance)
+SealingFault& AddFault(TrueModel& model, FaultPicks picks, FaultDistance distance)
 {
-  SealingFault& fault = model.Input.Faults.emplace_back();
-  fault.Picks.Name = "F" + std::to_string(model.Input.Faults.size());
-  fault.Picks.Spacing = spacing;
+  picks.Name = "F" + std::to_string(model.Input.Faults.size() + 1);
   model.Distances.push_back(std::move(distance));
-  return fault;
+  return model.Input.Faults.emplace_back(SealingFault{ FaultPlate(picks), {}, {} });
 }
 
 void AddListric(TrueModel& model)
@@ -83,14 +81,15 @@ void AddListric(TrueModel& model)
     const double part = (-700.0 - z) / 1200.0, bent = std::clamp(part, -1.0, 3.0);
     return 500.0 + 550.0 * part + 600.0 * bent * bent * bent;
   };
-  SealingFault& fault =
-    AddFault(model, 260.0, [=](const Eigen::Vector3d& place) { return place.x() - listricAt(place.z()); });
-  AddSticks(fault.Picks, 5, 20,
+  FaultPicks picks;
+  picks.Spacing = 260.0;
+  AddSticks(picks, 5, 20,
     [&](int stick, int n)
     {
       const double z = -1300.0 - 40.0 * n;
       return Eigen::Vector3d(listricAt(z), 0.5 * Length + 260.0 * stick, z);
     });
+  AddFault(model, picks, [=](const Eigen::Vector3d& place) { return place.x() - listricAt(place.z()); });
 }
 
 /// A plane through (X, 1000, -1200).
@@ -134,14 +133,15 @@ const std::vector<Design> Designs = {
 void AddPlane(TrueModel& model, const DesignedFault& plane, double noise, Random& random)
 {
   const WavyFault shape({ plane.X, 0.5 * Length, -1200.0 }, plane.Dip, plane.Strike);
-  SealingFault& fault = AddFault(model, 320.0, [shape](const Eigen::Vector3d& place) { return shape.Distance(place); });
-  fault.Region = plane.Region;
-  AddSticks(fault.Picks, 5, 4,
+  FaultPicks picks;
+  picks.Spacing = 320.0;
+  AddSticks(picks, 5, 4,
     [&](int stick, int n)
     {
       const double off = noise > 0.0 ? random.Normal(noise) : 0.0;
       return Eigen::Vector3d(shape.OnPlane(320.0 * stick, -275.0 * n) + off * shape.Normal);
     });
+  AddFault(model, picks, [shape](const Eigen::Vector3d& place) { return shape.Distance(place); }).Region = plane.Region;
 }
 
 WavyLayers MakeDesignedLayers(const Design& design)
@@ -200,17 +200,11 @@ bool AddRandomFault(TrueModel& model, Random& random)
   shape.Amplitude = random.Between(0.0, 40.0);
   shape.WaveLength = random.Between(250.0, 600.0);
   constexpr double step = 100.0, margin = 300.0;
-  SealingFault& fault = AddFault(model, step, [shape](const Eigen::Vector3d& place) { return shape.Distance(place); });
-  for (std::size_t n = 0; n < sides.size(); ++n)
-  {
-    if (sides[n] != 0)
-    {
-      fault.Region.push_back({ n, sides[n] > 0 });
-    }
-  }
+  FaultPicks picks;
+  picks.Spacing = step;
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-margin, -margin, model.Input.Base - margin),
     Eigen::Vector3d(Length + margin, Length + margin, model.Input.Top + margin));
-  AddSticks(fault.Picks, 30, 22,
+  AddSticks(picks, 30, 22,
     [&](int stick, int n) -> std::optional<Eigen::Vector3d>
     {
       const double s = step * stick, t = -step * n;
@@ -218,6 +212,14 @@ bool AddRandomFault(TrueModel& model, Random& random)
       return box.contains(place) ? std::optional<Eigen::Vector3d>(place + shape.Wave(s, t) * shape.Normal)
                                  : std::nullopt;
     });
+  SealingFault& fault = AddFault(model, picks, [shape](const Eigen::Vector3d& at) { return shape.Distance(at); });
+  for (std::size_t n = 0; n < sides.size(); ++n)
+  {
+    if (sides[n] != 0)
+    {
+      fault.Region.push_back({ n, sides[n] > 0 });
+    }
+  }
   return true;
 }
 
