@@ -17,6 +17,7 @@ namespace
 {
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double Beyond = 3.0; // columns that heights are continued beyond faults
+constexpr double LeastApart = 2.5; // errors, between horizons of a block
 constexpr std::size_t FewestOfBlock = 6; // of a block whose heights they tell
 constexpr int Rim = 6; // columns of picks that the continuation follows
 
@@ -65,7 +66,7 @@ public:
       {
         break;
       }
-      block.Heights = this->Solve(known, sites, block.Anchors, monitor);
+      block.Heights = this->Solve(known, sites, monitor);
     }
     block.Nearest = this->Nearest(block.Heights);
   }
@@ -75,10 +76,8 @@ public:
   {
     for (std::size_t node = 0; node < block.Heights.size(); ++node)
     {
-      if (!this->IsInside(block.Sides, node, block.Heights[node], Beyond))
-      {
-        block.Heights[node] = NotKnown;
-      }
+      block.Heights[node] =
+        this->IsInside(block.Sides, node, block.Nearest[node], Beyond) ? block.Nearest[node] : NotKnown;
     }
   }
 
@@ -177,8 +176,8 @@ private:
 
   /// A plate through the sites, held by springs at known heights around them. A weak membrane keeps it near them far
   /// away.
-  std::vector<double> Solve(const std::vector<double>& known, const std::vector<std::size_t>& sites,
-    const std::vector<Eigen::Vector3d>& anchors, const Monitor& monitor) const
+  std::vector<double> Solve(
+    const std::vector<double>& known, const std::vector<std::size_t>& sites, const Monitor& monitor) const
   {
     SiteSystem<2> system(SiteBox::Fill(this->RunsAround(sites, known)));
     const BoxPlaces& near = *system.Sites.Near;
@@ -189,7 +188,7 @@ private:
     ForEachPlateStencil(near, isIn, always, always, add);
     static constexpr std::array<PlateTerm, 2> alongX = { { { 0, 0, -1.0 }, { 1, 0, 1.0 } } };
     static constexpr std::array<PlateTerm, 2> alongY = { { { 0, 0, -1.0 }, { 0, 1, 1.0 } } };
-    constexpr double tension = 1e-6, spring = 1.0, springOfCutoff = 4.0, hold = 1e-12;
+    constexpr double tension = 1e-6, spring = 1.0, hold = 1e-12;
     const double datum = MeanOf(known);
     const auto nodeOf = [&](std::size_t site)
     {
@@ -197,10 +196,8 @@ private:
       return std::size_t(column.Y) * std::size_t(this->Lattice.Width) + std::size_t(column.X);
     };
     std::vector<double> values(system.Sites.Size(), 0.0);
-    std::vector<std::int32_t> siteAt(known.size(), NoSite);
     for (std::size_t site = 0; site < values.size(); ++site)
     {
-      siteAt[nodeOf(site)] = std::int32_t(site);
       const std::int64_t place = system.Sites.Place[site];
       if (isIn(place + 1))
       {
@@ -213,26 +210,6 @@ private:
       const double value = known[nodeOf(site)];
       system.Matrix[site][StencilMatrix<2>::Centre] += std::isfinite(value) ? spring : hold;
       values[site] = std::isfinite(value) ? spring * (value - datum) : 0.0;
-    }
-    for (const Eigen::Vector3d& anchor : anchors)
-    {
-      const Eigen::Vector2d corner = anchor.head<2>().array().floor();
-      const double x = anchor.x() - corner.x(), y = anchor.y() - corner.y();
-      const std::array<PlateTerm, 4> square = { { { 0, 0, (1.0 - x) * (1.0 - y) }, { 1, 0, x * (1.0 - y) },
-        { 0, 1, (1.0 - x) * y }, { 1, 1, x * y } } };
-      const auto siteOf = [&](const PlateTerm& term)
-      {
-        return siteAt[std::size_t(corner.y() + term.Y) * std::size_t(this->Lattice.Width) +
-          std::size_t(corner.x() + term.X)];
-      };
-      if (std::all_of(square.begin(), square.end(), [&](const PlateTerm& term) { return siteOf(term) != NoSite; }))
-      {
-        add(system.Sites.Place[std::size_t(siteOf(square[0]))], square, springOfCutoff);
-        for (const PlateTerm& term : square)
-        {
-          values[std::size_t(siteOf(term))] += springOfCutoff * term.Coefficient * (anchor.z() - datum);
-        }
-      }
     }
     MakeSiteSolver<2>(system)->Solve(values, monitor);
     std::vector<double> heights = known;
@@ -260,54 +237,17 @@ std::vector<double> DistancesAt(const std::vector<SealingFault>& faults, const E
   return distances;
 }
 
-/// Whether a place is in a block, farther than `margin` from its faults but `except`.
-bool IsIn(const BlockSides& sides, const std::vector<double>& distances, double margin,
-  std::size_t except = std::numeric_limits<std::size_t>::max())
+/// Whether a place is in a block, farther than `margin` from its faults.
+bool IsIn(const BlockSides& sides, const std::vector<double>& distances, double margin)
 {
   for (std::size_t fault = 0; fault < sides.size(); ++fault)
   {
-    if (sides[fault] != 0 && fault != except && !(sides[fault] * distances[fault] > margin))
+    if (sides[fault] != 0 && !(sides[fault] * distances[fault] > margin))
     {
       return false;
     }
   }
   return true;
-}
-
-void AddAnchors(const SealingInput& input, const BlockLattice& lattice, std::vector<BlockHeights>& blocks)
-{
-  const std::vector<HorizonCutoffs>& cutoffs = input.Horizons[blocks.front().Horizon].AtFault;
-  for (std::size_t fault = 0; fault < cutoffs.size(); ++fault)
-  {
-    for (const CutoffPiece& piece : cutoffs[fault].Pieces)
-    {
-      for (const CutoffPair& pair : piece.Pairs)
-      {
-        for (const FaultWall wall : { Footwall, HangingWall })
-        {
-          const Eigen::Vector3d place = pair.Place(input.Faults[fault].Plate, wall);
-          if (std::isnan(place.z()) || pair.Source[wall] != HeightSource::Picks)
-          {
-            continue;
-          }
-          const std::vector<double> distances = DistancesAt(input.Faults, place);
-          const Eigen::Vector2d column = place.head<2>().array() / lattice.Step.array();
-          const Eigen::Vector2d node = column - Eigen::Vector2d(lattice.Least.X, lattice.Least.Y);
-          if (!(node.minCoeff() >= 0.0) || !(node.x() < lattice.Width - 1) || !(node.y() < lattice.Height - 1))
-          {
-            continue;
-          }
-          for (BlockHeights& block : blocks)
-          {
-            if (block.Sides[fault] == (wall == HangingWall ? 1 : -1) && IsIn(block.Sides, distances, 0.0, fault))
-            {
-              block.Anchors.emplace_back(node.x(), node.y(), place.z());
-            }
-          }
-        }
-      }
-    }
-  }
 }
 
 /// The picks of a horizon by block.
@@ -352,7 +292,6 @@ std::vector<BlockHeights> ListPicks(
       }
     }
   }
-  AddAnchors(input, lattice, blocks);
   return blocks;
 }
 
@@ -391,7 +330,7 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
   {
     return;
   }
-  block.Heights = sibling->Nearest;
+  block.Nearest = sibling->Nearest;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const BlockHeights& own : blocks)
   {
@@ -407,10 +346,32 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
         least = apart;
         for (std::size_t node = 0; node < block.Heights.size(); ++node)
         {
-          block.Heights[node] = own.Nearest[node] + sibling->Nearest[node] - beside.Nearest[node];
+          block.Nearest[node] = own.Nearest[node] + sibling->Nearest[node] - beside.Nearest[node];
         }
       }
     }
+  }
+}
+
+/// Horizons of a block keep a distance in which their meshes cannot meet: the lower one gives way.
+void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeights>& blocks, std::size_t number)
+{
+  BlockHeights& block = blocks[number];
+  const double highest = input.Top - least * double(block.Horizon + 1);
+  const double lowest = input.Base + least * double(input.Horizons.size() - block.Horizon);
+  for (std::size_t node = 0; node < block.Nearest.size(); ++node)
+  {
+    double most = highest;
+    for (std::size_t upper = 0; upper < number; ++upper)
+    {
+      const BlockHeights& other = blocks[upper];
+      if (other.Horizon < block.Horizon && BlockTree::AreTogether(other.Sides, block.Sides) &&
+        std::isfinite(other.Heights[node]))
+      {
+        most = std::min(most, other.Heights[node] - least);
+      }
+    }
+    block.Nearest[node] = std::max(lowest, std::min(most, block.Nearest[node]));
   }
 }
 }
@@ -448,9 +409,12 @@ std::vector<BlockHeights> FindBlockHeights(
     if (block.IsGuessed)
     {
       Guess(blocks, block);
-      block.Nearest = block.Heights;
-      filler.Limit(block);
     }
+  }
+  for (std::size_t n = 0; n < blocks.size(); ++n)
+  {
+    PutInOrder(input, LeastApart * options.MaximumError, blocks, n);
+    filler.Limit(blocks[n]);
   }
   return blocks;
 }

@@ -60,7 +60,6 @@ struct BlockHeights
   std::vector<double> Nearest; // the nearest of these
   std::vector<unsigned char> IsKnown; // by node
   std::vector<std::size_t> Picks; // of the horizon, that are in the block
-  std::vector<Eigen::Vector3d> Anchors; // cutoffs, columns from the first node and heights
   bool IsGuessed = false; // no pick tells
 };
 

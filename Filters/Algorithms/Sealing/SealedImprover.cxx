@@ -20,6 +20,7 @@ namespace
 {
 using GonePlaces = std::vector<Eigen::Vector3d>;
 
+constexpr double Short = 0.02; // columns; edges up to this length may go with their corners
 constexpr double RadiansPerDegree = 0.017453292519943295;
 
 /// Visits heights over a triangle: visit(how far one is above it).
@@ -231,51 +232,65 @@ private:
 
   bool Remove(SealId vertex)
   {
-    std::vector<SealId> neighbours = this->NeighboursOf(vertex);
-    if (neighbours.empty())
+    std::vector<SealId> targets = this->NeighboursOf(vertex);
+    if (targets.empty())
     {
       return false;
     }
-    bool isCorner = false;
-    const std::vector<SealId> ends = this->LineThrough(vertex, neighbours, isCorner);
-    if (isCorner)
-    {
-      return false;
-    }
-    std::vector<SealId> targets = ends.empty() ? neighbours : ends;
+    const std::vector<SealId> neighbours = targets;
+    const auto lengthTo = [&](SealId target) { return (this->At(target) - this->At(vertex)).squaredNorm(); };
     std::sort(targets.begin(), targets.end(),
       [&](SealId a, SealId b)
       {
-        const double p = (this->At(a) - this->At(vertex)).squaredNorm(),
-                     q = (this->At(b) - this->At(vertex)).squaredNorm();
+        const double p = lengthTo(a), q = lengthTo(b);
         return p != q ? p < q : a < b;
       });
-    GonePlaces gone;
-    if (!ends.empty())
+    bool isCorner = false;
+    const std::vector<SealId> ends = this->LineThrough(vertex, neighbours, isCorner);
+    const double shortest = std::pow(Short * this->Options.Column, 2);
+    const SealId nearest = targets.front();
+    if (isCorner)
     {
-      gone = this->GoneFrom(vertex, ends);
-      if (!this->IsNearLine(gone, ends))
-      {
-        return false;
-      }
+      return lengthTo(nearest) < shortest && this->IsOnWallsOf(vertex, nearest) &&
+        this->CanJoin(vertex, nearest, neighbours) && this->Try(vertex, nearest);
     }
+    if (ends.empty())
+    {
+      return std::any_of(targets.begin(), targets.end(),
+        [&](SealId target) { return this->CanJoin(vertex, target, neighbours) && this->Try(vertex, target); });
+    }
+    GonePlaces gone = this->GoneFrom(vertex, ends);
     for (const SealId target : targets)
     {
-      if (this->CanJoin(vertex, target, neighbours) && this->Try(vertex, target))
+      if (std::find(ends.begin(), ends.end(), target) == ends.end() || !this->IsNearLine(gone, ends) ||
+        !this->CanJoin(vertex, target, neighbours) || !this->Try(vertex, target))
       {
-        if (!ends.empty())
-        {
-          this->Gone.erase(KeyOf(vertex, ends[0]));
-          this->Gone.erase(KeyOf(vertex, ends[1]));
-          this->Gone[KeyOf(ends[0], ends[1])] = std::move(gone);
-        }
-        return true;
+        continue;
       }
+      this->Gone.erase(KeyOf(vertex, ends[0]));
+      this->Gone.erase(KeyOf(vertex, ends[1]));
+      this->Gone[KeyOf(ends[0], ends[1])] = std::move(gone);
+      return true;
     }
     return false;
   }
 
-  /// GonePlaces of the line that a vertex and those removed before it had.
+  /// Whether the other vertex is on all walls that the vertex is on, which it may not leave.
+  bool IsOnWallsOf(SealId vertex, SealId other) const
+  {
+    const std::vector<SealId>& around = this->Around[std::size_t(vertex)];
+    return std::all_of(around.begin(), around.end(),
+      [&](SealId triangle)
+      {
+        const SealId sheet = this->Triangle(triangle).Sheet;
+        const std::vector<SealId>& others = this->Around[std::size_t(other)];
+        return !this->Shapes[std::size_t(sheet)].Heights.Heights.empty() ||
+          std::any_of(
+            others.begin(), others.end(), [&](SealId beside) { return this->Triangle(beside).Sheet == sheet; });
+      });
+  }
+
+  /// Places of the line that a vertex and those removed before it had.
   GonePlaces GoneFrom(SealId vertex, const std::vector<SealId>& ends) const
   {
     GonePlaces gone = { this->At(vertex) };

@@ -34,7 +34,6 @@ public:
     this->Box.min() << input.Step.x() * input.Least.X, input.Step.y() * input.Least.Y, input.Base;
     this->Box.max() << input.Step.x() * input.Greatest.X, input.Step.y() * input.Greatest.Y, input.Top;
     this->Blocks = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
-    this->PutInOrder();
     for (const BlockHeights& block : this->Blocks)
     {
       SheetHeights heights;
@@ -83,6 +82,31 @@ public:
     const auto number = std::size_t(sheet);
     return number < this->FirstFault ? std::int32_t(this->Blocks[number].Horizon)
                                      : std::int32_t(number - this->FirstFault + this->Input.Horizons.size());
+  }
+
+  std::vector<SealedGuess> Guessed() const
+  {
+    std::vector<SealedGuess> guessed;
+    for (const BlockHeights& block : this->Blocks)
+    {
+      const auto isThere = [&](std::size_t node)
+      {
+        const Eigen::Vector2d place = this->Lattice.At(node);
+        return std::isfinite(block.Heights[node]) &&
+          this->Box.contains(Eigen::Vector3d(place.x(), place.y(), block.Heights[node])) &&
+          this->IsIn(block, { place.x(), place.y(), block.Heights[node] });
+      };
+      bool isGuess = false;
+      for (std::size_t node = 0; node < block.Heights.size() && block.IsGuessed && !isGuess; ++node)
+      {
+        isGuess = isThere(node);
+      }
+      if (isGuess)
+      {
+        guessed.push_back({ block.Horizon, block.Sides });
+      }
+    }
+    return guessed;
   }
 
   /// Labels are blocks times layers.
@@ -139,6 +163,19 @@ public:
 private:
   static constexpr double partOfError = 0.5;
 
+  bool IsIn(const BlockHeights& block, const Eigen::Vector3d& place) const
+  {
+    for (std::size_t fault = 0; fault < block.Sides.size(); ++fault)
+    {
+      const FaultPlate& plate = this->Input.Faults[fault].Plate;
+      if (block.Sides[fault] * plate.Distance(plate.ToPlace(place)) < 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   void AddSheet(SheetHeights heights, double error)
   {
     this->Sheets.push_back(MeshSheet(heights, partOfError * error));
@@ -192,44 +229,6 @@ private:
     const Eigen::Vector2d column = (place.head<2>().array() / this->Input.Step.array()).round();
     PlanePoint nearest = { std::int32_t(column.x()), std::int32_t(column.y()) };
     return place.z() - this->Blocks[sheet].Nearest[this->Lattice.NodeOf(nearest)];
-  }
-
-  /// Horizons of a block keep a distance in which their meshes cannot meet.
-  void PutInOrder()
-  {
-    constexpr double errors = 2.5;
-    const double least = errors * this->Options.MaximumError;
-    for (std::size_t n = 0; n < this->Blocks.size(); ++n)
-    {
-      BlockHeights& block = this->Blocks[n];
-      const double above = double(this->Input.Horizons.size() - block.Horizon);
-      const double lowest = this->Input.Base + least * above;
-      const double highest = this->Input.Top - least * double(block.Horizon + 1);
-      const auto limit = [&](std::vector<double>& heights, std::size_t node, double most)
-      {
-        if (heights[node] > most)
-        {
-          heights[node] = most;
-        }
-      };
-      for (std::vector<double>* heights : { &block.Heights, &block.Nearest })
-      {
-        for (std::size_t node = 0; node < heights->size(); ++node)
-        {
-          limit(*heights, node, highest);
-          for (std::size_t upper = 0; upper < n; ++upper)
-          {
-            const BlockHeights& other = this->Blocks[upper];
-            if (other.Horizon < block.Horizon && BlockTree::AreTogether(other.Sides, block.Sides) &&
-              std::isfinite(other.Heights[node]))
-            {
-              limit(*heights, node, other.Heights[node] - least);
-            }
-          }
-          (*heights)[node] = (*heights)[node] < lowest ? lowest : (*heights)[node];
-        }
-      }
-    }
   }
 
   SheetHeights HeightsOf(const FaultPlate& plate) const
@@ -307,6 +306,7 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
   SealedModel model;
   model.Vertices = complex.Vertices;
   model.LeastAngle = bodies.LeastAngle;
+  model.Guessed = sheets.Guessed();
   const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
   model.LargestError = *std::max_element(errors.begin(), errors.end());
   for (std::size_t n = 0; n < complex.Triangles.size(); ++n)

@@ -101,12 +101,20 @@ struct SealedBody
   double Volume = 0.0;
 };
 
+/// A horizon in a block where no pick tells its height.
+struct SealedGuess
+{
+  std::size_t Horizon;
+  std::vector<signed char> Sides; // of the block by fault: 1 hanging wall, -1 footwall, 0 not there
+};
+
 struct SealedModel
 {
   std::vector<Eigen::Vector3d> Vertices;
   std::vector<SealedTriangle> Triangles;
   std::vector<SealedSurface> Surfaces; // horizons, faults, walls, top and base
   std::vector<SealedBody> Bodies;
+  std::vector<SealedGuess> Guessed;
   double LargestError = 0.0; // of picks that were kept
   double LeastAngle = 0.0; // between triangles at edges, in degrees
 };
