@@ -140,6 +140,7 @@ void BindReading(nb::module_& module);
 void BindStages(nb::module_& module);
 void BindLayers(nb::module_& module);
 void BindCutoffs(nb::module_& module);
+void BindSealed(nb::module_& module);
 void BindCubes(nb::module_& module);
 void BindWriting(nb::module_& module);
 }

@@ -43,6 +43,7 @@ NB_MODULE(_core, module)
   SeismicHorizons::BindStages(module);
   SeismicHorizons::BindLayers(module);
   SeismicHorizons::BindCutoffs(module);
+  SeismicHorizons::BindSealed(module);
   SeismicHorizons::BindCubes(module);
   SeismicHorizons::BindWriting(module);
 }

@@ -19,6 +19,7 @@ from ._horizon import Horizon, Lattice
 from ._late import find as __getattr__  # noqa: F401 -- names that are not here
 from ._lines import Lines, read_faults
 from ._mesh import Ledger, Mesh
+from ._sealed import SealedModel, sealed
 from ._stack import Distance, Layers, crossings, distance, layers
 from ._stages import Faults, Thickness, contours, despike, faults, fill_holes, surface, thickness
 from ._thesis import (
@@ -33,7 +34,7 @@ from ._thesis import (
 from ._version import VERSION as __version__
 from ._volume import amplitudes, cube
 
-__all__ = ["Cube", "Cutoffs", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "Thickness", "amplitudes",
+__all__ = ["Cube", "Cutoffs", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "SealedModel", "Thickness", "amplitudes",
            "boundary_simplification", "contours", "crossings", "cube", "cutoffs", "decimation", "despike", "distance",
-           "elaborate_simplification", "exterior_boundary", "extract", "faults", "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "surface",
+           "elaborate_simplification", "exterior_boundary", "extract", "faults", "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "sealed", "surface",
            "thickness", "triangulation", "write"]

@@ -144,6 +144,21 @@ def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, fault
     >>> sh.cutoffs({"Top": sh.horizon(z, spacing=(25, 25))}, sticks)
     Cutoffs: Top at Fault (mean throw 30)
     """
+    given, blocks, named = faults_of(horizons, faults, "cutoffs")
+    first = next(iter(given.values()), None)
+    options = given_options(dip=float(dip), drop_distance=float(drop_distance), drop_noise=float(drop_noise), largest_gap=float(largest_gap),
+                            smallest_length=float(smallest_length),
+                            maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit))
+    made = call("cutoffs", _core.cutoffs, named, blocks, options, progress)
+    figures = {snake(name): values for name, values in made["figures"].items()}
+    return Cutoffs(made["names"], _lines(given, made["cutoffs"]), {name: _profiles(data) for name, data in zip(given, made["cutoffs"])},
+                   _lines(given, made["polygons"]), by_fault(made["faults"]),
+                   _diagrams(made["names"], made["diagrams"]), figures,
+                   {snake(name): values for name, values in made["areas"].items()}, first.vertical_unit if first else "")
+
+
+def faults_of(horizons: Any, faults: Any, what: str) -> tuple[dict[str, Horizon], list[tuple[str, Data]], list[tuple[str, Data]]]:
+    """The horizons by name; sticks or surfaces, none if the horizons are cut; and the data of horizons."""
     if isinstance(horizons, Horizon):
         horizons = [horizons]
     cuts: dict[str, Faults] | None = None
@@ -154,20 +169,11 @@ def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, fault
         cuts = {names[0]: faults}
     elif isinstance(faults, Mapping) and faults and all(isinstance(one, Faults) for one in faults.values()):
         cuts = dict(faults)
-    given, named = named_horizons(horizons, "cutoffs", cuts)
+    given, named = named_horizons(horizons, what, cuts)
     for name, data in named:
         if cuts and name in cuts:
             data["field_data"] = {**data["field_data"], "FaultLine": cuts[name].lines, "FaultNames": list(cuts[name].names)}
-    first = next(iter(given.values()), None)
-    options = given_options(dip=float(dip), drop_distance=float(drop_distance), drop_noise=float(drop_noise), largest_gap=float(largest_gap),
-                            smallest_length=float(smallest_length),
-                            maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit))
-    made = call("cutoffs", _core.cutoffs, named, [] if cuts else _blocks_of(faults), options, progress)
-    figures = {snake(name): values for name, values in made["figures"].items()}
-    return Cutoffs(made["names"], _lines(given, made["cutoffs"]), {name: _profiles(data) for name, data in zip(given, made["cutoffs"])},
-                   _lines(given, made["polygons"]), by_fault(made["faults"]),
-                   _diagrams(made["names"], made["diagrams"]), figures,
-                   {snake(name): values for name, values in made["areas"].items()}, first.vertical_unit if first else "")
+    return given, [] if cuts else _blocks_of(faults), named
 
 
 def _blocks_of(faults: Any) -> list[tuple[str, Data]]:

@@ -57,6 +57,15 @@ struct ComplexBodies
   double LeastAngle = 180.0; // between triangles at an edge, in degrees
 };
 
+/// Where surfaces meet, between corners.
+struct ComplexLine
+{
+  std::vector<SealId> Vertices; // the first again at the end of a closed line
+  std::vector<SealId> Triangles; // at the first edge
+};
+
+std::vector<ComplexLine> FindLines(const SealedComplex& complex);
+
 /// Throws InputError with the place where bodies are not closed.
 ComplexBodies FindBodies(const SealedComplex& complex);
 }

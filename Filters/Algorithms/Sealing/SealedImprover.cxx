@@ -23,7 +23,7 @@ using GonePlaces = std::vector<Eigen::Vector3d>;
 constexpr double Short = 0.02; // columns; edges up to this length may go with their corners
 constexpr double RadiansPerDegree = 0.017453292519943295;
 
-/// Visits heights over a triangle: visit(how far one is above it).
+/// Visits heights over a triangle, until visit(how far one is above it) is false.
 template <typename Visitor>
 void ForEachHeight(const SheetHeights& heights, const std::array<Eigen::Vector3d, 3>& corners, Visitor&& visit)
 {
@@ -66,9 +66,9 @@ void ForEachHeight(const SheetHeights& heights, const std::array<Eigen::Vector3d
     for (double x = from; x <= to; ++x)
     {
       const double height = heights.Heights[begin + std::size_t(x)];
-      if (!std::isnan(height))
+      if (!std::isnan(height) && !visit(height - p[0].z() - slopeX * (x - p[0].x()) - slopeY * (row - p[0].y())))
       {
-        visit(height - p[0].z() - slopeX * (x - p[0].x()) - slopeY * (row - p[0].y()));
+        return;
       }
     }
   }
@@ -443,9 +443,15 @@ private:
 
   bool IsWithin(const SheetShape& shape, const std::array<Eigen::Vector3d, 3>& places) const
   {
-    double largest = 0.0;
-    ForEachHeight(shape.Heights, places, [&largest](double above) { largest = std::max(largest, std::abs(above)); });
-    return largest <= std::max(this->Part, 0.5) * shape.Error;
+    const double most = std::max(this->Part, 0.5) * shape.Error;
+    bool isWithin = true;
+    ForEachHeight(shape.Heights, places,
+      [&isWithin, most](double above)
+      {
+        isWithin = std::abs(above) <= most;
+        return isWithin;
+      });
+    return isWithin;
   }
 
   /// Whether two triangles may meet elsewhere than at common corners.
@@ -649,7 +655,11 @@ std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vecto
     }
     double& error = errors[std::size_t(triangle.Sheet)];
     ForEachHeight(shapes[std::size_t(triangle.Sheet)].Heights, corners,
-      [&error](double above) { error = std::max(error, std::abs(above)); });
+      [&error](double above)
+      {
+        error = std::max(error, std::abs(above));
+        return true;
+      });
   }
   return errors;
 }

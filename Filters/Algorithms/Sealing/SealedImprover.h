@@ -31,9 +31,9 @@ struct SheetShape
 
 struct ImproverOptions
 {
-  double LineError = 1.0;
-  double SmallestAngle = 15.0; // degrees
-  double Column = 1.0;
+  double LineError;
+  double SmallestAngle; // degrees
+  double Column; // the size of small triangles
 };
 
 SealedComplex Improve(SealedComplex complex, const std::vector<SheetShape>& shapes, const ImproverOptions& options,

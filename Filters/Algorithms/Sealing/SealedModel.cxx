@@ -20,6 +20,8 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr double SmallestSealedAngle = 15.0; // degrees
+
 /// The sheets of a model by what they are.
 class ModelSheets
 {
@@ -51,11 +53,12 @@ public:
     this->FirstWall = this->Sheets.size();
     const Eigen::AlignedBox3d around(this->Box.min() - Eigen::Vector3d::Constant(this->Column),
       this->Box.max() + Eigen::Vector3d::Constant(this->Column));
-    constexpr double squares = 8.0; // columns
+    constexpr double mostSquares = 24.0, leastSquare = 8.0; // along the longest side; in columns
+    const double square = std::max(leastSquare * this->Column, this->Box.sizes().maxCoeff() / mostSquares);
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.min()[axis], squares * this->Column));
-      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.max()[axis], squares * this->Column));
+      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.min()[axis], square));
+      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.max()[axis], square));
       this->Shapes.push_back({ SheetHeights(), 0.0, this->Sheets.back().Axes });
       this->Shapes.push_back(this->Shapes.back());
     }
@@ -107,6 +110,45 @@ public:
       }
     }
     return guessed;
+  }
+
+  std::vector<BlockSides> BlocksOfLabels() const
+  {
+    std::vector<BlockSides> blocks(this->Numbers.size());
+    for (const auto& [sides, number] : this->Numbers)
+    {
+      blocks[std::size_t(number)] = sides;
+    }
+    return blocks;
+  }
+
+  VertexSource SourceOf(const Eigen::Vector3d& place, std::size_t sheet) const
+  {
+    if (sheet >= this->FirstWall)
+    {
+      return VertexSource::Picks;
+    }
+    if (sheet >= this->FirstFault)
+    {
+      const FaultPlate& plate = this->Input.Faults[sheet - this->FirstFault].Plate;
+      const FaultPlace at = plate.ToPlace(place);
+      return plate.Contains(at.S, at.Z) ? VertexSource::Picks : VertexSource::Continued;
+    }
+    constexpr int near = 2; // columns
+    const BlockHeights& block = this->Blocks[sheet];
+    const Eigen::Vector2d column = (place.head<2>().array() / this->Input.Step.array()).round();
+    for (int dy = -near; dy <= near; ++dy)
+    {
+      for (int dx = -near; dx <= near; ++dx)
+      {
+        const PlanePoint at = { std::int32_t(column.x()) + dx, std::int32_t(column.y()) + dy };
+        if (this->Lattice.Contains(at) && block.IsKnown[this->Lattice.NodeOf(at)] != 0)
+        {
+          return VertexSource::Picks;
+        }
+      }
+    }
+    return block.IsGuessed ? VertexSource::OtherHorizon : VertexSource::Continued;
   }
 
   /// Labels are blocks times layers.
@@ -271,24 +313,19 @@ private:
   std::vector<SheetLocator> Locators;
   std::map<BlockSides, std::int32_t> Numbers;
 };
-}
 
-//----------------------------------------------------------------------------------------------------------------------
-SealedModel SealModel(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+SealedComplex CutAndLabel(ModelSheets& sheets, double column, const Monitor& monitor)
 {
-  ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
-  SealedComplex complex;
   constexpr unsigned mostRounds = 8;
   for (unsigned round = 0;; ++round)
   {
     sheets.Shake(round);
     try
     {
-      complex = KeepDifferent(
-        Arrange(sheets.Shaken, sheets.Pairs(), input.Step.maxCoeff(), monitor.Step(0.4, 0.6)),
+      return KeepDifferent(
+        Arrange(sheets.Shaken, sheets.Pairs(), column, monitor.Step(0.0, 0.6)),
         [&](const Eigen::Vector3d& place, std::int32_t sheet, int side) { return sheets.LabelAt(place, sheet, side); },
-        monitor.Step(0.6, 0.7));
-      break;
+        monitor.Step(0.6, 1.0));
     }
     catch (const Undecided& undecided)
     {
@@ -298,41 +335,84 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
       }
     }
   }
-  ImproverOptions improver;
-  improver.LineError = std::min(options.MaximumError, options.FaultError);
-  improver.Column = input.Step.maxCoeff();
-  complex = Improve(std::move(complex), sheets.Shapes, improver, monitor.Step(0.7, 1.0));
-  const ComplexBodies bodies = FindBodies(complex);
-  SealedModel model;
-  model.Vertices = complex.Vertices;
-  model.LeastAngle = bodies.LeastAngle;
-  model.Guessed = sheets.Guessed();
-  const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
-  model.LargestError = *std::max_element(errors.begin(), errors.end());
-  for (std::size_t n = 0; n < complex.Triangles.size(); ++n)
-  {
-    model.Triangles.push_back(
-      { complex.Triangles[n].Corners, sheets.SurfaceOf(complex.Triangles[n].Sheet), bodies.OfTriangles[n] });
-  }
-  for (std::size_t n = 0; n < bodies.Labels.size(); ++n)
-  {
-    const auto label = std::size_t(bodies.Labels[n]);
-    model.Bodies.push_back({ label % sheets.NumberOfLayers(), label / sheets.NumberOfLayers(), bodies.Volumes[n] });
-  }
+}
+
+std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
+{
+  std::vector<SealedSurface> surfaces;
   for (const SealingHorizon& horizon : input.Horizons)
   {
-    model.Surfaces.push_back({ horizon.Name, SealedSurfaceType::Horizon });
+    surfaces.push_back({ horizon.Name, SealedSurfaceType::Horizon });
   }
   for (const SealingFault& fault : input.Faults)
   {
-    model.Surfaces.push_back({ fault.Plate.Name(), SealedSurfaceType::Fault });
+    surfaces.push_back({ fault.Plate.Name(), SealedSurfaceType::Fault });
   }
   for (const char* const name : { "West", "East", "South", "North" })
   {
-    model.Surfaces.push_back({ name, SealedSurfaceType::Wall });
+    surfaces.push_back({ name, SealedSurfaceType::Wall });
   }
-  model.Surfaces.push_back({ "Base", SealedSurfaceType::Limit });
-  model.Surfaces.push_back({ "Top", SealedSurfaceType::Limit });
+  surfaces.push_back({ "Base", SealedSurfaceType::Limit });
+  surfaces.push_back({ "Top", SealedSurfaceType::Limit });
+  return surfaces;
+}
+
+/// Adds triangles, bodies and lines.
+void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedModel& model)
+{
+  const ComplexBodies bodies = FindBodies(complex);
+  const auto layers = std::int32_t(sheets.NumberOfLayers());
+  model.LeastAngle = bodies.LeastAngle;
+  model.Sources.assign(complex.Vertices.size(), VertexSource::Picks);
+  for (std::size_t n = 0; n < complex.Triangles.size(); ++n)
+  {
+    const LabelledTriangle& triangle = complex.Triangles[n];
+    model.Triangles.push_back({ triangle.Corners, sheets.SurfaceOf(triangle.Sheet), bodies.OfTriangles[n] });
+    for (const std::int32_t corner : triangle.Corners)
+    {
+      VertexSource& source = model.Sources[std::size_t(corner)];
+      source = std::max(source, sheets.SourceOf(complex.Vertices[std::size_t(corner)], std::size_t(triangle.Sheet)));
+    }
+  }
+  for (std::size_t n = 0; n < bodies.Labels.size(); ++n)
+  {
+    const std::int32_t label = bodies.Labels[n];
+    model.Bodies.push_back({ std::size_t(label % layers), std::size_t(label / layers), bodies.Volumes[n] });
+  }
+  for (ComplexLine& line : FindLines(complex))
+  {
+    SealedLine& added = model.Lines.emplace_back();
+    added.Vertices = std::move(line.Vertices);
+    for (const std::int32_t number : line.Triangles)
+    {
+      const LabelledTriangle& triangle = complex.Triangles[std::size_t(number)];
+      const std::int32_t surface = sheets.SurfaceOf(triangle.Sheet);
+      added.Surfaces.push_back(surface);
+      const bool isHorizon = model.Surfaces[std::size_t(surface)].Type == SealedSurfaceType::Horizon;
+      added.Block = isHorizon ? triangle.Labels[1] / layers : added.Block;
+    }
+    std::sort(added.Surfaces.begin(), added.Surfaces.end());
+    added.Surfaces.erase(std::unique(added.Surfaces.begin(), added.Surfaces.end()), added.Surfaces.end());
+  }
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SealedModel SealModel(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+{
+  ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
+  const double column = input.Step.maxCoeff();
+  const ImproverOptions improver = { std::min(options.MaximumError, options.FaultError), SmallestSealedAngle, column };
+  const SealedComplex complex =
+    Improve(CutAndLabel(sheets, column, monitor.Step(0.4, 0.7)), sheets.Shapes, improver, monitor.Step(0.7, 1.0));
+  SealedModel model;
+  model.Surfaces = NameSurfaces(input);
+  model.Vertices = complex.Vertices;
+  Describe(complex, sheets, model);
+  model.Blocks = sheets.BlocksOfLabels();
+  model.Guessed = sheets.Guessed();
+  const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
+  model.LargestError = *std::max_element(errors.begin(), errors.end());
   return model;
 }
 }

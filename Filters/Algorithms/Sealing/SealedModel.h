@@ -105,15 +105,33 @@ struct SealedBody
 struct SealedGuess
 {
   std::size_t Horizon;
-  std::vector<signed char> Sides; // of the block by fault: 1 hanging wall, -1 footwall, 0 not there
+  std::vector<signed char> Sides; // of the block, as in Blocks
+};
+
+/// Where surfaces meet, between corners.
+struct SealedLine
+{
+  std::vector<std::int32_t> Vertices; // the first again at the end of a closed line
+  std::vector<std::int32_t> Surfaces; // ascending
+  std::int32_t Block = -1; // of a horizon that ends there
+};
+
+enum class VertexSource : unsigned char
+{
+  Picks = 0, // within two columns, or inside the picks of a fault
+  Continued = 1,
+  OtherHorizon = 2
 };
 
 struct SealedModel
 {
   std::vector<Eigen::Vector3d> Vertices;
+  std::vector<VertexSource> Sources; // by vertex; the farthest of its surfaces
   std::vector<SealedTriangle> Triangles;
   std::vector<SealedSurface> Surfaces; // horizons, faults, walls, top and base
   std::vector<SealedBody> Bodies;
+  std::vector<std::vector<signed char>> Blocks; // sides by fault: 1 hanging wall, -1 footwall, 0 not there
+  std::vector<SealedLine> Lines;
   std::vector<SealedGuess> Guessed;
   double LargestError = 0.0; // of picks that were kept
   double LeastAngle = 0.0; // between triangles at edges, in degrees

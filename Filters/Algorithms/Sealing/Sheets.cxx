@@ -34,7 +34,7 @@ Sheet MeshSheet(const SheetHeights& heights, double error, const Monitor& monito
   options.MaximumError = error;
   options.Radius = 1;
   options.KeepHoles = false;
-  options.OutlineTolerance = 0.75;
+  options.OutlineTolerance = 1.5; // They are cut off.
   options.DistanceThreshold = 0.0;
   options.FitHeights = false;
   const Surface surface = MakeSurface(points, options, monitor);

@@ -117,6 +117,8 @@ const std::vector<Design> Designs = {
   { "strike", { { 900.0, 60.0, 25.0, { 90.0, 90.0, 90.0 } } } },
   { "reverse", { { 900.0, 60.0, 0.0, { -90.0, -90.0, -90.0 } } } },
   { "growth", { { 900.0, 60.0, 0.0, { 40.0, 90.0, 160.0 } } } },
+  { "scissors", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "half", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
   { "listric", {} },
   { "thin", { { 900.0, 60.0, 0.0, { 100.0, 100.0, 100.0, 100.0, 100.0, 100.0 } } } },
   { "noise", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
@@ -167,6 +169,8 @@ WavyLayers MakeDesignedLayers(const Design& design)
     layers.Amplitude = 15.0;
     layers.Depths = { -1000.0, -1030.0, -1060.0, -1090.0, -1120.0, -1150.0 };
   }
+  layers.IsScissors = design.Name == "scissors";
+  layers.IsHalf = design.Name == "half";
   return layers;
 }
 
@@ -248,58 +252,6 @@ WavyLayers MakeRandomLayers(std::size_t faults, Random& random)
   }
   return layers;
 }
-
-/// Heights at which a column meets a fault.
-void AddCrossings(
-  const std::function<double(double)>& distance, const SealingInput& input, int levels, std::vector<double>& heights)
-{
-  const double step = (input.Top - input.Base) / levels;
-  bool isBelow = distance(input.Base) > 0.0;
-  for (int level = 0; level < levels; ++level)
-  {
-    double low = input.Base + level * step, high = low + step;
-    const bool isAbove = distance(high) > 0.0;
-    if (isAbove != isBelow)
-    {
-      while (high - low > 1e-6 * step)
-      {
-        const double middle = 0.5 * (low + high);
-        ((distance(middle) > 0.0) == isBelow ? low : high) = middle;
-      }
-      heights.push_back(low);
-    }
-    isBelow = isAbove;
-  }
-}
-
-/// Between heights of faults and of the horizons of all blocks, the layer is one.
-void AddColumn(const TrueModel& model, const std::vector<std::vector<int>>& blocks, const Eigen::Vector2d& column,
-  int levels, std::vector<double>& lengths)
-{
-  const SealingInput& input = model.Input;
-  const auto at = [&column](double z) { return Eigen::Vector3d(column.x(), column.y(), z); };
-  std::vector<double> heights = { input.Base, input.Top };
-  for (const FaultDistance& distance : model.Distances)
-  {
-    AddCrossings([&](double z) { return distance(at(z)); }, input, levels, heights);
-  }
-  for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
-  {
-    for (const std::vector<int>& sides : blocks)
-    {
-      heights.push_back(std::clamp(model.Height(horizon, sides, column.x(), column.y()), input.Base, input.Top));
-    }
-  }
-  std::sort(heights.begin(), heights.end());
-  for (std::size_t n = 1; n < heights.size(); ++n)
-  {
-    const double length = heights[n] - heights[n - 1];
-    if (length > 0.0)
-    {
-      lengths[FindTruePlace(model, at(heights[n - 1] + 0.5 * length)).Layer] += length;
-    }
-  }
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -364,37 +316,4 @@ std::optional<TrueModel> MakeRandomNetwork(unsigned seed, int mostFaults)
   return model;
 }
 
-//----------------------------------------------------------------------------------------------------------------------
-TruePlace FindTruePlace(const TrueModel& model, const Eigen::Vector3d& place)
-{
-  TruePlace result = { 0, SidesAt(model, place) };
-  for (std::size_t n = 0; n < model.Input.Horizons.size(); ++n)
-  {
-    result.Layer += model.Height(n, result.Sides, place.x(), place.y()) > place.z() ? 1 : 0;
-  }
-  return result;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<double> TrueVolumes(const TrueModel& model, int columns, int levels)
-{
-  const SealingInput& input = model.Input;
-  const std::vector<std::vector<int>> blocks = BlocksOf(input.Faults);
-  const Eigen::Vector2d least = Eigen::Vector2d(input.Least.X, input.Least.Y).cwiseProduct(input.Step);
-  const Eigen::Vector2d greatest = Eigen::Vector2d(input.Greatest.X, input.Greatest.Y).cwiseProduct(input.Step);
-  const Eigen::Vector2d step = (greatest - least) / columns;
-  std::vector<double> volumes(input.Horizons.size() + 1, 0.0);
-  for (int j = 0; j < columns; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
-    {
-      AddColumn(model, blocks, least + step.cwiseProduct(Eigen::Vector2d(i + 0.5, j + 0.5)), levels, volumes);
-    }
-  }
-  for (double& volume : volumes)
-  {
-    volume *= step.x() * step.y();
-  }
-  return volumes;
-}
 }

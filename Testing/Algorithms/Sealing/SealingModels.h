@@ -135,13 +135,19 @@ struct WavyLayers
   Eigen::Vector2d Slope = { 0.0, 0.02 };
   std::vector<std::vector<double>> Throws = {}; // by fault and horizon
   double Fade = 0.0; // distance from x = 900 over which throws fall to 1/e; 0 if they do not
+  bool IsScissors = false; // Throws grow along y and change their sign in the middle.
+  bool IsHalf = false; // Throws grow from the middle along y, and are none before.
 
   double Height(std::size_t n, const std::vector<int>& sides, double x, double y) const
   {
     double height = this->Depths[n] +
       this->Amplitude * std::sin(x / this->WaveLength.x()) * std::cos(y / this->WaveLength.y()) +
       this->Slope.x() * (x - 0.5 * Length) + this->Slope.y() * (y - 0.5 * Length);
-    const double part = this->Fade > 0.0 ? std::exp(-std::abs(x - 900.0) / this->Fade) : 1.0;
+    const double along = (y - 0.5 * Length) / (0.5 * Length);
+    const double part = this->Fade > 0.0 ? std::exp(-std::abs(x - 900.0) / this->Fade)
+      : this->IsScissors                 ? along
+      : this->IsHalf                     ? std::max(0.0, along)
+                                         : 1.0;
     for (std::size_t fault = 0; fault < sides.size(); ++fault)
     {
       height -= sides[fault] > 0 ? part * this->Throws[fault][n] : 0.0;

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FaultNetwork.h"
+
+#include "Common/Base/Errors.h"
+#include "SealedComplex.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+namespace SeismicHorizons
+{
+namespace
+{
+constexpr double LeastShare = 0.1; // of a fault that counts as beyond another one
+
+/// How much of a fault is on each side of another one.
+struct FaultShares
+{
+  std::array<double, 2> Sides = { 0.0, 0.0 }; // footwall and hanging wall
+  std::array<Eigen::Vector3d, 2> Farthest;
+  bool IsNear = false; // reaches the other one
+
+  bool IsBoth() const
+  {
+    return std::min(this->Sides[0], this->Sides[1]) >= LeastShare * (this->Sides[0] + this->Sides[1]);
+  }
+  bool IsHanging() const { return this->Sides[1] > this->Sides[0]; }
+};
+
+/// Places of a fault within its picks and the box.
+std::vector<Eigen::Vector3d> PlacesOf(const FaultPlate& plate, const Eigen::AlignedBox3d& box)
+{
+  constexpr int steps = 48;
+  std::vector<Eigen::Vector3d> places;
+  for (int row = 0; row <= steps; ++row)
+  {
+    for (int column = 0; column <= steps; ++column)
+    {
+      const double s = plate.First() + (plate.Last() - plate.First()) * column / steps;
+      const double z = plate.Lowest() + (plate.Highest() - plate.Lowest()) * row / steps;
+      const Eigen::Vector3d place = plate.At(s, z);
+      if (plate.Contains(s, z) && box.contains(place))
+      {
+        places.push_back(place);
+      }
+    }
+  }
+  return places;
+}
+
+std::uint64_t KeyOfColumn(const PlanePoint& column)
+{
+  return std::uint64_t(std::uint32_t(column.X)) << 32U | std::uint32_t(column.Y);
+}
+
+class NetworkMaker
+{
+public:
+  NetworkMaker(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double reach)
+    : Plates(plates)
+    , Reach(reach)
+  {
+    for (const FaultPlate& plate : plates)
+    {
+      this->Places.push_back(PlacesOf(plate, box));
+      const auto area = double(this->Places.back().size()) *
+        plate.AreaOf(plate.Last() - plate.First(), plate.Highest() - plate.Lowest(), 0.0, 0.0);
+      this->Areas.push_back(area);
+    }
+    for (std::size_t fault = 0; fault < plates.size(); ++fault)
+    {
+      this->Shares.emplace_back();
+      for (std::size_t other = 0; other < plates.size(); ++other)
+      {
+        this->Shares.back().push_back(this->SharesOf(fault, other));
+      }
+    }
+    this->Ends.assign(plates.size(), std::vector<unsigned char>(plates.size(), 0));
+  }
+
+  void AddRules(const std::vector<EndingRule>& rules)
+  {
+    const auto numberOf = [this](const std::string& name)
+    {
+      for (std::size_t fault = 0; fault < this->Plates.size(); ++fault)
+      {
+        if (this->Plates[fault].Name() == name)
+        {
+          return fault;
+        }
+      }
+      throw InputError("ending at or of fault " + name + ", expected the name of a fault");
+    };
+    for (const EndingRule& rule : rules)
+    {
+      this->Ends[numberOf(rule.Minor)][numberOf(rule.Main)] = 2;
+    }
+    this->HasRules = !rules.empty();
+  }
+
+  FaultNetwork Make()
+  {
+    FaultNetwork network;
+    this->ChooseEnds(network);
+    for (const std::size_t fault : this->FindOrder())
+    {
+      if (this->Places[fault].empty())
+      {
+        network.Outside.push_back(this->Plates[fault].Name());
+        continue;
+      }
+      this->Add(fault, network);
+    }
+    return network;
+  }
+
+private:
+  FaultShares SharesOf(std::size_t fault, std::size_t other) const
+  {
+    FaultShares shares;
+    std::array<double, 2> farthest = { 0.0, 0.0 };
+    for (const Eigen::Vector3d& place : this->Places[fault])
+    {
+      const double distance = this->Plates[other].Distance(this->Plates[other].ToPlace(place));
+      const std::size_t side = distance > 0.0 ? 1 : 0;
+      shares.IsNear = shares.IsNear || std::abs(distance) <= this->Reach;
+      shares.Sides[side] += std::abs(distance) > this->Reach ? 1.0 : 0.0;
+      if (std::abs(distance) > farthest[side])
+      {
+        farthest[side] = std::abs(distance);
+        shares.Farthest[side] = place;
+      }
+    }
+    return shares;
+  }
+
+  void ChooseEnds(FaultNetwork& network)
+  {
+    for (std::size_t a = 0; a < this->Plates.size(); ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        if (this->Places[a].empty() || this->Places[b].empty() || this->Ends[a][b] != 0 || this->Ends[b][a] != 0)
+        {
+          continue;
+        }
+        const FaultShares &ofA = this->Shares[a][b], &ofB = this->Shares[b][a];
+        const bool aEnds = ofA.IsBoth() == ofB.IsBoth() ? this->Areas[a] < this->Areas[b] : ofB.IsBoth();
+        const std::size_t minor = aEnds ? a : b, main = aEnds ? b : a;
+        const bool cross = ofA.IsBoth() && ofB.IsBoth();
+        if (cross && this->HasRules)
+        {
+          const Eigen::Vector3d place =
+            0.5 * (this->Shares[minor][main].Farthest[0] + this->Shares[minor][main].Farthest[1]);
+          throw InputError("fault " + this->Plates[minor].Name() + " crosses " + this->Plates[main].Name() + " near " +
+            PlaceText(place) + ", expected a rule which of them ends");
+        }
+        this->Ends[minor][main] = 1;
+        if (cross || this->Shares[minor][main].IsNear)
+        {
+          network.Choices.push_back(
+            this->Plates[minor].Name() + " ends at " + this->Plates[main].Name() + (cross ? " on both sides" : ""));
+        }
+      }
+    }
+  }
+
+  /// Faults that others end at come first, then large ones. A circle is cut at the largest fault, unless it is of rules.
+  std::vector<std::size_t> FindOrder() const
+  {
+    std::vector<std::size_t> left(this->Plates.size()), order;
+    std::iota(left.begin(), left.end(), std::size_t(0));
+    std::stable_sort(
+      left.begin(), left.end(), [this](std::size_t a, std::size_t b) { return this->Areas[a] > this->Areas[b]; });
+    while (!left.empty())
+    {
+      const auto waits = [&](std::size_t fault, unsigned char least) {
+        return std::any_of(
+          left.begin(), left.end(), [&](std::size_t other) { return this->Ends[fault][other] >= least; });
+      };
+      auto next = std::find_if(left.begin(), left.end(), [&](std::size_t fault) { return !waits(fault, 1); });
+      next = next != left.end()
+        ? next
+        : std::find_if(left.begin(), left.end(), [&](std::size_t fault) { return !waits(fault, 2); });
+      if (next == left.end())
+      {
+        throw InputError("fault " + this->Plates[left.front()].Name() +
+          " that ends at one which ends there itself, expected rules without circles");
+      }
+      order.push_back(*next);
+      left.erase(next);
+    }
+    return order;
+  }
+
+  /// One fault for each combination of sides of the faults that it crosses.
+  void Add(std::size_t number, FaultNetwork& network)
+  {
+    std::vector<SealingFault> parts = { SealingFault{ this->Plates[number], {}, {} } };
+    const std::size_t before = network.Faults.size();
+    for (std::size_t fault = 0; fault < before; ++fault)
+    {
+      const FaultShares& shares = this->Shares[number][this->Numbers[fault]];
+      const bool isCut = shares.IsBoth() && this->Ends[number][this->Numbers[fault]] != 2;
+      std::vector<SealingFault> next;
+      for (const SealingFault& part : parts)
+      {
+        for (const bool isHanging : { false, true })
+        {
+          if (!CanMeetRegion(part, network.Faults[fault]))
+          {
+            next.insert(next.end(), isHanging ? 0 : 1, part);
+          }
+          else if (isCut || isHanging == shares.IsHanging())
+          {
+            next.push_back(part);
+            next.back().Region.push_back({ fault, isHanging });
+          }
+        }
+      }
+      parts = std::move(next);
+    }
+    for (SealingFault& part : parts)
+    {
+      network.Faults.push_back(std::move(part));
+      this->Numbers.push_back(number);
+    }
+  }
+
+  /// Whether no earlier fault is between them.
+  static bool CanMeetRegion(const SealingFault& a, const SealingFault& b)
+  {
+    return std::none_of(a.Region.begin(), a.Region.end(),
+      [&](const FaultSideOf& side)
+      {
+        return std::any_of(b.Region.begin(), b.Region.end(),
+          [&](const FaultSideOf& other) { return other.Fault == side.Fault && other.IsHanging != side.IsHanging; });
+      });
+  }
+
+  const std::vector<FaultPlate>& Plates;
+  double Reach;
+  std::vector<std::vector<Eigen::Vector3d>> Places; // by fault
+  std::vector<double> Areas;
+  std::vector<std::vector<FaultShares>> Shares; // by fault and other fault
+  std::vector<std::vector<unsigned char>> Ends; // by fault and the one it ends at: 1 chosen, 2 by a rule
+  bool HasRules = false;
+  std::vector<std::size_t> Numbers; // of plates, by fault of the network
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double reach,
+  const std::vector<EndingRule>& rules)
+{
+  NetworkMaker maker(plates, box, reach);
+  maker.AddRules(rules);
+  return maker.Make();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
+  const Eigen::AlignedBox3d& box, FaultNetwork& network)
+{
+  for (const std::size_t number : unconformities)
+  {
+    const SealingHorizon& horizon = input.Horizons[number];
+    std::unordered_map<std::uint64_t, double> heights; // by column
+    for (std::size_t pick = 0; pick < horizon.Columns.size(); ++pick)
+    {
+      heights[KeyOfColumn(horizon.Columns[pick])] = horizon.Heights[pick];
+    }
+    for (SealingFault& fault : network.Faults)
+    {
+      double above = 0.0, all = 0.0;
+      for (const Eigen::Vector3d& place : PlacesOf(fault.Plate, box))
+      {
+        const Eigen::Vector2d column = (place.head<2>().array() / input.Step.array()).round();
+        const auto found = heights.find(KeyOfColumn({ std::int32_t(column.x()), std::int32_t(column.y()) }));
+        all += found != heights.end() ? 1.0 : 0.0;
+        above += found != heights.end() && place.z() > found->second ? 1.0 : 0.0;
+      }
+      if (all > 0.0 && above < LeastShare * all)
+      {
+        fault.EndsBelow = std::max(fault.EndsBelow.value_or(number), number);
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which fault ends at which. Faults are continued beyond their picks, up to the box or to the fault that they end at:
+//
+// - A fault that lies on one side of another one ends there.
+// - Of two, one of which crosses the continuation of the other, that other one ends.
+// - Of two that cross, the smaller one ends, and is a fault on each side.
+//
+// The user may say which one ends.
+
+#ifndef SeismicHorizonsFaultNetwork_h
+#define SeismicHorizonsFaultNetwork_h
+
+#include "SealedModel.h"
+
+#include <Eigen/Geometry>
+
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+struct EndingRule
+{
+  std::string Minor; // ends at
+  std::string Main;
+};
+
+struct FaultNetwork
+{
+  /// In order. Each has its region.
+  std::vector<SealingFault> Faults;
+  std::vector<std::string> Choices; // what was not told, as "F2 ends at F1"
+  std::vector<std::string> Outside; // names of faults that are not in the box
+};
+
+/// Faults that reach less than `reach` beyond another one end there. Without rules, all choices are made; with some, faults
+/// that cross must have one. Throws InputError for rules of unknown faults, rules that run in a circle, and crossings
+/// without a rule.
+FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double reach,
+  const std::vector<EndingRule>& rules);
+
+/// Faults that hardly reach above one of these horizons end there.
+void EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
+  const Eigen::AlignedBox3d& box, FaultNetwork& network);
+}
+
+#endif

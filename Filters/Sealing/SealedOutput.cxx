@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SealedOutput.h"
+
+#include "Common/Horizon/DataModel.h"
+#include "Filters/Common/CellWriter.h"
+#include "Filters/Common/StageReport.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+const SealedSurface& SurfaceOf(const SealedModel& model, const SealedTriangle& triangle)
+{
+  return model.Surfaces[std::size_t(triangle.Surface)];
+}
+
+double AreaOf(const SealedModel& model, const SealedTriangle& triangle)
+{
+  const Eigen::Vector3d& a = model.Vertices[std::size_t(triangle.Corners[0])];
+  const Eigen::Vector3d b = model.Vertices[std::size_t(triangle.Corners[1])] - a;
+  const Eigen::Vector3d c = model.Vertices[std::size_t(triangle.Corners[2])] - a;
+  return 0.5 * b.cross(c).norm();
+}
+
+std::string NameBody(const SealedModel& model, const std::vector<std::string>& layers, std::int32_t body)
+{
+  if (body < 0)
+  {
+    return "outside";
+  }
+  const SealedBody& own = model.Bodies[std::size_t(body)];
+  const std::string block = NameBlock(model, model.Blocks[own.Block]);
+  return layers[own.Layer] + (block.empty() ? "" : ", " + block);
+}
+
+std::string NameLayerOf(const SealedModel& model, const std::vector<std::string>& layers, std::int32_t body)
+{
+  return body < 0 ? "outside" : layers[model.Bodies[std::size_t(body)].Layer];
+}
+
+/// The triangles that are wanted, with their points; `sideOf` gives -1 for none, 1 for those that are turned.
+template <typename SideOf>
+Horizon WriteTriangles(const SealedModel& model, SideOf&& sideOf, std::vector<const SealedTriangle*>& written)
+{
+  CellWriter cells;
+  std::vector<std::int64_t> numbers(model.Vertices.size(), -1);
+  std::vector<unsigned char> sources;
+  for (const SealedTriangle& triangle : model.Triangles)
+  {
+    const int side = sideOf(triangle);
+    for (std::size_t n = 0; n < 3 && side >= 0; ++n)
+    {
+      const auto vertex = std::size_t(triangle.Corners[side == 1 ? 2 - n : n]);
+      if (numbers[vertex] < 0)
+      {
+        numbers[vertex] = cells.AddPoint(model.Vertices[vertex]);
+        sources.push_back(static_cast<unsigned char>(model.Sources[vertex]));
+      }
+      cells.Use(numbers[vertex]);
+    }
+    if (side >= 0)
+    {
+      cells.Close();
+      written.push_back(&triangle);
+    }
+  }
+  Horizon output;
+  cells.Finish(output, &Horizon::Polygons);
+  AddArray<unsigned char>(output.PointData, PointArray::Guessed, sources);
+  std::vector<std::string> names;
+  std::vector<unsigned char> types;
+  for (const SealedTriangle* const triangle : written)
+  {
+    names.push_back(SurfaceOf(model, *triangle).Name);
+    types.push_back(static_cast<unsigned char>(SurfaceOf(model, *triangle).Type));
+  }
+  output.CellData.Add({ CellArray::SurfaceName, std::move(names) });
+  AddArray<unsigned char>(output.CellData, CellArray::SurfaceType, types);
+  return output;
+}
+
+Horizon WriteSurfaces(const SealedModel& model, const std::vector<std::string>& layers)
+{
+  std::vector<const SealedTriangle*> written;
+  Horizon output = WriteTriangles(
+    model, [](const SealedTriangle&) { return 0; }, written);
+  std::vector<int> above, below;
+  std::vector<std::string> layerAbove, layerBelow;
+  for (const SealedTriangle* const triangle : written)
+  {
+    above.push_back(triangle->Body[0]);
+    below.push_back(triangle->Body[1]);
+    layerAbove.push_back(NameLayerOf(model, layers, triangle->Body[0]));
+    layerBelow.push_back(NameLayerOf(model, layers, triangle->Body[1]));
+  }
+  AddArray<int>(output.CellData, CellArray::BodyAbove, above);
+  AddArray<int>(output.CellData, CellArray::BodyBelow, below);
+  output.CellData.Add({ CellArray::LayerAbove, std::move(layerAbove) });
+  output.CellData.Add({ CellArray::LayerBelow, std::move(layerBelow) });
+  std::vector<std::string> names;
+  std::vector<int> layerNumbers, blocks;
+  std::vector<double> volumes;
+  for (std::size_t body = 0; body < model.Bodies.size(); ++body)
+  {
+    names.push_back(NameBody(model, layers, std::int32_t(body)));
+    layerNumbers.push_back(int(model.Bodies[body].Layer));
+    blocks.push_back(int(model.Bodies[body].Block));
+    volumes.push_back(model.Bodies[body].Volume);
+  }
+  output.FieldData.Add({ FieldArray::BodyName, std::move(names) });
+  AddArray<int>(output.FieldData, FieldArray::BodyLayer, layerNumbers);
+  AddArray<int>(output.FieldData, FieldArray::BodyBlock, blocks);
+  AddArray<double>(output.FieldData, FieldArray::BodyVolume, volumes);
+  return output;
+}
+
+/// Kinds of lines by what meets there.
+std::string TypeOf(const SealedModel& model, const SealedLine& line)
+{
+  std::set<SealedSurfaceType> types;
+  for (const std::int32_t surface : line.Surfaces)
+  {
+    types.insert(model.Surfaces[std::size_t(surface)].Type);
+  }
+  const auto has = [&types](SealedSurfaceType type) { return types.count(type) > 0; };
+  const bool isOutside = has(SealedSurfaceType::Wall) || has(SealedSurfaceType::Limit);
+  return has(SealedSurfaceType::Horizon) && has(SealedSurfaceType::Fault) ? "cutoff"
+    : has(SealedSurfaceType::Horizon)                                     ? (isOutside ? "outline" : "pinch-out")
+    : has(SealedSurfaceType::Fault)                                       ? (isOutside ? "trace" : "branch")
+                                                                          : "edge";
+}
+
+Horizon WriteLines(const SealedModel& model)
+{
+  CellWriter cells;
+  std::vector<std::string> types, names;
+  for (const SealedLine& line : model.Lines)
+  {
+    for (const std::int32_t vertex : line.Vertices)
+    {
+      cells.Add(model.Vertices[std::size_t(vertex)]);
+    }
+    cells.Close();
+    types.push_back(TypeOf(model, line));
+    std::string name;
+    for (const std::int32_t surface : line.Surfaces)
+    {
+      name += (name.empty() ? "" : ", ") + model.Surfaces[std::size_t(surface)].Name;
+    }
+    names.push_back(name);
+  }
+  Horizon output;
+  cells.Finish(output, &Horizon::Lines);
+  output.CellData.Add({ CellArray::LineType, std::move(types) });
+  output.CellData.Add({ CellArray::SurfaceName, std::move(names) });
+  return output;
+}
+
+ArrayTable WriteBodyTable(const SealedModel& model, const std::vector<std::string>& layers)
+{
+  ArrayTable table;
+  std::vector<std::string> names, blocks;
+  std::vector<double> volumes, areas(model.Bodies.size(), 0.0);
+  for (const SealedTriangle& triangle : model.Triangles)
+  {
+    for (const std::int32_t body : triangle.Body)
+    {
+      if (body >= 0)
+      {
+        areas[std::size_t(body)] += AreaOf(model, triangle);
+      }
+    }
+  }
+  for (const SealedBody& body : model.Bodies)
+  {
+    names.push_back(layers[body.Layer]);
+    blocks.push_back(NameBlock(model, model.Blocks[body.Block]));
+    volumes.push_back(body.Volume);
+  }
+  table.Add({ "Layer", std::move(names) });
+  table.Add({ "Block", std::move(blocks) });
+  AddArray<double>(table, "Volume", volumes);
+  AddArray<double>(table, "Area", areas);
+  return table;
+}
+
+ArrayTable WriteFaultAreas(const SealedModel& model, const std::vector<std::string>& layers)
+{
+  std::map<std::tuple<std::string, std::string, std::string>, double> sums;
+  for (const SealedTriangle& triangle : model.Triangles)
+  {
+    if (SurfaceOf(model, triangle).Type == SealedSurfaceType::Fault)
+    {
+      sums[{ SurfaceOf(model, triangle).Name, NameLayerOf(model, layers, triangle.Body[1]),
+        NameLayerOf(model, layers, triangle.Body[0]) }] += AreaOf(model, triangle);
+    }
+  }
+  std::vector<std::string> faults, foot, hanging;
+  std::vector<double> areas;
+  for (const auto& [key, area] : sums)
+  {
+    faults.push_back(std::get<0>(key));
+    foot.push_back(std::get<1>(key));
+    hanging.push_back(std::get<2>(key));
+    areas.push_back(area);
+  }
+  ArrayTable table;
+  table.Add({ "Fault", std::move(faults) });
+  table.Add({ "Footwall", std::move(foot) });
+  table.Add({ "HangingWall", std::move(hanging) });
+  AddArray<double>(table, "Area", areas);
+  return table;
+}
+
+std::string ReportSealed(const SealedModel& model, const std::vector<std::string>& layers)
+{
+  std::ostringstream text = MakeReportStream();
+  text << model.Bodies.size() << " bodies of " << layers.size() << " layers in " << model.Blocks.size() << " blocks, "
+       << model.Vertices.size() << " points, " << model.Triangles.size() << " triangles, largest error "
+       << model.LargestError << "\n";
+  for (std::size_t layer = 0; layer < layers.size(); ++layer)
+  {
+    double volume = 0.0;
+    for (const SealedBody& body : model.Bodies)
+    {
+      volume += body.Layer == layer ? body.Volume : 0.0;
+    }
+    text << layers[layer] << ": volume " << volume << "\n";
+  }
+  return text.str();
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<std::string> NameLayers(const SealedModel& model)
+{
+  std::vector<std::string> names;
+  for (const SealedSurface& surface : model.Surfaces)
+  {
+    if (surface.Type != SealedSurfaceType::Horizon)
+    {
+      break;
+    }
+    names.push_back(names.empty() ? "above " + surface.Name : "");
+    if (names.size() > 1)
+    {
+      names.back() = model.Surfaces[names.size() - 2].Name + " to " + surface.Name;
+    }
+  }
+  names.push_back("below " + model.Surfaces[names.size() - 1].Name);
+  return names;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string NameBlock(const SealedModel& model, const std::vector<signed char>& sides)
+{
+  std::size_t first = 0;
+  while (model.Surfaces[first].Type != SealedSurfaceType::Fault && first + 1 < model.Surfaces.size())
+  {
+    ++first;
+  }
+  std::string name;
+  std::set<std::string> named; // A fault with two parts is named once.
+  for (std::size_t fault = 0; fault < sides.size(); ++fault)
+  {
+    const std::string side = model.Surfaces[first + fault].Name + (sides[fault] > 0 ? " hanging wall" : " footwall");
+    if (sides[fault] != 0 && named.insert(side).second)
+    {
+      name += (name.empty() ? "" : ", ") + side;
+    }
+  }
+  return name;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteSealed(const SealedModel& model, const ArrayTable& fields, SealedStageResult& result)
+{
+  const std::vector<std::string> layers = NameLayers(model);
+  const auto withFields = [&fields](Horizon data)
+  {
+    data.FieldData.AddAll(fields);
+    return data;
+  };
+  result.Surfaces = withFields(WriteSurfaces(model, layers));
+  result.Lines = withFields(WriteLines(model));
+  for (std::size_t body = 0; body < model.Bodies.size(); ++body)
+  {
+    const auto number = std::int32_t(body);
+    std::vector<const SealedTriangle*> written;
+    const auto sideOf = [number](const SealedTriangle& triangle) {
+      return triangle.Body[1] == number ? 0 : triangle.Body[0] == number ? 1 : -1;
+    };
+    result.Bodies.push_back(withFields(WriteTriangles(model, sideOf, written)));
+    result.BodyNames.push_back(NameBody(model, layers, number));
+  }
+  result.Figures = WriteBodyTable(model, layers);
+  result.Areas = WriteFaultAreas(model, layers);
+  result.Report = ReportSealed(model, layers);
+}
+}

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SealedStage.h"
+
+#include "Common/Base/Errors.h"
+#include "Common/Base/Parameters.h"
+#include "Common/Survey/DerivedArrays.h"
+#include "Filters/Algorithms/Sealing/FaultNetwork.h"
+#include "Filters/Algorithms/Sealing/SealedModel.h"
+#include "Filters/Common/HorizonData.h"
+#include "Filters/Common/PlacedPoints.h"
+#include "Filters/Common/StageReport.h"
+#include "SealedOutput.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// The coordinates of a model: from the first column along the axes of the lattice, right-handed.
+struct ModelFrame
+{
+  Lattice Columns;
+  bool IsTurned = false; // x is along j.
+  Eigen::Vector2d Step;
+  Eigen::Isometry2d ToModel;
+};
+
+ModelFrame FindFrame(const std::vector<CutInput>& horizons)
+{
+  ModelFrame frame;
+  const auto finest = std::min_element(horizons.begin(), horizons.end(),
+    [](const CutInput& a, const CutInput& b)
+    {
+      constexpr double rounding = 1e-6;
+      return a.Points.Lattice.ColumnArea() < (1.0 - rounding) * b.Points.Lattice.ColumnArea();
+    });
+  frame.Columns = finest->Points.Lattice;
+  frame.IsTurned = !frame.Columns.KeepsOrientation();
+  const Eigen::Vector3d origin = frame.Columns.ToWorld(Eigen::Vector3d::Zero());
+  Eigen::Vector2d x = (frame.Columns.ToWorld(Eigen::Vector3d::UnitX()) - origin).head<2>();
+  Eigen::Vector2d y = (frame.Columns.ToWorld(Eigen::Vector3d::UnitY()) - origin).head<2>();
+  if (frame.IsTurned)
+  {
+    std::swap(x, y);
+  }
+  constexpr double mostSkew = 1e-4;
+  const double cosine = x.dot(y) / (x.norm() * y.norm());
+  if (std::abs(cosine) > mostSkew)
+  {
+    constexpr double degrees = 57.29577951308232;
+    throw InputError("lattice whose axes meet at " + std::to_string(std::acos(cosine) * degrees) +
+      " degrees, expected 90 for a sealed model");
+  }
+  frame.Step = { x.norm(), y.norm() };
+  Eigen::Matrix2d axes;
+  axes.row(0) = x.normalized();
+  axes.row(1) << -axes(0, 1), axes(0, 0);
+  frame.ToModel.linear() = axes;
+  frame.ToModel.translation() = -axes * origin.head<2>();
+  frame.ToModel.makeAffine();
+  return frame;
+}
+
+/// From the uppermost on: numbers of horizons.
+std::vector<std::size_t> OrderHorizons(const CutoffModelData& model)
+{
+  std::vector<double> means;
+  for (const CutHorizon& horizon : model.Horizons)
+  {
+    double sum = 0.0;
+    for (const Eigen::Vector3d& place : horizon.Picks.Places)
+    {
+      sum += place.z();
+    }
+    means.push_back(sum / double(horizon.Picks.Places.size()));
+  }
+  std::vector<std::size_t> order(means.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&means](std::size_t a, std::size_t b) { return means[a] > means[b]; });
+  return order;
+}
+
+std::vector<std::string> SplitList(const std::string& text)
+{
+  std::vector<std::string> words;
+  std::string lines = text;
+  std::replace(lines.begin(), lines.end(), ';', '\n');
+  std::istringstream stream(lines);
+  for (std::string word; std::getline(stream, word);)
+  {
+    const std::size_t first = word.find_first_not_of(" \t\r"), last = word.find_last_not_of(" \t\r");
+    if (first != std::string::npos)
+    {
+      words.push_back(word.substr(first, last - first + 1));
+    }
+  }
+  return words;
+}
+
+std::vector<EndingRule> ReadEndings(const std::string& text)
+{
+  std::vector<EndingRule> rules;
+  for (const std::string& rule : SplitList(text))
+  {
+    const std::size_t sign = rule.find('>');
+    const std::vector<std::string> minor = SplitList(rule.substr(0, sign));
+    const std::vector<std::string> main = sign == std::string::npos ? minor : SplitList(rule.substr(sign + 1));
+    if (sign == std::string::npos || minor.size() != 1 || main.size() != 1)
+    {
+      throw InputError("ending " + rule + ", expected a fault, >, and the fault that it ends at");
+    }
+    rules.push_back({ minor.front(), main.front() });
+  }
+  return rules;
+}
+
+std::vector<std::size_t> ReadUnconformities(const std::string& text, const SealingInput& input)
+{
+  std::vector<std::size_t> numbers;
+  for (const std::string& name : SplitList(text))
+  {
+    const auto found = std::find_if(input.Horizons.begin(), input.Horizons.end(),
+      [&name](const SealingHorizon& horizon) { return horizon.Name == name; });
+    if (found == input.Horizons.end())
+    {
+      throw InputError("unconformity " + name + ", expected the name of a horizon");
+    }
+    numbers.push_back(std::size_t(found - input.Horizons.begin()));
+  }
+  return numbers;
+}
+
+/// Horizons and the box, without faults.
+SealingInput MakeInput(const std::vector<CutInput>& horizons, const CutoffModelData& model, const ModelFrame& frame)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  SealingInput input;
+  input.Step = frame.Step;
+  std::array<double, 2> heights = { infinity, -infinity };
+  PlaneBox common;
+  for (const std::size_t number : OrderHorizons(model))
+  {
+    const HorizonNames names = { horizons[number].Name, "the horizon with the smallest columns" };
+    SealingHorizon horizon;
+    horizon.Name = horizons[number].Name;
+    horizon.Columns = PlaceOn(frame.Columns, horizons[number].Points.Horizon, names).Columns;
+    PlaneBox box;
+    for (PlanePoint& column : horizon.Columns)
+    {
+      column = frame.IsTurned ? PlanePoint{ column.Y, column.X } : column;
+      box.Add(column);
+    }
+    if (!input.Horizons.empty())
+    {
+      box.Least = { std::max(common.Least.X, box.Least.X), std::max(common.Least.Y, box.Least.Y) };
+      box.Greatest = { std::min(common.Greatest.X, box.Greatest.X), std::min(common.Greatest.Y, box.Greatest.Y) };
+    }
+    common = box;
+    for (const Eigen::Vector3d& place : model.Horizons[number].Picks.Places)
+    {
+      horizon.Heights.push_back(place.z());
+      heights = { std::min(heights[0], place.z()), std::max(heights[1], place.z()) };
+    }
+    horizon.AtFault = model.Horizons[number].AtFault;
+    input.Horizons.push_back(std::move(horizon));
+  }
+  constexpr std::int32_t leastWidth = 3;
+  if (common.Greatest.X - common.Least.X < leastWidth || common.Greatest.Y - common.Least.Y < leastWidth)
+  {
+    throw InputError("horizons without a common area, expected some columns where all are");
+  }
+  input.Least = common.Least;
+  input.Greatest = common.Greatest;
+  constexpr double beyond = 0.1;
+  const double margin = beyond * (heights[1] - heights[0]) + frame.Step.maxCoeff();
+  input.Top = heights[1] + margin;
+  input.Base = heights[0] - margin;
+  return input;
+}
+
+/// Replaces plates by the faults of the network, in its order, with the cutoffs of each.
+void AddFaults(const std::vector<FaultPlate>& plates, const FaultNetwork& network, SealingInput& input)
+{
+  input.Faults = network.Faults;
+  for (SealingHorizon& horizon : input.Horizons)
+  {
+    std::vector<HorizonCutoffs> cutoffs;
+    for (const SealingFault& fault : input.Faults)
+    {
+      const auto plate = std::find_if(
+        plates.begin(), plates.end(), [&fault](const FaultPlate& other) { return other.Name() == fault.Plate.Name(); });
+      cutoffs.push_back(horizon.AtFault[std::size_t(plate - plates.begin())]);
+    }
+    horizon.AtFault = std::move(cutoffs);
+  }
+}
+
+std::vector<std::string> WarnOfModel(const SealedModel& model, const FaultNetwork& network, const SealingInput& input)
+{
+  std::vector<std::string> warnings;
+  const auto list = [](const std::vector<std::string>& names)
+  {
+    return std::accumulate(names.begin() + 1, names.end(), names.front(),
+      [](const std::string& text, const std::string& name) { return text + "; " + name; });
+  };
+  if (!network.Choices.empty())
+  {
+    warnings.push_back("endings that were chosen (" + list(network.Choices) + "), expected Endings to tell them");
+  }
+  if (!network.Outside.empty())
+  {
+    warnings.push_back("faults outside the model (" + list(network.Outside) + "), expected some inside its box");
+  }
+  for (const SealedGuess& guess : model.Guessed)
+  {
+    warnings.push_back(input.Horizons[guess.Horizon].Name + " without picks in the block " +
+      NameBlock(model, guess.Sides) + ", expected some: its height follows the horizon nearest to it");
+  }
+  return warnings;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::optional<PickedSticks>& given,
+  const ArrayTable& fields, const SealedStageOptions& options, const Monitor& monitor)
+{
+  if (ReadVerticalAxis(horizons.front().Points.Horizon.FieldData).IsTime)
+  {
+    throw InputError("horizons in time, expected depth for a sealed model");
+  }
+  CheckAtLeast("end distance", options.EndDistance, 0.0, " columns");
+  const CutoffModelData cutoffs = RunCutoffs(horizons, given, options.Cutoffs, monitor.Step(0.0, 0.4));
+  const ModelFrame frame = FindFrame(horizons);
+  SealingInput input = MakeInput(horizons, cutoffs, frame);
+  std::vector<FaultPlate> plates;
+  for (const FaultPlate& plate : cutoffs.Faults)
+  {
+    plates.push_back(plate.Moved(frame.ToModel));
+  }
+  const Eigen::Vector2d least = frame.Step.array() * Eigen::Array2d(input.Least.X, input.Least.Y);
+  const Eigen::Vector2d greatest = frame.Step.array() * Eigen::Array2d(input.Greatest.X, input.Greatest.Y);
+  const Eigen::AlignedBox3d box(
+    Eigen::Vector3d(least.x(), least.y(), input.Base), Eigen::Vector3d(greatest.x(), greatest.y(), input.Top));
+  FaultNetwork network =
+    MakeNetwork(plates, box, options.EndDistance * frame.Step.maxCoeff(), ReadEndings(options.Endings));
+  EndAtHorizons(ReadUnconformities(options.Unconformities, input), input, box, network);
+  AddFaults(plates, network, input);
+  SealingOptions sealing;
+  sealing.DropDistance = options.Cutoffs.DropDistance;
+  sealing.MaximumError = 0.0;
+  for (const CutHorizon& horizon : cutoffs.Horizons)
+  {
+    sealing.MaximumError = std::max(sealing.MaximumError, horizon.MaximumError);
+  }
+  if (!(sealing.MaximumError > 0.0))
+  {
+    throw InputError("maximum error 0, expected more for a sealed model");
+  }
+  constexpr double partOfColumn = 0.25;
+  sealing.FaultError = std::max(sealing.MaximumError, partOfColumn * frame.Step.minCoeff());
+  SealedModel model = SealModel(input, sealing, monitor.Step(0.4, 0.95));
+  const Eigen::Isometry2d toWorld = frame.ToModel.inverse();
+  for (Eigen::Vector3d& vertex : model.Vertices)
+  {
+    vertex.head<2>() = toWorld * Eigen::Vector2d(vertex.head<2>());
+  }
+  SealedStageResult result;
+  WriteSealed(model, fields, result);
+  result.Warnings = cutoffs.Warnings;
+  const std::vector<std::string> warnings = WarnOfModel(model, network, input);
+  result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
+  return result;
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef SeismicHorizonsSealedStage_h
+#define SeismicHorizonsSealedStage_h
+
+#include "Common/Base/Monitor.h"
+#include "Common/Horizon/Horizon.h"
+#include "Filters/Cutoffs/CutoffStage.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace SeismicHorizons
+{
+struct SealedStageOptions
+{
+  CutoffStageOptions Cutoffs;
+  std::string Endings; // "minor > main", with semicolons or lines between them
+  double EndDistance = 5.0; // columns
+  std::string Unconformities; // names of horizons, with semicolons or lines between them
+};
+
+struct SealedStageResult
+{
+  Horizon Surfaces;
+  Horizon Lines;
+  std::vector<std::string> BodyNames;
+  std::vector<Horizon> Bodies; // closed surfaces
+  ArrayTable Figures; // a row per body
+  ArrayTable Areas; // a row per fault and pair of layers
+  std::string Report;
+  std::vector<std::string> Warnings;
+};
+
+/// `fields` is the field data of all outputs. Throws InputError as RunCutoffs, for horizons in time, lattices without
+/// right angles, and models that cannot be sealed.
+SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::optional<PickedSticks>& given,
+  const ArrayTable& fields, const SealedStageOptions& options, const Monitor& monitor);
+}
+
+#endif

@@ -1,0 +1,131 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Closed bodies of layers between faults."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._cutoffs import faults_of
+from ._data import Progress, call, snake
+from ._horizon import Floats, Horizon
+from ._lines import Lines
+from ._mesh import Mesh, mesh_of
+from ._stack import named_horizons
+from ._stages import given_options
+from ._units import height
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class SealedModel:
+    """Layers between faults as closed bodies, as `sealed` makes them. All surfaces share the points of their common lines.
+
+    Attributes
+    ----------
+    points : float64 array of shape (n, 3)
+        x, y and z of the world, z upwards.
+    triangles : int array of shape (m, 3)
+        Of horizons counter-clockwise seen from above, of faults from the hanging wall.
+    surface : list of str of m
+        The horizon, fault or wall of each triangle.
+    surface_type : uint8 array of m
+        0 horizon, 1 fault, 2 wall, 3 top or base.
+    body_above, body_below : int32 arrays of m
+        Bodies before and behind each triangle, by number; -1 outside.
+    guessed : uint8 array of n
+        0 near picks, 1 continued, 2 by another horizon.
+    names : list of str
+        Of the bodies: layer and block, such as "Top to Base, F1 footwall".
+    bodies : list of Mesh
+        The closed surface of each body, which faces outwards.
+    lines : Lines
+        Where surfaces meet, with the kind as name: cutoff, branch, trace, outline, pinch-out or edge.
+    figures : dict of arrays
+        A value for each body: layer, block, volume, area.
+    areas : dict of arrays
+        A value for each pair of layers that meet at a fault: fault, footwall, hanging_wall, area.
+    """
+
+    points: Floats
+    triangles: NDArray[np.int64]
+    surface: list[str]
+    surface_type: NDArray[np.uint8]
+    body_above: NDArray[np.int32]
+    body_below: NDArray[np.int32]
+    guessed: NDArray[np.uint8]
+    names: list[str]
+    bodies: list[Mesh]
+    lines: Lines
+    figures: dict[str, Any]
+    areas: dict[str, Any]
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        return "Sealed model of %d bodies, {:,} points, {:,} triangles".format(len(self.points), len(self.triangles)) % len(self)
+
+
+def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults: Any, *, endings: str = "", end_distance: float = 5.0,
+           unconformities: str = "", dip: float = 0.0, drop_distance: float = 0.5, drop_noise: float = 4.0,
+           largest_error: float | str | None = None, progress: Progress | None = None) -> SealedModel:
+    """Makes closed bodies of the layers between horizons and faults, in a box around the columns that all horizons have.
+
+    Parameters
+    ----------
+    horizons : Horizon, or dict or list of Horizon
+        In depth, on one lattice.
+    faults : Faults, dict of Faults by horizon, Lines, list of arrays, or dict of Mesh by fault
+        As of `cutoffs`.
+    endings : str
+        Which fault ends at which, as "F2 > F1; F3 > F1"; by default a fault ends at those that it lies beside, and of two that
+        cross, the smaller one ends, on each side. With an entry, faults that cross need one.
+    end_distance : float
+        A fault that reaches less beyond another one ends there, in columns.
+    unconformities : str
+        Names of horizons, with semicolons between them, that faults end at from below.
+    dip, drop_distance, drop_noise : float
+        As of `cutoffs`.
+    largest_error : float or str, optional
+        Of picks, in the unit of z or with a unit; by default six times the noise of the roughest horizon.
+    progress : callable, optional
+
+    Returns
+    -------
+    SealedModel
+
+    Examples
+    --------
+    >>> import numpy as np, seismichorizons as sh
+    >>> x = np.arange(80) * 25.0 + np.zeros((60, 1))
+    >>> z = np.where(x < 987.0, 1000.0, 1030.0)
+    >>> stick = np.array([(970.0, -900.0), (1010.0, -1100.0)])
+    >>> sticks = [np.column_stack((stick[:, 0], [y, y], stick[:, 1])) for y in (0.0, 700.0, 1475.0)]
+    >>> model = sh.sealed({"Top": sh.horizon(z, spacing=(25, 25))}, sticks, largest_error=1.0)
+    >>> model.names
+    ['above Top, Fault hanging wall', 'above Top, Fault footwall', 'below Top, Fault hanging wall', 'below Top, Fault footwall']
+    """
+    given, blocks, named = faults_of(horizons, faults, "sealed model")
+    first = next(iter(given.values()), None)
+    options = given_options(endings=endings, end_distance=float(end_distance), unconformities=unconformities, dip=float(dip),
+                            drop_distance=float(drop_distance), drop_noise=float(drop_noise),
+                            maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit))
+    made = call("sealed model", _core.sealed, named, blocks, options, progress)
+    surfaces = made["surfaces"]
+    cells = surfaces["cell_data"]
+    bodies = [mesh_of(name, {**body, "point_data": {}, "cell_data": {}}, {}, body["field_data"], None) for name, body in zip(made["names"], made["bodies"])]
+    return SealedModel(np.asarray(surfaces["places"]), np.asarray(surfaces["polygons"][1]).reshape(-1, 3), list(cells["SurfaceName"]),
+                       cells["SurfaceType"], cells["BodyAbove"], cells["BodyBelow"], surfaces["point_data"]["Guessed"], made["names"], bodies,
+                       Lines.of(_named(made["lines"])), *({snake(name): values for name, values in made[table].items()} for table in ("figures", "areas")))
+
+
+def _named(lines: dict[str, Any]) -> dict[str, Any]:
+    """Lines of faults have names; here these are the kinds."""
+    cells = lines["cell_data"]
+    return {**lines, "point_data": {}, "cell_data": {"FaultName": cells["LineType"], "FaultStick": cells["SurfaceName"]}}
