@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -223,6 +224,36 @@ ArrayTable WriteFaultAreas(const SealedModel& model, const std::vector<std::stri
   return table;
 }
 
+/// What became of picks.
+ArrayTable WritePickTable(const SealedModel& model)
+{
+  std::vector<std::string> names;
+  std::array<std::vector<double>, 9> columns;
+  for (std::size_t n = 0; n < model.Accounts.size(); ++n)
+  {
+    const PickAccount& own = model.Accounts[n];
+    const std::array<double, 9> row = { double(own.Used), double(own.BesideFaults), double(own.NotAgreeing),
+      double(own.Doubled), double(own.Outside), double(own.Moved), own.LargestMove, double(own.Columns),
+      double(own.Continued) };
+    names.push_back(model.Surfaces[n].Name);
+    for (std::size_t column = 0; column < row.size(); ++column)
+    {
+      columns[column].push_back(row[column]);
+    }
+  }
+  ArrayTable table;
+  table.Add({ "Horizon", std::move(names) });
+  const std::array<const char*, 9> titles = { "Used", "BesideFaults", "NotAgreeing", "Doubled", "Outside", "Moved",
+    "LargestMove", "Columns", "Continued" };
+  for (std::size_t column = 0; column < titles.size(); ++column)
+  {
+    const bool isLength = std::string(titles[column]) == "LargestMove";
+    isLength ? AddArray<double>(table, titles[column], columns[column])
+             : AddArray<std::int64_t>(table, titles[column], columns[column]);
+  }
+  return table;
+}
+
 std::string ReportSealed(const SealedModel& model, const std::vector<std::string>& layers)
 {
   std::ostringstream text = MakeReportStream();
@@ -237,6 +268,14 @@ std::string ReportSealed(const SealedModel& model, const std::vector<std::string
       volume += body.Layer == layer ? body.Volume : 0.0;
     }
     text << layers[layer] << ": volume " << volume << "\n";
+  }
+  for (std::size_t n = 0; n < model.Accounts.size(); ++n)
+  {
+    const PickAccount& own = model.Accounts[n];
+    text << model.Surfaces[n].Name << ": " << own.Used << " picks used, not "
+         << own.BesideFaults + own.NotAgreeing + own.Doubled + own.Outside << " (beside faults " << own.BesideFaults
+         << ", not agreeing " << own.NotAgreeing << ", doubled " << own.Doubled << ", outside " << own.Outside
+         << "); continued over " << own.Continued << " of " << own.Columns << " columns\n";
   }
   return text.str();
 }
@@ -306,6 +345,7 @@ void WriteSealed(const SealedModel& model, const ArrayTable& fields, SealedStage
   }
   result.Figures = WriteBodyTable(model, layers);
   result.Areas = WriteFaultAreas(model, layers);
+  result.Picks = WritePickTable(model);
   result.Report = ReportSealed(model, layers);
 }
 }

@@ -141,7 +141,8 @@ std::vector<std::size_t> ReadUnconformities(const std::string& text, const Seali
 }
 
 /// Horizons and the box, without faults.
-SealingInput MakeInput(const std::vector<CutInput>& horizons, const CutoffModelData& model, const ModelFrame& frame)
+SealingInput MakeInput(
+  const std::vector<CutInput>& horizons, const CutoffModelData& model, const ModelFrame& frame, double error)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   SealingInput input;
@@ -181,8 +182,9 @@ SealingInput MakeInput(const std::vector<CutInput>& horizons, const CutoffModelD
   }
   input.Least = common.Least;
   input.Greatest = common.Greatest;
-  constexpr double beyond = 0.1;
-  const double margin = beyond * (heights[1] - heights[0]) + frame.Step.maxCoeff();
+  constexpr double beyond = 0.1, errors = 4.0;
+  const double apart = errors * error * double(horizons.size());
+  const double margin = std::max(beyond * (heights[1] - heights[0]) + frame.Step.maxCoeff(), apart);
   input.Top = heights[1] + margin;
   input.Base = heights[0] - margin;
   return input;
@@ -221,6 +223,25 @@ std::vector<std::string> WarnOfModel(const SealedModel& model, const FaultNetwor
   {
     warnings.push_back("faults outside the model (" + list(network.Outside) + "), expected some inside its box");
   }
+  for (std::size_t n = 0; n < input.Horizons.size(); ++n)
+  {
+    const PickAccount& account = model.Accounts[n];
+    constexpr double mostContinued = 0.1;
+    std::ostringstream text = MakeReportStream();
+    if (account.Moved > 0)
+    {
+      text << input.Horizons[n].Name << " moved at " << account.Moved << " picks, by up to " << account.LargestMove
+           << ", expected horizons that keep 2.5 errors apart, and from the top and base of the box";
+      warnings.push_back(text.str());
+    }
+    if (double(account.Continued) > mostContinued * double(account.Columns))
+    {
+      text.str("");
+      text << input.Horizons[n].Name << " continued over " << account.Continued << " of " << account.Columns
+           << " columns, expected picks in most: their heights are not bounded";
+      warnings.push_back(text.str());
+    }
+  }
   for (const SealedGuess& guess : model.Guessed)
   {
     warnings.push_back(input.Horizons[guess.Horizon].Name + " without picks in the block " +
@@ -241,20 +262,6 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
   CheckAtLeast("end distance", options.EndDistance, 0.0, " columns");
   const CutoffModelData cutoffs = RunCutoffs(horizons, given, options.Cutoffs, monitor.Step(0.0, 0.4));
   const ModelFrame frame = FindFrame(horizons);
-  SealingInput input = MakeInput(horizons, cutoffs, frame);
-  std::vector<FaultPlate> plates;
-  for (const FaultPlate& plate : cutoffs.Faults)
-  {
-    plates.push_back(plate.Moved(frame.ToModel));
-  }
-  const Eigen::Vector2d least = frame.Step.array() * Eigen::Array2d(input.Least.X, input.Least.Y);
-  const Eigen::Vector2d greatest = frame.Step.array() * Eigen::Array2d(input.Greatest.X, input.Greatest.Y);
-  const Eigen::AlignedBox3d box(
-    Eigen::Vector3d(least.x(), least.y(), input.Base), Eigen::Vector3d(greatest.x(), greatest.y(), input.Top));
-  FaultNetwork network =
-    MakeNetwork(plates, box, options.EndDistance * frame.Step.maxCoeff(), ReadEndings(options.Endings));
-  EndAtHorizons(ReadUnconformities(options.Unconformities, input), input, box, network);
-  AddFaults(plates, network, input);
   SealingOptions sealing;
   sealing.DropDistance = options.Cutoffs.DropDistance;
   sealing.MaximumError = 0.0;
@@ -266,6 +273,24 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
   {
     throw InputError("maximum error 0, expected more for a sealed model");
   }
+  SealingInput input = MakeInput(horizons, cutoffs, frame, sealing.MaximumError);
+  std::vector<FaultPlate> plates;
+  for (const FaultPlate& plate : cutoffs.Faults)
+  {
+    plates.push_back(plate.Moved(frame.ToModel));
+  }
+  const Eigen::Vector2d least = frame.Step.array() * Eigen::Array2d(input.Least.X, input.Least.Y);
+  const Eigen::Vector2d greatest = frame.Step.array() * Eigen::Array2d(input.Greatest.X, input.Greatest.Y);
+  const Eigen::AlignedBox3d box(
+    Eigen::Vector3d(least.x(), least.y(), input.Base), Eigen::Vector3d(greatest.x(), greatest.y(), input.Top));
+  FaultNetwork network =
+    MakeNetwork(plates, box, options.EndDistance * frame.Step.maxCoeff(), ReadEndings(options.Endings));
+  const std::vector<std::size_t> unconformities = ReadUnconformities(options.Unconformities, input);
+  if (EndAtHorizons(unconformities, input, box, network) == 0 && !unconformities.empty())
+  {
+    throw InputError("unconformities that no fault ends at, expected faults of which at most a tenth is above");
+  }
+  AddFaults(plates, network, input);
   constexpr double partOfColumn = 0.25;
   sealing.FaultError = std::max(sealing.MaximumError, partOfColumn * frame.Step.minCoeff());
   SealedModel model = SealModel(input, sealing, monitor.Step(0.4, 0.95));

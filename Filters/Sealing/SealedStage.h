@@ -30,6 +30,7 @@ struct SealedStageResult
   std::vector<Horizon> Bodies; // closed surfaces
   ArrayTable Figures; // a row per body
   ArrayTable Areas; // a row per fault and pair of layers
+  ArrayTable Picks; // a row per horizon
   std::string Report;
   std::vector<std::string> Warnings;
 };

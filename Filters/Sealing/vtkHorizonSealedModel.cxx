@@ -38,7 +38,8 @@ enum SealedPort : std::size_t
   LinesOutput,
   BodiesOutput,
   BodyFiguresOutput,
-  FaultAreasOutput
+  FaultAreasOutput,
+  PicksOutput
 };
 }
 
@@ -48,7 +49,7 @@ vtkStandardNewMacro(vtkHorizonSealedModel);
 vtkHorizonSealedModel::vtkHorizonSealedModel()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(5);
+  this->SetNumberOfOutputPorts(6);
 }
 
 //------------------------------------------------------------------------------
@@ -69,7 +70,7 @@ int vtkHorizonSealedModel::FillInputPortInformation(int port, vtkInformation* in
 int vtkHorizonSealedModel::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char *const surface = "vtkPolyData", *const table = "vtkTable";
-  const std::array<const char*, 5> types = { surface, surface, "vtkPartitionedDataSetCollection", table, table };
+  const std::array<const char*, 6> types = { surface, surface, "vtkPartitionedDataSetCollection", table, table, table };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[std::size_t(port)]);
   return 1;
 }
@@ -128,6 +129,7 @@ int vtkHorizonSealedModel::RequestData(
       }
       ToVTK(result.Figures, vtkTable::SafeDownCast(outputs[BodyFiguresOutput]));
       ToVTK(result.Areas, vtkTable::SafeDownCast(outputs[FaultAreasOutput]));
+      ToVTK(result.Picks, vtkTable::SafeDownCast(outputs[PicksOutput]));
       this->Results = result.Report;
       for (const std::vector<std::string>& warnings : { given.Warnings, result.Warnings })
       {

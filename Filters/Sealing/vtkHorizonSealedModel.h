@@ -18,7 +18,8 @@
  *    SurfaceName
  *  - 2 Bodies: a closed surface per body, facing outwards
  *  - 3 Figures: a row per body
- *  - 4 Areas: a row per fault and pair of layers that meet there.
+ *  - 4 Areas: a row per fault and pair of layers that meet there
+ *  - 5 Picks: a row per horizon, with what became of its picks.
  *
  * Picks that are used are within MaximumError. Cutoffs, and what is Guessed, are not bounded.
  *

@@ -20,6 +20,7 @@ nb::tuple MakeSealedModel(
 {
   SealedStageOptions options;
   options.Cutoffs.ErrorUnit = HeightUnit::World;
+  TakeChoice(chosen, "height_unit", { "lattice", "world" }, options.Cutoffs.ErrorUnit);
   Take(chosen, "endings", options.Endings);
   Take(chosen, "end_distance", options.EndDistance);
   Take(chosen, "unconformities", options.Unconformities);
@@ -52,6 +53,7 @@ nb::tuple MakeSealedModel(
   result["bodies"] = GiveList(made.Bodies);
   result["figures"] = GiveTable(made.Figures);
   result["areas"] = GiveTable(made.Areas);
+  result["picks"] = GiveTable(made.Picks);
   result["report"] = nb::cast(made.Report);
   return nb::make_tuple(result, warnings);
 }

@@ -10,6 +10,7 @@
 #include "Writers/HorizonGrid/GridWriters.h"
 #include "Writers/HorizonGrid/HorizonGridPrinter.h"
 #include "Writers/HorizonLayers/LayersFile.h"
+#include "Writers/SealedModel/SealedModelFile.h"
 #include "Writers/HorizonMesh/HorizonMesh.h"
 #include "Writers/HorizonSampling.h"
 #include "Writers/HorizonText/HorizonText.h"
@@ -174,6 +175,14 @@ void BindWriting(nb::module_& module)
       Run(progress, [&](const Monitor& monitor) { WriteLayersFile(path, grid, monitor); });
     },
     "path"_a, "volumes"_a, "progress"_a.none());
+  module.def(
+    "write_sealed",
+    [](const std::string& path, const nb::dict& surfaces, const nb::object& progress)
+    {
+      const Horizon model = TakeData(surfaces);
+      Run(progress, [&](const Monitor& monitor) { WriteSealedModel(path, model, monitor); });
+    },
+    "path"_a, "surfaces"_a, "progress"_a.none());
   module.def(
     "layer_boundary",
     [](const nb::dict& volumes)

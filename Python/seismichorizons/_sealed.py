@@ -5,15 +5,17 @@
 from __future__ import annotations
 
 import dataclasses
+import os
+import pathlib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _core, _xml
 from ._cutoffs import faults_of
-from ._data import Progress, call, snake
+from ._data import Data, Progress, call, snake
 from ._horizon import Floats, Horizon
 from ._lines import Lines
 from ._mesh import Mesh, mesh_of
@@ -50,6 +52,9 @@ class SealedModel:
         A value for each body: layer, block, volume, area.
     areas : dict of arrays
         A value for each pair of layers that meet at a fault: fault, footwall, hanging_wall, area.
+    picks : dict of arrays
+        What became of the picks of each horizon: used, beside_faults, not_agreeing, doubled, outside; of those used, moved and
+        largest_move; and columns of the horizon, and those without a pick, continued.
     """
 
     points: Floats
@@ -64,9 +69,33 @@ class SealedModel:
     lines: Lines
     figures: dict[str, Any]
     areas: dict[str, Any]
+    picks: dict[str, Any]
+
+    _surfaces: Data = dataclasses.field(default_factory=dict)
 
     def __len__(self) -> int:
         return len(self.names)
+
+    def write(self, path: str | os.PathLike[str], progress: Progress | None = None) -> None:
+        """Writes the model: .ml (GOCAD Model3d), .msh (Gmsh), .stl (a solid for each body), or .vtp (VTK, all triangles).
+
+        Parameters
+        ----------
+        path : str or path
+            A file of this name is replaced once the new one is complete.
+        progress : callable, optional
+
+        Raises
+        ------
+        ValueError
+            If the extension is none of these.
+        OSError
+            If the file cannot be written.
+        """
+        if pathlib.Path(path).suffix == ".vtp":
+            _core.write_contents(os.fspath(path), [("", _xml.poly_data(self._surfaces))])
+        else:
+            _core.write_sealed(os.fspath(path), self._surfaces, progress)
 
     def __repr__(self) -> str:
         return "Sealed model of %d bodies, {:,} points, {:,} triangles".format(len(self.points), len(self.triangles)) % len(self)
@@ -122,10 +151,10 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
     bodies = [mesh_of(name, {**body, "point_data": {}, "cell_data": {}}, {}, body["field_data"], None) for name, body in zip(made["names"], made["bodies"])]
     return SealedModel(np.asarray(surfaces["places"]), np.asarray(surfaces["polygons"][1]).reshape(-1, 3), list(cells["SurfaceName"]),
                        cells["SurfaceType"], cells["BodyAbove"], cells["BodyBelow"], surfaces["point_data"]["Guessed"], made["names"], bodies,
-                       Lines.of(_named(made["lines"])), *({snake(name): values for name, values in made[table].items()} for table in ("figures", "areas")))
+                       Lines.of(_named(made["lines"])), *({snake(name): values for name, values in made[table].items()} for table in ("figures", "areas", "picks")), surfaces)
 
 
-def _named(lines: dict[str, Any]) -> dict[str, Any]:
+def _named(lines: Data) -> Data:
     """Lines of faults have names; here these are the kinds."""
     cells = lines["cell_data"]
     return {**lines, "point_data": {}, "cell_data": {"FaultName": cells["LineType"], "FaultStick": cells["SurfaceName"]}}

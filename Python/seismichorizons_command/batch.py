@@ -349,6 +349,11 @@ def _write_together(label, points, settings, names, folder, record):
         lines, warnings = cutoffs.write(points, settings, label, names, folder)
         for warning in warnings:
             record.warn("%s: %s" % (label, warning))
+    if settings.sealed is not None:
+        more, warnings = cutoffs.write_sealed(points, settings, label, names, folder)
+        lines += more
+        for warning in warnings:
+            record.warn("%s: %s" % (label, warning))
     if settings.layers is not None:
         lines += _write_layers(label, points, settings, names, folder, record)
     return lines

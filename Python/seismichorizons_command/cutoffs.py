@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the horizons of a file meet faults."""
+"""Where the horizons of a file meet faults, and the bodies between these."""
 
 from seismichorizons import _core
 
@@ -10,8 +10,7 @@ from . import core, writing
 def write(points, settings, label, names, folder):
     """Writes tables, cutoffs and fault polygons of horizons, given by name, and returns lines to print and warnings. Raises
     HorizonError."""
-    are_sticks = settings.torn.get("LineType") == "Sticks"
-    faults = [("", settings.fault_lines)] if are_sticks else []
+    faults = _faults(settings)
     with core.errors("%s: " % label):
         made, warnings = core.run(_core.cutoffs, list(points.items()), faults, core.options(settings.cutoffs), label="%s: cutoffs" % label)
     for table, name in zip((made["figures"], made["areas"]), names.cutoff_tables):
@@ -23,3 +22,22 @@ def write(points, settings, label, names, folder):
     lines = ["%s at %s: throw %.4g to %.4g, mean %.4g; guessed %d of %d places" % row for row in zip(
         table["Horizon"], table["Fault"], table["ThrowLeast"], table["ThrowLargest"], table["ThrowMean"], table["Guessed"], table["Places"])]
     return lines, list(filter(None, warnings))
+
+
+def write_sealed(points, settings, label, names, folder):
+    """Writes the sealed model of horizons, given by name, and its tables, and returns lines to print and warnings. Raises
+    HorizonError."""
+    own = {"HeightUnit": "Lattice", "Endings": "", **settings.in_unit_of(next(iter(points.values()))).sealed}
+    options = {**core.options(own), "endings": own["Endings"]}
+    with core.errors("%s: " % label):
+        made, warnings = core.run(_core.sealed, list(points.items()), _faults(settings), options, label="%s: sealed model" % label)
+    for name in names.sealed:
+        writing.write_sealed(made["surfaces"], folder / name)
+    for table, name in zip((made["figures"], made["areas"], made["picks"]), names.sealed_tables):
+        writing.write_tables([table], folder / name)
+    return made["report"].splitlines(), list(filter(None, warnings))
+
+
+def _faults(settings):
+    """The sticks; nothing for the cuts of the horizons."""
+    return [("", settings.fault_lines)] if settings.torn.get("LineType") == "Sticks" else []

@@ -122,6 +122,9 @@ class Names:
         self.cutoffs = self._lines(mesh_stems, writing.CUTOFF_LINES, settings.fault_formats or ["dat"]) if settings.cutoffs is not None else {}
         self.cutoff_tables = ["%s_%s.csv" % (stem, kind) for kind in ("throws", "juxtaposition")] if settings.cutoffs is not None else []
 
+        self.sealed = ["%s_sealed.%s" % (stem, form) for form in ("ml", "msh", "vtp")] if settings.sealed is not None else []
+        self.sealed_tables = ["%s_%s.csv" % (stem, kind) for kind in ("bodies", "fault_areas", "picks")] if self.sealed else []
+
     @staticmethod
     def _lines(mesh_stems, kinds, formats):
         return {name: {"%s_%s.%s" % (mesh_stem, kind, form): given for kind, given in kinds.items() for form in formats}
@@ -129,7 +132,7 @@ class Names:
 
     def of_stack(self):
         """Those that belong to all horizons together."""
-        return [*self.layers, *self.bodies, *self.cutoff_tables, *(file for files in self.cutoffs.values() for file in files)]
+        return [*self.layers, *self.bodies, *self.cutoff_tables, *self.sealed, *self.sealed_tables, *(file for files in self.cutoffs.values() for file in files)]
 
     def body(self, number, form):
         """Returns the file name of the body of a layer."""

@@ -71,6 +71,7 @@ class Settings:
     formats: tuple = ("vtp",)
     fault_formats: tuple = ()  # of lines, cutoffs and polygons
     cutoffs: Optional[dict] = None  # between all horizons of a file, or of several files of one each
+    sealed: Optional[dict] = None
     grids_of_meshes: bool = False  # not of points
     other_files: tuple = ()
     memory: Optional[int] = None
@@ -93,11 +94,11 @@ class Settings:
 
     def joins_horizons(self):
         """Whether something is made of all horizons together."""
-        return self.layers is not None or self.cutoffs is not None
+        return not (self.layers is None and self.cutoffs is None and self.sealed is None)
 
     def said_unit(self):
         """Returns the unit of the given heights; empty if they have none."""
-        return next((value.unit for properties in (self.despiked, self.torn, self.surface, self.layers) if properties
+        return next((value.unit for properties in (self.despiked, self.torn, self.surface, self.layers, self.sealed) if properties
                      for value in properties.values() if getattr(value, "unit", "")), "")
 
     def plain_error(self):
@@ -112,7 +113,7 @@ class Settings:
     def in_unit(self, unit):
         """Does the same for a unit of z."""
         return replace(self, **{name: heights.in_unit(getattr(self, name), unit)
-                                for name in ("despiked", "torn", "surface", "layers") if getattr(self, name) is not None})
+                                for name in ("despiked", "torn", "surface", "layers", "sealed") if getattr(self, name) is not None})
 
 
 def surface_properties(largest_error=None, triangles=None, **properties):

@@ -59,14 +59,18 @@ def _surface(options, boundary, simplified):
     return surface_properties(**target, **unit, **{name: named[name] for name in names if name in named})
 
 
+def _error(options):
+    """The error of the meshes, if given, with its unit."""
+    error = given(options, MaximumError="largest_error")
+    return {**error, **({"HeightUnit": "World"} if getattr(error.get("MaximumError"), "unit", "") else {})}
+
+
 def _layers(options):
     """Returns properties of the layers; their error is the error of the meshes, if given."""
     words = getattr(options, "crossings", [])
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
-    error = given(options, MaximumError="largest_error")
-    unit = {"HeightUnit": "World"} if getattr(error.get("MaximumError"), "unit", "") else {}
     sublayers = {"Sublayers": " ".join(options.sublayers).replace(",", " ")} if hasattr(options, "sublayers") else {}
-    return {**error, **unit, **crossings, **sublayers, **given(options, "Order", "Missing", "Tetrahedra")}
+    return {**_error(options), **crossings, **sublayers, **given(options, "Order", "Missing", "Tetrahedra")}
 
 
 def make_settings(options):
@@ -87,12 +91,17 @@ def make_settings(options):
         None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
     if settings.fault_formats and settings.torn is None:
         raise HorizonError("--fault-formats without faults, expected --cut-faults, --fault-lines or --fault-sticks")
-    if hasattr(options, "fault_dip") and not hasattr(options, "cutoffs"):
-        raise HorizonError("--fault-dip without --cutoffs, expected both")
+    for name, needed in (("fault_dip", ("cutoffs", "sealed")), ("fault_endings", ("sealed",))):
+        if hasattr(options, name) and not any(hasattr(options, other) for other in needed):
+            raise HorizonError("--%s without %s, expected both" % (name.replace("_", "-"), " or ".join("--" + other for other in needed)))
     if hasattr(options, "cutoffs"):
         if settings.torn is None:
             raise HorizonError("--cutoffs without faults, expected --cut-faults, --fault-lines or --fault-sticks")
         settings.cutoffs = given(options, Dip="fault_dip")
+    if hasattr(options, "sealed"):
+        if settings.torn is None:
+            raise HorizonError("--sealed without faults, expected --cut-faults, --fault-lines or --fault-sticks")
+        settings.sealed = {**_error(options), **given(options, Dip="fault_dip", Endings="fault_endings")}
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "KeepHoles")
     settings.simplified = {

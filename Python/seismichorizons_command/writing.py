@@ -70,6 +70,14 @@ def write_cells(grid, path):
     return _run(path, _core.write_layers, grid) or []
 
 
+def write_sealed(surfaces, path):
+    """Writes a sealed model in the format of the file extension. Raises HorizonError."""
+    if path.suffix == ".vtp":
+        write_file(_xml.poly_data(surfaces), path)
+    else:
+        _run(path, _core.write_sealed, surfaces)
+
+
 def _run(path, function, *arguments):
     """Writes a file and returns warnings. Errors name the file without its folder, which may be a temporary one. Raises
     HorizonError, which says "cannot be written" for errors of the file system."""

@@ -72,12 +72,17 @@ public:
   }
 
   /// Keeps heights within the block and its margin.
-  void Limit(BlockHeights& block) const
+  void Limit(BlockHeights& block, PickAccount& account) const
   {
     for (std::size_t node = 0; node < block.Heights.size(); ++node)
     {
       block.Heights[node] =
         this->IsInside(block.Sides, node, block.Nearest[node], Beyond) ? block.Nearest[node] : NotKnown;
+      if (this->Lattice.IsInBox(node) && this->IsInside(block.Sides, node, block.Nearest[node], 0.0))
+      {
+        ++account.Columns;
+        account.Continued += block.IsKnown[node] == 0 ? 1 : 0;
+      }
     }
   }
 
@@ -251,8 +256,8 @@ bool IsIn(const BlockSides& sides, const std::vector<double>& distances, double 
 }
 
 /// The picks of a horizon by block.
-std::vector<BlockHeights> ListPicks(
-  const SealingInput& input, std::size_t number, const BlockLattice& lattice, const BlockTree& tree, double drop)
+std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockLattice& lattice,
+  const BlockTree& tree, double drop, PickAccount& account)
 {
   const SealingHorizon& horizon = input.Horizons[number];
   std::vector<BlockHeights> blocks;
@@ -277,20 +282,23 @@ std::vector<BlockHeights> ListPicks(
   {
     if (!lattice.Contains(horizon.Columns[pick]) || isDropped[pick] != 0)
     {
+      ++(isDropped[pick] != 0 ? account.NotAgreeing : account.Outside);
       continue;
     }
     const std::size_t node = lattice.NodeOf(horizon.Columns[pick]);
     const Eigen::Vector2d onMap = lattice.At(node);
     const std::vector<double> distances = DistancesAt(input.Faults, { onMap.x(), onMap.y(), horizon.Heights[pick] });
-    for (BlockHeights& block : blocks)
+    const auto block = std::find_if(
+      blocks.begin(), blocks.end(), [&](const BlockHeights& own) { return IsIn(own.Sides, distances, drop); });
+    if (block == blocks.end() || block->IsKnown[node] != 0)
     {
-      if (block.IsKnown[node] == 0 && IsIn(block.Sides, distances, drop))
-      {
-        block.IsKnown[node] = 1;
-        block.Heights[node] = horizon.Heights[pick];
-        block.Picks.push_back(pick);
-      }
+      ++(block == blocks.end() ? account.BesideFaults : account.Doubled);
+      continue;
     }
+    ++account.Used;
+    ++block->Known;
+    block->IsKnown[node] = 1;
+    block->Heights[node] = horizon.Heights[pick];
   }
   return blocks;
 }
@@ -312,7 +320,7 @@ const BlockHeights* FindSibling(const std::vector<BlockHeights>& blocks, const B
       {
         isSibling = other.Sides[before] == block.Sides[before];
       }
-      best = isSibling && (!best || other.Picks.size() > best->Picks.size()) ? &other : best;
+      best = isSibling && (!best || other.Known > best->Known) ? &other : best;
     }
     if (best)
     {
@@ -354,9 +362,11 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
 }
 
 /// Horizons of a block keep a distance in which their meshes cannot meet: the lower one gives way.
-void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeights>& blocks, std::size_t number)
+void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeights>& blocks, std::size_t number,
+  std::vector<PickAccount>& accounts)
 {
   BlockHeights& block = blocks[number];
+  PickAccount& account = accounts[block.Horizon];
   const double highest = input.Top - least * double(block.Horizon + 1);
   const double lowest = input.Base + least * double(input.Horizons.size() - block.Horizon);
   for (std::size_t node = 0; node < block.Nearest.size(); ++node)
@@ -371,32 +381,36 @@ void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeight
         most = std::min(most, other.Heights[node] - least);
       }
     }
-    block.Nearest[node] = std::max(lowest, std::min(most, block.Nearest[node]));
+    const double height = std::max(lowest, std::min(most, block.Nearest[node]));
+    const double move = block.IsKnown[node] != 0 ? std::abs(height - block.Nearest[node]) : 0.0;
+    account.Moved += move > 0.0 ? 1 : 0;
+    account.LargestMove = std::max(account.LargestMove, move);
+    block.Nearest[node] = height;
   }
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<BlockHeights> FindBlockHeights(
-  const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
 {
   const BlockLattice lattice(input);
   const BlockTree tree(input.Faults, input.Horizons.size());
   const BlockFiller filler(lattice, input.Faults);
   const double drop = options.DropDistance * input.Step.maxCoeff();
-  std::vector<BlockHeights> blocks;
+  HorizonBlocks result;
+  std::vector<BlockHeights>& blocks = result.Blocks;
+  result.Accounts.resize(input.Horizons.size());
   for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
   {
-    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, drop);
-    if (std::none_of(
-          own.begin(), own.end(), [](const BlockHeights& block) { return block.Picks.size() >= FewestOfBlock; }))
+    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, drop, result.Accounts[horizon]);
+    if (std::none_of(own.begin(), own.end(), [](const BlockHeights& block) { return block.Known >= FewestOfBlock; }))
     {
       throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +
         " picks in any block, expected more");
     }
     for (BlockHeights& block : own)
     {
-      block.IsGuessed = block.Picks.size() < FewestOfBlock;
+      block.IsGuessed = block.Known < FewestOfBlock;
       if (!block.IsGuessed)
       {
         filler.Fill(block, monitor);
@@ -413,9 +427,9 @@ std::vector<BlockHeights> FindBlockHeights(
   }
   for (std::size_t n = 0; n < blocks.size(); ++n)
   {
-    PutInOrder(input, LeastApart * options.MaximumError, blocks, n);
-    filler.Limit(blocks[n]);
+    PutInOrder(input, LeastApart * options.MaximumError, blocks, n, result.Accounts);
+    filler.Limit(blocks[n], result.Accounts[blocks[n].Horizon]);
   }
-  return blocks;
+  return result;
 }
 }

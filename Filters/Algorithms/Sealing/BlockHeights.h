@@ -46,6 +46,12 @@ struct BlockLattice
       this->Step.y() * (double(node / width) + this->Least.Y) };
   }
 
+  bool IsInBox(std::size_t node) const
+  {
+    const int x = int(node) % this->Width, y = int(node) / this->Width;
+    return x >= Margin && y >= Margin && x < this->Width - Margin && y < this->Height - Margin;
+  }
+
   Eigen::Vector2d Step;
   PlanePoint Least;
   int Width;
@@ -59,12 +65,18 @@ struct BlockHeights
   std::vector<double> Heights; // by node; NaN beyond the block and its margin
   std::vector<double> Nearest; // the nearest of these
   std::vector<unsigned char> IsKnown; // by node
-  std::vector<std::size_t> Picks; // of the horizon, that are in the block
+  std::size_t Known = 0; // nodes
   bool IsGuessed = false; // no pick tells
 };
 
-/// All blocks of all horizons. Throws InputError if a horizon has no picks.
-std::vector<BlockHeights> FindBlockHeights(
+struct HorizonBlocks
+{
+  std::vector<BlockHeights> Blocks; // of all horizons in turn
+  std::vector<PickAccount> Accounts; // by horizon
+};
+
+/// Throws InputError if a horizon has too few picks.
+HorizonBlocks FindBlockHeights(
   const SealingInput& input, const SealingOptions& options, const Monitor& monitor = Monitor());
 }
 

@@ -151,6 +151,11 @@ private:
           continue;
         }
         const FaultShares &ofA = this->Shares[a][b], &ofB = this->Shares[b][a];
+        if (ofA.Sides[0] + ofA.Sides[1] == 0.0 || ofB.Sides[0] + ofB.Sides[1] == 0.0)
+        {
+          throw InputError("fault " + this->Plates[a].Name() + " at the place of " + this->Plates[b].Name() +
+            ", expected one of them");
+        }
         const bool aEnds = ofA.IsBoth() == ofB.IsBoth() ? this->Areas[a] < this->Areas[b] : ofB.IsBoth();
         const std::size_t minor = aEnds ? a : b, main = aEnds ? b : a;
         const bool cross = ofA.IsBoth() && ofB.IsBoth();
@@ -265,7 +270,7 @@ FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::Ali
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
+std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
   const Eigen::AlignedBox3d& box, FaultNetwork& network)
 {
   for (const std::size_t number : unconformities)
@@ -292,5 +297,7 @@ void EndAtHorizons(const std::vector<std::size_t>& unconformities, const Sealing
       }
     }
   }
+  return std::size_t(std::count_if(network.Faults.begin(), network.Faults.end(),
+    [](const SealingFault& fault) { return fault.EndsBelow.has_value(); }));
 }
 }

@@ -41,8 +41,8 @@ struct FaultNetwork
 FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double reach,
   const std::vector<EndingRule>& rules);
 
-/// Faults that hardly reach above one of these horizons end there.
-void EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
+/// Faults that hardly reach above one of these horizons end there. Returns how many do.
+std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
   const Eigen::AlignedBox3d& box, FaultNetwork& network);
 }
 

@@ -35,7 +35,9 @@ public:
   {
     this->Box.min() << input.Step.x() * input.Least.X, input.Step.y() * input.Least.Y, input.Base;
     this->Box.max() << input.Step.x() * input.Greatest.X, input.Step.y() * input.Greatest.Y, input.Top;
-    this->Blocks = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
+    HorizonBlocks found = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
+    this->Blocks = std::move(found.Blocks);
+    this->Accounts = std::move(found.Accounts);
     for (const BlockHeights& block : this->Blocks)
     {
       SheetHeights heights;
@@ -199,6 +201,7 @@ public:
     return block * std::int32_t(this->NumberOfLayers()) + std::int32_t(layer);
   }
 
+  std::vector<PickAccount> Accounts;
   std::vector<Sheet> Shaken;
   std::vector<SheetShape> Shapes;
 
@@ -411,6 +414,7 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
   Describe(complex, sheets, model);
   model.Blocks = sheets.BlocksOfLabels();
   model.Guessed = sheets.Guessed();
+  model.Accounts = sheets.Accounts;
   const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
   model.LargestError = *std::max_element(errors.begin(), errors.end());
   return model;

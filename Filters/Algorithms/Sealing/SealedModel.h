@@ -123,6 +123,20 @@ enum class VertexSource : unsigned char
   OtherHorizon = 2
 };
 
+/// What became of the picks of a horizon: each is in one of the first five.
+struct PickAccount
+{
+  std::size_t Used = 0;
+  std::size_t BesideFaults = 0; // nearer than the drop distance
+  std::size_t NotAgreeing = 0; // HorizonCutoffs::Dropped
+  std::size_t Doubled = 0; // in the column of another pick of the block
+  std::size_t Outside = 0; // of the box
+  std::size_t Moved = 0; // of those used, away from the horizon above, or the top or base
+  double LargestMove = 0.0;
+  std::size_t Columns = 0; // of the horizon in the box
+  std::size_t Continued = 0; // of these, without a pick that is used
+};
+
 struct SealedModel
 {
   std::vector<Eigen::Vector3d> Vertices;
@@ -133,7 +147,8 @@ struct SealedModel
   std::vector<std::vector<signed char>> Blocks; // sides by fault: 1 hanging wall, -1 footwall, 0 not there
   std::vector<SealedLine> Lines;
   std::vector<SealedGuess> Guessed;
-  double LargestError = 0.0; // of picks that were kept
+  std::vector<PickAccount> Accounts; // by horizon
+  double LargestError = 0.0; // of picks that are used, and not moved
   double LeastAngle = 0.0; // between triangles at edges, in degrees
 };
 
