@@ -3,11 +3,13 @@
 
 #include "BlockHeights.h"
 
+#include "Common/Base/Parallel.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 #include "Filters/Algorithms/HoleFilling/SiteSolver.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -42,33 +44,34 @@ public:
   {
   }
 
-  /// Continues known heights over the block. `shape`, if given, has all heights.
+  /// Continues known heights over the block, step by step from where they are known: how far it reaches depends on them.
   void Fill(BlockHeights& block, const Monitor& monitor) const
   {
-    std::vector<double> known = block.Heights;
+    const std::vector<double> known = block.Heights;
+    std::vector<std::size_t> sites;
     constexpr int mostRounds = 6;
     for (int round = 0; round < mostRounds; ++round)
     {
-      block.Nearest = this->Nearest(block.Heights);
-      std::vector<std::size_t> sites;
+      std::vector<std::size_t> added;
       bool isNew = false;
-      for (std::size_t node = 0; node < known.size(); ++node)
-      {
-        if (std::isnan(known[node]) && this->IsInside(block.Sides, node, block.Nearest[node], Beyond))
+      this->Spread(block.Heights,
+        [&](std::size_t node, double height)
         {
-          sites.push_back(node);
-          // The next round need not reach as far.
-          isNew = isNew ||
-            (std::isnan(block.Heights[node]) && this->IsInside(block.Sides, node, block.Nearest[node], 0.5 * Beyond));
-        }
-      }
+          const bool isInside = this->IsInside(block.Sides, node, height, Beyond);
+          added.insert(added.end(), isInside ? 1 : 0, node);
+          isNew = isNew || (isInside && this->IsInside(block.Sides, node, height, 0.5 * Beyond));
+          return isInside;
+        });
       if (!isNew)
       {
         break;
       }
+      sites.insert(sites.end(), added.begin(), added.end());
+      std::sort(sites.begin(), sites.end());
       block.Heights = this->Solve(known, sites, monitor);
     }
-    block.Nearest = this->Nearest(block.Heights);
+    block.Nearest = block.Heights;
+    this->Spread(block.Nearest, [](std::size_t, double) { return true; });
   }
 
   /// Keeps heights within the block and its margin.
@@ -102,9 +105,10 @@ private:
     return true;
   }
 
-  std::vector<double> Nearest(const std::vector<double>& heights) const
+  /// Gives nodes without a height that of the nearest node with one, as far as accepts(node, height).
+  template <typename Accepts>
+  void Spread(std::vector<double>& heights, Accepts&& accepts) const
   {
-    std::vector<double> nearest = heights;
     std::vector<std::size_t> front;
     for (std::size_t node = 0; node < heights.size(); ++node)
     {
@@ -119,9 +123,9 @@ private:
       const std::size_t x = front[n] % width, y = front[n] / width;
       const auto visit = [&](std::size_t node)
       {
-        if (std::isnan(nearest[node]))
+        if (std::isnan(heights[node]) && accepts(node, heights[front[n]]))
         {
-          nearest[node] = nearest[front[n]];
+          heights[node] = heights[front[n]];
           front.push_back(node);
         }
       };
@@ -142,7 +146,6 @@ private:
         visit(front[n] + width);
       }
     }
-    return nearest;
   }
 
   /// The sites, and known heights near them, by runs of rows.
@@ -231,33 +234,34 @@ private:
   double Column;
 };
 
-/// The side of each fault that a place is on, as a distance.
-std::vector<double> DistancesAt(const std::vector<SealingFault>& faults, const Eigen::Vector3d& place)
+/// The block of a place farther than `margin` from its faults, or -1.
+std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
+  const Eigen::Vector3d& place, double margin)
 {
-  std::vector<double> distances;
-  for (const SealingFault& fault : faults)
+  std::vector<double> distances(faults.size(), NotKnown);
+  for (std::size_t n = 0; n < blocks.size(); ++n)
   {
-    distances.push_back(fault.Plate.Distance(fault.Plate.ToPlace(place)));
-  }
-  return distances;
-}
-
-/// Whether a place is in a block, farther than `margin` from its faults.
-bool IsIn(const BlockSides& sides, const std::vector<double>& distances, double margin)
-{
-  for (std::size_t fault = 0; fault < sides.size(); ++fault)
-  {
-    if (sides[fault] != 0 && !(sides[fault] * distances[fault] > margin))
+    bool isIn = true;
+    for (std::size_t fault = 0; fault < faults.size() && isIn; ++fault)
     {
-      return false;
+      const int side = blocks[n].Sides[fault];
+      if (side != 0 && std::isnan(distances[fault]))
+      {
+        distances[fault] = faults[fault].Plate.Distance(faults[fault].Plate.ToPlace(place));
+      }
+      isIn = side == 0 || side * distances[fault] > margin;
+    }
+    if (isIn)
+    {
+      return std::int32_t(n);
     }
   }
-  return true;
+  return -1;
 }
 
 /// The picks of a horizon by block.
 std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockLattice& lattice,
-  const BlockTree& tree, double drop, PickAccount& account)
+  const BlockTree& tree, double drop, PickAccount& account, const Monitor& monitor)
 {
   const SealingHorizon& horizon = input.Horizons[number];
   std::vector<BlockHeights> blocks;
@@ -278,7 +282,21 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
       std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
     }
   }
-  for (std::size_t pick = 0; pick < horizon.Columns.size(); ++pick)
+  constexpr std::int32_t none = -1;
+  std::vector<std::int32_t> blockOf(horizon.Columns.size(), none);
+  ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
+      {
+        if (lattice.Contains(horizon.Columns[pick]))
+        {
+          const Eigen::Vector2d onMap = lattice.At(lattice.NodeOf(horizon.Columns[pick]));
+          blockOf[pick] = FindBlockOf(input.Faults, blocks, { onMap.x(), onMap.y(), horizon.Heights[pick] }, drop);
+        }
+      }
+    });
+  for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
   {
     if (!lattice.Contains(horizon.Columns[pick]) || isDropped[pick] != 0)
     {
@@ -286,13 +304,10 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
       continue;
     }
     const std::size_t node = lattice.NodeOf(horizon.Columns[pick]);
-    const Eigen::Vector2d onMap = lattice.At(node);
-    const std::vector<double> distances = DistancesAt(input.Faults, { onMap.x(), onMap.y(), horizon.Heights[pick] });
-    const auto block = std::find_if(
-      blocks.begin(), blocks.end(), [&](const BlockHeights& own) { return IsIn(own.Sides, distances, drop); });
-    if (block == blocks.end() || block->IsKnown[node] != 0)
+    BlockHeights* const block = blockOf[pick] != none ? &blocks[std::size_t(blockOf[pick])] : nullptr;
+    if (!block || block->IsKnown[node] != 0)
     {
-      ++(block == blocks.end() ? account.BesideFaults : account.Doubled);
+      ++(!block ? account.BesideFaults : account.Doubled);
       continue;
     }
     ++account.Used;
@@ -402,21 +417,25 @@ HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& 
   result.Accounts.resize(input.Horizons.size());
   for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
   {
-    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, drop, result.Accounts[horizon]);
+    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, drop, result.Accounts[horizon], monitor);
     if (std::none_of(own.begin(), own.end(), [](const BlockHeights& block) { return block.Known >= FewestOfBlock; }))
     {
       throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +
         " picks in any block, expected more");
     }
-    for (BlockHeights& block : own)
-    {
-      block.IsGuessed = block.Known < FewestOfBlock;
-      if (!block.IsGuessed)
+    ParallelFor(std::int64_t(own.size()), 1, monitor,
+      [&](std::int64_t first, std::int64_t last)
       {
-        filler.Fill(block, monitor);
-      }
-      blocks.push_back(std::move(block));
-    }
+        for (auto n = std::size_t(first); n < std::size_t(last); ++n)
+        {
+          own[n].IsGuessed = own[n].Known < FewestOfBlock;
+          if (!own[n].IsGuessed)
+          {
+            filler.Fill(own[n], Monitor());
+          }
+        }
+      });
+    std::move(own.begin(), own.end(), std::back_inserter(blocks));
   }
   for (BlockHeights& block : blocks)
   {

@@ -257,7 +257,7 @@ private:
     if (ends.empty())
     {
       return std::any_of(targets.begin(), targets.end(),
-        [&](SealId target) { return this->CanJoin(vertex, target, neighbours) && this->Try(vertex, target); });
+        [&](SealId target) { return this->CanJoin(vertex, target, neighbours) && this->Try(vertex, target, true); });
     }
     GonePlaces gone = this->GoneFrom(vertex, ends);
     for (const SealId target : targets)
@@ -284,7 +284,7 @@ private:
       {
         const SealId sheet = this->Triangle(triangle).Sheet;
         const std::vector<SealId>& others = this->Around[std::size_t(other)];
-        return !this->Shapes[std::size_t(sheet)].Heights.Heights.empty() ||
+        return !this->Shapes[std::size_t(sheet)].IsLevel() ||
           std::any_of(
             others.begin(), others.end(), [&](SealId beside) { return this->Triangle(beside).Sheet == sheet; });
       });
@@ -347,7 +347,7 @@ private:
     return common.empty();
   }
 
-  bool Try(SealId vertex, SealId target)
+  bool Try(SealId vertex, SealId target, bool isInside = false)
   {
     std::vector<SealId> changed, gone;
     std::vector<SheetCorners> corners;
@@ -367,7 +367,7 @@ private:
     }
     std::vector<SealId> all = changed;
     all.insert(all.end(), gone.begin(), gone.end());
-    if (!this->IsGood(changed, corners, all, largest))
+    if (!this->IsGood(changed, corners, all, largest, isInside))
     {
       return false;
     }
@@ -405,9 +405,10 @@ private:
     }
   }
 
-  /// Whether triangles may get these corners while `gone`, which include them, go.
+  /// Whether triangles may get these corners while `gone`, which include them, go. Those inside a sheet fill the same place
+  /// on its plane.
   bool IsGood(const std::vector<SealId>& changed, const std::vector<SheetCorners>& corners,
-    const std::vector<SealId>& gone, double largestCosine) const
+    const std::vector<SealId>& gone, double largestCosine, bool isInside) const
   {
     for (std::size_t n = 0; n < changed.size(); ++n)
     {
@@ -421,16 +422,23 @@ private:
         return false;
       }
     }
+    if (isInside && this->Shapes[std::size_t(this->Triangle(changed.front()).Sheet)].IsLevel())
+    {
+      return true;
+    }
     for (std::size_t n = 0; n < changed.size(); ++n)
     {
       const auto isGone = [&](SealId triangle) { return std::find(gone.begin(), gone.end(), triangle) != gone.end(); };
       const auto meets = [&](SealId other)
-      { return !isGone(other) && this->Meet(changed[n], corners[n], other, this->Triangle(other).Corners); };
+      {
+        return !(isInside && this->Triangle(other).Sheet == this->Triangle(changed[n]).Sheet) && !isGone(other) &&
+          this->Meet(changed[n], corners[n], other, this->Triangle(other).Corners);
+      };
       if (this->Grid.Any(this->BoxOf(corners[n]), meets))
       {
         return false;
       }
-      for (std::size_t other = 0; other < n; ++other)
+      for (std::size_t other = 0; other < n && !isInside; ++other)
       {
         if (this->Meet(changed[n], corners[n], changed[other], corners[other]))
         {
@@ -614,7 +622,7 @@ private:
       std::max(CosineOfSmallestAngle(this->CornersOf(t)), CosineOfSmallestAngle(this->CornersOf(s)));
     constexpr double least = 1e-3;
     const std::vector<SheetCorners> corners = { { a, d, c }, { d, b, c } };
-    if (!this->IsGood({ triangle, other }, corners, { triangle, other }, before - least))
+    if (!this->IsGood({ triangle, other }, corners, { triangle, other }, before - least, true))
     {
       return false;
     }

@@ -27,6 +27,8 @@ struct SheetShape
   SheetHeights Heights; // empty for level sheets
   double Error = 0.0;
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
+
+  bool IsLevel() const { return this->Heights.Heights.empty(); }
 };
 
 struct ImproverOptions
