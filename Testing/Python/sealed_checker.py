@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks sealed structural models, closed bodies between triangles of horizons, faults and walls, from their files alone.
 
-  sealed_checker.py FILE...       a line per model, with its problems and their places, which make the exit code 1
+  sealed_checker.py FILE...       a line per model, also of those in folders, with problems and places, which make the exit code 1
   sealed_checker.py --self FILE   models made from the file that are broken on purpose have to be reported
 
 Files: "sealed 1"; "box x0 y0 z0 x1 y1 z1"; "surfaces N" with N lines "type name" (0 horizon, 1 fault, 2 wall, 3 top or base);
@@ -324,7 +324,7 @@ def run_tool(name, path):
 def broken(m):
     """Models broken on purpose, each with its name and what has to be reported."""
     kinds = [set(m.types[m.S[(m.T == v).any(1)]].tolist()) for v in range(len(m.V))]
-    cut, inner = kinds.index({HORIZON, FAULT}), kinds.index({HORIZON})
+    cut, inner = kinds.index({HORIZON, FAULT}), min(range(len(kinds)), key=lambda v: (FAULT in kinds[v], HORIZON not in kinds[v], len(kinds[v])))
     torn = copy.deepcopy(m)
     torn.V = np.vstack([m.V, m.V[cut] + 1e-4 * (m.box[1] - m.box[0])])
     torn.T[(m.T == cut) & (m.types[m.S] == HORIZON)[:, None]] = len(m.V)
@@ -366,7 +366,8 @@ def main():
     tools = [name for name, (_, modules) in TOOLS.items() if all(map(importlib.util.find_spec, modules))]
     print("".join("skipped: %s, which needs the modules %s\n" % (name, ", ".join(TOOLS[name][1])) for name in TOOLS if name not in tools), end="")
     wrong = 0
-    for number, path in enumerate(sys.argv[1:]):
+    files = [file for given in sys.argv[1:] for file in (sorted(pathlib.Path(given).glob("*.txt")) if pathlib.Path(given).is_dir() else [given])]
+    for number, path in enumerate(map(str, files)):
         try:
             m = read(path)
         except (KeyError, IndexError, RuntimeError, StopIteration, TypeError, ValueError, OSError) as error:
@@ -383,7 +384,7 @@ def main():
             path, "problems" if problems else "sealed", len(m.layer), len(m.T), off, "".join(", " + name for name in asked)), flush=True)
         for kind, places in problems.items():
             print("  %s, %d times, %s" % (kind, len(places), places[0]))
-    return 1 if wrong else 0
+    return 1 if wrong or not files else 0
 
 
 if __name__ == "__main__":
