@@ -18,7 +18,8 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr double Beyond = 3.0; // columns that heights are continued beyond faults
+constexpr double Beyond = 4.0; // columns that heights are continued beyond faults
+constexpr int Around = 4; // columns kept around a block
 constexpr double LeastApart = 2.5; // errors, between horizons of a block
 constexpr std::size_t FewestOfBlock = 6; // of a block whose heights they tell
 constexpr int Rim = 6; // columns of picks that the continuation follows
@@ -74,18 +75,36 @@ public:
     this->Spread(block.Nearest, [](std::size_t, double) { return true; });
   }
 
-  /// Keeps heights within the block and its margin.
+  /// Keeps heights of the block, and some columns around whatever their heights are: so a steep horizon leaves its block
+  /// through a fault, and does not end before.
   void Limit(BlockHeights& block, PickAccount& account) const
   {
-    for (std::size_t node = 0; node < block.Heights.size(); ++node)
+    const auto width = std::size_t(this->Lattice.Width), height = std::size_t(this->Lattice.Height);
+    std::vector<unsigned char> isKept(block.Nearest.size(), 0);
+    for (std::size_t node = 0; node < isKept.size(); ++node)
     {
-      block.Heights[node] =
-        this->IsInside(block.Sides, node, block.Nearest[node], Beyond) ? block.Nearest[node] : NotKnown;
+      isKept[node] = this->IsInside(block.Sides, node, block.Nearest[node], 1.0) ? 1 : 0;
       if (this->Lattice.IsInBox(node) && this->IsInside(block.Sides, node, block.Nearest[node], 0.0))
       {
         ++account.Columns;
         account.Continued += block.IsKnown[node] == 0 ? 1 : 0;
       }
+    }
+    for (int step = 0; step < Around; ++step)
+    {
+      const std::vector<unsigned char> last = isKept;
+      for (std::size_t node = 0; node < last.size(); ++node)
+      {
+        const std::size_t x = node % width, y = node / width;
+        isKept[node] = last[node] != 0 || (x > 0 && last[node - 1] != 0) || (x + 1 < width && last[node + 1] != 0) ||
+            (y > 0 && last[node - width] != 0) || (y + 1 < height && last[node + width] != 0)
+          ? 1
+          : 0;
+      }
+    }
+    for (std::size_t node = 0; node < isKept.size(); ++node)
+    {
+      block.Heights[node] = isKept[node] != 0 ? block.Nearest[node] : NotKnown;
     }
   }
 

@@ -19,7 +19,7 @@ namespace SeismicHorizons
 /// The lattice of the box and some columns around it.
 struct BlockLattice
 {
-  static constexpr int Margin = 3;
+  static constexpr int Margin = 4;
 
   explicit BlockLattice(const SealingInput& input)
     : Step(input.Step)
