@@ -303,6 +303,8 @@ CutoffModelData RunCutoffs(const std::vector<CutInput>& horizons, const std::opt
                            : "horizons without faults, expected sticks or surfaces of faults as second input, or "
                              "horizons that Horizon Faults has cut");
   }
+  std::transform(picks.begin(), picks.end(), std::back_inserter(model.OnlyHorizons),
+    [](const FaultPicks& own) { return own.Horizons; });
   monitor.Progress(0.1);
   model.Faults = MakePlates(picks, monitor.Step(0.1, 0.2));
   FindAllCutoffs(picks, options, model, monitor.Step(0.2, 1.0));

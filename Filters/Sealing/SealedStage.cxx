@@ -207,6 +207,27 @@ void AddFaults(const std::vector<FaultPlate>& plates, const FaultNetwork& networ
   }
 }
 
+/// Throws InputError for faults that were found in one horizon each: which of them are one is not known.
+void RequireCommonFaults(const CutoffModelData& model)
+{
+  std::optional<std::size_t> first;
+  for (std::size_t fault = 0; fault < model.Faults.size(); ++fault)
+  {
+    const std::vector<std::size_t>& only = model.OnlyHorizons[fault];
+    if (only.size() != 1)
+    {
+      continue;
+    }
+    first = first.value_or(fault);
+    if (model.OnlyHorizons[*first] != only)
+    {
+      throw InputError(model.Faults[*first].Name() + " and " + model.Faults[fault].Name() +
+        " that are known from one horizon each, expected sticks, or lines of one name in all horizons that a fault "
+        "cuts");
+    }
+  }
+}
+
 std::vector<std::string> WarnOfModel(const SealedModel& model, const FaultNetwork& network, const SealingInput& input)
 {
   std::vector<std::string> warnings;
@@ -222,6 +243,11 @@ std::vector<std::string> WarnOfModel(const SealedModel& model, const FaultNetwor
   if (!network.Outside.empty())
   {
     warnings.push_back("faults outside the model (" + list(network.Outside) + "), expected some inside its box");
+  }
+  if (model.Slivers > 0)
+  {
+    warnings.push_back(std::to_string(model.Slivers) +
+      " triangles thinner than a thousandth of a column, expected faults that are farther apart");
   }
   for (std::size_t n = 0; n < input.Horizons.size(); ++n)
   {
@@ -261,6 +287,7 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
   }
   CheckAtLeast("end distance", options.EndDistance, 0.0, " columns");
   const CutoffModelData cutoffs = RunCutoffs(horizons, given, options.Cutoffs, monitor.Step(0.0, 0.4));
+  RequireCommonFaults(cutoffs);
   const ModelFrame frame = FindFrame(horizons);
   SealingOptions sealing;
   sealing.DropDistance = options.Cutoffs.DropDistance;

@@ -138,7 +138,7 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
     >>> sticks = [np.column_stack((stick[:, 0], [y, y], stick[:, 1])) for y in (0.0, 700.0, 1475.0)]
     >>> model = sh.sealed({"Top": sh.horizon(z, spacing=(25, 25))}, sticks, largest_error=1.0)
     >>> model.names
-    ['above Top, Fault hanging wall', 'above Top, Fault footwall', 'below Top, Fault hanging wall', 'below Top, Fault footwall']
+    ['above Top, Fault footwall', 'above Top, Fault hanging wall', 'below Top, Fault footwall', 'below Top, Fault hanging wall']
     """
     given, blocks, named = faults_of(horizons, faults, "sealed model")
     first = next(iter(given.values()), None)

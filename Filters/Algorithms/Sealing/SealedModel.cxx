@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
@@ -360,6 +361,22 @@ std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
   return surfaces;
 }
 
+std::size_t CountSlivers(const SealedComplex& complex, double thickness)
+{
+  return std::size_t(std::count_if(complex.Triangles.begin(), complex.Triangles.end(),
+    [&](const LabelledTriangle& triangle)
+    {
+      std::array<Eigen::Vector3d, 3> edges;
+      for (std::size_t n = 0; n < 3; ++n)
+      {
+        edges[n] = complex.Vertices[std::size_t(triangle.Corners[(n + 1) % 3])] -
+          complex.Vertices[std::size_t(triangle.Corners[n])];
+      }
+      const double longest = std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
+      return edges[0].cross(edges[1]).norm() < thickness * longest;
+    }));
+}
+
 /// Adds triangles, bodies and lines.
 void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedModel& model)
 {
@@ -377,10 +394,24 @@ void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedMod
       source = std::max(source, sheets.SourceOf(complex.Vertices[std::size_t(corner)], std::size_t(triangle.Sheet)));
     }
   }
-  for (std::size_t n = 0; n < bodies.Labels.size(); ++n)
+  std::vector<std::int32_t> order(bodies.Labels.size()), numbers(bodies.Labels.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto placeOf = [&](std::int32_t body)
+  { return std::make_pair(bodies.Labels[std::size_t(body)] % layers, bodies.Labels[std::size_t(body)]); };
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return placeOf(a) < placeOf(b); });
+  for (const std::int32_t body : order)
   {
-    const std::int32_t label = bodies.Labels[n];
-    model.Bodies.push_back({ std::size_t(label % layers), std::size_t(label / layers), bodies.Volumes[n] });
+    const std::int32_t label = bodies.Labels[std::size_t(body)];
+    numbers[std::size_t(body)] = std::int32_t(model.Bodies.size());
+    model.Bodies.push_back(
+      { std::size_t(label % layers), std::size_t(label / layers), bodies.Volumes[std::size_t(body)] });
+  }
+  for (SealedTriangle& triangle : model.Triangles)
+  {
+    for (std::int32_t& body : triangle.Body)
+    {
+      body = body < 0 ? body : numbers[std::size_t(body)];
+    }
   }
   for (ComplexLine& line : FindLines(complex))
   {
@@ -412,6 +443,8 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
   model.Surfaces = NameSurfaces(input);
   model.Vertices = complex.Vertices;
   Describe(complex, sheets, model);
+  constexpr double thinnest = 1e-3; // columns
+  model.Slivers = CountSlivers(complex, thinnest * column);
   model.Blocks = sheets.BlocksOfLabels();
   model.Guessed = sheets.Guessed();
   model.Accounts = sheets.Accounts;

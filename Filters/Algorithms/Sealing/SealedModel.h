@@ -150,6 +150,7 @@ struct SealedModel
   std::vector<PickAccount> Accounts; // by horizon
   double LargestError = 0.0; // of picks that are used, and not moved
   double LeastAngle = 0.0; // between triangles at edges, in degrees
+  std::size_t Slivers = 0; // triangles thinner than a thousandth of a column
 };
 
 /// Throws InputError if surfaces cannot be sealed.
