@@ -340,7 +340,9 @@ void WriteSealed(const SealedModel& model, const ArrayTable& fields, SealedStage
     const auto sideOf = [number](const SealedTriangle& triangle) {
       return triangle.Body[1] == number ? 0 : triangle.Body[0] == number ? 1 : -1;
     };
-    result.Bodies.push_back(withFields(WriteTriangles(model, sideOf, written)));
+    Horizon surface = WriteTriangles(model, sideOf, written);
+    AddArray<int>(surface.CellData, CellArray::Layer, std::vector<int>(written.size(), int(model.Bodies[body].Layer)));
+    result.Bodies.push_back(withFields(std::move(surface)));
     result.BodyNames.push_back(NameBody(model, layers, number));
   }
   result.Figures = WriteBodyTable(model, layers);
